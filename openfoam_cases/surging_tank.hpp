@@ -1,0 +1,70 @@
+// interFoam (VOF) in a surging rectangular tank: the case's input, its directory, its run and its harvest.
+// Solved in the tank's frame on a static mesh with a tabulated acceleration, slip walls; x from the left wall,
+// z up from the bottom.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace slosh::openfoam {
+
+struct Fluid {
+  double density;              // [kg/m3]
+  double kinematic_viscosity;  // [m2/s]
+};
+
+struct Gauge {
+  std::string name;
+  double x;  // [m] from the left wall
+};
+
+struct SurgingTank {
+  double length, height, fill_depth;  // [m]
+  double gravity;                     // [m/s2], downward
+  Fluid liquid, gas;
+  std::function<double(double)> acceleration;  // X''(t) of the tank [m/s2]
+  double initial_relative_velocity;            // of the liquid against the tank [m/s]: -X'(0) for a start at rest in the earth's frame
+  double duration;                             // [s]
+  double sample_interval;                      // [s]
+  std::vector<Gauge> gauges;
+  int cells_x, cells_z;
+  int processes = 1;
+};
+
+// A run that gave no usable result. what() names the stage (blockMesh, interFoam, ...), what went wrong
+// (missing binary, exit status, signal, incomplete, warning) and the log's last meaningful lines.
+struct RunError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct History {
+  std::vector<double> time, value;
+};
+
+struct Harvest {
+  std::map<std::string, History> elevation;  // by gauge name [m] above the still level
+  History horizontal_force;                  // of the liquid and gas on the tank, per metre of width [N/m]
+  History liquid_volume;                     // per metre of width [m2]
+  double steps = 0;
+  double max_courant_number = 0;
+  double mean_pressure_iterations = 0;       // per time step
+  double relative_mass_loss = 0;             // (first - last volume) / first
+  std::string version;                       // as the log's banner gives it
+};
+
+// Called now and then with the simulated time [s] and the number of steps so far.
+using Progress = std::function<void(double time, double steps)>;
+
+void write_case(const SurgingTank& tank, const std::filesystem::path& template_directory,
+                const std::filesystem::path& case_directory);
+void run_case(const SurgingTank& tank, const std::filesystem::path& case_directory, const Progress& progress);
+Harvest harvest(const SurgingTank& tank, const std::filesystem::path& case_directory);
+
+// The installed version ("1912"), or an empty string where interFoam is absent.
+std::string installed_version();
+
+}  // namespace slosh::openfoam

@@ -1,0 +1,71 @@
+// One SPH run of a surging rectangular tank: the scene, the closed list of schemes, and what a run returns.
+// x from the left wall's rest position, z up from the bottom; earth's frame, the walls move.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace slosh::sph {
+
+struct Gauge {
+  std::string name;
+  double x;  // [m] from the left wall, carried by the tank
+};
+
+// Particles at one moment; positions are relative to the tank's bottom left corner, velocities to the earth.
+struct Snapshot {
+  double time;
+  std::vector<double> x, z, velocity_x, velocity_z, pressure, density;
+};
+
+struct Scene {
+  double tank_length, tank_height, fill_depth;  // [m]
+  double gravity;                               // [m/s2], downward
+  double rest_density;                          // [kg/m3]
+  double kinematic_viscosity = 0;               // [m2/s]
+  std::function<double(double)> displacement;   // X(t) of the tank [m]
+  std::function<double(double)> velocity;       // X'(t) [m/s]
+  std::function<double(double)> acceleration;   // X''(t) [m/s2]
+  double initial_velocity = 0;                  // of the liquid in the earth's frame [m/s]
+  double duration;                              // [s]
+  double sample_interval;                       // [s]
+  double particle_spacing;                      // [m]
+  double surface_particle_spacing;              // [m], equal to particle_spacing for a uniform lattice
+  std::vector<Gauge> gauges;
+  double snapshot_interval = 0;                         // [s], 0: no snapshot
+  std::function<void(const Snapshot&)> record_snapshot; // called every snapshot_interval
+};
+
+struct History {
+  std::vector<double> time, value;
+};
+
+struct RunOutput {
+  std::map<std::string, History> elevation;  // by gauge name [m] above the still level
+  History horizontal_force;                  // of the liquid on the tank, per metre of width [N/m]
+  History kinetic_energy, potential_energy;  // of the liquid [J/m]; potential relative to the initial state
+  double steps = 0;
+  std::size_t particles = 0;                 // of the liquid
+  std::vector<std::string> active_terms;     // the physics compiled into the scheme
+  std::map<std::string, double> diagnostics; // "smallest_time_step_s", "speed_of_sound_m_s", ...
+};
+
+// The run went wrong: a non-finite state, a density out of range, a particle outside, an unstable fixed step.
+// what() names the first bad particle, its state, the time and the cause.
+struct SimulationError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Called about ten times a second of wall time with the simulated time [s] and the steps so far.
+using Progress = std::function<void(double time, double steps)>;
+
+std::vector<std::string> scheme_names();
+
+// Throws std::invalid_argument for an unknown scheme or a scene that the scheme does not take.
+RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress);
+
+}  // namespace slosh::sph

@@ -1,0 +1,138 @@
+// A case: one sloshing experiment, as every solver, reference, metric and gate is told of it. Plain data,
+// SI units; only case_parser.hpp makes one from a file, and it hands over none that is not physically possible.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace slosh {
+
+// Where a value was written, for messages and for reports that point at a row.
+struct SourceLocation {
+  std::string file;
+  int line = 0;
+};
+
+struct TankDefinition {
+  double length;  // [m], along x
+  double height;  // [m], roof above bottom
+};
+
+struct LiquidDefinition {
+  double fill_depth;           // [m], still water
+  double density;              // [kg/m3]
+  double kinematic_viscosity;  // [m2/s]
+};
+
+// What fills the tank above the liquid; seen by interFoam and by the two-layer linear theory.
+struct GasDefinition {
+  double density;              // [kg/m3]
+  double kinematic_viscosity;  // [m2/s]
+};
+
+// X(t) = amplitude sin(omega t), times a smooth ramp over the first ramp_periods periods (0: none).
+struct SineSurge {
+  double amplitude;          // [m]
+  double angular_frequency;  // [rad/s]
+  double ramp_periods = 0;
+};
+
+// X(t) from a CSV file with the columns time_s, displacement_m (path relative to the case file).
+struct TableSurge {
+  std::filesystem::path file;
+  std::vector<double> time, displacement;
+};
+
+// theta(t) = amplitude sin(omega t) about an axis; declared here, not solved yet.
+struct SineRoll {
+  double amplitude;          // [rad] (the file gives degrees)
+  double angular_frequency;  // [rad/s]
+  double axis_x, axis_z;     // [m] from the tank's bottom left corner
+};
+
+using MotionDefinition = std::variant<SineSurge, TableSurge, SineRoll>;
+
+// At rest in the earth's frame (the tank is set off with X'(0)), or at rest relative to the tank.
+enum class Start { earth, tank };
+
+// Free-surface elevation above the still level at a place fixed in the tank.
+struct GaugeDefinition {
+  std::string name;
+  double x;  // [m] from the left wall
+};
+
+struct SphRun {
+  std::string scheme;              // a name of sph/schemes.hpp's closed list
+  double particle_spacing;         // [m], inside the liquid
+  double surface_particle_spacing; // [m], near the free surface; equal to particle_spacing unless given
+};
+
+struct InterFoamRun {
+  int cells_x, cells_z;
+  int processes = 1;  // above 1: decomposePar and mpirun
+};
+
+// Linear potential flow (reference/linear_surge.hpp). It may gate while the highest elevation that it
+// predicts stays below valid_elevation_over_depth times the fill depth.
+struct LinearRun {
+  int modes;
+  bool two_layer = false;  // count the gas in the dispersion relation
+  double valid_elevation_over_depth;
+};
+
+struct RunDefinition {
+  std::string name;
+  std::variant<SphRun, InterFoamRun, LinearRun> solver;
+  bool quick = false;  // part of the campaign's --quick form
+  SourceLocation where;
+};
+
+enum class Metric {
+  amplitude_error,    // 1
+  phase_lag,          // deg
+  frequency_error,    // 1
+  decay_rate,         // 1/s, of the candidate
+  normalised_rms,     // 1, whole window
+  maximum_residual    // the quantity's unit, whole window
+};
+
+// One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or when
+// |value| is below that of the run `improves_on` for the same row: exactly one of the three is given.
+struct GateRow {
+  std::string candidate, reference;  // run names
+  std::string quantity;              // "elevation@<gauge>"
+  std::string mode;                  // "forced", "natural_1", ..., "whole"
+  Metric metric;
+  std::string unit;
+  std::optional<double> limit;
+  std::optional<std::pair<double, double>> between;
+  std::optional<std::string> improves_on;
+  std::string reason, source;
+  SourceLocation where;
+};
+
+struct CaseDefinition {
+  std::string name, title, source;
+  double gravity;  // [m/s2]
+  TankDefinition tank;
+  LiquidDefinition liquid;
+  GasDefinition gas;
+  MotionDefinition motion;
+  Start start;
+  double duration;         // [s]
+  double sample_interval;  // [s], of every recorded series
+  std::vector<GaugeDefinition> gauges;
+  // The comparison: the window and how many natural modes are fitted beside the forced one.
+  double window_begin, window_end;  // [s]
+  int natural_modes;
+  std::vector<RunDefinition> runs;
+  std::vector<GateRow> gate;
+  std::string text;            // the file as read
+  std::filesystem::path file;
+};
+
+}  // namespace slosh

@@ -1,0 +1,58 @@
+// The gate: rows of a case against comparisons, and the exit status that they amount to.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/metrics/comparison.hpp"
+
+namespace slosh {
+
+// The tool's exit statuses; the README lists them.
+enum ExitStatus {
+  exit_pass = 0,
+  exit_violated = 1,
+  exit_usage = 2,
+  exit_solver_failed = 3,
+  exit_not_compared = 4,
+  exit_interrupted = 130
+};
+
+enum class RunState {
+  finished,
+  failed,        // the solver failed: message says how
+  not_selected,  // not part of this campaign's form (--quick)
+  out_of_range   // a reference outside its declared range: drawn, never gates
+};
+
+struct RunStatus {
+  RunState state;
+  std::string message;
+};
+
+enum class Verdict { pass, violated, solver_failed, not_compared, not_selected };
+
+struct GateOutcome {
+  GateRow row;
+  Verdict verdict;
+  Estimate value{};       // the metric, NaN where there is none
+  std::string message;    // "0.8 % <= 1.5 %", or why nothing could be compared
+};
+
+// Gives the comparison of two runs for a quantity; throws ComparisonError or ResultError where there is none.
+using FindComparison = std::function<const Comparison&(const std::string& candidate, const std::string& reference,
+                                                       const std::string& quantity)>;
+
+// NaN never passes: every limit is tested as !(|value| <= limit).
+GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs, const FindComparison& find);
+
+// The worst of all: solver failed (3) over violated (1) over not compared (4); no row evaluated at all is 4.
+int exit_status(const std::vector<GateOutcome>& outcomes);
+
+std::string metric_name(Metric metric);  // as in the case file
+std::string metric_unit(Metric metric, const std::string& quantity_unit);
+
+}  // namespace slosh

@@ -1,0 +1,43 @@
+// What sets a candidate's time series apart from a reference's: per fitted mode the amplitude error,
+// the phase lag and the frequency error, each with its confidence interval; over the whole window the
+// normalised residuals; and the spectral peaks of both.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/metrics/harmonic_fit.hpp"
+#include "verification/metrics/spectrum.hpp"
+#include "verification/metrics/time_series.hpp"
+
+namespace slosh {
+
+struct ModeComparison {
+  std::string mode;  // "forced", "natural_1", ...
+  Tone candidate, reference;
+  Estimate amplitude_error;    // A_c / A_r - 1
+  Estimate phase_lag;          // [s], positive when the candidate is late; wrapped to half a period
+  Estimate phase_lag_degrees;
+  Estimate phase_lag_periods;
+  Estimate frequency_error;    // omega_c / omega_r - 1 (zero for the forced mode, whose frequency is given)
+  Estimate decay_rate;         // of the candidate [1/s]
+};
+
+struct Comparison {
+  std::string candidate, reference, quantity, unit;
+  TimeWindow window;
+  std::vector<ModeComparison> modes;
+  double normalised_rms;    // rms(c - r) / rms(r - mean r)
+  double maximum_residual;  // max |c - r|, in the quantity's unit
+  double sprague_geers_magnitude, sprague_geers_phase;
+  TimeSeries residual;      // c - r at the reference's times inside the window
+  std::vector<SpectralPeak> candidate_peaks, reference_peaks;
+};
+
+// Compares two series over a window. The candidate is interpolated (cubic) to the reference's times.
+// Throws ComparisonError when either series holds a non-finite value or falls short of the window by
+// more than one sample, when the units differ, or when the window cannot resolve the modes.
+Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
+                   const std::vector<ToneRequest>& modes);
+
+}  // namespace slosh

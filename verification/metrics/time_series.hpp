@@ -1,0 +1,22 @@
+// A sampled quantity: what every solver leaves, every metric reads and every figure draws.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace slosh {
+
+struct TimeSeries {
+  std::string name;           // "elevation@right", "horizontal_force", ...
+  std::string unit;           // SI, as written in the result file: "m", "N/m", "J/m", "Pa"
+  std::vector<double> time;   // [s], strictly increasing
+  std::vector<double> value;  // same length as time
+};
+
+// A closed interval of time [s].
+struct TimeWindow {
+  double begin;
+  double end;
+};
+
+}  // namespace slosh
