@@ -1,8 +1,10 @@
-// Linear potential flow in a rectangular tank moving horizontally, by its antisymmetric natural modes
-// (Li et al. 2010, eqs 16-20 corrected; Faltinsen 1978; Liu & Lin 2008). x from the tank's CENTRE in the
-// tank's frame, z up from the still surface, a = length/2:
-//   lambda_n = (2n+1) pi / length,   omega_n^2 = g lambda_n tanh(lambda_n h),   c_n = 2 (-1)^n / (a lambda_n^2)
-//   eta(x,t) = sum_n eta_n(t) sin(lambda_n x),   eta_n'' + omega_n^2 eta_n = -c_n lambda_n tanh(lambda_n h) X''(t)
+// Linear potential flow in a rectangular tank moving horizontally, by its antisymmetric natural
+// modes (Li et al. 2010, eqs 16-20 corrected; Faltinsen 1978; Liu & Lin 2008). x from the tank's
+// CENTRE in the tank's frame, z up from the still surface, a = length/2:
+//   lambda_n = (2n+1) pi / length,  omega_n^2 = g lambda_n tanh(lambda_n h),
+//   c_n = 2 (-1)^n / (a lambda_n^2),
+//   eta(x,t) = sum_n eta_n(t) sin(lambda_n x),
+//   eta_n'' + omega_n^2 eta_n = -c_n lambda_n tanh(lambda_n h) X''(t).
 // Valid for waves small against the depth, the wave length and the distance from resonance.
 #pragma once
 
@@ -34,8 +36,8 @@ struct SineSurge {
   double angular_frequency;  // [rad/s]
 };
 
-// Any motion: X'(0) and X''(t), integrated by Duhamel's integral, exact for an X'' that is linear between
-// the sample times 0, step, 2 step, ...
+// Any motion: X'(0) and X''(t), integrated by Duhamel's integral, exact for an X'' that is linear
+// between the sample times 0, step, 2 step, ...
 struct AnySurge {
   double initial_velocity;
   std::function<double(double)> acceleration;
@@ -43,11 +45,14 @@ struct AnySurge {
   double step;      // [s]
 };
 
-// Natural angular frequency [rad/s] of the m-th mode of the tank, m = 1, 2, ... (k = m pi / length; the odd
-// ones are those that surge excites). With a gas: two-layer theory.
+// Natural angular frequency [rad/s] of the m-th mode of the tank, m = 1, 2, ... (k = m pi / length;
+// the odd ones are those that surge excites). With a gas: two-layer theory.
 double natural_frequency(const Tank& tank, int m);
 double natural_frequency(const Tank& tank, const Gas& gas, int m);
 
+// Positions and times outside the liquid at rest, or outside the motion's duration, and NaN throw
+// std::invalid_argument, as impossible tanks, motions and numbers of modes do on construction. Take
+// 500 modes or more for an elevation; linear_surge.cpp has the figures.
 class LinearSurge {
  public:
   LinearSurge(const Tank& tank, Start start, const SineSurge& motion, int modes);
@@ -65,7 +70,7 @@ class LinearSurge {
   };
   Velocity velocity(double x, double z, double t) const;
   double pressure(double x, double z, double t) const;  // gauge [Pa], hydrostatic part included
-  double horizontal_force(double t) const;              // of the liquid on the tank, per metre of width [N/m]
+  double horizontal_force(double t) const;  // of the liquid on the tank, per metre of width [N/m]
 
  private:
   struct Modes;

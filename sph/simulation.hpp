@@ -1,5 +1,6 @@
-// One SPH run of a surging rectangular tank: the scene, the closed list of schemes, and what a run returns.
-// x from the left wall's rest position, z up from the bottom; earth's frame, the walls move.
+// One SPH run of a surging rectangular tank: the scene, the closed list of schemes, and what a run
+// returns. x from the left wall's rest position, z up from the bottom; earth's frame, the walls
+// move.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,8 @@ struct Gauge {
   double x;  // [m] from the left wall, carried by the tank
 };
 
-// Particles at one moment; positions are relative to the tank's bottom left corner, velocities to the earth.
+// Particles at one moment; positions are relative to the tank's bottom left corner, velocities to
+// the earth.
 struct Snapshot {
   double time;
   std::vector<double> x, z, velocity_x, velocity_z, pressure, density;
@@ -34,10 +36,10 @@ struct Scene {
   double duration;                              // [s]
   double sample_interval;                       // [s]
   double particle_spacing;                      // [m]
-  double surface_particle_spacing;              // [m], equal to particle_spacing for a uniform lattice
+  double surface_particle_spacing;  // [m], equal to particle_spacing for a uniform lattice
   std::vector<Gauge> gauges;
-  double snapshot_interval = 0;                         // [s], 0: no snapshot
-  std::function<void(const Snapshot&)> record_snapshot; // called every snapshot_interval
+  double snapshot_interval = 0;                          // [s], 0: no snapshot
+  std::function<void(const Snapshot&)> record_snapshot;  // called every snapshot_interval
 };
 
 struct History {
@@ -47,15 +49,16 @@ struct History {
 struct RunOutput {
   std::map<std::string, History> elevation;  // by gauge name [m] above the still level
   History horizontal_force;                  // of the liquid on the tank, per metre of width [N/m]
-  History kinetic_energy, potential_energy;  // of the liquid [J/m]; potential relative to the initial state
+  History kinetic_energy,
+      potential_energy;  // of the liquid [J/m]; potential relative to the initial state
   double steps = 0;
-  std::size_t particles = 0;                 // of the liquid
-  std::vector<std::string> active_terms;     // the physics compiled into the scheme
-  std::map<std::string, double> diagnostics; // "smallest_time_step_s", "speed_of_sound_m_s", ...
+  std::size_t particles = 0;                  // of the liquid
+  std::vector<std::string> active_terms;      // the physics compiled into the scheme
+  std::map<std::string, double> diagnostics;  // "smallest_time_step_s", "speed_of_sound_m_s", ...
 };
 
-// The run went wrong: a non-finite state, a density out of range, a particle outside, an unstable fixed step.
-// what() names the first bad particle, its state, the time and the cause.
+// The run went wrong: a non-finite state, a density out of range, a particle outside, an unstable
+// fixed step. what() names the first bad particle, its state, the time and the cause.
 struct SimulationError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,5 +1,6 @@
-// A case: one sloshing experiment, as every solver, reference, metric and gate is told of it. Plain data,
-// SI units; only case_parser.hpp makes one from a file, and it hands over none that is not physically possible.
+// A case: one sloshing experiment, as every solver, reference, metric and gate is told of it. Plain
+// data, SI units; only case_parser.hpp makes one from a file, and it hands over none that is not
+// physically possible.
 #pragma once
 
 #include <filesystem>
@@ -52,6 +53,7 @@ struct SineRoll {
   double amplitude;          // [rad] (the file gives degrees)
   double angular_frequency;  // [rad/s]
   double axis_x, axis_z;     // [m] from the tank's bottom left corner
+  SourceLocation where;
 };
 
 using MotionDefinition = std::variant<SineSurge, TableSurge, SineRoll>;
@@ -66,9 +68,10 @@ struct GaugeDefinition {
 };
 
 struct SphRun {
-  std::string scheme;              // a name of sph/schemes.hpp's closed list
-  double particle_spacing;         // [m], inside the liquid
-  double surface_particle_spacing; // [m], near the free surface; equal to particle_spacing unless given
+  std::string scheme;               // a name of sph/schemes.hpp's closed list
+  double particle_spacing;          // [m], inside the liquid
+  double surface_particle_spacing;  // [m], near the free surface; equal to particle_spacing unless
+                                    // given
 };
 
 struct InterFoamRun {
@@ -76,8 +79,8 @@ struct InterFoamRun {
   int processes = 1;  // above 1: decomposePar and mpirun
 };
 
-// Linear potential flow (reference/linear_surge.hpp). It may gate while the highest elevation that it
-// predicts stays below valid_elevation_over_depth times the fill depth.
+// Linear potential flow (reference/linear_surge.hpp). It may gate while the highest elevation that
+// it predicts stays below valid_elevation_over_depth times the fill depth.
 struct LinearRun {
   int modes;
   bool two_layer = false;  // count the gas in the dispersion relation
@@ -92,20 +95,22 @@ struct RunDefinition {
 };
 
 enum class Metric {
-  amplitude_error,    // 1
-  phase_lag,          // deg
-  frequency_error,    // 1
-  decay_rate,         // 1/s, of the candidate
-  normalised_rms,     // 1, whole window
-  maximum_residual    // the quantity's unit, whole window
+  amplitude_error,  // 1
+  phase_lag,        // deg
+  frequency_error,  // 1
+  decay_rate,       // 1/s, of the candidate
+  normalised_rms,   // 1, whole window
+  maximum_residual  // the quantity's unit, whole window
 };
 
-// One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or when
-// |value| is below that of the run `improves_on` for the same row: exactly one of the three is given.
+// One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or
+// when |value| is below that of the run `improves_on` for the same row: exactly one of the three is
+// given.
 struct GateRow {
   std::string candidate, reference;  // run names
   std::string quantity;              // "elevation@<gauge>"
-  std::string mode;                  // "forced", "natural_1", ..., "whole"
+  // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first), "whole"
+  std::string mode;
   Metric metric;
   std::string unit;
   std::optional<double> limit;
@@ -117,6 +122,7 @@ struct GateRow {
 
 struct CaseDefinition {
   std::string name, title, source;
+  std::vector<std::string> tags;
   double gravity;  // [m/s2]
   TankDefinition tank;
   LiquidDefinition liquid;
@@ -126,12 +132,13 @@ struct CaseDefinition {
   double duration;         // [s]
   double sample_interval;  // [s], of every recorded series
   std::vector<GaugeDefinition> gauges;
-  // The comparison: the window and how many natural modes are fitted beside the forced one.
+  // The comparison: the window and how many natural modes (of those that surge excites, lowest
+  // first) are fitted beside the forced one.
   double window_begin, window_end;  // [s]
   int natural_modes;
   std::vector<RunDefinition> runs;
   std::vector<GateRow> gate;
-  std::string text;            // the file as read
+  std::string text;  // the file as read
   std::filesystem::path file;
 };
 

@@ -1,20 +1,43 @@
-// The one reader of case files (TOML, verification/cases/*.toml). Strict: an unknown or missing key, a wrong
-// type, a value that no tank can have, each is refused with file:line, key, value, what was expected and its
-// unit, and the nearest known key.
+// The one reader of case files (TOML, verification/cases/*.toml). Strict: an unknown or missing
+// key, a wrong type, a value that no tank can have, each is refused with file:line, key, value,
+// what was expected and its unit, and the nearest known key. The schema, version 1 (? marks what
+// may be left out):
+//
+//   schema_version = 1, name, title, source, tags = [...], gravity_m_s2
+//   [tank]        length_m, height_m
+//   [liquid]      fill_depth_m, density_kg_m3, kinematic_viscosity_m2_s
+//   [gas]         density_kg_m3, kinematic_viscosity_m2_s
+//   [motion]      type = "sine_surge": amplitude_m, angular_frequency_rad_s, ramp_periods?
+//                 type = "table_surge": file (CSV: time_s,displacement_m; relative to the case
+//                 file) type = "sine_roll": amplitude_deg, angular_frequency_rad_s, axis_x_m,
+//                 axis_z_m
+//   [time]        start = "earth" | "tank", duration_s, sample_interval_s
+//   [[gauge]]     name, x_m (from the left wall)
+//   [comparison]  window_begin_s, window_end_s, natural_modes
+//   [[run]]       name, quick?, and
+//                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?
+//                 solver = "interfoam": cells_x, cells_z, processes?
+//                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
+//   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>", mode, metric, unit,
+//                 one of limit | lower with upper | improves_on, reason, source
+//
+// The names of SPH schemes are not known here: whoever starts a run checks its own.
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
+#include <string>
 
 #include "verification/case_file/case_definition.hpp"
+#include "verification/case_file/case_file_error.hpp"
 
 namespace slosh {
 
-// The user's file is wrong; what() is the whole message, "file:line: key = value: expected ...".
-struct CaseFileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
+// Throws CaseFileError.
 CaseDefinition read_case(const std::filesystem::path& file);
+
+// The file of a case: a path (it holds a / or ends in .toml), or the name of a case in the
+// directory. Throws CaseFileError when there is none, with the nearest names.
+std::filesystem::path find_case(const std::string& name_or_path,
+                                const std::filesystem::path& directory);
 
 }  // namespace slosh

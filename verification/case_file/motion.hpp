@@ -1,10 +1,16 @@
-// The tank's horizontal motion as functions of time, made from a case's definition: what each solver and
-// reference is handed.
+// The tank's horizontal motion as functions of time, made from a case's definition: what each
+// solver and reference is handed. Twice differentiable, each derivative exact:
+//   sine    X(t) = A r(s) sin(omega t), s = t / (ramp_periods 2 pi / omega), with the ramp
+//           r(s) = s^3 (10 - 15 s + 6 s^2), 0 below and 1 above (the quintic "smoothstep" of K.
+//           Perlin, Improving Noise, 2002: first and second derivatives vanish at both ends); r = 1
+//           without a ramp
+//   table   the cubic spline through its points (cubic_spline.hpp); valid from 0 to the last time
 #pragma once
 
 #include <functional>
 
 #include "verification/case_file/case_definition.hpp"
+#include "verification/case_file/case_file_error.hpp"
 
 namespace slosh {
 

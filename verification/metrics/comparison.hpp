@@ -1,6 +1,12 @@
-// What sets a candidate's time series apart from a reference's: per fitted mode the amplitude error,
-// the phase lag and the frequency error, each with its confidence interval; over the whole window the
-// normalised residuals; and the spectral peaks of both.
+// What sets a candidate's time series apart from a reference's: per fitted mode the amplitude
+// error, the phase lag and the frequency error, each with its confidence interval; over the whole
+// window the normalised residuals, the lag by cross-correlation and Sprague and Geers' magnitude
+// and phase; and the spectral peaks of both. With I_xy the integral of x y over the window, c the
+// candidate, r the reference:
+//   amplitude error = A_c / A_r - 1,   lag = wrap(phi_r - phi_c) / w, phases at the window's middle
+//   M = sqrt(I_cc / I_rr) - 1,   P = acos(I_rc / sqrt(I_rr I_cc)) / pi
+// (Sprague & Geers 2004 after Schwer 2007; P has no sign). Intervals assume that the errors of the
+// two fits are independent and small (first order).
 #pragma once
 
 #include <string>
@@ -15,28 +21,32 @@ namespace slosh {
 struct ModeComparison {
   std::string mode;  // "forced", "natural_1", ...
   Tone candidate, reference;
-  Estimate amplitude_error;    // A_c / A_r - 1
-  Estimate phase_lag;          // [s], positive when the candidate is late; wrapped to half a period
+  Estimate amplitude_error;  // A_c / A_r - 1
+  Estimate phase_lag;        // [s], positive when the candidate is late; wrapped to half a period
   Estimate phase_lag_degrees;
   Estimate phase_lag_periods;
-  Estimate frequency_error;    // omega_c / omega_r - 1 (zero for the forced mode, whose frequency is given)
-  Estimate decay_rate;         // of the candidate [1/s]
+  Estimate frequency_error;  // omega_c / omega_r - 1 (zero for the forced mode, whose frequency is
+                             // given)
+  Estimate decay_rate;       // of the candidate [1/s]
 };
 
 struct Comparison {
-  std::string candidate, reference, quantity, unit;
+  std::string candidate, reference;  // names of the runs, for the caller to fill in
+  std::string quantity, unit;        // the reference's
   TimeWindow window;
   std::vector<ModeComparison> modes;
-  double normalised_rms;    // rms(c - r) / rms(r - mean r)
-  double maximum_residual;  // max |c - r|, in the quantity's unit
+  double normalised_rms;         // rms(c - r) / rms(r - mean r)
+  double maximum_residual;       // max |c - r|, in the quantity's unit
+  double cross_correlation_lag;  // [s], positive when late; within half a period of the first mode
   double sprague_geers_magnitude, sprague_geers_phase;
-  TimeSeries residual;      // c - r at the reference's times inside the window
-  std::vector<SpectralPeak> candidate_peaks, reference_peaks;
+  TimeSeries residual;  // c - r at the reference's times inside the window
+  std::vector<SpectralPeak> candidate_peaks, reference_peaks;  // one more than modes, highest first
 };
 
-// Compares two series over a window. The candidate is interpolated (cubic) to the reference's times.
-// Throws ComparisonError when either series holds a non-finite value or falls short of the window by
-// more than one sample, when the units differ, or when the window cannot resolve the modes.
+// Compares two series over a window. The candidate is interpolated (cubic) to the reference's
+// times. Throws ComparisonError when either series holds a non-finite value, does not vary or falls
+// short of the window by more than one sample, when the units differ, when no mode is asked for, or
+// when the window cannot resolve the modes.
 Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
                    const std::vector<ToneRequest>& modes);
 

@@ -1,20 +1,19 @@
-// Harmonic least squares: y = c0 + c1 t + sum_k exp(-g_k t) (a_k cos w_k t + b_k sin w_k t) over a window.
-// The primary metric of the harness: fit the forcing and the natural modes together, because one tone
-// fitted to a beating signal mis-states both amplitude and lag.
+// Harmonic least squares over a window:
+//   y = c0 + c1 t + sum_k exp(-g_k (t - t0)) (a_k cos w_k t + b_k sin w_k t),
+// t0 the window's begin. The primary metric of the harness: fit the forcing and the natural modes
+// together, because one tone fitted to a beating signal mis-states both amplitude and lag (a lag of
+// 0.100 T comes out as 0.063 T). Intervals: covariance s^2 (J^T J)^-1 of the full nonlinear model,
+// inflated for correlated residuals by (J^T J)^-1 J^T R J (J^T J)^-1, R the residuals'
+// autocovariance tapered by Parzen's window (Priestley 1981; Newey & West 1987). Valid where the
+// window resolves the tones from one another and from its mean: length > 1 / |f1 - f2| and > 1 / f.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "verification/metrics/time_series.hpp"
 
 namespace slosh {
-
-// Nothing can be compared: no overlap, a truncated or non-finite series, a window too short for the modes.
-struct ComparisonError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // A value and half the width of its 95 % confidence interval, in the same unit.
 struct Estimate {
@@ -30,22 +29,36 @@ struct ToneRequest {
   bool refine;
 };
 
+// A refined tone that cannot be told from noise (amplitude below 3.64 of its standard errors), or
+// whose search ended at an end of its range, is no error: its amplitude's interval reaches down to
+// zero, and its frequency, decay rate and phase have the whole range that was searched (phase: pi)
+// as half width.
 struct Tone {
   std::string name;
-  Estimate angular_frequency;  // [rad/s]
+  Estimate angular_frequency;  // [rad/s], within 10 % of the request
   Estimate decay_rate;         // [1/s], amplitude ~ exp(-decay_rate t)
   Estimate amplitude;          // at t = window.begin, in the series' unit
-  Estimate phase;              // [rad], y ~ amplitude cos(w t + phase), phase = atan2(-b, a), t as in the series
+  // [rad], y ~ amplitude cos(w t + phase), phase = atan2(-b, a), t as in the series.
+  Estimate phase;
+  // [rad], w t + phase at the window's middle, wrapped to [-pi, pi]: free of the uncertainty that a
+  // refined w carries to a phase at a far t = 0.
+  Estimate phase_at_middle;
 };
 
 struct HarmonicFit {
-  double mean;   // c0 at the window's middle
-  double trend;  // c1 [unit/s]
+  double mean;              // c0 at the window's middle
+  double trend;             // c1 [unit/s]
   std::vector<Tone> tones;  // in the order of the requests
   double residual_rms;
 };
 
+// Throws ComparisonError as cut_to_window() does, when the window cannot resolve the tones (naming
+// its length and the one needed), and when a sample interval inside it exceeds a tenth of the
+// shortest period.
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests);
+
+// Angle [rad] brought to [-pi, pi] by whole turns.
+double wrap_angle(double angle);
 
 }  // namespace slosh

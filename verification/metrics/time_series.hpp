@@ -1,10 +1,17 @@
 // A sampled quantity: what every solver leaves, every metric reads and every figure draws.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace slosh {
+
+// Nothing can be compared: no overlap, a truncated or non-finite series, a window too short for the
+// modes.
+struct ComparisonError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 struct TimeSeries {
   std::string name;           // "elevation@right", "horizontal_force", ...

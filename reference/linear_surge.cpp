@@ -1,0 +1,196 @@
+// The sums over the modes. Relative to the tank the liquid moves with the potential
+//   phi = sum sin(lambda_n x) C_n(z) eta_n'/(lambda_n T_n),
+//   C_n(z) = cosh(lambda_n(z+h))/cosh(lambda_n h),  T_n = tanh(lambda_n h), hence
+//   velocity  grad phi
+//   pressure  p = -rho (g z + X'' x + phi_t)
+//   force     F = integral over -h < z < 0 of p(a,z) - p(-a,z)
+//               = -rho (X'' L h + sum 2 (-1)^n eta_n''/lambda_n^2),
+// minus the rate of change of the liquid's momentum in the earth's frame.
+//
+// Convergence: a start at rest in the earth's frame sets the walls off at X'(0), so that the
+// liquid's first velocity has a step at the walls (and a logarithmic singularity in the corners),
+// and the free part of eta_n falls only as n^-3/2, with a sign that wanders with omega_n t. Li's
+// tank and gauge, b = 0.02 m, 0 to 12 s, against 20000 modes: the elevation errs by at most 0.062,
+// 0.014, 0.010 and 0.004 mm (of 9 mm) with 100, 500, 800 and 2000 modes, in rms by a sixth of that;
+// from rest in the tank by 2e-5 mm with 100. On the surface the velocity of an earth's start, whose
+// eta_n' falls as 1/n, is never settled (1 mm/s of ripple at the gauge whatever the number); below
+// the surface every field converges exponentially.
+#include "reference/linear_surge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "reference/duhamel.hpp"
+#include "reference/forced_mode.hpp"
+#include "reference/require.hpp"
+
+namespace slosh::reference {
+namespace {
+
+constexpr auto where = "LinearSurge";
+
+// By how much a position or a time may lie outside, relative to the tank or the record: rounding
+// only.
+constexpr double rounding = 1e-9;
+
+// C_n(z) and its companion S_n(z) = sinh(lambda_n(z+h))/cosh(lambda_n h), which for z <= 0 overflow
+// nowhere.
+struct DepthProfile {
+  double cosh, sinh;
+};
+
+DepthProfile depth_profile(double lambda, double z, double depth) {
+  const double surface_wave = std::exp(lambda * z) / (1 + std::exp(-2 * lambda * depth));
+  const double bottom_image = std::exp(-2 * lambda * (z + depth));
+  return {surface_wave * (1 + bottom_image), surface_wave * (1 - bottom_image)};
+}
+
+const SineSurge& checked(const SineSurge& motion) {
+  require(std::isfinite(motion.amplitude), where, "surge amplitude", motion.amplitude,
+          "a finite length, m");
+  require(motion.angular_frequency > 0 && std::isfinite(motion.angular_frequency), where,
+          "angular frequency", motion.angular_frequency, "a frequency > 0 rad/s");
+  return motion;
+}
+
+double initial_velocity(const SineSurge& motion) {
+  return motion.amplitude * motion.angular_frequency;
+}
+double initial_velocity(const AnySurge& motion) { return motion.initial_velocity; }
+
+}  // namespace
+
+struct LinearSurge::Modes {
+  Tank tank;
+  std::vector<SurgeMode> modes;
+  std::variant<SineSurge, DuhamelModes> motion;
+
+  Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const SineSurge& sine,
+        int count)
+      : tank(tank),
+        modes(surge_modes(tank, gas, start == Start::earth ? initial_velocity(sine) : 0, count)),
+        motion(checked(sine)) {}
+
+  Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const AnySurge& any,
+        int count)
+      : tank(tank),
+        modes(surge_modes(tank, gas, start == Start::earth ? initial_velocity(any) : 0, count)),
+        motion(DuhamelModes(modes, any)) {}
+
+  // The time as the motion knows it, or an error.
+  double checked_time(double t) const {
+    const auto* duhamel = std::get_if<DuhamelModes>(&motion);
+    const double last = duhamel ? duhamel->duration() : std::numeric_limits<double>::max();
+    require(t >= 0 && t <= last + rounding * last, where, "time", t,
+            fmt::format("a time from 0 to {} s", last));
+    return std::min(t, last);
+  }
+
+  void check_position(double x) const {
+    require(std::abs(x) <= (0.5 + rounding) * tank.length, where, "x", x,
+            fmt::format("a position within {} m of the tank's centre", tank.length / 2));
+  }
+
+  void check_position(double x, double z) const {
+    check_position(x);
+    require(
+        z <= rounding * tank.fill_depth && z >= -(1 + rounding) * tank.fill_depth, where, "z", z,
+        fmt::format("a height from {} m (the bottom) to 0 (the still surface)", -tank.fill_depth));
+  }
+
+  double tank_acceleration(double t) const {
+    if (const auto* duhamel = std::get_if<DuhamelModes>(&motion)) {
+      return duhamel->acceleration(t);
+    }
+    const auto& [amplitude, omega] = std::get<SineSurge>(motion);
+    return -amplitude * omega * omega * std::sin(omega * t);
+  }
+
+  // Calls visit(n, the n-th mode's state at t) for every mode.
+  template <class Visit>
+  void for_each(double t, Visit visit) const {
+    const auto* sine = std::get_if<SineSurge>(&motion);
+    for (std::size_t n = 0; n < modes.size(); ++n) {
+      visit(n, sine ? forced_mode(modes[n], *sine, t) : std::get<DuhamelModes>(motion).state(n, t));
+    }
+  }
+};
+
+LinearSurge::LinearSurge(const Tank& tank, Start start, const SineSurge& motion, int modes)
+    : modes_(std::make_unique<Modes>(tank, std::nullopt, start, motion, modes)) {}
+LinearSurge::LinearSurge(const Tank& tank, Start start, const AnySurge& motion, int modes)
+    : modes_(std::make_unique<Modes>(tank, std::nullopt, start, motion, modes)) {}
+LinearSurge::LinearSurge(const Tank& tank, const Gas& gas, Start start, const SineSurge& motion,
+                         int modes)
+    : modes_(std::make_unique<Modes>(tank, gas, start, motion, modes)) {}
+LinearSurge::LinearSurge(const Tank& tank, const Gas& gas, Start start, const AnySurge& motion,
+                         int modes)
+    : modes_(std::make_unique<Modes>(tank, gas, start, motion, modes)) {}
+LinearSurge::~LinearSurge() = default;
+LinearSurge::LinearSurge(LinearSurge&&) noexcept = default;
+
+double LinearSurge::elevation(double x, double t) const {
+  return elevation(x, std::span(&t, 1)).front();
+}
+
+std::vector<double> LinearSurge::elevation(double x, std::span<const double> times) const {
+  modes_->check_position(x);
+  std::vector<double> shape;
+  shape.reserve(modes_->modes.size());
+  for (const SurgeMode& mode : modes_->modes) {
+    shape.push_back(std::sin(mode.wave_number * x));
+  }
+  std::vector<double> series;
+  series.reserve(times.size());
+  for (const double t : times) {
+    double elevation = 0;
+    modes_->for_each(modes_->checked_time(t), [&](std::size_t n, const ModeState& state) {
+      elevation += shape[n] * state.elevation;
+    });
+    series.push_back(elevation);
+  }
+  return series;
+}
+
+LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const {
+  modes_->check_position(x, z);
+  Velocity velocity{0, 0};
+  modes_->for_each(modes_->checked_time(t), [&](std::size_t n, const ModeState& state) {
+    const SurgeMode& mode = modes_->modes[n];
+    const DepthProfile profile = depth_profile(mode.wave_number, z, modes_->tank.fill_depth);
+    const double surge = state.rate / mode.depth_factor;
+    velocity.x += surge * std::cos(mode.wave_number * x) * profile.cosh;
+    velocity.z += surge * std::sin(mode.wave_number * x) * profile.sinh;
+  });
+  return velocity;
+}
+
+double LinearSurge::pressure(double x, double z, double t) const {
+  modes_->check_position(x, z);
+  const Tank& tank = modes_->tank;
+  const double time = modes_->checked_time(t);
+  double potential_rate = 0;
+  modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
+    const SurgeMode& mode = modes_->modes[n];
+    potential_rate += std::sin(mode.wave_number * x) *
+                      depth_profile(mode.wave_number, z, tank.fill_depth).cosh *
+                      state.acceleration / (mode.wave_number * mode.depth_factor);
+  });
+  return -tank.density * (tank.gravity * z + modes_->tank_acceleration(time) * x + potential_rate);
+}
+
+double LinearSurge::horizontal_force(double t) const {
+  const Tank& tank = modes_->tank;
+  const double time = modes_->checked_time(t);
+  double wave_part = 0;
+  modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
+    const double lambda = modes_->modes[n].wave_number;
+    wave_part += (n % 2 == 0 ? 2 : -2) * state.acceleration / (lambda * lambda);
+  });
+  return -tank.density *
+         (modes_->tank_acceleration(time) * tank.length * tank.fill_depth + wave_part);
+}
+
+}  // namespace slosh::reference

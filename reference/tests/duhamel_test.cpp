@@ -1,0 +1,102 @@
+#include "reference/duhamel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "reference/forced_mode.hpp"
+#include "reference/tests/li_tank.hpp"
+#include "reference/tests/mode_by_odeint.hpp"
+
+namespace slosh::reference {
+namespace {
+
+const std::vector<double> times{0.01, 0.305, 1, 2.7041, 5, 8, 12};
+
+// b sin(omega t) raised over the first two periods by (1 - cos(pi t/rise))/2, and its exact second
+// derivative.
+struct RampedSine {
+  double rise, omega, b;
+  double operator()(double t) const {
+    const double q = std::numbers::pi / rise;
+    const double ramp = t < rise ? (1 - std::cos(q * t)) / 2 : 1;
+    const double ramp_rate = t < rise ? q / 2 * std::sin(q * t) : 0;
+    const double ramp_curvature = t < rise ? q * q / 2 * std::cos(q * t) : 0;
+    return b * ((ramp_curvature - omega * omega * ramp) * std::sin(omega * t) +
+                2 * ramp_rate * omega * std::cos(omega * t));
+  }
+};
+
+TEST(Duhamel, SolvesTheModesEquationForARamp) {
+  const double omega = li_surge.angular_frequency;
+  const RampedSine ramp{4 * std::numbers::pi / omega, omega, 0.02};
+  const auto modes = surge_modes(li_tank, std::nullopt, 0, 6);
+  // The interpolation errs by (omega step)^2/12 of the forcing: 2e-7 of some 3 mm.
+  const DuhamelModes duhamel(modes, {0, ramp, 12, 1e-3});
+  for (std::size_t n = 0; n < modes.size(); ++n) {
+    const auto expected = mode_by_odeint(modes[n], ramp, times);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      EXPECT_NEAR(duhamel.state(n, times[i]).elevation, expected[i][0], 2e-9);
+      EXPECT_NEAR(duhamel.state(n, times[i]).rate, expected[i][1], 1e-8);
+    }
+  }
+}
+
+TEST(Duhamel, EqualsTheClosedFormOnASine) {
+  const auto modes = surge_modes(li_tank, std::nullopt, 0.02 * li_surge.angular_frequency, 300);
+  const DuhamelModes duhamel(modes, sampled(li_surge, 12, 1e-3));
+  for (std::size_t n = 0; n < modes.size(); ++n) {
+    for (const double t : times) {
+      const ModeState state = duhamel.state(n, t), closed = forced_mode(modes[n], li_surge, t);
+      EXPECT_NEAR(state.elevation, closed.elevation, 2e-9);
+      EXPECT_NEAR(state.rate, closed.rate, 1e-8);
+    }
+  }
+}
+
+// Exact for a piecewise-linear X'', hence the same to rounding from coarse and from fine samples;
+// the motion's own last interval may be a part of a step.
+TEST(Duhamel, IsExactWhereTheAccelerationIsPiecewiseLinear) {
+  const auto sawtooth = [](double t) {
+    const double phase = t - std::floor(t);
+    return phase < 0.5 ? phase : 1 - phase;
+  };
+  const auto modes = surge_modes(li_tank, std::nullopt, 0.1, 50);
+  const DuhamelModes coarse(modes, {0.1, sawtooth, 5.25, 0.5});
+  const DuhamelModes fine(modes, {0.1, sawtooth, 5.25, 0.5 / 64});
+  EXPECT_EQ(coarse.duration(), 5.25);
+  for (const double t : {0.1, 0.5, 1.7, 4.999, 5.2, 5.25}) {
+    EXPECT_NEAR(coarse.acceleration(t), sawtooth(t), 1e-14);
+    for (std::size_t n = 0; n < modes.size(); ++n) {
+      EXPECT_NEAR(coarse.state(n, t).elevation, fine.state(n, t).elevation, 1e-14);
+      EXPECT_NEAR(coarse.state(n, t).acceleration, fine.state(n, t).acceleration, 1e-10);
+    }
+  }
+}
+
+TEST(Duhamel, FallsToTheSecondOrderOfTheStep) {
+  const auto modes = surge_modes(li_tank, std::nullopt, 0, 1);
+  const auto error = [&](double step) {
+    return DuhamelModes(modes, sampled(li_surge, 12, step)).state(0, 12).elevation -
+           forced_mode(modes[0], li_surge, 12).elevation;
+  };
+  EXPECT_NEAR(error(0.05) / error(0.025), 4, 0.02);
+}
+
+TEST(Duhamel, RefusesWhatItCannotSample) {
+  const auto modes = surge_modes(li_tank, std::nullopt, 0, 1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto still = [](double) { return 0.0; };
+  EXPECT_THROW(DuhamelModes(modes, {0, still, 0, 0.1}), std::invalid_argument);
+  EXPECT_THROW(DuhamelModes(modes, {0, still, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(DuhamelModes(modes, {0, still, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(DuhamelModes(modes, {0, [=](double t) { return t > 0.5 ? nan : 0; }, 1, 0.1}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace slosh::reference

@@ -1,0 +1,167 @@
+#include "reference/linear_surge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "reference/tests/li_tank.hpp"
+
+namespace slosh::reference {
+namespace {
+
+// The published values come out to their last printed digit with this many modes; the converged
+// series (20000 modes) differs by 0.005 mm for the earth's start, not at all for the tank's.
+constexpr int table_modes = 800;
+constexpr double millimetre = 1e-3;
+
+// 0 to 12 s.
+std::vector<double> twelve_seconds(int samples_per_second) {
+  std::vector<double> times;
+  for (int i = 0; i <= 12 * samples_per_second; ++i) {
+    times.push_back(static_cast<double>(i) / samples_per_second);
+  }
+  return times;
+}
+
+struct Row {
+  Start start;
+  double max, max_time, min, min_time;  // [mm], [s]
+  double values[7];                     // [mm]
+};
+constexpr double table_times[] = {1, 2, 3, 5, 8, 10, 12};
+constexpr Row table[] = {{Start::earth,
+                          9.0815,
+                          9.731,
+                          -9.3608,
+                          2.794,
+                          {8.80998, 3.41289, -6.10907, 5.57969, -7.88520, 4.72607, -3.02650}},
+                         {Start::tank,
+                          2.7682,
+                          0.988,
+                          -2.7682,
+                          11.702,
+                          {2.76672, 0.66208, -2.53395, 2.19668, -1.96292, 1.99709, -1.97869}}};
+
+TEST(LinearSurge, GivesTheTableOfPublishedValues) {
+  for (const Row& row : table) {
+    const LinearSurge surge(li_tank, row.start, li_surge, table_modes);
+    const auto values = surge.elevation(li_gauge, table_times);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_NEAR(values[i], row.values[i] * millimetre, 1e-8) << table_times[i] << " s";
+      EXPECT_EQ(values[i], surge.elevation(li_gauge, table_times[i]));
+    }
+  }
+}
+
+TEST(LinearSurge, GivesTheExtremesOfTwelveSeconds) {
+  const auto times = twelve_seconds(1000);
+  for (const Row& row : table) {
+    const auto eta =
+        LinearSurge(li_tank, row.start, li_surge, table_modes).elevation(li_gauge, times);
+    const auto [lowest, highest] = std::minmax_element(eta.begin(), eta.end());
+    EXPECT_NEAR(*highest, row.max * millimetre, 1e-7);
+    EXPECT_NEAR(*lowest, row.min * millimetre, 1e-7);
+    EXPECT_NEAR(times[highest - eta.begin()], row.max_time, 0.0011);
+    EXPECT_NEAR(times[lowest - eta.begin()], row.min_time, 0.0011);
+  }
+}
+
+double worst_difference(Start start, int modes, int more_modes) {
+  const auto times = twelve_seconds(100);
+  const auto coarse = LinearSurge(li_tank, start, li_surge, modes).elevation(li_gauge, times);
+  const auto fine = LinearSurge(li_tank, start, li_surge, more_modes).elevation(li_gauge, times);
+  double worst = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    worst = std::max(worst, std::abs(coarse[i] - fine[i]));
+  }
+  return worst;
+}
+
+TEST(LinearSurge, ConvergesWithTheNumberOfModes) {
+  EXPECT_NEAR(worst_difference(Start::earth, 10, 200), 0.42 * millimetre, 0.005 * millimetre);
+  EXPECT_NEAR(worst_difference(Start::earth, 50, 200), 0.11 * millimetre, 0.005 * millimetre);
+  EXPECT_LT(worst_difference(Start::earth, 500, 2000), 0.02 * millimetre);
+  EXPECT_LT(worst_difference(Start::tank, 100, 2000), 1e-7);
+}
+
+TEST(LinearSurge, StartsAtRestInTheFrameThatIsNamed) {
+  const double set_off = li_surge.amplitude * li_surge.angular_frequency;
+  const LinearSurge earth(li_tank, Start::earth, li_surge, 1000);
+  const LinearSurge tank(li_tank, Start::tank, li_surge, 1000);
+  EXPECT_EQ(earth.elevation(li_gauge, 0), 0);
+  EXPECT_EQ(tank.elevation(li_gauge, 0), 0);
+  // The surface, where the walls' impulse makes no pressure, stays behind: its velocity against the
+  // tank is minus the tank's, but for the truncated series' ripple.
+  EXPECT_NEAR(earth.velocity(0.2, 0, 0).x, -set_off, 1e-3 * set_off);
+  EXPECT_EQ(tank.velocity(0.2, -0.1, 0).x, 0);
+  EXPECT_EQ(tank.velocity(0.2, -0.1, 0).z, 0);
+}
+
+TEST(LinearSurge, TakesASampledMotionAsTheClosedForm) {
+  for (const Start start : {Start::earth, Start::tank}) {
+    const LinearSurge closed(li_tank, start, li_surge, 500);
+    const LinearSurge any(li_tank, start, sampled(li_surge, 12, 2e-3), 500);
+    for (const double t : {0.0, 0.3337, 4.0, 12.0}) {
+      EXPECT_NEAR(any.elevation(li_gauge, t), closed.elevation(li_gauge, t), 1e-8);
+      EXPECT_NEAR(any.pressure(0.5, -0.1, t), closed.pressure(0.5, -0.1, t), 1e-3);
+      EXPECT_NEAR(any.horizontal_force(t), closed.horizontal_force(t), 1e-3);
+    }
+  }
+}
+
+TEST(LinearSurge, NoticesAWrongGravity) {
+  Tank wrong = li_tank;
+  wrong.gravity = 9.0;
+  for (const Row& row : table) {
+    const LinearSurge surge(wrong, row.start, li_surge, table_modes);
+    for (std::size_t i = 0; i < std::size(table_times); ++i) {
+      EXPECT_GT(std::abs(surge.elevation(li_gauge, table_times[i]) - row.values[i] * millimetre),
+                1e-6);
+    }
+  }
+}
+
+TEST(LinearSurge, LagsUnderAirByTheTwoLayerTheory) {
+  const Gas air{.density = 1.2, .height = 0.65};
+  const double omega = natural_frequency(li_tank, air, 1);
+  const LinearSurge resonant(li_tank, air, Start::tank, SineSurge{0.001, omega}, 1);
+  // At its own two-layer frequency the mode grows without bound: its envelope is linear in time.
+  const double period = 2 * std::numbers::pi / omega;
+  EXPECT_NEAR(resonant.elevation(0.5, 20 * period) / resonant.elevation(0.5, 10 * period), 2, 1e-9);
+  const LinearSurge empty(li_tank, Gas{0, 0.65}, Start::earth, li_surge, 50);
+  EXPECT_NEAR(empty.elevation(li_gauge, 9),
+              LinearSurge(li_tank, Start::earth, li_surge, 50).elevation(li_gauge, 9), 1e-14);
+}
+
+TEST(LinearSurge, RefusesWhatLiesOutside) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const LinearSurge surge(li_tank, Start::earth, sampled(li_surge, 2, 0.01), 5);
+  EXPECT_NO_THROW(surge.elevation(0.5, 2 + 1e-12));
+  EXPECT_THROW(surge.elevation(0.51, 1), std::invalid_argument);
+  EXPECT_THROW(surge.elevation(0.4, 2.1), std::invalid_argument);
+  EXPECT_THROW(surge.elevation(0.4, -0.1), std::invalid_argument);
+  EXPECT_THROW(surge.elevation(0.4, nan), std::invalid_argument);
+  EXPECT_THROW(surge.velocity(0.4, 0.01, 1), std::invalid_argument);
+  EXPECT_THROW(surge.pressure(0.4, -0.36, 1), std::invalid_argument);
+  EXPECT_THROW(LinearSurge(li_tank, Start::earth, li_surge, 0), std::invalid_argument);
+  EXPECT_THROW(LinearSurge(li_tank, Start::earth, SineSurge{0.02, 0}, 5), std::invalid_argument);
+  EXPECT_THROW(LinearSurge(li_tank, Start::earth, SineSurge{nan, 1}, 5), std::invalid_argument);
+}
+
+TEST(LinearSurge, NamesTheArgumentThatItRefuses) {
+  try {
+    LinearSurge(li_tank, Start::earth, li_surge, 5).elevation(0.6, 1);
+    FAIL() << "a gauge outside the tank was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "LinearSurge: x = 0.6, expected a position within 0.5 m of the tank's centre");
+  }
+}
+
+}  // namespace
+}  // namespace slosh::reference

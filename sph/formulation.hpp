@@ -1,0 +1,40 @@
+// How pressure gradient and velocity divergence are summed over sources b of a particle a:
+//   dv_a/dt   = - acceleration_factor_a * sum_b weight_b (strength_a + strength_b + viscous_ab)
+//   grad_a W_ab drho_a/dt =   continuity_factor_a   * sum_b weight_b (v_a - v_b) . grad_a W_ab
+// In each formulation the two sums are adjoint, so that pressure work and compression energy
+// balance.
+#pragma once
+
+namespace slosh::sph {
+
+// Symmetric pressure: dv/dt = -sum m_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad W, drho/dt = sum
+// m_b v_ab . grad W (Monaghan 1992; Li et al. 2010, eqs 6-8).
+struct MassWeighted {
+  static constexpr const char* name =
+      "momentum with p_a/rho_a^2 + p_b/rho_b^2, continuity with masses";
+  static constexpr bool reads_density = true;
+
+  double weight(double mass, double) const { return mass; }
+  double strength(double pressure, double density) const { return pressure / (density * density); }
+  double viscous_scale(double density_a, double density_b) const {
+    return 2.0 / (density_a + density_b);
+  }
+  double acceleration_factor(double) const { return 1.0; }
+  double continuity_factor(double) const { return 1.0; }
+};
+
+// Volumes: dv/dt = -1/rho_a sum V_b (p_a + p_b) grad W, drho/dt = rho_a sum V_b v_ab . grad W,
+// consistent at a free surface (Colagrossi, Antuono & Le Touze 2009; Antuono et al. 2010, eq. 1).
+struct VolumeWeighted {
+  static constexpr const char* name = "momentum with p_a + p_b, continuity with volumes";
+  static constexpr bool reads_density = false;
+  double rest_density;
+
+  double weight(double mass, double density) const { return mass / density; }
+  double strength(double pressure, double) const { return pressure; }
+  double viscous_scale(double, double) const { return rest_density; }
+  double acceleration_factor(double density) const { return 1.0 / density; }
+  double continuity_factor(double density) const { return density; }
+};
+
+}  // namespace slosh::sph

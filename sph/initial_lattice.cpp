@@ -1,0 +1,64 @@
+#include "sph/initial_lattice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace slosh::sph {
+namespace {
+
+int lattice_count(double length, double spacing, const char* what) {
+  const double count = std::max(1.0, std::round(length / spacing));
+  if (!(std::abs(length / (count * spacing) - 1) <= largest_stretch))
+    throw std::invalid_argument(
+        fmt::format("particle_spacing = {} m: expected a whole number of particles, to {:.0f} %, "
+                    "along the {} of {} m",
+                    spacing, 100 * largest_stretch, what, length));
+  return static_cast<int>(count);
+}
+
+void lay_block(const Scene& scene, const Tait& state, double bottom, double top, double spacing,
+               Particles& p) {
+  const int columns = lattice_count(scene.tank_length, spacing, "tank's length");
+  const int rows = lattice_count(top - bottom, spacing, "liquid's depth");
+  const double dx = scene.tank_length / columns, dz = (top - bottom) / rows;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double z = bottom + (row + 0.5) * dz;
+      const double density =
+          state.density(scene.rest_density * scene.gravity * (scene.fill_depth - z));
+      p.x.push_back(scene.displacement(0) + (column + 0.5) * dx);
+      p.z.push_back(z);
+      p.velocity_x.push_back(scene.initial_velocity);
+      p.velocity_z.push_back(0);
+      p.density.push_back(density);
+      p.mass.push_back(density * dx * dz);
+      p.spacing.push_back(spacing);
+    }
+}
+
+}  // namespace
+
+Particles initial_lattice(const Scene& scene, const Tait& state) {
+  Particles particles;
+  const double coarse = scene.particle_spacing, fine = scene.surface_particle_spacing;
+  if (fine == coarse) {
+    lay_block(scene, state, 0, scene.fill_depth, coarse, particles);
+    return particles;
+  }
+  // The coarse block is a whole number of its own layers; the fine one takes the rest.
+  const double interface =
+      coarse * std::floor((scene.fill_depth - fine_layers * fine) / coarse + 1e-9);
+  if (!(fine > 0 && fine < coarse && interface > 0))
+    throw std::invalid_argument(
+        fmt::format("surface_particle_spacing = {} m: expected a value below the particle spacing "
+                    "{} m that leaves room for {} layers",
+                    fine, coarse, fine_layers));
+  lay_block(scene, state, 0, interface, coarse, particles);
+  lay_block(scene, state, interface, scene.fill_depth, fine, particles);
+  return particles;
+}
+
+}  // namespace slosh::sph

@@ -1,0 +1,73 @@
+// Smoothing kernels in two dimensions: W(r, h), with q = r / h and support radius 2 h. This is the
+// one place that relates the smoothing length h to the support.
+//
+// A kernel gives two functions of q without the dimensional factor, both zero (without a branch)
+// for q >= 2:
+//   shape(q)           W      = normalisation / h^2 * shape(q)
+//   gradient_shape(q)  (dW/dr) / r = normalisation / h^4 * gradient_shape(q), finite at q = 0
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+
+namespace slosh::sph {
+
+inline constexpr double kernel_support = 2.0;  // in smoothing lengths
+
+// Cubic B-spline (Monaghan & Lattanzio 1985; Li et al. 2010, eq. 2).
+struct CubicSpline {
+  static constexpr const char* name = "cubic B-spline kernel";
+  static constexpr double normalisation = 10.0 / (7.0 * std::numbers::pi);
+
+  static double shape(double q) {
+    const double outer = std::max(0.0, 2.0 - q), inner = std::max(0.0, 1.0 - q);
+    return 0.25 * outer * outer * outer - inner * inner * inner;
+  }
+  static double gradient_shape(double q) {
+    const double outer = std::max(0.0, 2.0 - q), inner = std::max(0.0, 1.0 - q);
+    // The numerator vanishes at q = 0; the bound only keeps 0/0 away.
+    return (3.0 * inner * inner - 0.75 * outer * outer) / std::max(q, 1e-9);
+  }
+};
+
+// Wendland C2 (Wendland 1995; Zhao et al. 2021, eq. 3, whose constant is 7 / (4 pi h^2)).
+struct WendlandC2 {
+  static constexpr const char* name = "Wendland C2 kernel";
+  static constexpr double normalisation = 7.0 / (4.0 * std::numbers::pi);
+
+  static double shape(double q) {
+    const double s = std::max(0.0, 1.0 - 0.5 * q);
+    return s * s * s * s * (2.0 * q + 1.0);
+  }
+  static double gradient_shape(double q) {
+    const double s = std::max(0.0, 1.0 - 0.5 * q);
+    return -5.0 * s * s * s;
+  }
+};
+
+// Quintic B-spline (Morris, Fox & Zhu 1997, eq. 24), its three knot spans stretched over the
+// support 2 h: with s = 3 q / 2, W ~ (3 - s)^5 - 6 (2 - s)^5 + 15 (1 - s)^5.
+struct QuinticSpline {
+  static constexpr const char* name = "quintic B-spline kernel";
+  static constexpr double normalisation = 7.0 / (478.0 * std::numbers::pi) * 2.25;
+
+  static double shape(double q) {
+    const double s = 1.5 * q;
+    return fifth(3.0 - s) - 6.0 * fifth(2.0 - s) + 15.0 * fifth(1.0 - s);
+  }
+  static double gradient_shape(double q) {
+    const double s = 1.5 * q;
+    // The numerator vanishes at s = 0; the bound only keeps 0/0 away.
+    return 2.25 * (30.0 * fourth(2.0 - s) - 5.0 * fourth(3.0 - s) - 75.0 * fourth(1.0 - s)) /
+           std::max(s, 1e-9);
+  }
+
+ private:
+  static double fourth(double a) {
+    const double b = std::max(0.0, a) * std::max(0.0, a);
+    return b * b;
+  }
+  static double fifth(double a) { return fourth(a) * std::max(0.0, a); }
+};
+
+}  // namespace slosh::sph

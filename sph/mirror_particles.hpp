@@ -1,0 +1,78 @@
+// Mirror particles: the liquid within the kernel's support of a wall, reflected in it. Of a
+// source's four possible reflections (one per wall, and the corners' double ones) each is an affine
+// map of its owner's state, the same for all particles, so that an image costs a gather and a few
+// multiplications.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sph/tank_walls.hpp"
+
+namespace slosh::sph {
+
+// In which walls a source is reflected: a sum of these bits; 0 is the particle itself.
+enum Reflection : std::uint8_t {
+  in_none = 0,
+  in_left = 1,
+  in_right = 2,
+  in_bottom = 4,
+  in_roof = 8
+};
+inline constexpr int reflection_count =
+    11;  // largest sum of one side wall's and one of bottom's or roof's bits, plus one
+
+struct MirrorMap {
+  double scale_x = 1, offset_x = 0, scale_z = 1, offset_z = 0;  // position
+  double velocity_scale_x = 1, velocity_offset_x = 0, velocity_scale_z = 1;
+  double gravity_x = 0,
+         gravity_z =
+             0;  // the image's pressure exceeds its owner's by rho gravity . (r_image - r_owner)
+};
+
+// Free slip: the velocity normal to the wall is 2 v_wall - v, the tangential one is kept, and the
+// pressure grows through the wall as in a liquid that the wall accelerates: dp/dn = rho (g -
+// a_wall) . n.
+struct FreeSlipMirror {
+  static constexpr const char* name =
+      "mirror particles, free slip, pressure gradient of the accelerated wall";
+  static constexpr bool no_slip = false;
+  static constexpr bool hydrostatic = true;
+};
+
+// Li et al. 2010, section 2.4, for a moving wall: the velocity is 2 v_wall - v in both components,
+// density and pressure are the owner's.
+struct NoSlipMirror {
+  static constexpr const char* name = "mirror particles, velocity 2 v_wall - v, owner's pressure";
+  static constexpr bool no_slip = true;
+  static constexpr bool hydrostatic = false;
+};
+
+template <class Mirror>
+std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls, double gravity) {
+  std::array<MirrorMap, reflection_count> maps;
+  for (int bits = 1; bits < reflection_count; ++bits) {
+    MirrorMap& map = maps[bits];
+    if (bits & (in_left | in_right)) {
+      map.scale_x = -1;
+      map.offset_x = 2 * ((bits & in_left) ? walls.left : walls.right);
+    }
+    if (bits & (in_bottom | in_roof)) {
+      map.scale_z = -1;
+      map.offset_z = 2 * ((bits & in_bottom) ? walls.bottom : walls.roof);
+    }
+    // A double reflection in a no-slip corner turns the velocity twice.
+    const bool turns_x = Mirror::no_slip ? map.scale_x * map.scale_z < 0 : map.scale_x < 0;
+    const bool turns_z = Mirror::no_slip ? map.scale_x * map.scale_z < 0 : map.scale_z < 0;
+    map.velocity_scale_x = turns_x ? -1 : 1;
+    map.velocity_offset_x = turns_x ? 2 * walls.velocity : 0;
+    map.velocity_scale_z = turns_z ? -1 : 1;
+    if (Mirror::hydrostatic) {
+      map.gravity_x = -walls.acceleration;
+      map.gravity_z = -gravity;
+    }
+  }
+  return maps;
+}
+
+}  // namespace slosh::sph

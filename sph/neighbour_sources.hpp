@@ -1,0 +1,185 @@
+// The sources of the pair sums: the liquid and its mirror images, sorted by cell. `rebuild` sorts
+// the particles themselves and decides which images exist; `refresh` fills in the sources' state,
+// many times between rebuilds.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "sph/cell_grid.hpp"
+#include "sph/mirror_particles.hpp"
+#include "sph/particles.hpp"
+#include "sph/tank_walls.hpp"
+
+namespace slosh::sph {
+
+class NeighbourSources {
+ public:
+  // `support` is the largest kernel radius in the scene [m]; `skin` the fraction of it by which
+  // cells are wider.
+  NeighbourSources(const TankWalls& walls, double support, double skin)
+      : reach_(support * (1 + skin)),
+        slack_(0.5 * support * skin),
+        grid_(-reach_, walls.right - walls.left + reach_, -reach_, walls.roof + reach_, reach_) {}
+
+  // Sorts the particles by cell and lists their images. False when a particle is not in the tank:
+  // `stray()`.
+  bool rebuild(Particles& particles, const TankWalls& walls) {
+    const std::size_t n = particles.size();
+    stray_ = n;
+    for (std::size_t i = 0; i < n && stray_ == n; ++i)
+      if (!inside(particles.x[i], particles.z[i], walls)) stray_ = i;
+    if (stray_ != n) return false;
+    sort_particles(particles, walls);
+    list_sources(particles, walls);
+    return true;
+  }
+  std::size_t stray() const { return stray_; }
+
+  // Whether some particle may, by the end of a step of dt, have moved half the skin against the
+  // tank since the last rebuild.
+  bool stale(const Particles& particles, const TankWalls& walls, double dt) const {
+    if (built_x_.size() != particles.size()) return true;
+    double farthest2 = 0, fastest2 = 0;
+#pragma omp parallel for simd reduction(max : farthest2, fastest2)
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const double dx = particles.x[i] - walls.left - built_x_[i],
+                   dz = particles.z[i] - built_z_[i];
+      const double u = particles.velocity_x[i] - walls.velocity, w = particles.velocity_z[i];
+      farthest2 = std::max(farthest2, dx * dx + dz * dz);
+      fastest2 = std::max(fastest2, u * u + w * w);
+    }
+    return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
+  }
+
+  // Fills in every source's position, velocity, strength and weight, and what else the scheme
+  // reads.
+  template <class Scheme>
+  void refresh(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
+    const auto maps = mirror_maps<typename Scheme::Mirror>(walls, scheme.gravity);
+    const double inverse_c2 = 1.0 / (scheme.state.speed_of_sound * scheme.state.speed_of_sound);
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < owner_.size(); ++k) {
+      const std::size_t i = owner_[k];
+      const MirrorMap& map = maps[reflection_[k]];
+      sources_.x[k] = map.scale_x * p.x[i] + map.offset_x;
+      sources_.z[k] = map.scale_z * p.z[i] + map.offset_z;
+      sources_.velocity_x[k] = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
+      sources_.velocity_z[k] = map.velocity_scale_z * p.velocity_z[i];
+      const double owner_pressure = scheme.state.pressure(p.density[i]);
+      const double pressure =
+          owner_pressure + p.density[i] * (map.gravity_x * (sources_.x[k] - p.x[i]) +
+                                           map.gravity_z * (sources_.z[k] - p.z[i]));
+      sources_.strength[k] = scheme.formulation.strength(pressure, p.density[i]);
+      sources_.weight[k] = scheme.formulation.weight(p.mass[i], p.density[i]);
+      if constexpr (Scheme::Formulation::reads_density) sources_.density[k] = p.density[i];
+      if constexpr (Scheme::DensityDiffusion::active)
+        sources_.dynamic_density[k] =
+            inverse_c2 * (owner_pressure - scheme.state.rest_density * scheme.gravity *
+                                               (scheme.fill_depth - p.z[i]));
+      if constexpr (Scheme::Smoothing::reads_spacing) sources_.spacing[k] = p.spacing[i];
+    }
+  }
+
+  const Sources& sources() const { return sources_; }
+  // The runs of sources that hold every neighbour of particle i.
+  std::array<IndexRange, CellGrid::runs> neighbourhood(std::size_t i) const {
+    return grid_.neighbourhood(particle_cell_[i]);
+  }
+  // Where particle i stands among the sources.
+  std::size_t slot(std::size_t i) const { return slot_[i]; }
+
+  template <class Scheme>
+  void allocate() {
+    const std::size_t n =
+        owner_.size() + vector_length;  // a padded run may read past the last source
+    for (auto* field : {&sources_.x, &sources_.z, &sources_.velocity_x, &sources_.velocity_z,
+                        &sources_.strength, &sources_.weight})
+      field->resize(n);
+    if constexpr (Scheme::Formulation::reads_density) sources_.density.resize(n);
+    if constexpr (Scheme::DensityDiffusion::active) sources_.dynamic_density.resize(n);
+    if constexpr (Scheme::Smoothing::reads_spacing) sources_.spacing.resize(n);
+  }
+
+ private:
+  // Comparisons that a NaN fails.
+  static bool inside(double x, double z, const TankWalls& walls) {
+    return x > walls.left && x < walls.right && z > walls.bottom && z < walls.roof;
+  }
+
+  void sort_particles(Particles& particles, const TankWalls& walls) {
+    const std::size_t n = particles.size();
+    keys_.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      keys_[i] = grid_.cell(particles.x[i] - walls.left, particles.z[i]);
+    grid_.sort(keys_, order_);
+    particles.for_each_field([&](Array<double>& field) {
+      sorted_.resize(n);
+      for (std::size_t i = 0; i < n; ++i) sorted_[i] = field[order_[i]];
+      field.swap(sorted_);
+    });
+    particle_cell_.resize(n);
+    built_x_.resize(n);
+    built_z_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      particle_cell_[i] = keys_[order_[i]];
+      built_x_[i] = particles.x[i] - walls.left;
+      built_z_[i] = particles.z[i];
+    }
+  }
+
+  void list_sources(const Particles& particles, const TankWalls& walls) {
+    listed_owner_.clear();
+    listed_reflection_.clear();
+    keys_.clear();
+    const double length = walls.right - walls.left;
+    const auto maps = mirror_maps<FreeSlipMirror>({0, length, walls.bottom, walls.roof, 0, 0}, 0);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const double x = built_x_[i], z = built_z_[i];
+      const int side = x < reach_ ? in_left : x > length - reach_ ? in_right : in_none;
+      const int level = z < walls.bottom + reach_ ? in_bottom
+                        : z > walls.roof - reach_ ? in_roof
+                                                  : in_none;
+      list_source(i, in_none, maps);
+      if (side) list_source(i, side, maps);
+      if (level) list_source(i, level, maps);
+      if (side && level) list_source(i, side + level, maps);
+    }
+    place_sources(particles.size());
+  }
+
+  void list_source(std::size_t i, int bits, const std::array<MirrorMap, reflection_count>& maps) {
+    listed_owner_.push_back(static_cast<std::uint32_t>(i));
+    listed_reflection_.push_back(static_cast<std::uint8_t>(bits));
+    keys_.push_back(grid_.cell(maps[bits].scale_x * built_x_[i] + maps[bits].offset_x,
+                               maps[bits].scale_z * built_z_[i] + maps[bits].offset_z));
+  }
+
+  void place_sources(std::size_t particles) {
+    grid_.sort(keys_, order_);
+    owner_.resize(order_.size());
+    reflection_.resize(order_.size());
+    slot_.resize(particles);
+    for (std::uint32_t k = 0; k < order_.size(); ++k) {
+      owner_[k] = listed_owner_[order_[k]];
+      reflection_[k] = listed_reflection_[order_[k]];
+      if (reflection_[k] == in_none) slot_[owner_[k]] = k;
+    }
+  }
+
+  double reach_, slack_;
+  CellGrid grid_;
+  Sources sources_;
+  std::vector<std::uint32_t> owner_, slot_, particle_cell_;
+  std::vector<std::uint8_t> reflection_;
+  Array<double> built_x_, built_z_, sorted_;
+  std::vector<std::uint32_t> keys_, order_, listed_owner_;
+  std::vector<std::uint8_t> listed_reflection_;
+  std::size_t stray_ = 0;
+};
+
+}  // namespace slosh::sph

@@ -1,0 +1,29 @@
+// The smoothing length of a pair of particles: one for all, or the mean of the two where spacings
+// differ.
+#pragma once
+
+namespace slosh::sph {
+
+// h = ratio * spacing, one for the whole scene.
+struct UniformSmoothing {
+  static constexpr const char* name = "uniform smoothing length";
+  static constexpr bool reads_spacing = false;
+  double inverse_length;  // 1/h [1/m]
+
+  UniformSmoothing(double ratio, double spacing) : inverse_length(1.0 / (ratio * spacing)) {}
+  double inverse(double, double) const { return inverse_length; }
+};
+
+// h_ab = ratio * (spacing_a + spacing_b) / 2 (Monaghan 1992, section 4).
+struct PairSmoothing {
+  static constexpr const char* name = "smoothing length averaged over each pair";
+  static constexpr bool reads_spacing = true;
+  double twice_inverse_ratio;
+
+  PairSmoothing(double ratio, double) : twice_inverse_ratio(2.0 / ratio) {}
+  double inverse(double spacing_a, double spacing_b) const {
+    return twice_inverse_ratio / (spacing_a + spacing_b);
+  }
+};
+
+}  // namespace slosh::sph

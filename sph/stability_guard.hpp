@@ -1,0 +1,19 @@
+// The state is checked while it runs: the first bad particle stops the run with its state, the time
+// and the cause.
+#pragma once
+
+#include <cstddef>
+
+#include "sph/particles.hpp"
+
+namespace slosh::sph {
+
+// Throws SimulationError when a particle's state is not finite or its density has left rest_density
+// by more than 30 % (a weakly compressible liquid at a Mach number of 0.1 stays within 1 %; 30 % is
+// far into divergence).
+void check_state(const Particles& particles, double rest_density, double time);
+
+[[noreturn]] void throw_bad_particle(const Particles& particles, std::size_t index, double time,
+                                     const char* cause);
+
+}  // namespace slosh::sph

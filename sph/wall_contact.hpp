@@ -1,0 +1,83 @@
+// What the wall itself does to particles that come too near (beside the mirror particles'
+// pressure): `push` adds to their accelerations, `confine` corrects their state at the start of a
+// step.
+#pragma once
+
+#include <cmath>
+
+#include "sph/particles.hpp"
+#include "sph/tank_walls.hpp"
+
+namespace slosh::sph {
+
+// A particle that has crossed a wall is exchanged with its mirror image: position reflected, normal
+// velocity 2 v_wall - v, so that its energy in the wall's frame is kept. It acts on single
+// particles in splashes, whose own image does not hold them off.
+struct ReflectingWall {
+  static constexpr const char* name =
+      "particles that cross a wall exchanged with their mirror image";
+
+  void push(const Particles&, const TankWalls&, Rates&) const {}
+
+  void confine(Particles& p, const TankWalls& walls) const {
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      reflect(p.x[i], p.velocity_x[i], walls.left, walls.right, walls.velocity);
+      reflect(p.z[i], p.velocity_z[i], walls.bottom, walls.roof, 0);
+    }
+  }
+
+ private:
+  static void reflect(double& position, double& velocity, double lower, double upper,
+                      double wall_velocity) {
+    if (position > lower && position < upper) return;
+    position = 2 * (position <= lower ? lower : upper) - position;
+    velocity = 2 * wall_velocity - velocity;
+  }
+};
+
+// Repulsive particles along the walls (Monaghan 1994; Li et al. 2010, section 2.4): each pushes a
+// particle at distance r < r0 with the acceleration D ((r0/r)^12 - (r0/r)^4) r_vector / r^2. They
+// stand spacing/2 apart and r0 = spacing/2, a lattice particle's distance from the wall: the still
+// lattice just does not feel them.
+struct RepulsiveWall {
+  static constexpr const char* name = "repulsive wall particles, 12-4";
+  double strength;  // D [m2/s2]
+
+  void confine(Particles&, const TankWalls&) const {}
+
+  void push(const Particles& p, const TankWalls& walls, Rates& rates) const {
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double r0 = 0.5 * p.spacing[i];
+      const double from_left = p.x[i] - walls.left, from_right = p.x[i] - walls.right;
+      const double from_bottom = p.z[i] - walls.bottom, from_roof = p.z[i] - walls.roof;
+      double& ax = rates.acceleration_x[i];
+      double& az = rates.acceleration_z[i];
+      if (from_left < r0) push_one(from_left, from_bottom, r0, ax, az);
+      if (-from_right < r0) push_one(from_right, from_bottom, r0, ax, az);
+      if (from_bottom < r0) push_one(from_bottom, from_left, r0, az, ax);
+      if (-from_roof < r0) push_one(from_roof, from_left, r0, az, ax);
+    }
+  }
+
+ private:
+  // `normal` is the signed distance from the wall, `along` the place along it, measured from a wall
+  // particle.
+  void push_one(double normal, double along, double r0, double& normal_rate,
+                double& tangential_rate) const {
+    const double pitch = r0;
+    const double nearest = std::round(along / pitch);
+    for (int k = -1; k <= 1; ++k) {
+      const double tangential = along - (nearest + k) * pitch;
+      const double r2 = normal * normal + tangential * tangential;
+      if (r2 >= r0 * r0) continue;
+      const double ratio4 = (r0 * r0 / r2) * (r0 * r0 / r2);
+      const double f = strength * (ratio4 * ratio4 * ratio4 - ratio4) / r2;
+      normal_rate += f * normal;
+      tangential_rate += f * tangential;
+    }
+  }
+};
+
+}  // namespace slosh::sph

@@ -1,0 +1,17 @@
+// A campaign: cases that are run, compared, gated and reported together.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace slosh {
+
+struct CampaignDefinition {
+  std::string name, title, source;
+  std::vector<std::filesystem::path> cases;  // case files, in the order of the report
+  std::string text;                          // the file as read
+  std::filesystem::path file;
+};
+
+}  // namespace slosh

@@ -1,0 +1,56 @@
+#include "verification/case_file/campaign_parser.hpp"
+
+#include <fmt/format.h>
+
+#include "verification/case_file/definition_file.hpp"
+#include "verification/case_file/toml_reader.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int schema_version = 1;
+
+// Where a member stands in the campaign file goes before what is wrong with it.
+fs::path find_member(const PlacedText& member, const CampaignDefinition& campaign,
+                     const fs::path& case_directory) {
+  const std::string place = fmt::format("{}:{}: ", member.where.file, member.where.line);
+  fs::path file;
+  try {
+    file = find_definition_file("case", member.text, case_directory, campaign.file.parent_path());
+  } catch (const CaseFileError& error) {
+    throw CaseFileError(place + error.what());
+  }
+  for (const fs::path& other : campaign.cases) {
+    if (!fs::equivalent(other, file)) continue;
+    throw CaseFileError(
+        fmt::format("{}case = \"{}\": expected each case once", place, member.text));
+  }
+  return file;
+}
+
+}  // namespace
+
+CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_directory) {
+  CampaignDefinition campaign;
+  campaign.file = file;
+  campaign.text = read_definition_text("campaign", file);
+  const TomlTable root(campaign.text, file);
+  root.get("schema_version", exactly(schema_version));
+  root.allow_only({"schema_version", "name", "title", "source", "cases"});
+  campaign.name = root.get("name", file_safe_name());
+  campaign.title = root.get("title", any_text());
+  campaign.source = root.get("source", any_text());
+  for (const PlacedText& member : root.texts("cases", any_text())) {
+    campaign.cases.push_back(find_member(member, campaign, case_directory));
+  }
+  if (campaign.cases.empty()) root.refuse("cases", "at least one case");
+  return campaign;
+}
+
+fs::path find_campaign(const std::string& name_or_path, const fs::path& directory) {
+  return find_definition_file("campaign", name_or_path, directory, "");
+}
+
+}  // namespace slosh

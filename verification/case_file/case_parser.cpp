@@ -1,0 +1,128 @@
+#include "verification/case_file/case_parser.hpp"
+
+#include <fmt/format.h>
+
+#include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/definition_file.hpp"
+#include "verification/case_file/toml_reader.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr int schema_version = 1;
+
+TankDefinition read_tank(const TomlTable& tank) {
+  tank.allow_only({"length_m", "height_m"});
+  return {.length = tank.get("length_m", positive("m")),
+          .height = tank.get("height_m", positive("m"))};
+}
+
+LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank) {
+  liquid.allow_only({"fill_depth_m", "density_kg_m3", "kinematic_viscosity_m2_s"});
+  const Rule<double> inside_tank{
+      fmt::format("a number > 0 and below the tank's height ({}), in m", tank.height),
+      [height = tank.height](double depth) { return depth > 0 && depth < height; }};
+  return {.fill_depth = liquid.get("fill_depth_m", inside_tank),
+          .density = liquid.get("density_kg_m3", positive("kg/m3")),
+          .kinematic_viscosity = liquid.get("kinematic_viscosity_m2_s", not_negative("m2/s"))};
+}
+
+GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid) {
+  gas.allow_only({"density_kg_m3", "kinematic_viscosity_m2_s"});
+  const Rule<double> lighter{
+      fmt::format("a number > 0 and below the liquid's density ({}), in kg/m3", liquid.density),
+      [most = liquid.density](double density) { return density > 0 && density < most; }};
+  return {.density = gas.get("density_kg_m3", lighter),
+          .kinematic_viscosity = gas.get("kinematic_viscosity_m2_s", not_negative("m2/s"))};
+}
+
+void read_time(const TomlTable& time, CaseDefinition& definition) {
+  time.allow_only({"start", "duration_s", "sample_interval_s"});
+  definition.start = time.choice("start", "the frame in which the liquid is first at rest",
+                                 {"earth", "tank"}) == "earth"
+                         ? Start::earth
+                         : Start::tank;
+  definition.duration = time.get("duration_s", positive("s"));
+  definition.sample_interval = time.get<double>(
+      "sample_interval_s",
+      {fmt::format("a number > 0 and <= the duration ({}), in s", definition.duration),
+       [most = definition.duration](double value) { return value > 0 && value <= most; }});
+}
+
+void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
+  comparison.allow_only({"window_begin_s", "window_end_s", "natural_modes"});
+  definition.window_begin = comparison.get("window_begin_s", not_negative("s"));
+  definition.window_end = comparison.get<double>(
+      "window_end_s",
+      {fmt::format("a number above window_begin_s ({}) and <= the duration ({}), in s",
+                   definition.window_begin, definition.duration),
+       [&](double end) { return end > definition.window_begin && end <= definition.duration; }});
+  definition.natural_modes = comparison.get("natural_modes", at_least(0));
+}
+
+// Each [[key]] by `read`, at least one, no name twice.
+template <class Definition, class Read>
+std::vector<Definition> read_named(const TomlTable& root, const char* key, Read read) {
+  std::vector<Definition> definitions;
+  for (const TomlTable& table : root.tables(key)) {
+    Definition definition = read(table);
+    for (const Definition& other : definitions) {
+      if (other.name == definition.name)
+        table.refuse("name", fmt::format("a name that no other {} has", key));
+    }
+    definitions.push_back(std::move(definition));
+  }
+  if (definitions.empty()) root.refuse(key, fmt::format("at least one [[{}]]", key));
+  return definitions;
+}
+
+GaugeDefinition read_gauge(const TomlTable& gauge, const TankDefinition& tank) {
+  gauge.allow_only({"name", "x_m"});
+  const Rule<double> inside_tank{
+      fmt::format("a number from 0 to the tank's length ({}), in m from the left wall",
+                  tank.length),
+      [length = tank.length](double x) { return x >= 0 && x <= length; }};
+  return {.name = gauge.get("name", file_safe_name()), .x = gauge.get("x_m", inside_tank)};
+}
+
+void read_head(const TomlTable& root, CaseDefinition& definition) {
+  root.get("schema_version", exactly(schema_version));
+  root.allow_only({"schema_version", "name", "title", "source", "tags", "gravity_m_s2", "tank",
+                   "liquid", "gas", "motion", "time", "gauge", "comparison", "run", "gate"});
+  definition.name = root.get("name", file_safe_name());
+  definition.title = root.get("title", any_text());
+  definition.source = root.get("source", any_text());
+  for (const PlacedText& tag : root.texts("tags", any_text())) definition.tags.push_back(tag.text);
+  definition.gravity = root.get("gravity_m_s2", positive("m/s2"));
+}
+
+}  // namespace
+
+CaseDefinition read_case(const std::filesystem::path& file) {
+  CaseDefinition definition{};
+  definition.file = file;
+  definition.text = read_definition_text("case", file);
+  const TomlTable root(definition.text, file);
+  read_head(root, definition);
+  definition.tank = read_tank(root.table("tank"));
+  definition.liquid = read_liquid(root.table("liquid"), definition.tank);
+  definition.gas = read_gas(root.table("gas"), definition.liquid);
+  read_time(root.table("time"), definition);
+  definition.motion = read_motion(root.table("motion"), file, definition.duration);
+  definition.gauges = read_named<GaugeDefinition>(
+      root, "gauge", [&](const TomlTable& gauge) { return read_gauge(gauge, definition.tank); });
+  read_comparison(root.table("comparison"), definition);
+  definition.runs = read_named<RunDefinition>(
+      root, "run", [&](const TomlTable& run) { return read_run(run, definition.liquid); });
+  for (const TomlTable& row : root.tables("gate")) {
+    definition.gate.push_back(read_gate_row(row, definition));
+  }
+  return definition;
+}
+
+std::filesystem::path find_case(const std::string& name_or_path,
+                                const std::filesystem::path& directory) {
+  return find_definition_file("case", name_or_path, directory, "");
+}
+
+}  // namespace slosh

@@ -1,0 +1,22 @@
+// The larger sections of a case file, each read in a file of its own. Private to case_parser.cpp.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/case_file/toml_reader.hpp"
+
+namespace slosh {
+
+// [motion]; the tables' files are relative to the case file and must cover the duration [s].
+MotionDefinition read_motion(const TomlTable& motion, const std::filesystem::path& case_file,
+                             double duration);
+
+// [[run]]
+RunDefinition read_run(const TomlTable& run, const LiquidDefinition& liquid);
+
+// [[gate]], of a case whose motion, gauges, comparison and runs have been read.
+GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
+
+}  // namespace slosh

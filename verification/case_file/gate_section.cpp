@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "verification/case_file/case_sections.hpp"
+
+namespace slosh {
+namespace {
+
+// What a metric is measured on. A forced mode's frequency is given and it does not decay: a row on
+// either would pass whatever the candidate did.
+enum class MeasuredOn { any_mode, natural_mode, whole_window };
+
+struct MetricEntry {
+  const char* name;
+  Metric metric;
+  const char* unit;
+  MeasuredOn measured_on;
+};
+
+constexpr std::array<MetricEntry, 6> metrics{{
+    {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
+    {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
+    {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
+    {"decay_rate", Metric::decay_rate, "1/s", MeasuredOn::natural_mode},
+    {"normalised_rms", Metric::normalised_rms, "1", MeasuredOn::whole_window},
+    {"maximum_residual", Metric::maximum_residual, "m", MeasuredOn::whole_window},
+}};
+
+const MetricEntry& read_metric(const TomlTable& row) {
+  std::vector<std::string> names;
+  for (const MetricEntry& entry : metrics) names.push_back(entry.name);
+  const std::string name = row.choice("metric", "a metric", names);
+  return *std::find_if(metrics.begin(), metrics.end(),
+                       [&](const MetricEntry& entry) { return entry.name == name; });
+}
+
+std::vector<std::string> modes_of(const MetricEntry& metric, const CaseDefinition& definition) {
+  if (metric.measured_on == MeasuredOn::whole_window) return {"whole"};
+  std::vector<std::string> modes;
+  const bool is_forced = !std::holds_alternative<TableSurge>(definition.motion);
+  if (is_forced && metric.measured_on == MeasuredOn::any_mode) modes.push_back("forced");
+  for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
+  return modes;
+}
+
+std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
+                                      const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs) {
+    if (std::find(excluded.begin(), excluded.end(), run.name) == excluded.end()) {
+      names.push_back(run.name);
+    }
+  }
+  return names;
+}
+
+// Exactly one of limit, lower with upper, improves_on.
+void read_bound(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row) {
+  std::vector<std::string> given;
+  for (const char* key : {"limit", "lower", "upper", "improves_on"}) {
+    if (row.has(key)) given.push_back(key);
+  }
+  const std::string unit = gate_row.unit;
+  if (given == std::vector<std::string>{"limit"}) {
+    gate_row.limit = row.get("limit", positive(unit));
+  } else if (given == std::vector<std::string>{"lower", "upper"}) {
+    const double lower = row.get("lower", any_number(unit));
+    const Rule<double> above_lower{fmt::format("a number above lower ({}), {}", lower, in(unit)),
+                                   [lower](double value) { return value > lower; }};
+    gate_row.between = {lower, row.get("upper", above_lower)};
+  } else if (given == std::vector<std::string>{"improves_on"}) {
+    gate_row.improves_on =
+        row.choice("improves_on", "a run other than the candidate and the reference",
+                   runs_besides({gate_row.candidate, gate_row.reference}, definition));
+  } else {
+    row.refuse_table(fmt::format("{{{}}}", fmt::join(given, ", ")),
+                     "exactly one of limit | lower with upper | improves_on");
+  }
+}
+
+}  // namespace
+
+GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
+  row.allow_only({"candidate", "reference", "quantity", "mode", "metric", "unit", "limit", "lower",
+                  "upper", "improves_on", "reason", "source"});
+  std::vector<std::string> quantities;
+  for (const GaugeDefinition& gauge : definition.gauges) {
+    quantities.push_back("elevation@" + gauge.name);
+  }
+  GateRow gate_row{};
+  gate_row.candidate = row.choice("candidate", "a run", runs_besides({}, definition));
+  gate_row.reference = row.choice("reference", "a run other than the candidate",
+                                  runs_besides({gate_row.candidate}, definition));
+  gate_row.quantity = row.choice("quantity", "a quantity at a gauge", quantities);
+  const MetricEntry& metric = read_metric(row);
+  gate_row.metric = metric.metric;
+  gate_row.mode = row.choice("mode", fmt::format("what {} is measured on", metric.name),
+                             modes_of(metric, definition));
+  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+  read_bound(row, definition, gate_row);
+  gate_row.reason = row.get("reason", any_text());
+  gate_row.source = row.get("source", any_text());
+  gate_row.where = row.where();
+  return gate_row;
+}
+
+}  // namespace slosh

@@ -1,0 +1,19 @@
+// What the user may have meant: the known names that are nearest to a wrong one, by the edit
+// distance of V. I. Levenshtein (1966), the least number of characters inserted, deleted or
+// replaced.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slosh {
+
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+// At most `count` of the known names, the nearest first; equally near ones keep their order.
+std::vector<std::string> nearest_names(std::string_view wrong, std::vector<std::string> known,
+                                       std::size_t count);
+
+}  // namespace slosh

@@ -1,0 +1,47 @@
+#include "verification/case_file/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace slosh {
+
+std::string in(std::string_view unit) {
+  return unit == "1" ? "without unit" : fmt::format("in {}", unit);
+}
+
+Rule<double> any_number(std::string_view unit) {
+  return {"a number, " + in(unit), [](double) { return true; }};
+}
+
+Rule<double> positive(std::string_view unit) {
+  return {"a number > 0, " + in(unit), [](double value) { return value > 0; }};
+}
+
+Rule<double> not_negative(std::string_view unit) {
+  return {"a number >= 0, " + in(unit), [](double value) { return value >= 0; }};
+}
+
+Rule<int> at_least(int least) {
+  return {fmt::format("an integer >= {}", least), [least](int value) { return value >= least; }};
+}
+
+Rule<int> exactly(int only) {
+  return {fmt::format("{}", only), [only](int value) { return value == only; }};
+}
+
+Rule<std::string> any_text() {
+  return {"a text that is not empty", [](const std::string& text) { return !text.empty(); }};
+}
+
+Rule<std::string> file_safe_name() {
+  return {"a name of letters, digits, _ and -", [](const std::string& name) {
+            const auto allowed = [](char c) {
+              return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                     c == '_' || c == '-';
+            };
+            return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
+          }};
+}
+
+}  // namespace slosh

@@ -1,0 +1,27 @@
+// The rules that a case file's values keep. A number is always finite: the reader sees to that.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace slosh {
+
+// What a value must be: in words with the unit ("a number > 0, in m"), and as a test.
+template <class T>
+struct Rule {
+  std::string expected;
+  std::function<bool(const T&)> holds;
+};
+
+std::string in(std::string_view unit);  // "in m"; "without unit" for "1"
+
+Rule<double> any_number(std::string_view unit);
+Rule<double> positive(std::string_view unit);
+Rule<double> not_negative(std::string_view unit);
+Rule<int> at_least(int least);
+Rule<int> exactly(int only);
+Rule<std::string> any_text();
+Rule<std::string> file_safe_name();  // letters, digits, _ and -: it becomes part of file names
+
+}  // namespace slosh

@@ -1,0 +1,191 @@
+#include "verification/case_file/toml_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "verification/case_file/nearest_name.hpp"
+
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+namespace slosh {
+
+struct TomlTable::Content {
+  std::shared_ptr<const toml::table> root;  // keeps `table`, a part of it, alive
+  const toml::table* table;
+  std::string file;
+  std::string path;  // "" for the root, "tank." inside [tank]
+
+  SourceLocation where(const toml::node& node) const {
+    return {file, static_cast<int>(node.source().begin.line)};
+  }
+  std::string place(const toml::node& node) const {
+    return fmt::format("{}:{}", file, where(node).line);
+  }
+};
+
+namespace {
+
+std::string as_written(const toml::node& node) {
+  if (const auto* text = node.as_string()) return fmt::format("\"{}\"", text->get());
+  if (const auto* number = node.as_floating_point()) {
+    const std::string digits = fmt::format("{}", number->get());
+    return digits.find_first_not_of("-0123456789") == digits.npos ? digits + ".0" : digits;
+  }
+  if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* flag = node.as_boolean()) return fmt::format("{}", flag->get());
+  if (node.is_table()) return "(a table)";
+  if (node.is_array_of_tables()) return "(an array of tables)";
+  return node.is_array() ? "(an array)" : "(a date or time)";
+}
+
+template <class T>
+std::optional<T> converted(const toml::node& node) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+    const auto* number = node.as_floating_point();
+    return number && std::isfinite(number->get()) ? std::optional(number->get()) : std::nullopt;
+  } else if constexpr (std::is_same_v<T, int>) {
+    using Limits = std::numeric_limits<int>;
+    const auto* integer = node.as_integer();
+    const bool fits = integer && integer->get() >= Limits::min() && integer->get() <= Limits::max();
+    return fits ? std::optional(static_cast<int>(integer->get())) : std::nullopt;
+  } else {
+    const auto* value = node.as<T>();
+    return value ? std::optional<T>(value->get()) : std::nullopt;
+  }
+}
+
+toml::table parsed(std::string_view text, const std::filesystem::path& file) {
+  try {
+    return toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    const auto& place = error.source().begin;
+    throw CaseFileError(fmt::format("{}:{}:{}: not TOML: {}", file.string(), place.line,
+                                    place.column, error.description()));
+  }
+}
+
+}  // namespace
+
+TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
+  const auto root = std::make_shared<const toml::table>(parsed(text, file));
+  content_ = std::make_shared<const Content>(Content{root, root.get(), file.string(), ""});
+}
+
+void TomlTable::allow_only(const std::vector<std::string>& keys) const {
+  for (const auto& [key, node] : *content_->table) {
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+    throw CaseFileError(
+        fmt::format("{}: {}{} = {}: expected only these keys here: {}; nearest known key: {}",
+                    content_->place(node), content_->path, key.str(), as_written(node),
+                    fmt::join(keys, ", "), nearest_names(key.str(), keys, 1).front()));
+  }
+}
+
+template <class T>
+std::optional<T> TomlTable::find(std::string_view key, const Rule<T>& rule) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node) return std::nullopt;
+  const std::optional<T> value = converted<T>(*node);
+  if (!value || !rule.holds(*value)) refuse(key, rule.expected);
+  return value;
+}
+
+template <class T>
+T TomlTable::get(std::string_view key, const Rule<T>& rule) const {
+  const std::optional<T> value = find(key, rule);
+  if (!value) refuse(key, rule.expected);
+  return *value;
+}
+
+template std::optional<double> TomlTable::find(std::string_view, const Rule<double>&) const;
+template std::optional<int> TomlTable::find(std::string_view, const Rule<int>&) const;
+template double TomlTable::get(std::string_view, const Rule<double>&) const;
+template int TomlTable::get(std::string_view, const Rule<int>&) const;
+template std::string TomlTable::get(std::string_view, const Rule<std::string>&) const;
+
+bool TomlTable::flag(std::string_view key) const {
+  return find<bool>(key, {"true or false", [](bool) { return true; }}).value_or(false);
+}
+
+std::string TomlTable::choice(std::string_view key, std::string_view expected,
+                              const std::vector<std::string>& known) const {
+  if (known.empty()) refuse(key, fmt::format("{}, of which there is none", expected));
+  const std::string one_of = fmt::format(
+      "{}, {} {}", expected, known.size() == 1 ? "which is" : "one of", fmt::join(known, ", "));
+  const std::string value =
+      get<std::string>(key, {one_of, [](const std::string&) { return true; }});
+  if (std::find(known.begin(), known.end(), value) != known.end()) return value;
+  refuse(key, fmt::format("{}; nearest: {}", one_of, nearest_names(value, known, 1).front()));
+}
+
+std::vector<PlacedText> TomlTable::texts(std::string_view key,
+                                         const Rule<std::string>& each) const {
+  const std::string expected = "an array of texts, each " + each.expected;
+  const toml::node* node = content_->table->get(key);
+  if (!node || !node->is_array()) refuse(key, expected);
+  std::vector<PlacedText> values;
+  for (const toml::node& element : *node->as_array()) {
+    const auto value = converted<std::string>(element);
+    if (!value || !each.holds(*value)) {
+      throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(element),
+                                      content_->path, key, as_written(element), each.expected));
+    }
+    values.push_back({*value, content_->where(element)});
+  }
+  return values;
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node || !node->is_table()) refuse(key, fmt::format("a table, [{}{}]", content_->path, key));
+  return TomlTable(
+      std::make_shared<const Content>(Content{content_->root, node->as_table(), content_->file,
+                                              fmt::format("{}{}.", content_->path, key)}));
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> tables;
+  const toml::node* node = content_->table->get(key);
+  if (!node) return tables;
+  if (!node->is_array())
+    refuse(key, fmt::format("an array of tables, [[{}{}]]", content_->path, key));
+  for (const toml::node& element : *node->as_array()) {
+    if (!element.is_table()) {
+      refuse(key, fmt::format("an array of tables, [[{}{}]]", content_->path, key));
+    }
+    tables.push_back(TomlTable(
+        std::make_shared<const Content>(Content{content_->root, element.as_table(), content_->file,
+                                                fmt::format("{}{}.", content_->path, key)})));
+  }
+  return tables;
+}
+
+bool TomlTable::has(std::string_view key) const { return content_->table->contains(key); }
+
+SourceLocation TomlTable::where() const { return content_->where(*content_->table); }
+
+void TomlTable::refuse(std::string_view key, std::string_view expected) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node) {
+    throw CaseFileError(fmt::format("{}: {}{} is missing: expected {}",
+                                    content_->place(*content_->table), content_->path, key,
+                                    expected));
+  }
+  throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(*node),
+                                  content_->path, key, as_written(*node), expected));
+}
+
+void TomlTable::refuse_table(std::string_view holds, std::string_view expected) const {
+  const std::string name = content_->path.substr(0, content_->path.find_last_of('.'));
+  throw CaseFileError(fmt::format("{}: {} = {}: expected {}", content_->place(*content_->table),
+                                  name, holds, expected));
+}
+
+}  // namespace slosh

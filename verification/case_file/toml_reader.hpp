@@ -1,0 +1,63 @@
+// A strict view of a TOML file: typed values, each with a rule that it must keep, and no key that
+// nobody asked for. Every refusal reads "file:line: key = value: expected EXPECTATION".
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/case_file/case_file_error.hpp"
+#include "verification/case_file/rules.hpp"
+
+namespace slosh {
+
+// An element of an array of texts.
+struct PlacedText {
+  std::string text;
+  SourceLocation where;
+};
+
+// One table of the file. A value that is missing, of another type, not finite or against its rule
+// throws CaseFileError. An integer serves where a number is expected; nothing else is converted.
+class TomlTable {
+ public:
+  // Throws CaseFileError with file:line:column for what is not TOML.
+  TomlTable(std::string_view text, const std::filesystem::path& file);
+
+  // Refuses every other key of this table, naming the nearest of these.
+  void allow_only(const std::vector<std::string>& keys) const;
+
+  // T: double, int, std::string, bool.
+  template <class T>
+  T get(std::string_view key, const Rule<T>& rule) const;
+  template <class T>
+  std::optional<T> find(std::string_view key, const Rule<T>& rule) const;
+  bool flag(std::string_view key) const;  // false when absent
+
+  // A text that is one of the known; the refusal names the nearest.
+  std::string choice(std::string_view key, std::string_view expected,
+                     const std::vector<std::string>& known) const;
+  std::vector<PlacedText> texts(std::string_view key, const Rule<std::string>& each) const;
+
+  TomlTable table(std::string_view key) const;
+  std::vector<TomlTable> tables(std::string_view key) const;  // [[key]]; empty when absent
+
+  bool has(std::string_view key) const;
+  SourceLocation where() const;
+  // Refuses the value at a key, which may be absent, for what else the file says.
+  [[noreturn]] void refuse(std::string_view key, std::string_view expected) const;
+  // Refuses the table itself; what it holds instead takes the value's place in the message.
+  [[noreturn]] void refuse_table(std::string_view holds, std::string_view expected) const;
+
+ private:
+  struct Content;
+  explicit TomlTable(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+  std::shared_ptr<const Content> content_;
+};
+
+}  // namespace slosh

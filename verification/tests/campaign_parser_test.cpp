@@ -1,0 +1,106 @@
+// The campaign parser: the shipped campaigns and each kind of mistake.
+#include "verification/case_file/campaign_parser.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "verification/case_file/case_parser.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path cases = fs::path(SLOSH_SOURCE_DIR) / "verification/cases";
+const fs::path campaigns = fs::path(SLOSH_SOURCE_DIR) / "verification/campaigns";
+
+const std::string head =
+    "schema_version = 1\nname = \"trial\"\ntitle = \"A trial\"\nsource = \"none\"\n";
+
+class CampaignParser : public ::testing::Test {
+ protected:
+  CampaignParser()
+      : directory_(fs::temp_directory_path() / ("slosh_campaign_" + std::to_string(::getpid()))) {
+    fs::create_directories(directory_);
+  }
+  ~CampaignParser() override { fs::remove_all(directory_); }
+
+  CampaignDefinition read(const std::string& text) const {
+    std::ofstream(directory_ / "trial.toml") << text;
+    return read_campaign(directory_ / "trial.toml", cases);
+  }
+
+  // The message without the directory; "" when nothing was wrong.
+  std::string complaint(const std::string& text) const {
+    try {
+      read(text);
+      return "";
+    } catch (const CaseFileError& error) {
+      return std::string(error.what()).substr(directory_.string().size() + 1);
+    }
+  }
+
+  void expect_complaint(const std::string& text, const std::string& beginning) const {
+    const std::string message = complaint(text);
+    EXPECT_TRUE(message.starts_with(beginning))
+        << "got:    " << message << "\nwanted: " << beginning;
+  }
+
+  fs::path directory_;
+};
+
+TEST_F(CampaignParser, ReadsTheShippedCampaignWhoseCasesAllParse) {
+  const CampaignDefinition campaign =
+      read_campaign(find_campaign("small_amplitude", campaigns), cases);
+  EXPECT_EQ(campaign.name, "small_amplitude");
+  ASSERT_EQ(campaign.cases.size(), 7u);
+  EXPECT_EQ(campaign.cases.front().stem(), "li2010_small_amplitude");
+  EXPECT_EQ(campaign.cases.back().stem(), "li2010_resonant_T13_b050");
+  for (const fs::path& file : campaign.cases) EXPECT_NO_THROW(read_case(file)) << file;
+}
+
+TEST_F(CampaignParser, TakesPathsRelativeToTheCampaign) {
+  std::ofstream(directory_ / "own.toml") << "not read here";
+  const auto campaign = read(head + "cases = [\"own.toml\", \"li2010_small_amplitude\"]\n");
+  EXPECT_EQ(campaign.cases.at(0), directory_ / "own.toml");
+  EXPECT_EQ(campaign.cases.at(1), cases / "li2010_small_amplitude.toml");
+}
+
+TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
+  const std::string list = "cases = [\"li2010_small_amplitude\"]\n";
+  expect_complaint(head, "trial.toml:1: cases is missing: expected an array of texts");
+  expect_complaint(head + "cases = []\n",
+                   "trial.toml:5: cases = (an array): expected at least one case");
+  expect_complaint(head + "cases = [3]\n", "trial.toml:5: cases = 3: expected a text");
+  expect_complaint(
+      head + list + "tag = 1\n",
+      "trial.toml:6: tag = 1: expected only these keys here: schema_version, name, title, "
+      "source, cases; nearest known key: name");
+  expect_complaint("schema_version = 1\nname = \"a b\"\n",
+                   "trial.toml:2: name = \"a b\": expected a name of");
+  expect_complaint("schema_version = 3\n", "trial.toml:1: schema_version = 3: expected 1");
+  expect_complaint(head + "cases = [\n\"li2010_small_amplitude\",\n\"li2010_small_amplitude\"]\n",
+                   "trial.toml:7: case = \"li2010_small_amplitude\": expected each case once");
+  expect_complaint(head + "cases = [\"no.toml\"]\n",
+                   "trial.toml:5: case = \"no.toml\": expected a file");
+  expect_complaint(head + "cases = [", "trial.toml:5:");
+}
+
+TEST_F(CampaignParser, NamesTheNearestCaseAndTheNearestCampaign) {
+  const std::string message = complaint(head + "cases = [\n\"li2010_small_amplitud\"]\n");
+  EXPECT_TRUE(message.starts_with("trial.toml:6: case = \"li2010_small_amplitud\": expected"))
+      << message;
+  EXPECT_NE(message.find("nearest: li2010_small_amplitude, "), std::string::npos) << message;
+  try {
+    find_campaign("smal_amplitude", campaigns);
+    FAIL() << "found a campaign that is not there";
+  } catch (const CaseFileError& error) {
+    EXPECT_NE(std::string(error.what()).find("nearest: small_amplitude"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,303 @@
+// Every kind of mistake in a case file, made by editing a valid text in one place: where, key,
+// value, what was expected and the nearest known name.
+#include <gtest/gtest.h>
+
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh {
+namespace {
+
+struct Mistake {
+  std::string name;
+  Edit edit;
+  std::string message;  // how it must begin, after the directory
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.message; }
+
+class CaseParserRefusal : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(CaseParserRefusal, SaysWhereWhatAndWhatWasExpected) {
+  const std::string message = complaint_about(GetParam().edit);
+  EXPECT_TRUE(message.starts_with(GetParam().message))
+      << "got:    " << message << "\nwanted: " << GetParam().message;
+}
+
+const std::string third = "0.1667";
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, CaseParserRefusal,
+    ::testing::Values(
+        Mistake{"Misspelt",
+                {"length_m = 2", "lenght_m = 2"},
+                "trial.toml:8: tank.lenght_m = 2: expected only these keys here: length_m, "
+                "height_m; nearest known key: length_m"},
+        Mistake{"Unknown",
+                {"x_m = 1.95", "x_m = 1.95\ncolour = \"red\""},
+                "trial.toml:28: gauge.colour = \"red\": expected only these keys here: name, x_m; "
+                "nearest known key: "},
+        Mistake{"UnknownAtTop",
+                {"[[gate]]", "[[gates]]"},
+                "trial.toml:52: gates = (an array of tables): expected only these keys here: "
+                "schema_version, "},
+        Mistake{"UnknownInRun",
+                {"cells_z", "cell_z"},
+                "trial.toml:51: run.cell_z = 40: expected only these keys here: "},
+        Mistake{"OfAnotherSolver",
+                {"cells_x = 50", "cells_x = 50\nmodes = 3"},
+                "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
+                "cells_x, cells_z, processes; nearest known key: "},
+        Mistake{
+            "OfAnotherMotion",
+            {"amplitude_m", "amplitude_deg"},
+            "trial.toml:19: motion.amplitude_deg = 0.02: expected only these keys here: type, "
+            "amplitude_m, angular_frequency_rad_s, ramp_periods; nearest known key: amplitude_m"},
+        Mistake{"MissingType",
+                {"type = \"sine_surge\"\n", ""},
+                "trial.toml:17: motion.type is missing: expected a motion, one of sine_surge, "
+                "table_surge, sine_roll"},
+        Mistake{"MissingNumber",
+                {"height_m = 1.0\n", ""},
+                "trial.toml:7: tank.height_m is missing: expected a number > 0, in m"},
+        Mistake{"NestedTable",
+                {"[gas]", "[gas.air]"},
+                "trial.toml:14: gas.air = (a table): expected only these keys"},
+        Mistake{"MissingTags",
+                {"tags = [\"surge\"]\n", ""},
+                "trial.toml:1: tags is missing: expected an array of texts"},
+        Mistake{"MissingReason",
+                {"reason = \"a reason\"\n", ""},
+                "trial.toml:52: gate.reason is missing: expected a text that is not empty"},
+        Mistake{"MissingSection",
+                {"[tank]\nlength_m = 2\nheight_m = 1.0\n", ""},
+                "trial.toml:1: tank is missing: expected a table, [tank]"},
+        Mistake{"SingleGaugeTable",
+                {"[[gauge]]\nname = \"right\"\nx_m = 1.95\n[[gauge]]", "[gauge]"},
+                "trial.toml:25: gauge = (a table): expected an array of tables, [[gauge]]"},
+        Mistake{"Twice", {"height_m = 1.0", "length_m = 1.0"}, "trial.toml:9:"}),
+    [](const auto& info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, CaseParserRefusal,
+    ::testing::Values(
+        Mistake{"TextForNumber",
+                {"length_m = 2", "length_m = \"2\""},
+                "trial.toml:8: tank.length_m = \"2\": expected a number > 0, in m"},
+        Mistake{"BooleanForNumber",
+                {"length_m = 2", "length_m = true"},
+                "trial.toml:8: tank.length_m = true: expected a number > 0, in m"},
+        Mistake{"NumberForText",
+                {"\"A trial\"", "3"},
+                "trial.toml:3: title = 3: expected a text that is not empty"},
+        Mistake{"NumberForInteger",
+                {"cells_x = 50", "cells_x = 50.0"},
+                "trial.toml:50: run.cells_x = 50.0: expected an integer >= 1"},
+        Mistake{"TextForBoolean",
+                {"quick = true", "quick = \"yes\""},
+                "trial.toml:46: run.quick = \"yes\": expected true or false"},
+        Mistake{"NumberForTable",
+                {"[tank]\nlength_m = 2\nheight_m = 1.0\n", "tank = 3\n"},
+                "trial.toml:7: tank = 3: expected a table, [tank]"},
+        Mistake{"TextForTags",
+                {"[\"surge\"]", "\"surge\""},
+                "trial.toml:5: tags = \"surge\": expected an array of texts"},
+        Mistake{"NumberInTags",
+                {"[\"surge\"]", "[\n\"surge\",\n4]"},
+                "trial.toml:7: tags = 4: expected a text"},
+        Mistake{"IntegerTooLarge",
+                {"cells_x = 50", "cells_x = 5000000000"},
+                "trial.toml:50: run.cells_x = 5000000000: expected an integer >= 1"},
+        Mistake{"NotANumber",
+                {"gravity_m_s2 = 9.81", "gravity_m_s2 = nan"},
+                "trial.toml:6: gravity_m_s2 = nan: expected a number > 0, in m/s2"},
+        Mistake{"Infinite",
+                {"amplitude_m = 0.02", "amplitude_m = inf"},
+                "trial.toml:19: motion.amplitude_m = inf: expected a number > 0, in m"},
+        Mistake{"Syntax", {"length_m = 2", "length_m = = 2"}, "trial.toml:8:12: not TOML: "}),
+    [](const auto& info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Physics, CaseParserRefusal,
+    ::testing::Values(
+        Mistake{"OtherSchema",
+                {"schema_version = 1", "schema_version = 2"},
+                "trial.toml:1: schema_version = 2: expected 1"},
+        Mistake{"NameWithSlash",
+                {"\"trial\"", "\"a/b\""},
+                "trial.toml:2: name = \"a/b\": expected a name of letters, digits, _ and -"},
+        Mistake{"NoGravity",
+                {"9.81", "0"},
+                "trial.toml:6: gravity_m_s2 = 0: expected a number > 0, in m/s2"},
+        Mistake{"NegativeLength",
+                {"length_m = 2", "length_m = -2"},
+                "trial.toml:8: tank.length_m = -2: expected a number > 0, in m"},
+        Mistake{"FillAboveTank",
+                {"fill_depth_m = 0.5", "fill_depth_m = 1.5"},
+                "trial.toml:11: liquid.fill_depth_m = 1.5: expected a number > 0 and below the "
+                "tank's height (1), in m"},
+        Mistake{"FillToTheRoof",
+                {"fill_depth_m = 0.5", "fill_depth_m = 1.0"},
+                "trial.toml:11: liquid.fill_depth_m = 1.0: expected"},
+        Mistake{"NoLiquid",
+                {"fill_depth_m = 0.5", "fill_depth_m = 0.0"},
+                "trial.toml:11: liquid.fill_depth_m = 0.0: expected"},
+        Mistake{"NegativeDensity",
+                {"= 1000.0", "= -1000.0"},
+                "trial.toml:12: liquid.density_kg_m3 = -1000.0: expected a number > 0, in kg/m3"},
+        Mistake{"NegativeViscosity",
+                {"1e-6", "-1e-6"},
+                "trial.toml:13: liquid.kinematic_viscosity_m2_s = -1e-06: expected a number >= 0, "
+                "in m2/s"},
+        Mistake{"GasHeavierThanLiquid",
+                {"= 1.2", "= 1000"},
+                "trial.toml:15: gas.density_kg_m3 = 1000: expected a number > 0 and below the "
+                "liquid's density (1000), in kg/m3"},
+        Mistake{"UnknownMotion",
+                {"sine_surge", "sine_surg"},
+                "trial.toml:18: motion.type = \"sine_surg\": expected a motion, one of sine_surge, "
+                "table_surge, sine_roll; nearest: sine_surge"},
+        Mistake{"NoAmplitude",
+                {"amplitude_m = 0.02", "amplitude_m = 0"},
+                "trial.toml:19: motion.amplitude_m = 0: expected a number > 0, in m"},
+        Mistake{"NegativeRamp",
+                {"= 1.5\n", "= 1.5\nramp_periods = -1\n"},
+                "trial.toml:21: motion.ramp_periods = -1: expected a number >= 0, in periods"},
+        Mistake{"UnknownStart",
+                {"\"earth\"", "\"Earth\""},
+                "trial.toml:22: time.start = \"Earth\": expected the frame in which the liquid is "
+                "first at rest, one of earth, tank; nearest: earth"},
+        Mistake{"NoDuration",
+                {"duration_s = 20.0", "duration_s = 0"},
+                "trial.toml:23: time.duration_s = 0: expected a number > 0, in s"},
+        Mistake{"SampledTooSeldom",
+                {"interval_s = 0.01", "interval_s = 21"},
+                "trial.toml:24: time.sample_interval_s = 21: expected a number > 0 and <= the "
+                "duration (20), in s"},
+        Mistake{"GaugeOutside",
+                {"x_m = 1.95", "x_m = 2.05"},
+                "trial.toml:27: gauge.x_m = 2.05: expected a number from 0 to the tank's length "
+                "(2), in m from the left wall"},
+        Mistake{"GaugeTwice",
+                {"\"left\"", "\"right\""},
+                "trial.toml:29: gauge.name = \"right\": expected a name that no other gauge has"},
+        Mistake{"WindowBeforeStart",
+                {"begin_s = 1.0", "begin_s = -1.0"},
+                "trial.toml:32: comparison.window_begin_s = -1.0: expected a number >= 0, in s"},
+        Mistake{"WindowBeyondEnd",
+                {"end_s = 20.0", "end_s = 20.5"},
+                "trial.toml:33: comparison.window_end_s = 20.5: expected a number above "
+                "window_begin_s (1) and <= the duration (20), in s"},
+        Mistake{"WindowInverted",
+                {"end_s = 20.0", "end_s = 0.5"},
+                "trial.toml:33: comparison.window_end_s = 0.5: expected"},
+        Mistake{"NegativeModes",
+                {"natural_modes = 2", "natural_modes = -1"},
+                "trial.toml:34: comparison.natural_modes = -1: expected an integer >= 0"}),
+    [](const auto& info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Runs, CaseParserRefusal,
+    ::testing::Values(
+        Mistake{"Twice",
+                {"\"mesh\"", "\"coarse\""},
+                "trial.toml:48: run.name = \"coarse\": expected a name that no other run has"},
+        Mistake{"UnknownSolver",
+                {"\"interfoam\"", "\"interFoam\""},
+                "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
+                "interfoam, linear; nearest: interfoam"},
+        Mistake{"NoModes",
+                {"modes = 500", "modes = 0"},
+                "trial.toml:38: run.modes = 0: expected an integer >= 1"},
+        Mistake{"NegativeSpacing",
+                {"e_spacing_m = 0.02", "e_spacing_m = -0.02"},
+                "trial.toml:44: run.particle_spacing_m = -0.02: expected a number > 0 and <= a "
+                "third of the fill depth (" +
+                    third + "), in m"},
+        Mistake{"SpacingAboveDepth",
+                {"e_spacing_m = 0.02", "e_spacing_m = 0.2"},
+                "trial.toml:44: run.particle_spacing_m = 0.2: expected"},
+        Mistake{"SurfaceCoarserThanInside",
+                {"spacing_m = 0.01", "spacing_m = 0.03"},
+                "trial.toml:45: run.surface_particle_spacing_m = 0.03: expected a number > 0 and "
+                "<= particle_spacing_m (0.02), in m"},
+        Mistake{"NoCells",
+                {"cells_x = 50", "cells_x = 0"},
+                "trial.toml:50: run.cells_x = 0: expected an integer >= 1"},
+        Mistake{"NoProcesses",
+                {"cells_z = 40", "cells_z = 40\nprocesses = 0"},
+                "trial.toml:52: run.processes = 0: expected an integer >= 1"},
+        Mistake{"NoRangeOfValidity",
+                {"depth = 0.1", "depth = 0"},
+                "trial.toml:39: run.valid_elevation_over_depth = 0: expected a number > 0"}),
+    [](const auto& info) { return info.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Gate, CaseParserRefusal,
+    ::testing::Values(
+        Mistake{"UnknownRun",
+                {"candidate = \"coarse\"", "candidate = \"course\""},
+                "trial.toml:53: gate.candidate = \"course\": expected a run, one of theory, "
+                "coarse, mesh; nearest: coarse"},
+        Mistake{"ReferenceIsCandidate",
+                {"reference = \"theory\"", "reference = \"coarse\""},
+                "trial.toml:54: gate.reference = \"coarse\": expected a run other than the "
+                "candidate, one of theory, mesh"},
+        Mistake{"UnknownGauge",
+                {"elevation@right", "elevation@rigth"},
+                "trial.toml:55: gate.quantity = \"elevation@rigth\": expected a quantity at a "
+                "gauge, one of elevation@right, elevation@left; nearest: elevation@right"},
+        Mistake{"UnknownQuantity",
+                {"elevation@right", "pressure@right"},
+                "trial.toml:55: gate.quantity = \"pressure@right\": expected"},
+        Mistake{"UnknownMode",
+                {"\"forced\"", "\"natural_3\""},
+                "trial.toml:56: gate.mode = \"natural_3\": expected what amplitude_error is "
+                "measured on, one of forced, natural_1, natural_2; nearest: natural_"},
+        Mistake{
+            "WholeForAMode",
+            {"\"forced\"", "\"whole\""},
+            "trial.toml:56: gate.mode = \"whole\": expected what amplitude_error is measured on"},
+        Mistake{"ModeForAWhole",
+                {"amplitude_error", "normalised_rms"},
+                "trial.toml:56: gate.mode = \"forced\": expected what normalised_rms is measured "
+                "on, which is whole"},
+        Mistake{"FrequencyOfTheForcedMode",
+                {"amplitude_error", "frequency_error"},
+                "trial.toml:56: gate.mode = \"forced\": expected what frequency_error is measured "
+                "on, one of natural_1, natural_2"},
+        Mistake{"UnknownMetric",
+                {"amplitude_error", "amplitude_eror"},
+                "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
+                "amplitude_error, phase_lag, frequency_error, decay_rate, normalised_rms, "
+                "maximum_residual; nearest: amplitude_error"},
+        Mistake{
+            "WrongUnit",
+            {"unit = \"1\"", "unit = \"%\""},
+            "trial.toml:58: gate.unit = \"%\": expected the unit of amplitude_error, which is 1"},
+        Mistake{"NegativeLimit",
+                {"limit = 0.05", "limit = -0.05"},
+                "trial.toml:59: gate.limit = -0.05: expected a number > 0, without unit"},
+        Mistake{"NoBound",
+                {"limit = 0.05\n", ""},
+                "trial.toml:52: gate = {}: expected exactly one of limit | lower with upper | "
+                "improves_on"},
+        Mistake{"TwoBounds",
+                {"limit = 0.05", "limit = 0.05\nupper = 1"},
+                "trial.toml:52: gate = {limit, upper}: expected exactly one of"},
+        Mistake{"HalfABound",
+                {"limit = 0.05", "lower = 1"},
+                "trial.toml:52: gate = {lower}: expected exactly one of"},
+        Mistake{"BoundsInverted",
+                {"limit = 0.05", "lower = 1\nupper = 0.5"},
+                "trial.toml:60: gate.upper = 0.5: expected a number above lower (1), without unit"},
+        Mistake{"ImprovesOnItself",
+                {"limit = 0.05", "improves_on = \"coarse\""},
+                "trial.toml:59: gate.improves_on = \"coarse\": expected a run other than the "
+                "candidate and the reference, which is mesh; nearest: mesh"},
+        Mistake{"NoReason",
+                {"\"a reason\"", "\"\""},
+                "trial.toml:60: gate.reason = \"\": expected a text that is not empty"}),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,186 @@
+#include "verification/metrics/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "verification/metrics/cross_correlation.hpp"
+#include "verification/tests/synthetic_series.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double forced = 1.48346, natural = 4.96646;
+constexpr double forced_period = two_pi / forced;
+constexpr TimeWindow window{0, 20};
+const std::vector<ToneRequest> modes{{"forced", forced, false}, {"natural_1", natural, true}};
+
+double wave(double t) { return 0.003 * std::sin(forced * t) - 0.008 * std::sin(natural * t + 0.1); }
+
+const TimeSeries reference = sampled(wave, 0, 20);
+
+std::string error_of(const TimeSeries& candidate, const TimeSeries& against,
+                     TimeWindow over = window, const std::vector<ToneRequest>& of = modes) {
+  try {
+    compare(candidate, against, over, of);
+  } catch (const ComparisonError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Comparison, FindsNoDifferenceBetweenASeriesAndItself) {
+  const auto result = compare(reference, reference, window, modes);
+  EXPECT_EQ(result.quantity, "elevation@right");
+  EXPECT_EQ(result.unit, "m");
+  ASSERT_EQ(result.modes.size(), 2U);
+  for (const auto& mode : result.modes) {
+    EXPECT_EQ(mode.amplitude_error.value, 0);
+    EXPECT_EQ(mode.phase_lag.value, 0);
+    EXPECT_EQ(mode.frequency_error.value, 0);
+  }
+  EXPECT_EQ(result.normalised_rms, 0);
+  EXPECT_EQ(result.maximum_residual, 0);
+  EXPECT_EQ(result.residual.time.size(), reference.time.size());
+}
+
+TEST(Comparison, ReportsALateCandidateAsAPositiveLagInEveryUnit) {
+  const double lag = 0.05 * forced_period;
+  const auto late = sampled([&](double t) { return wave(t - lag); }, 0, 20);
+  const auto result = compare(late, reference, window, modes);
+  const auto& mode = result.modes[0];
+  EXPECT_NEAR(mode.phase_lag.value, lag, 1e-8);
+  EXPECT_NEAR(mode.phase_lag_periods.value, 0.05, 1e-8);
+  EXPECT_NEAR(mode.phase_lag_degrees.value, 18, 1e-6);
+  EXPECT_NEAR(result.modes[1].phase_lag.value, lag, 1e-7);
+  EXPECT_NEAR(result.cross_correlation_lag, lag, 2e-3);
+  EXPECT_NEAR(compare(reference, late, window, modes).modes[0].phase_lag.value, -lag, 1e-8);
+}
+
+TEST(Comparison, ReportsAScaledCandidateAsAnAmplitudeErrorOfEveryMode) {
+  const auto high = sampled([](double t) { return 1.05 * wave(t); }, 0, 20);
+  const auto result = compare(high, reference, window, modes);
+  for (const auto& mode : result.modes) {
+    EXPECT_NEAR(mode.amplitude_error.value, 0.05, 1e-9);
+    EXPECT_NEAR(mode.phase_lag.value, 0, 1e-9);
+  }
+  EXPECT_NEAR(result.sprague_geers_magnitude, 0.05, 1e-9);
+  EXPECT_NEAR(result.sprague_geers_phase, 0, 1e-6);
+  EXPECT_NEAR(result.normalised_rms, 0.05, 1e-3);
+  EXPECT_NEAR(compare(reference, high, window, modes).modes[0].amplitude_error.value, 1 / 1.05 - 1,
+              1e-9);
+}
+
+TEST(Comparison, TellsAFrequencyErrorAndADecayOfTheNaturalModeFromTheForcedOne) {
+  const auto candidate = sampled(
+      [](double t) {
+        return 0.003 * std::sin(forced * t) -
+               0.008 * std::exp(-0.05 * t) *
+                   std::sin(1.01 * natural * (t - 10) + natural * 10 + 0.1);
+      },
+      0, 20);
+  const auto result = compare(candidate, reference, window, modes);
+  EXPECT_NEAR(result.modes[0].amplitude_error.value, 0, 1e-8);
+  EXPECT_EQ(result.modes[0].frequency_error.value, 0);
+  EXPECT_NEAR(result.modes[1].frequency_error.value, 0.01, 1e-8);
+  EXPECT_NEAR(result.modes[1].decay_rate.value, 0.05, 1e-8);
+  EXPECT_NEAR(result.modes[1].phase_lag.value, 0, 1e-8);  // in step at the window's middle
+  EXPECT_NEAR(result.modes[1].amplitude_error.value, 0, 1e-8);
+}
+
+TEST(Comparison, KeepsDriftAndOffsetOutOfTheModesButInTheResidual) {
+  const auto drifting = sampled([](double t) { return wave(t) + 0.001 + 1e-4 * t; }, 0, 20);
+  const auto result = compare(drifting, reference, window, modes);
+  EXPECT_NEAR(result.modes[0].amplitude_error.value, 0, 1e-9);
+  EXPECT_NEAR(result.modes[0].phase_lag.value, 0, 1e-9);
+  EXPECT_NEAR(result.cross_correlation_lag, 0, 1e-3);
+  EXPECT_NEAR(result.maximum_residual, 0.003, 1e-12);
+}
+
+TEST(Comparison, IntervalsHoldTheTruthUnderNoise) {
+  const double lag = 0.02;
+  const auto clean = sampled([&](double t) { return 0.9 * wave(t - lag); }, 0, 20);
+  const auto result = compare(with_noise(clean, 5e-4, 0.9, 11), reference, window, modes);
+  for (const auto& mode : result.modes) {
+    EXPECT_LE(std::abs(mode.amplitude_error.value + 0.1), 1.5 * mode.amplitude_error.half_width);
+    EXPECT_LE(std::abs(mode.phase_lag.value - lag), 1.5 * mode.phase_lag.half_width);
+    EXPECT_GT(mode.amplitude_error.half_width, 0.001);
+    EXPECT_LT(mode.amplitude_error.half_width, 0.2);
+  }
+  EXPECT_GT(result.normalised_rms, 0.1);
+}
+
+TEST(Comparison, SurvivesACandidateWhoseNaturalModeIsGone) {
+  const auto damped = sampled(
+      [](double t) {
+        return 0.003 * std::sin(forced * t) - 0.008 * std::exp(-1.2 * t) * std::sin(natural * t);
+      },
+      0, 20);
+  const auto result = compare(with_noise(damped, 1e-4, 0.8, 5), reference, {8, 20}, modes);
+  EXPECT_NEAR(result.modes[0].amplitude_error.value, 0, 0.03);
+  const auto& gone = result.modes[1];
+  EXPECT_GE(gone.candidate.amplitude.half_width, gone.candidate.amplitude.value);
+  EXPECT_NEAR(gone.phase_lag_periods.half_width, 0.5, 1e-12);
+}
+
+TEST(Comparison, InterpolatesACandidateOfOtherSampling) {
+  auto candidate = sampled(wave, 0.003, 20.003, 0.0137);
+  const auto result = compare(candidate, reference, window, modes);
+  EXPECT_LT(result.normalised_rms, 1e-4);
+  EXPECT_NEAR(result.modes[0].phase_lag.value, 0, 1e-8);
+  EXPECT_GE(result.residual.time.size(), reference.time.size() - 4);
+}
+
+TEST(Comparison, MeasuresSpragueAndGeersPhaseOfAQuarterPeriodAsOneHalf) {
+  const auto sine = sampled([](double t) { return std::sin(two_pi * t); }, 0, 20);
+  const auto cosine = sampled([](double t) { return std::cos(two_pi * t); }, 0, 20);
+  const auto result = compare(cosine, sine, window, {{"forced", two_pi, false}});
+  EXPECT_NEAR(result.sprague_geers_phase, 0.5, 1e-6);
+  EXPECT_NEAR(result.modes[0].phase_lag_periods.value, -0.25, 1e-9);
+  EXPECT_NEAR(result.cross_correlation_lag, -0.25, 5e-4);
+}
+
+TEST(Comparison, RefusesWhatCannotBeCompared) {
+  EXPECT_EQ(error_of(reference, reference), "");
+  auto poisoned = reference;
+  poisoned.value[1000] = std::nan("");
+  EXPECT_NE(error_of(poisoned, reference).find("candidate elevation@right"), std::string::npos);
+  EXPECT_NE(error_of(reference, poisoned).find("reference elevation@right"), std::string::npos);
+  poisoned = reference;
+  poisoned.unit = "mm";
+  EXPECT_NE(error_of(poisoned, reference).find("mm"), std::string::npos);
+  EXPECT_NE(error_of(sampled(wave, 0, 12), reference).find("covers 0 s to 12 s"),
+            std::string::npos);
+  EXPECT_NE(error_of(reference, sampled(wave, 0, 12)), "");
+  EXPECT_NE(error_of(sampled(wave, 0, 19.97), reference), "");
+  EXPECT_EQ(error_of(sampled(wave, 0, 19.99), reference), "");
+  EXPECT_NE(error_of(sampled(wave, 30, 50), reference), "");
+  const auto still = sampled([](double) { return 0.35; }, 0, 20);
+  EXPECT_NE(error_of(still, reference).find("constant"), std::string::npos);
+  EXPECT_NE(error_of(reference, still), "");
+  EXPECT_NE(error_of(reference, reference, {0, 3}), "");
+  EXPECT_NE(error_of(reference, reference, window, {}), "");
+}
+
+TEST(Comparison, TakesAFifthOfASecondAtMostForFourModes) {
+  const std::vector<ToneRequest> four{{"forced", forced, false},
+                                      {"natural_1", natural, true},
+                                      {"natural_2", 9.6, true},
+                                      {"natural_3", 12.4, true}};
+  const auto candidate = with_noise(reference, 2e-4, 0.9, 2);
+  const auto before = std::chrono::steady_clock::now();
+  compare(candidate, with_noise(reference, 1e-4, 0.5, 3), window, four);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - before;
+  EXPECT_LT(elapsed.count(), 0.6);  // three times the promise, for a busy machine
+}
+
+TEST(CrossCorrelation, FindsALagBelowTheSampleInterval) {
+  const auto r = sampled([](double t) { return std::sin(5 * t); }, 0, 20);
+  const auto c = sampled([](double t) { return 3 * std::sin(5 * (t - 0.1234)) + 7; }, 0, 20);
+  EXPECT_NEAR(cross_correlation_lag(c, r, window, two_pi / 5), 0.1234, 5e-4);
+  EXPECT_NEAR(cross_correlation_lag(r, c, window, two_pi / 5), -0.1234, 5e-4);
+  EXPECT_THROW(cross_correlation_lag(c, r, {0, 1}, two_pi / 5), ComparisonError);
+}
+
+}  // namespace
+}  // namespace slosh

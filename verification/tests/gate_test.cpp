@@ -1,0 +1,297 @@
+#include "verification/gate/gate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace slosh {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+GateRow row_of(Metric metric, const std::string& mode, const std::string& unit, double limit) {
+  GateRow row{};
+  row.candidate = "sph";
+  row.reference = "linear";
+  row.quantity = "elevation@right";
+  row.metric = metric;
+  row.mode = mode;
+  row.unit = unit;
+  row.limit = limit;
+  return row;
+}
+
+const GateRow amplitude_row = row_of(Metric::amplitude_error, "forced", "1", 0.05);
+
+std::map<std::string, RunStatus> all_finished() {
+  return {{"sph", {RunState::finished, ""}},
+          {"sph_coarse", {RunState::finished, ""}},
+          {"linear", {RunState::finished, ""}}};
+}
+
+std::map<std::string, RunStatus> with(const std::string& run, RunState state,
+                                      const std::string& message) {
+  auto runs = all_finished();
+  runs[run] = {state, message};
+  return runs;
+}
+
+Comparison comparison_of(double amplitude_error) {
+  Comparison comparison{};
+  comparison.unit = "m";
+  ModeComparison forced{};
+  forced.mode = "forced";
+  forced.amplitude_error = {amplitude_error, 0.001};
+  forced.phase_lag = {0.01, 0};  // [s]: no row is in seconds
+  forced.phase_lag_degrees = {1.5, 0.1};
+  comparison.modes.push_back(forced);
+  ModeComparison natural{};
+  natural.mode = "natural_1";
+  natural.frequency_error = {-0.002, 0.0001};
+  natural.decay_rate = {0.02, 0.001};
+  comparison.modes.push_back(natural);
+  comparison.normalised_rms = 0.1;
+  comparison.maximum_residual = 0.0004;
+  return comparison;
+}
+
+GateOutcome judge(const GateRow& row, const Comparison& comparison) {
+  return evaluate(
+      row, all_finished(),
+      [&](const auto&, const auto&, const auto&) -> const Comparison& { return comparison; });
+}
+
+GateOutcome judge(const GateRow& row, const std::map<std::string, RunStatus>& runs) {
+  const Comparison comparison = comparison_of(0.01);
+  return evaluate(row, runs, [&](const auto&, const auto&, const auto&) -> const Comparison& {
+    return comparison;
+  });
+}
+
+TEST(Gate, PassesAValueUpToItsLimitOnEitherSide) {
+  EXPECT_EQ(judge(amplitude_row, comparison_of(0.05)).verdict, Verdict::pass);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.05)).verdict, Verdict::pass);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(0.0501)).verdict, Verdict::violated);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.0501)).verdict, Verdict::violated);
+}
+
+TEST(Gate, SaysTheValueAndItsLimitInTheRowsUnit) {
+  EXPECT_EQ(judge(amplitude_row, comparison_of(0.008)).message, "0.8 % +- 0.1 % <= 5 %");
+  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.08)).message, "|-8 % +- 0.1 %| is not <= 5 %");
+  EXPECT_EQ(judge(row_of(Metric::phase_lag, "forced", "deg", 2), comparison_of(0)).message,
+            "1.5 deg +- 0.1 deg <= 2 deg");
+  EXPECT_EQ(judge(row_of(Metric::maximum_residual, "whole", "m", 0.001), comparison_of(0)).message,
+            "0.0004 m <= 0.001 m");
+}
+
+TEST(Gate, TakesEachMetricFromItsPlace) {
+  const Comparison comparison = comparison_of(0.01);
+  const auto value = [&](Metric metric, const char* mode, const char* unit) {
+    return judge(row_of(metric, mode, unit, 1e9), comparison).value.value;
+  };
+  EXPECT_EQ(value(Metric::amplitude_error, "forced", "1"), 0.01);
+  EXPECT_EQ(value(Metric::phase_lag, "forced", "deg"), 1.5);
+  EXPECT_EQ(value(Metric::frequency_error, "natural_1", "1"), -0.002);
+  EXPECT_EQ(value(Metric::decay_rate, "natural_1", "1/s"), 0.02);
+  EXPECT_EQ(value(Metric::normalised_rms, "whole", "1"), 0.1);
+  EXPECT_EQ(value(Metric::maximum_residual, "whole", "m"), 0.0004);
+}
+
+TEST(Gate, HoldsAValueBetweenItsBounds) {
+  GateRow row = row_of(Metric::decay_rate, "natural_1", "1/s", 0);
+  row.limit.reset();
+  row.between = {0.01, 0.03};
+  EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::pass);
+  EXPECT_EQ(judge(row, comparison_of(0)).message,
+            "0.02 1/s +- 0.001 1/s within 0.01 1/s .. 0.03 1/s");
+  row.between = {0.021, 0.03};
+  EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
+  row.between = {0.01, 0.019};
+  EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
+}
+
+class GateOnImprovement : public ::testing::Test {
+ protected:
+  GateOnImprovement() {
+    row.limit.reset();
+    row.improves_on = "sph_coarse";
+  }
+  Verdict verdict(double fine_error, double coarse_error) const {
+    const Comparison fine = comparison_of(fine_error), coarse = comparison_of(coarse_error);
+    return evaluate(
+               row, all_finished(),
+               [&](const auto& run, const auto& reference, const auto&) -> const auto& {
+                 EXPECT_EQ(reference, "linear");
+                 return run == "sph" ? fine : coarse;
+               })
+        .verdict;
+  }
+  GateRow row = amplitude_row;
+};
+
+TEST_F(GateOnImprovement, ComparesMagnitudes) {
+  EXPECT_EQ(verdict(0.01, -0.02), Verdict::pass);
+  EXPECT_EQ(verdict(-0.02, 0.01), Verdict::violated);
+  EXPECT_EQ(verdict(0.01, 0.01), Verdict::violated);
+}
+
+TEST_F(GateOnImprovement, NeverPassesNaN) {
+  EXPECT_EQ(verdict(nan, 0.01), Verdict::violated);
+  EXPECT_EQ(verdict(0.01, nan), Verdict::violated);
+}
+
+TEST_F(GateOnImprovement, NeedsTheOtherRunToo) {
+  EXPECT_EQ(judge(row, with("sph_coarse", RunState::failed, "")).verdict, Verdict::solver_failed);
+  EXPECT_EQ(judge(row, with("sph_coarse", RunState::not_selected, "")).verdict,
+            Verdict::not_selected);
+}
+
+TEST(Gate, NeverPassesNaNOrInfinity) {
+  EXPECT_EQ(judge(amplitude_row, comparison_of(nan)).verdict, Verdict::violated);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(std::numeric_limits<double>::infinity())).verdict,
+            Verdict::violated);
+  GateRow between = amplitude_row;
+  between.limit.reset();
+  between.between = {-1, 1};
+  EXPECT_EQ(judge(between, comparison_of(nan)).verdict, Verdict::violated);
+  GateRow no_limit = amplitude_row;
+  no_limit.limit = nan;
+  EXPECT_EQ(judge(no_limit, comparison_of(0)).verdict, Verdict::violated);
+}
+
+TEST(Gate, ReportsAFailedSolverWithItsMessage) {
+  const GateOutcome outcome =
+      judge(amplitude_row, with("sph", RunState::failed, "density out of range at 1.2 s"));
+  EXPECT_EQ(outcome.verdict, Verdict::solver_failed);
+  EXPECT_TRUE(std::isnan(outcome.value.value));
+  EXPECT_EQ(outcome.message, "the candidate sph failed: density out of range at 1.2 s");
+}
+
+TEST(Gate, DoesNotCompareWithAReferenceOutsideItsRange) {
+  const GateOutcome outcome =
+      judge(amplitude_row, with("linear", RunState::out_of_range, "0.3 > 0.1 depths"));
+  EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome.message,
+            "the reference linear is outside its declared range: 0.3 > 0.1 depths");
+}
+
+TEST(Gate, DoesNotCompareWithoutARunAndSaysWhich) {
+  auto runs = all_finished();
+  runs.erase("linear");
+  const GateOutcome outcome = judge(amplitude_row, runs);
+  EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome.message, "the reference linear is missing");
+}
+
+TEST(Gate, SkipsARowOfARunThatIsNotSelectedWhateverBecameOfTheOther) {
+  auto runs = with("sph", RunState::not_selected, "");
+  EXPECT_EQ(judge(amplitude_row, runs).verdict, Verdict::not_selected);
+  runs["linear"] = {RunState::failed, ""};
+  EXPECT_EQ(judge(amplitude_row, runs).verdict, Verdict::not_selected);
+}
+
+TEST(Gate, DoesNotCompareAModeThatWasNotFitted) {
+  const GateOutcome outcome =
+      judge(row_of(Metric::frequency_error, "natural_2", "1", 0.1), comparison_of(0));
+  EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome.message, "the mode natural_2 was not fitted");
+}
+
+TEST(Gate, DoesNotCompareALimitInAnotherUnit) {
+  EXPECT_EQ(judge(row_of(Metric::maximum_residual, "whole", "Pa", 100), comparison_of(0)).verdict,
+            Verdict::not_compared);
+  EXPECT_EQ(judge(row_of(Metric::phase_lag, "forced", "s", 100), comparison_of(0)).verdict,
+            Verdict::not_compared);
+}
+
+// Through the real comparison: a candidate poisoned in each of these ways must turn the row red.
+class GateOnSeries : public ::testing::Test {
+ protected:
+  static constexpr double frequency = 1.5;  // [rad/s]
+  static constexpr double duration = 20;    // [s]
+
+  static TimeSeries wave(double amplitude, double delay) {
+    TimeSeries series{"elevation@right", "m", {}, {}};
+    for (int i = 0; i <= 2000; ++i) {
+      const double t = 0.01 * i;
+      series.time.push_back(t);
+      series.value.push_back(amplitude * std::sin(frequency * (t - delay)));
+    }
+    return series;
+  }
+
+  static GateOutcome judge_series(const GateRow& row, const TimeSeries& candidate) {
+    Comparison comparison;
+    return evaluate(
+        row, all_finished(), [&](const auto&, const auto&, const auto&) -> const Comparison& {
+          comparison =
+              compare(candidate, wave(0.01, 0), {0, duration}, {{"forced", frequency, false}});
+          return comparison;
+        });
+  }
+
+  const GateRow lag_row = row_of(Metric::phase_lag, "forced", "deg", 1);
+  const GateRow rms_row = row_of(Metric::normalised_rms, "whole", "1", 0.02);
+};
+
+TEST_F(GateOnSeries, PassesATrueCandidate) {
+  for (const GateRow& row : {amplitude_row, lag_row, rms_row}) {
+    EXPECT_EQ(judge_series(row, wave(0.0101, 0.001)).verdict, Verdict::pass);
+  }
+}
+
+TEST_F(GateOnSeries, IsViolatedByAScaledCandidate) {
+  EXPECT_EQ(judge_series(amplitude_row, wave(0.0106, 0)).verdict, Verdict::violated);
+  EXPECT_EQ(judge_series(rms_row, wave(0.0106, 0)).verdict, Verdict::violated);
+  EXPECT_EQ(judge_series(amplitude_row, wave(0.0094, 0)).verdict, Verdict::violated);
+}
+
+TEST_F(GateOnSeries, IsViolatedByAShiftedCandidate) {
+  const double two_degrees = 2 * std::numbers::pi / 180 / frequency;
+  EXPECT_EQ(judge_series(lag_row, wave(0.01, two_degrees)).verdict, Verdict::violated);
+  EXPECT_EQ(judge_series(lag_row, wave(0.01, -two_degrees)).verdict, Verdict::violated);
+  EXPECT_EQ(judge_series(rms_row, wave(0.01, two_degrees)).verdict, Verdict::violated);
+}
+
+TEST_F(GateOnSeries, DoesNotCompareATruncatedCandidateNorOneWithNaN) {
+  TimeSeries truncated = wave(0.01, 0);
+  truncated.time.resize(1500);
+  truncated.value.resize(1500);
+  TimeSeries poisoned = wave(0.01, 0);
+  poisoned.value[1000] = nan;
+  for (const GateRow& row : {amplitude_row, lag_row, rms_row}) {
+    EXPECT_EQ(judge_series(row, truncated).verdict, Verdict::not_compared);
+    EXPECT_EQ(judge_series(row, poisoned).verdict, Verdict::not_compared);
+  }
+}
+
+GateOutcome outcome_of(Verdict verdict) { return {amplitude_row, verdict, {nan, nan}, ""}; }
+
+TEST(GateExitStatus, IsThatOfTheWorstOutcome) {
+  const auto pass = outcome_of(Verdict::pass), violated = outcome_of(Verdict::violated),
+             failed = outcome_of(Verdict::solver_failed),
+             missing = outcome_of(Verdict::not_compared),
+             skipped = outcome_of(Verdict::not_selected);
+  EXPECT_EQ(exit_status({pass, pass}), 0);
+  EXPECT_EQ(exit_status({pass, skipped}), 0);
+  EXPECT_EQ(exit_status({pass, missing}), 4);
+  EXPECT_EQ(exit_status({pass, missing, violated}), 1);
+  EXPECT_EQ(exit_status({missing, violated, failed}), 3);
+}
+
+TEST(GateExitStatus, IsNotComparedWhereNoRowWasEvaluated) {
+  EXPECT_EQ(exit_status({}), 4);
+  EXPECT_EQ(exit_status({outcome_of(Verdict::not_selected), outcome_of(Verdict::not_selected)}), 4);
+}
+
+TEST(GateMetrics, HaveNamesAndUnits) {
+  EXPECT_EQ(metric_name(Metric::phase_lag), "phase_lag");
+  EXPECT_EQ(metric_unit(Metric::phase_lag, "m"), "deg");
+  EXPECT_EQ(metric_unit(Metric::maximum_residual, "m"), "m");
+  EXPECT_EQ(metric_unit(Metric::decay_rate, "m"), "1/s");
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,179 @@
+#!/bin/sh
+# The launcher on a small project of its own, in a directory with spaces, with the package tools, id and sudo
+# replaced by stand-ins that record how they were called.
+# Usage: launcher_test.sh PATH_OF_SLOSH
+set -eu
+
+slosh=$(readlink -f -- "$1")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+project="$work/a tank of water"
+calls=$work/calls
+lacking=$work/lacking # the packages that are not there
+uid=$work/uid
+export work calls lacking uid
+
+fail() {
+  echo "FAILED: $*"
+  [ ! -s "$work/err" ] || sed 's/^/  stderr: /' "$work/err"
+  [ ! -s "$work/out" ] || sed 's/^/  stdout: /' "$work/out"
+  exit 1
+}
+
+# run STATUS ARGUMENTS...: starts the launcher and expects its exit status.
+run() {
+  expected=$1
+  shift
+  status=0
+  : >"$calls"
+  env -u HOME CI=true "$project/slosh" "$@" >"$work/out" 2>"$work/err" </dev/null || status=$?
+  [ "$status" = "$expected" ] || fail "'slosh $*' ended with $status, expected $expected"
+}
+expect_in() { grep -qF -- "$2" "$1" || fail "'$2' is not in $(basename "$1")"; }
+expect_not_in() { ! grep -qF -- "$2" "$1" || fail "'$2' is in $(basename "$1")"; }
+
+stand_in() {  # NAME, script from stdin
+  cat >"$work/bin/$1"
+  chmod +x "$work/bin/$1"
+}
+
+mkdir -p "$work/bin" "$project/verification"
+cp "$slosh" "$project/slosh"
+stand_in dpkg-query <<'END'
+#!/bin/sh
+echo "dpkg-query" >>"$calls"
+shift 3
+for name; do
+  if grep -qxF -- "$name" "$lacking"; then echo "dpkg-query: no package $name" >&2; else echo "installed $name 1.0"; fi
+done
+END
+# Installs what it is asked for, but for openfoam, which this machine's archive does not have.
+stand_in apt-get <<'END'
+#!/bin/sh
+echo "apt-get ${DEBIAN_FRONTEND-} $*" >>"$calls"
+case " $* " in *" openfoam "*) exit 100 ;; esac
+case " $* " in *" install "*)
+  for name; do grep -vxF -- "$name" "$lacking" >"$lacking.rest"; mv "$lacking.rest" "$lacking"; done ;;
+esac
+END
+stand_in id <<'END'
+#!/bin/sh
+cat "$uid"
+END
+stand_in sudo <<'END'
+#!/bin/sh
+exit 1
+END
+PATH=$work/bin:$PATH
+export PATH
+
+# The tool of the small project: prints where it runs and its arguments, exits with 3.
+cat >"$project/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(Small LANGUAGES CXX)
+add_subdirectory(verification)
+END
+cat >"$project/verification/CMakeLists.txt" <<'END'
+add_executable(slosh_tool tool.cpp)
+set_target_properties(slosh_tool PROPERTIES OUTPUT_NAME slosh)
+END
+cat >"$project/verification/tool.cpp" <<'END'
+#include <cstdio>
+int main(int count, char** arguments) {
+  for (int i = 1; i < count; ++i) std::printf("<%s>\n", arguments[i]);
+  return 3;
+}
+END
+
+echo 1000 >"$uid"
+: >"$lacking"
+run 0 doctor
+expect_in "$work/out" "all required packages are installed"
+expect_not_in "$work/out" MISSING
+
+printf '%s\n' g++ libfftw3-dev openfoam >"$lacking"
+run 2 doctor
+expect_in "$work/out" "MISSING  g++"
+expect_in "$work/out" "(solver) without it: the interFoam runs"
+expect_in "$work/out" "to install: sudo apt-get update && sudo apt-get install -y --no-install-recommends g++ libfftw3-dev openfoam"
+expect_not_in "$calls" apt-get
+[ ! -e "$project/build" ] || fail "the doctor wrote into build/"
+
+# Neither root nor sudo: the exact command, and nothing is done.
+run 2 campaign
+expect_in "$work/err" "this user cannot install them"
+expect_in "$work/err" "sudo apt-get update && sudo apt-get install -y --no-install-recommends g++ libfftw3-dev"
+expect_not_in "$work/err" openfoam
+expect_not_in "$calls" apt-get
+[ ! -e "$project/build/release" ] || fail "built without its packages"
+
+# Root: one update, the required packages together, and a solver that cannot be had is reported but stops nothing.
+echo 0 >"$uid"
+run 3 campaign "small amplitude" --quick
+[ "$(grep -c ' update' "$calls")" = 1 ] || fail "not one apt-get update"
+expect_in "$calls" "apt-get noninteractive -q -o DPkg::Lock::Timeout=300 install -y --no-install-recommends g++ libfftw3-dev"
+expect_in "$work/err" "could not install openfoam, without it: the interFoam runs"
+printf '<campaign>\n<small amplitude>\n<--quick>\n' | cmp - "$work/out" || fail "the arguments changed"
+
+# From then on no package tool is asked, nothing is said, and there is no delay. The fastest of three, for a machine
+# that is busy.
+best=9999
+for _ in 1 2 3; do
+  begin=$(date +%s%N)
+  run 3 campaign
+  elapsed=$((($(date +%s%N) - begin) / 1000000))
+  [ "$elapsed" -ge "$best" ] || best=$elapsed
+done
+[ "$best" -lt 500 ] || fail "a second start took $best ms"
+[ ! -s "$calls" ] || fail "a second start asked for packages: $(cat "$calls")"
+[ ! -s "$work/err" ] || fail "a second start was not silent"
+
+# A change is built; one that does not compile shows the compiler's message and starts nothing.
+sed -i 's/return 3/return 4/' "$project/verification/tool.cpp"
+run 4 campaign
+echo 'int broken = "text";' >>"$project/verification/tool.cpp"
+run 70 campaign
+expect_in "$work/err" "invalid conversion"
+[ ! -s "$work/out" ] || fail "the tool ran after a failed build"
+sed -i '$d' "$project/verification/tool.cpp"
+
+# Two starts at once build one after the other.
+touch "$project/verification/tool.cpp"
+"$project/slosh" one >"$work/one" 2>&1 </dev/null &
+first=$!
+run 4 two
+status=0
+wait "$first" || status=$?
+[ "$status" = 4 ] || fail "the first of two starts at once ended with $status"
+
+# The tests: the runner's own closing line ends the output, and one failing part fails the whole.
+mkdir "$project/sph" "$project/reference" "$project/openfoam_cases" "$project/reports"
+stand_in clang-format <<'END'
+#!/bin/sh
+exit "$(cat "$work/format")"
+END
+echo 0 >"$work/format"
+sed -i 's/return 4/return count - 1/' "$project/verification/tool.cpp"
+cat >>"$project/CMakeLists.txt" <<'END'
+enable_testing()
+add_test(NAME quick COMMAND slosh_tool)
+add_test(NAME long COMMAND slosh_tool one_argument)
+set_tests_properties(quick PROPERTIES LABELS unit)
+set_tests_properties(long PROPERTIES LABELS validation_long)
+END
+run 0 test
+[ "$(tail -n 1 "$work/out")" = "100% tests passed, 0 tests failed out of 1" ] || fail "another closing line"
+expect_in "$work/out" "under the sanitizers: 100% tests passed, 0 tests failed out of 1"
+run 1 test --all
+[ "$(tail -n 1 "$work/out")" = "50% tests passed, 1 tests failed out of 2" ] || fail "another closing line"
+run 1 test -R no_such_test
+echo 1 >"$work/format"
+run 1 test
+expect_in "$work/out" "formatting: failed"
+
+# A tree that was moved, with its build directory, is built afresh.
+mv "$project" "$work/moved tank"
+project="$work/moved tank"
+run 1 campaign
+
+echo "a second start takes $best ms"

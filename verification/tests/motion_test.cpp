@@ -1,0 +1,150 @@
+// The tank's motion: ramps and tables against finite differences and exact polynomials.
+#include "verification/case_file/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace slosh {
+namespace {
+
+CaseDefinition moved_by(MotionDefinition motion) {
+  CaseDefinition definition{};
+  definition.motion = std::move(motion);
+  return definition;
+}
+
+// Central differences with a step near the cube root of the rounding error.
+double slope(const std::function<double(double)>& f, double t) {
+  constexpr double step = 1e-5;
+  return (f(t + step) - f(t - step)) / (2 * step);
+}
+
+void expect_consistent_derivatives(const SurgeMotion& motion, double from, double to,
+                                   double scale) {
+  for (double t = from; t <= to; t += 0.0137) {
+    ASSERT_NEAR(motion.velocity(t), slope(motion.displacement, t), 1e-8 * scale) << t;
+    ASSERT_NEAR(motion.acceleration(t), slope(motion.velocity, t), 1e-8 * scale) << t;
+  }
+}
+
+constexpr double omega = 1.483464;
+constexpr double period = 2 * std::numbers::pi / omega;
+
+// sin(omega t) sampled at irregular times, dense enough for a spline.
+TableSurge irregular_sine() {
+  TableSurge table;
+  for (double t = 0; t < 10; t += 0.03 + 0.02 * std::sin(7 * t)) {
+    table.time.push_back(t);
+    table.displacement.push_back(std::sin(omega * t));
+  }
+  return table;
+}
+
+TEST(SineSurgeMotion, HasExactDerivatives) {
+  const SurgeMotion motion = surge_motion(moved_by(SineSurge{0.02, omega}));
+  EXPECT_EQ(motion.displacement(0), 0);
+  EXPECT_EQ(motion.velocity(0), 0.02 * omega);
+  EXPECT_EQ(motion.acceleration(0), 0);
+  EXPECT_NEAR(motion.displacement(period / 4), 0.02, 1e-15);
+  expect_consistent_derivatives(motion, 0, 20, 1);
+}
+
+TEST(RampedSineSurgeMotion, HasExactDerivatives) {
+  const SurgeMotion motion = surge_motion(moved_by(SineSurge{0.02, omega, 2}));
+  expect_consistent_derivatives(motion, 0.1, 20, 1);
+}
+
+TEST(RampedSineSurgeMotion, StartsAtRestWithoutAJerk) {
+  const SurgeMotion motion = surge_motion(moved_by(SineSurge{0.02, omega, 2}));
+  EXPECT_EQ(motion.displacement(0), 0);
+  EXPECT_EQ(motion.velocity(0), 0);
+  EXPECT_EQ(motion.acceleration(0), 0);
+  EXPECT_NEAR(motion.acceleration(1e-6), 0, 1e-9);
+}
+
+TEST(RampedSineSurgeMotion, JoinsTheSineSmoothlyWhereTheRampEnds) {
+  const SurgeMotion ramped = surge_motion(moved_by(SineSurge{0.02, omega, 1.75}));
+  const SurgeMotion sine = surge_motion(moved_by(SineSurge{0.02, omega}));
+  for (double t : {1.75 * period - 1e-9, 1.75 * period + 1e-9, 3 * period}) {
+    EXPECT_NEAR(ramped.displacement(t), sine.displacement(t), 1e-9);
+    EXPECT_NEAR(ramped.velocity(t), sine.velocity(t), 1e-9);
+    EXPECT_NEAR(ramped.acceleration(t), sine.acceleration(t), 1e-9);
+  }
+  EXPECT_GT(std::abs(ramped.displacement(period / 4) - sine.displacement(period / 4)), 0.015);
+}
+
+TEST(TableSurgeMotion, HasExactDerivativesBetweenItsPoints) {
+  const SurgeMotion motion = surge_motion(moved_by(irregular_sine()));
+  expect_consistent_derivatives(motion, 0.001, 9.5, 1);
+}
+
+TEST(TableSurgeMotion, PassesThroughItsPoints) {
+  const TableSurge table = irregular_sine();
+  const SurgeMotion motion = surge_motion(moved_by(table));
+  for (std::size_t i = 0; i < table.time.size(); ++i) {
+    EXPECT_NEAR(motion.displacement(table.time[i]), table.displacement[i], 1e-14);
+  }
+}
+
+TEST(TableSurgeMotion, FollowsTheSampledFunctionAndItsDerivatives) {
+  const SurgeMotion motion = surge_motion(moved_by(irregular_sine()));
+  for (double t = 0; t < 9.9; t += 0.011) {
+    // Spacing 0.05 at most: errors of order spacing^4, ^3 and ^2.
+    ASSERT_NEAR(motion.displacement(t), std::sin(omega * t), 1e-6);
+    ASSERT_NEAR(motion.velocity(t), omega * std::cos(omega * t), 1e-4);
+    ASSERT_NEAR(motion.acceleration(t), -omega * omega * std::sin(omega * t), 1e-2);
+  }
+}
+
+TEST(TableSurgeMotion, HasAContinuousSecondDerivativeAtItsPoints) {
+  TableSurge rough{.file = {}, .time = {0, 1, 1.5, 3, 3.2, 4}, .displacement = {0, 2, -1, 0, 3, 1}};
+  const SurgeMotion motion = surge_motion(moved_by(rough));
+  for (double t : {1.0, 1.5, 3.0, 3.2}) {
+    constexpr double beside = 1e-9;
+    EXPECT_NEAR(motion.velocity(t - beside), motion.velocity(t + beside), 1e-6);
+    EXPECT_NEAR(motion.acceleration(t - beside), motion.acceleration(t + beside), 1e-5);
+  }
+}
+
+TEST(TableSurgeMotion, ReproducesACubicExactlyFromFourPoints) {
+  const auto cubic = [](double t) { return 0.3 - t + 0.5 * t * t - 0.2 * t * t * t; };
+  for (std::vector<double> times :
+       {std::vector<double>{0, 0.3, 1.1, 2}, {0, 0.5, 0.6, 1.5, 1.7, 2}}) {
+    TableSurge table{.file = {}, .time = times, .displacement = {}};
+    for (double t : times) table.displacement.push_back(cubic(t));
+    const SurgeMotion motion = surge_motion(moved_by(table));
+    for (double t = 0; t <= 2.1; t += 0.1) {  // a little beyond the end too
+      EXPECT_NEAR(motion.displacement(t), cubic(t), 1e-13);
+      EXPECT_NEAR(motion.velocity(t), -1 + t - 0.6 * t * t, 1e-12);
+      EXPECT_NEAR(motion.acceleration(t), 1 - 1.2 * t, 1e-12);
+    }
+  }
+}
+
+TEST(RollMotion, IsRefusedWithItsPlaceInTheCaseFile) {
+  const CaseDefinition roll = moved_by(SineRoll{.amplitude = 0.07,
+                                                .angular_frequency = 2,
+                                                .axis_x = 0.45,
+                                                .axis_z = 0,
+                                                .where = {"roll.toml", 12}});
+  try {
+    surge_motion(roll);
+    FAIL() << "a roll was taken for a surge";
+  } catch (const CaseFileError& error) {
+    EXPECT_EQ(
+        std::string(error.what()).rfind("roll.toml:12: motion.type = \"sine_roll\": expected", 0),
+        0u)
+        << error.what();
+  }
+}
+
+TEST(ForcingFrequency, IsTheSinesAndZeroForATable) {
+  EXPECT_EQ(forcing_frequency(moved_by(SineSurge{0.02, omega})), omega);
+  EXPECT_EQ(forcing_frequency(moved_by(SineRoll{0.07, 2, 0, 0, {}})), 2);
+  EXPECT_EQ(forcing_frequency(moved_by(irregular_sine())), 0);
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,201 @@
+#include "verification/runs/run_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/case_file/case_parser.hpp"
+#include "verification/runs/hdf5_handles.hpp"
+#include "verification/tests/sample_case.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+const auto no_progress = [](double, double) {};
+const RunDefinition linear =
+    sample_run(LinearRun{.modes = 1000, .valid_elevation_over_depth = 0.1});
+const RunDefinition coarse_sph = sample_run(SphRun{"li2010", 0.05, 0.05});
+
+double at_time(const TimeSeries& series, double time) {
+  const auto found = std::lower_bound(series.time.begin(), series.time.end(), time - 1e-9);
+  return series.value.at(static_cast<std::size_t>(found - series.time.begin()));
+}
+
+// Elevations that Li et al.'s corrected series gives 0.05 m from the right wall, computed apart
+// from this code.
+TEST(LinearRunOfACase, GivesTheKnownElevationsOfAStartInTheEarthsFrame) {
+  const RunResult result = execute(sample_case(), linear, {}, no_progress);
+  EXPECT_NEAR(at_time(result.at("elevation@right"), 1), 8.80998e-3, 1e-6);
+  EXPECT_NEAR(at_time(result.at("elevation@right"), 2), 3.41289e-3, 1e-6);
+  EXPECT_NEAR(at_time(result.at("elevation@left"), 1), -8.80998e-3, 1e-6);
+}
+
+TEST(LinearRunOfACase, GivesTheKnownElevationsOfAStartInTheTanksFrame) {
+  CaseDefinition definition = sample_case();
+  definition.start = Start::tank;
+  const RunResult result = execute(definition, linear, {}, no_progress);
+  EXPECT_NEAR(at_time(result.at("elevation@right"), 1), 2.76672e-3, 1e-6);
+  EXPECT_NEAR(at_time(result.at("elevation@right"), 2), 0.66208e-3, 1e-6);
+}
+
+TEST(LinearRunOfACase, GivesTheSameForASineAndForATableOfIt) {
+  CaseDefinition tabulated = sample_case();
+  const auto sine = std::get<SineSurge>(tabulated.motion);
+  TableSurge table;
+  for (double t = 0; t < 2.1; t += 0.005) {
+    table.time.push_back(t);
+    table.displacement.push_back(sine.amplitude * std::sin(sine.angular_frequency * t));
+  }
+  tabulated.motion = table;
+  const RunResult closed = execute(sample_case(), linear, {}, no_progress);
+  const RunResult integrated = execute(tabulated, linear, {}, no_progress);
+  for (const char* name : {"elevation@right", "horizontal_force"}) {
+    const TimeSeries &a = closed.at(name), &b = integrated.at(name);
+    const double scale = name == std::string("horizontal_force") ? 10 : 9e-3;
+    for (std::size_t i = 0; i < a.value.size(); ++i)
+      EXPECT_NEAR(a.value[i], b.value[i], 2e-3 * scale) << name << i;
+  }
+}
+
+TEST(LinearRunOfACase, BeginsCalmlyWithARamp) {
+  CaseDefinition ramped = sample_case();
+  std::get<SineSurge>(ramped.motion).ramp_periods = 2;
+  const RunResult result = execute(ramped, linear, {}, no_progress);
+  EXPECT_LT(std::abs(at_time(result.at("elevation@right"), 0.1)), 1e-6);
+  EXPECT_GT(std::abs(at_time(result.at("elevation@right"), 2)), 1e-5);
+}
+
+TEST(LinearRunOfACase, CountsTheGasWhenAsked) {
+  const RunDefinition two_layer = sample_run(LinearRun{1000, true, 0.1});
+  const RunResult with = execute(sample_case(), two_layer, {}, no_progress);
+  const RunResult without = execute(sample_case(), linear, {}, no_progress);
+  EXPECT_NE(with.at("elevation@right").value, without.at("elevation@right").value);
+  EXPECT_EQ(with.active_terms.size(), without.active_terms.size() + 1);
+}
+
+TEST(LinearRunOfACase, TellsItsHighestElevationForTheRangeOfValidity) {
+  const RunResult result = execute(sample_case(), linear, {}, no_progress);
+  const double highest = result.diagnostics.at("highest_elevation_m");
+  EXPECT_GT(highest, 8.8e-3);
+  EXPECT_DOUBLE_EQ(result.diagnostics.at("highest_elevation_over_depth"), highest / 0.35);
+}
+
+TEST(RunOfACase, SamplesFromZeroToTheDurationInclusive) {
+  CaseDefinition definition = sample_case();
+  definition.duration = 0.7;
+  definition.sample_interval = 0.1;
+  const TimeSeries series = execute(definition, linear, {}, no_progress).at("elevation@right");
+  ASSERT_EQ(series.time.size(), 8u);
+  EXPECT_EQ(series.time.front(), 0);
+  EXPECT_NEAR(series.time.back(), 0.7, 1e-12);
+}
+
+TEST(RunOfACase, RecordsWhatItWasAndWhatItTook) {
+  RunSettings settings;
+  settings.key = "abc";
+  settings.command = "slosh run small_surge a_run";
+  const RunResult result = execute(sample_case(), linear, settings, no_progress);
+  EXPECT_EQ(result.case_name, "small_surge");
+  EXPECT_EQ(result.run_name, "a_run");
+  EXPECT_EQ(result.solver, "linear");
+  EXPECT_EQ(result.case_text, sample_case().text);
+  EXPECT_EQ(result.key, "abc");
+  EXPECT_EQ(result.provenance.at("command"), settings.command);
+  for (const char* name :
+       {"slosh_version", "compiler", "compiler_flags", "processor", "date_utc"}) {
+    EXPECT_FALSE(result.provenance.at(name).empty()) << name;
+  }
+  EXPECT_GT(result.cost.wall_time, 0);
+  EXPECT_LE(result.cost.user_time + result.cost.system_time, 64 * result.cost.wall_time + 0.1);
+  EXPECT_GT(result.cost.peak_memory, 1e6);
+}
+
+TEST(RunOfACase, RefusesARoll) {
+  CaseDefinition definition = sample_case();
+  definition.motion =
+      SineRoll{.amplitude = 0.07, .angular_frequency = 2, .axis_x = 0.5, .axis_z = 0, .where = {}};
+  EXPECT_THROW(execute(definition, linear, {}, no_progress), CaseFileError);
+  EXPECT_THROW(execute(definition, coarse_sph, {}, no_progress), CaseFileError);
+}
+
+TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
+  try {
+    execute(sample_case(), sample_run(SphRun{"li2011", 0.05, 0.05}), {}, no_progress);
+    FAIL() << "the scheme was taken";
+  } catch (const CaseFileError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find("small_surge.toml:42: run a_run: scheme = \"li2011\""), 0u) << message;
+    EXPECT_NE(message.find("li2010"), std::string::npos) << message;
+  }
+}
+
+TEST(RunOfACase, RefusesASpacingThatDoesNotFillTheTankWithItsPlace) {
+  try {
+    execute(sample_case(), sample_run(SphRun{"low_dissipation", 0.033, 0.033}), {}, no_progress);
+    FAIL() << "the spacing was taken";
+  } catch (const CaseFileError& error) {
+    EXPECT_EQ(std::string(error.what()).find("small_surge.toml:42: run a_run: particle_spacing"),
+              0u)
+        << error.what();
+  }
+}
+
+class SphRunOfACase : public ::testing::Test {
+ protected:
+  SphRunOfACase() {
+    definition.duration = 0.1;
+    definition.sample_interval = 0.05;
+    settings.work_directory = directory.path();
+  }
+  TemporaryDirectory directory;
+  CaseDefinition definition = sample_case();
+  RunSettings settings;
+};
+
+TEST_F(SphRunOfACase, LeavesItsSeriesInTheirUnits) {
+  double reported = 0;
+  const RunResult result =
+      execute(definition, coarse_sph, settings, [&](double time, double) { reported = time; });
+  EXPECT_EQ(result.at("elevation@left").unit, "m");
+  EXPECT_EQ(result.at("elevation@right").unit, "m");
+  EXPECT_EQ(result.at("horizontal_force").unit, "N/m");
+  EXPECT_EQ(result.at("kinetic_energy").unit, "J/m");
+  EXPECT_EQ(result.at("potential_energy").unit, "J/m");
+  EXPECT_EQ(result.at("elevation@right").time.size(), 3u);
+  for (const TimeSeries& series : result.series) {
+    EXPECT_NEAR(series.time.back(), 0.1, 1e-3) << series.name;
+  }
+  EXPECT_EQ(result.cost.elements, 20 * 7);
+  EXPECT_GT(result.cost.steps, 0);
+  EXPECT_FALSE(result.active_terms.empty());
+  EXPECT_TRUE(fs::is_empty(directory.path())) << "nobody asked for snapshots";
+  EXPECT_LE(reported, 0.1);
+}
+
+// Mean velocity along x of the particles in the first snapshot.
+double initial_velocity(const fs::path& file) {
+  const hdf5::Handle data(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                          "open the snapshots");
+  const auto velocity = hdf5::read_numbers(data, "snapshot_00000/velocity");
+  double sum = 0;
+  for (std::size_t i = 0; i < velocity.size(); i += 3) sum += velocity[i];
+  return sum / static_cast<double>(velocity.size() / 3);
+}
+
+TEST_F(SphRunOfACase, SetsTheLiquidOffWithTheFrameThatItStartsIn) {
+  settings.snapshot_interval = 0.05;
+  execute(definition, coarse_sph, settings, no_progress);
+  EXPECT_NEAR(initial_velocity(directory.path() / "a_run.snapshots.h5"), 0, 1e-12);
+  definition.start = Start::tank;
+  execute(definition, coarse_sph, settings, no_progress);
+  const auto sine = std::get<SineSurge>(definition.motion);
+  EXPECT_NEAR(initial_velocity(directory.path() / "a_run.snapshots.h5"),
+              sine.amplitude * sine.angular_frequency, 1e-12);
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,123 @@
+#include "verification/runs/run_key.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <set>
+
+#include "verification/tests/sample_case.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh {
+namespace {
+
+class RunKey : public ::testing::Test {
+ protected:
+  RunKey() {
+    std::filesystem::create_directories(templates / "system");
+    std::ofstream(executable) << "one build of the tool";
+    std::ofstream(templates / "system" / "fvSolution") << "nOuterCorrectors 1;";
+  }
+  std::string key(const CaseDefinition& definition, const RunDefinition& run) const {
+    return run_key(definition, run, executable, templates);
+  }
+
+  TemporaryDirectory directory;
+  const std::filesystem::path executable = directory.path() / "slosh";
+  const std::filesystem::path templates = directory.path() / "templates";
+  const RunDefinition sph = sample_run(SphRun{"li2010", 0.02, 0.02});
+  const RunDefinition interfoam = sample_run(InterFoamRun{50, 50, 1});
+};
+
+TEST_F(RunKey, IsTheSameForTheSameRun) {
+  EXPECT_EQ(key(sample_case(), sph), key(sample_case(), sph));
+  EXPECT_EQ(key(sample_case(), sph).size(), 32u);
+}
+
+TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
+  const std::string before = key(sample_case(), sph);
+  const std::vector<std::function<void(CaseDefinition&)>> changes{
+      [](auto& c) { c.gravity = 9.0; },
+      [](auto& c) { c.tank.length = 1.01; },
+      [](auto& c) { c.tank.height = 0.9; },
+      [](auto& c) { c.liquid.fill_depth = 0.36; },
+      [](auto& c) { c.liquid.density = 999; },
+      [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
+      [](auto& c) { c.gas.density = 1.3; },
+      [](auto& c) { std::get<SineSurge>(c.motion).amplitude += 1e-15; },
+      [](auto& c) { std::get<SineSurge>(c.motion).ramp_periods = 2; },
+      [](auto& c) {
+        c.motion = TableSurge{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
+      },
+      [](auto& c) { c.start = Start::tank; },
+      [](auto& c) { c.duration = 3; },
+      [](auto& c) { c.sample_interval = 0.01; },
+      [](auto& c) { c.gauges[1].x = 0.9; },
+      [](auto& c) { c.gauges.pop_back(); }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    CaseDefinition changed = sample_case();
+    changes[i](changed);
+    EXPECT_NE(key(changed, sph), before) << "change " << i;
+  }
+}
+
+TEST_F(RunKey, ChangesWithTheContentOfAMotionTable) {
+  CaseDefinition a = sample_case(), b = sample_case();
+  a.motion = TableSurge{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
+  b.motion = TableSurge{"table.csv", {0, 1, 2}, {0, 0.02, 0}};
+  EXPECT_NE(key(a, sph), key(b, sph));
+}
+
+TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
+  const CaseDefinition definition = sample_case();
+  const std::vector<RunDefinition> runs{sph,
+                                        sample_run(SphRun{"low_dissipation", 0.02, 0.02}),
+                                        sample_run(SphRun{"li2010", 0.01, 0.01}),
+                                        sample_run(SphRun{"li2010", 0.02, 0.01}),
+                                        interfoam,
+                                        sample_run(InterFoamRun{50, 100, 1}),
+                                        sample_run(InterFoamRun{50, 50, 2}),
+                                        sample_run(LinearRun{500, false, 0.1}),
+                                        sample_run(LinearRun{500, true, 0.1}),
+                                        sample_run(LinearRun{600, false, 0.1})};
+  std::set<std::string> keys;
+  for (const RunDefinition& run : runs) keys.insert(key(definition, run));
+  EXPECT_EQ(keys.size(), runs.size());
+}
+
+TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
+  CaseDefinition definition = sample_case();
+  definition.title = "another title";
+  definition.window_begin = 1;
+  definition.gate.push_back({});
+  definition.text += "# a comment";
+  RunDefinition run = sph;
+  run.name = "another_name";
+  run.quick = true;
+  EXPECT_EQ(key(definition, run), key(sample_case(), sph));
+}
+
+TEST_F(RunKey, ChangesWithTheExecutable) {
+  const std::string before = key(sample_case(), sph);
+  std::ofstream(executable) << "another build of it  ";
+  EXPECT_NE(key(sample_case(), sph), before);
+}
+
+TEST_F(RunKey, ChangesWithTheTemplatesOfInterFoamAlone) {
+  const std::string interfoam_before = key(sample_case(), interfoam);
+  const std::string sph_before = key(sample_case(), sph);
+  std::ofstream(templates / "system" / "fvSolution") << "nOuterCorrectors 2;";
+  EXPECT_NE(key(sample_case(), interfoam), interfoam_before);
+  EXPECT_EQ(key(sample_case(), sph), sph_before);
+}
+
+TEST_F(RunKey, IsRefusedWithoutAnExecutableOrTemplates) {
+  EXPECT_THROW(run_key(sample_case(), sph, directory.path() / "absent", templates),
+               std::filesystem::filesystem_error);
+  EXPECT_THROW(run_key(sample_case(), interfoam, executable, directory.path() / "absent"),
+               std::filesystem::filesystem_error);
+}
+
+}  // namespace
+}  // namespace slosh
