@@ -1,5 +1,7 @@
-// Writes a report: <directory>/index.html (self-contained, figures inline as SVG), report.md, results.json and
-// figures/*.svg. All of it goes to a temporary directory first and is renamed when complete.
+// Writes a report: <directory>/index.html (self-contained, figures inline as SVG), report.md,
+// results.json and figures/*.svg. All of it goes to a temporary directory beside the target first
+// and is swapped in when complete, so that there is always one whole report under the name: the old
+// one until the new one is done.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +11,14 @@
 
 namespace slosh::reports {
 
-// gnuplot is missing or refused a figure, or the directory cannot be written.
+// The report contradicts its model, gnuplot is missing or refused a figure, or the directory cannot
+// be written.
 struct ReportError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Replaces an earlier report under the same name. A directory that holds anything else is never
+// replaced: ReportError. After any error what was under the name is as it was.
 void write_report(const Report& report, const std::filesystem::path& directory);
 
 }  // namespace slosh::reports

@@ -1,0 +1,167 @@
+// Runs a case's stages one after another, each as a process of its own without a shell, its output
+// in log.<stage>. The children stay in the caller's process group, so that a signal to the group
+// ends them too.
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <boost/process.hpp>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+#include "openfoam_cases/read_log.hpp"
+#include "openfoam_cases/surging_tank.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+namespace fs = std::filesystem;
+namespace bp = boost::process;
+using namespace std::chrono_literals;
+
+constexpr auto poll_interval = 50ms;
+constexpr auto progress_interval = 100ms;
+
+bp::environment child_environment(const fs::path& directory) {
+  bp::environment environment = boost::this_process::environment();
+  environment["PWD"] = fs::absolute(directory).string();  // as a shell has it, else they warn
+  // Where Debian's package keeps its etc/; without it no OpenFOAM program starts.
+  if (environment.count("WM_PROJECT_DIR") == 0) {
+    environment["WM_PROJECT_DIR"] = "/usr/share/openfoam";
+  }
+  return environment;
+}
+
+boost::filesystem::path find_program(const std::string& name) {
+  const auto program = bp::search_path(name);
+  if (program.empty()) {
+    throw RunError(
+        fmt::format("{}: no such program on the PATH; Debian's package \"{}\" provides it", name,
+                    name == "mpirun" ? "openmpi-bin" : "openfoam"));
+  }
+  return program;
+}
+
+// A running program that is ended with its owner: first asked, so that mpirun ends its ranks.
+class Child {
+ public:
+  Child(const std::vector<std::string>& command, const fs::path& directory, const fs::path& log)
+      : process_(find_program(command.front()), bp::args(tail(command)),
+                 child_environment(directory), bp::start_dir(directory.string()),
+                 bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string()) {}
+
+  ~Child() {
+    std::error_code ignored;
+    if (!process_.running(ignored)) return;
+    kill(process_.id(), SIGTERM);
+    for (int i = 0; i < 100 && process_.running(ignored); ++i) std::this_thread::sleep_for(50ms);
+    process_.terminate(ignored);
+  }
+
+  bool running() { return process_.running(); }
+
+  // Empty for a normal exit with status 0.
+  std::string bad_exit() const {
+    const int status = process_.native_exit_code();
+    if (WIFSIGNALED(status)) {
+      return fmt::format("killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+    }
+    return status == 0 ? "" : fmt::format("exit status {}", WEXITSTATUS(status));
+  }
+
+ private:
+  static std::vector<std::string> tail(const std::vector<std::string>& command) {
+    return {command.begin() + 1, command.end()};
+  }
+
+  bp::child process_;
+};
+
+// Hands a growing log to its reader, whole lines only.
+class LogFollower {
+ public:
+  explicit LogFollower(const fs::path& log) : file_(log) {}
+
+  void read_on() {
+    file_.clear();
+    for (std::string piece; std::getline(file_, piece);) {
+      line_ += piece;
+      if (file_.eof()) return;  // the line's end is still to come
+      reader_.read_line(line_);
+      line_.clear();
+    }
+  }
+
+  const LogReader& reader() const { return reader_; }
+
+ private:
+  std::ifstream file_;
+  std::string line_;
+  LogReader reader_;
+};
+
+void run_stage(const std::string& stage, const std::vector<std::string>& command,
+               const fs::path& directory, const Progress& progress) {
+  const fs::path log = fs::absolute(directory) / ("log." + stage);
+  Child child(command, directory, log);
+  LogFollower follower(log);
+  auto next_report = std::chrono::steady_clock::now();
+  while (child.running()) {
+    std::this_thread::sleep_for(poll_interval);
+    follower.read_on();
+    if (progress && follower.reader().steps() > 0 &&
+        std::chrono::steady_clock::now() >= next_report) {
+      progress(follower.reader().time(), follower.reader().steps());
+      next_report = std::chrono::steady_clock::now() + progress_interval;
+    }
+  }
+  follower.read_on();
+  const LogReader& reader = follower.reader();
+  std::string failure = child.bad_exit();
+  if (const std::string logged = reader.failure(); !logged.empty()) {
+    failure += (failure.empty() ? "" : ", ") + logged;
+  }
+  if (!failure.empty()) {
+    throw RunError(
+        fmt::format("{}: {} ({})\n{}", stage, failure, log.string(), reader.meaningful_lines()));
+  }
+}
+
+}  // namespace
+
+void run_case(const SurgingTank& tank, const fs::path& case_directory, const Progress& progress) {
+  run_stage("blockMesh", {"blockMesh"}, case_directory, {});
+  run_stage("topoSet", {"topoSet"}, case_directory, {});
+  if (tank.processes == 1) {
+    run_stage("interFoam", {"interFoam"}, case_directory, progress);
+    return;
+  }
+  run_stage("decomposePar", {"decomposePar"}, case_directory, {});
+  find_program("interFoam");
+  // Ranks bound to cores would share the first ones with those of another run beside this.
+  run_stage("interFoam",
+            {"mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np",
+             std::to_string(tank.processes), "interFoam", "-parallel"},
+            case_directory, progress);
+}
+
+std::string installed_version() {
+  const auto program = bp::search_path("interFoam");
+  if (program.empty()) return "";
+  bp::ipstream output;
+  bp::child child(program, "-help", child_environment(fs::current_path()), bp::std_out > output,
+                  bp::std_err > bp::null, bp::std_in < bp::null);
+  std::string version;
+  for (std::string line; std::getline(output, line);) {
+    const auto open = line.find('(');  // "Using: OpenFOAM- (1912) - visit www.openfoam.com"
+    if (line.starts_with("Using: OpenFOAM") && open != line.npos) {
+      version = line.substr(open + 1, line.find(')') - open - 1);
+    }
+  }
+  child.wait();
+  return version;
+}
+
+}  // namespace slosh::openfoam

@@ -1,0 +1,148 @@
+// Case directories as interFoam leaves them, written by hand, and then spoilt.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/tests/small_tank.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two columns whose filling differs, so that a wrong column or weight shows.
+SurgingTank tank_with_one_gauge() {
+  SurgingTank tank = small_tank();
+  tank.length = 1;
+  tank.height = 1;
+  tank.fill_depth = 0.35;
+  tank.gauges = {{"gauge", 0.95}};  // on the edge of columns 18 and 19
+  return tank;
+}
+
+double left_filling(int sample) { return 0.35 + 1e-4 * sample; }
+double right_filling(int sample) { return 0.35 + 3e-4 * sample; }
+
+class Harvested : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream log(directory_.path() / "log.interFoam");
+    log << "Build  : OPENFOAM=1912 patch=200626\n";
+    for (int step = 1; step <= 250; ++step) log << "Time = " << 0.004 * step << "\n";
+    log << "End\n";
+    write("column_18", "volFieldValue.dat", "# Cells             : 10\n", left_filling);
+    write("column_19", "volFieldValue.dat", "# Cells             : 10\n", right_filling);
+    write("liquid_volume", "volFieldValue.dat", "# Cells             : 200\n",
+          [](int) { return 0.35; });
+    write_force();
+  }
+
+  fs::path series(const std::string& name, const std::string& file = "volFieldValue.dat") {
+    return directory_.path() / "postProcessing" / name / "0" / file;
+  }
+
+  void write(const std::string& name, const std::string& file, const std::string& header,
+             const std::function<double(int)>& value, int samples = 100) {
+    fs::create_directories(series(name).parent_path());
+    std::ofstream out(series(name, file));
+    out.precision(12);
+    out << header << "# Time              \tvolAverage(alpha.liquid)\n";
+    for (int i = 1; i <= samples; ++i) out << 0.01 * i << "          \t" << value(i) << "\n";
+  }
+
+  void write_force() {
+    fs::create_directories(series("wall_force").parent_path());
+    std::ofstream out(series("wall_force", "force.dat"));
+    out << "# Force\n";
+    for (int i = 1; i <= 100; ++i) {
+      const double value = i == 1 ? -1e5 : 10 * i;
+      out << 0.01 * i << "\t(" << value << " 0 -3441)\t(" << value << " 0 -3441)\t(0 0 0)\n";
+    }
+  }
+
+  // How the harvest refuses the directory as it is now.
+  std::string refusal() {
+    return message_of<RunError>([this] { harvest(tank_with_one_gauge(), directory_.path()); });
+  }
+
+  TemporaryDirectory directory_;
+};
+
+TEST_F(Harvested, GivesTheElevationBetweenTwoColumns) {
+  const Harvest result = harvest(tank_with_one_gauge(), directory_.path());
+  const History& elevation = result.elevation.at("gauge");
+  ASSERT_EQ(elevation.time.size(), 101u);
+  EXPECT_EQ(elevation.value[0], 0);
+  for (int i = 1; i <= 100; ++i) {
+    EXPECT_NEAR(elevation.time[i], 0.01 * i, 1e-12);
+    EXPECT_NEAR(elevation.value[i], 2e-4 * i, 1e-12);
+  }
+  EXPECT_EQ(result.steps, 250);
+  EXPECT_EQ(result.version, "1912");
+  EXPECT_NEAR(result.relative_mass_loss, 0, 1e-12);
+}
+
+// Of the steps at 4, 8 and 12 ms one sample, at 10 ms, lies within the first three.
+TEST_F(Harvested, DropsTheForceOfTheFirstThreeSteps) {
+  const History force = harvest(tank_with_one_gauge(), directory_.path()).horizontal_force;
+  ASSERT_EQ(force.time.size(), 99u);
+  EXPECT_NEAR(force.time.front(), 0.02, 1e-12);
+  EXPECT_EQ(force.value.front(), 20);
+  EXPECT_EQ(force.value.back(), 1000);
+}
+
+TEST_F(Harvested, RefusesANumberThatIsNone) {
+  write("column_19", "volFieldValue.dat", "# Cells : 10\n",
+        [](int i) { return i == 57 ? std::nan("") : 0.35; });
+  EXPECT_NE(refusal().find("nan"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("column_19"), std::string::npos) << refusal();
+}
+
+TEST_F(Harvested, RefusesASeriesThatEndsEarly) {
+  write("column_18", "volFieldValue.dat", "# Cells : 10\n", left_filling, 99);
+  EXPECT_NE(refusal().find("ends at 0.99 s, expected 1 s"), std::string::npos) << refusal();
+}
+
+TEST_F(Harvested, RefusesAnEmptySeries) {
+  write("liquid_volume", "volFieldValue.dat", "", left_filling, 0);
+  EXPECT_NE(refusal().find("liquid_volume"), std::string::npos) << refusal();
+}
+
+TEST_F(Harvested, RefusesARowCutShort) {
+  const fs::path file = series("wall_force", "force.dat");
+  fs::resize_file(file, fs::file_size(file) - 9);
+  EXPECT_NE(refusal().find("expected 10 finite numbers"), std::string::npos) << refusal();
+}
+
+TEST_F(Harvested, RefusesASeriesWithAHole) {
+  std::string text = contents(series("column_18"));
+  const auto hole = text.find("\n0.5 ");
+  text.erase(hole, text.find("\n0.51 ") - hole);
+  std::ofstream(series("column_18")) << text;
+  EXPECT_NE(refusal().find("a sample at 0.51 s follows one at 0.49 s"), std::string::npos)
+      << refusal();
+}
+
+TEST_F(Harvested, RefusesAMissingSeries) {
+  fs::remove(series("wall_force", "force.dat"));
+  EXPECT_NE(refusal().find("missing"), std::string::npos) << refusal();
+}
+
+TEST_F(Harvested, RefusesAColumnOfTheWrongHeight) {
+  write("column_18", "volFieldValue.dat", "# Cells             : 20\n", left_filling);
+  EXPECT_NE(refusal().find("a column of 20 cells, expected 10"), std::string::npos) << refusal();
+}
+
+TEST_F(Harvested, RefusesALiquidThatGrowsOrShrinks) {
+  write("liquid_volume", "volFieldValue.dat", "", [](int i) { return 0.35 * (1 - 2e-6 * i); });
+  EXPECT_NE(refusal().find("volume has changed"), std::string::npos) << refusal();
+}
+
+TEST_F(Harvested, RefusesALogThatDoesNotEnd) {
+  std::ofstream(directory_.path() / "log.interFoam") << "Time = 0.5\n";
+  EXPECT_NE(refusal().find("no line \"End\""), std::string::npos) << refusal();
+}
+
+}  // namespace
+}  // namespace slosh::openfoam

@@ -1,0 +1,144 @@
+// Excerpts of logs that interFoam 1912 wrote.
+#include "openfoam_cases/read_log.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "openfoam_cases/tests/small_tank.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+const std::string banner = R"(
+| =========                 |                                                 |
+| \\      /  F ield         | OpenFOAM: The Open Source CFD Toolbox           |
+Build  : OPENFOAM=1912 patch=200626
+Exec   : interFoam
+nProcs : 1
+trapFpe: Floating point exception trapping enabled (FOAM_SIGFPE).
+
+Create time
+DICPCG:  Solving for pcorr, Initial residual = 1, Final residual = 8.05388587347e-09, No Iterations 94
+Courant Number mean: 1.93620323922e-12 max: 5.80851471556e-12
+
+Starting time loop
+)";
+
+const std::string two_steps = R"(
+Courant Number mean: 0.00215249242374 max: 0.0182264766273
+Interface Courant Number mean: 0.00014848658109 max: 0.00783782453642
+deltaT = 0.002
+Time = 1.998
+
+PIMPLE: iteration 1
+MULES: Solving for alpha.liquid
+Phase-1 volume fraction = 0.35  Min(alpha.liquid) = -4.0822254139e-21  Max(alpha.liquid) = 1.00000084685
+Time = 1.998 accelerations: ((-0.00777710412656 0 0) (0 0 0) (0 0 0))
+DICPCG:  Solving for p_rgh, Initial residual = 0.00195816059671, Final residual = 4.1809946375e-05, No Iterations 1
+DICPCG:  Solving for p_rgh, Initial residual = 4.19966254014e-05, Final residual = 8.14670528976e-08, No Iterations 28
+ExecutionTime = 3.11 s  ClockTime = 3 s
+
+Courant Number mean: 0.00213990567562 max: 0.0181372408124
+Interface Courant Number mean: 0.00014739122006 max: 0.00777564147678
+deltaT = 0.002
+Time = 2
+
+PIMPLE: iteration 1
+Time = 2 accelerations: ((-0.00764854051812 0 0) (0 0 0) (0 0 0))
+DICPCG:  Solving for p_rgh, Initial residual = 0.00195409128303, Final residual = 4.11887471991e-05, No Iterations 1
+DICPCG:  Solving for p_rgh, Initial residual = 4.13717077396e-05, Final residual = 8.02840811026e-08, No Iterations 26
+ExecutionTime = 3.11 s  ClockTime = 3 s
+)";
+
+const std::string end = "\nEnd\n\n";
+
+const std::string diverging_end = R"(
+Courant Number mean: 9.15676740639e+19 max: 9.12081499424e+21
+Interface Courant Number mean: 0 max: 0
+Time = 5
+
+PIMPLE: iteration 1
+#0  Foam::error::printStack(Foam::Ostream&) at ??:?
+#1  Foam::sigFpe::sigHandler(int) at ??:?
+#2  ? in /lib/x86_64-linux-gnu/libc.so.6
+#3  ? in /usr/bin/interFoam
+)";
+
+const std::string fatal_end = R"(
+
+--> FOAM FATAL IO ERROR: 
+Unknown ddt type Eular
+
+Valid ddt types :
+8(CoEuler CrankNicolson Euler SLTS backward bounded localEuler steadyState)
+
+
+file: system/fvSchemes.ddtSchemes.default at line 6.
+
+FOAM exiting
+
+)";
+
+const std::string warning = R"(--> FOAM Warning : 
+    From function void* Foam::dlLibraryTable::openLibrary(const Foam::fileName&, bool)
+    in file db/dynamicLibrary/dlLibraryTable/dlLibraryTable.C at line 65
+    Could not load "libfroces.so"
+)";
+
+LogReader read(const std::string& text) {
+  LogReader reader;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) reader.read_line(line);
+  return reader;
+}
+
+TEST(Log, OfAWholeRunGivesItsStepsAndTheirCost) {
+  const LogReader log = read(banner + two_steps + end);
+  EXPECT_EQ(log.failure(), "");
+  EXPECT_EQ(log.version(), "1912");
+  EXPECT_EQ(log.steps(), 2);
+  EXPECT_EQ(log.time(), 2);
+  EXPECT_EQ(log.max_courant_number(), 0.0182264766273);
+  EXPECT_EQ(log.mean_pressure_iterations(), (1 + 28 + 1 + 26) / 2.0);
+}
+
+TEST(Log, KnowsWhenTheThirdStepWas) {
+  EXPECT_EQ(read(two_steps).third_step_time(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(read(two_steps + two_steps).third_step_time(), 1.998);
+}
+
+TEST(Log, ThatStopsHalfWayIsAFailure) {
+  const LogReader log = read(banner + two_steps);
+  EXPECT_NE(log.failure().find("no line \"End\""), std::string::npos);
+  EXPECT_NE(log.meaningful_lines().find("ExecutionTime = 3.11 s"), std::string::npos);
+}
+
+TEST(Log, WithAnEndInsideAnotherLineHasNotEnded) {
+  EXPECT_NE(read(two_steps + "End of something else\n").failure(), "");
+}
+
+TEST(Log, WithAFatalErrorIsAFailureAndShowsTheError) {
+  const LogReader log = read(banner + fatal_end);
+  EXPECT_EQ(log.failure(), "a fatal error");
+  EXPECT_TRUE(log.meaningful_lines().starts_with("--> FOAM FATAL IO ERROR"));
+  EXPECT_NE(log.meaningful_lines().find("Unknown ddt type Eular"), std::string::npos);
+  EXPECT_NE(log.meaningful_lines().find("at line 6."), std::string::npos);
+}
+
+TEST(Log, WithAFloatingPointExceptionIsADivergenceAndShowsTheStepsBefore) {
+  const LogReader log = read(banner + two_steps + diverging_end);
+  EXPECT_NE(log.failure().find("diverged"), std::string::npos);
+  EXPECT_NE(log.meaningful_lines().find("max: 9.12081499424e+21"), std::string::npos);
+}
+
+TEST(Log, WithAWarningIsAFailureThoughTheRunEndsAsUsual) {
+  const LogReader log = read(banner + warning + two_steps + end);
+  EXPECT_EQ(log.failure(), "a warning");
+  EXPECT_NE(log.meaningful_lines().find("Could not load"), std::string::npos);
+}
+
+TEST(Log, ThatIsMissingIsARunError) { EXPECT_THROW(read_log("/no/such/log.interFoam"), RunError); }
+
+}  // namespace
+}  // namespace slosh::openfoam

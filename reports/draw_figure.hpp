@@ -1,0 +1,31 @@
+// Draws a figure with gnuplot, as SVG.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "reports/report_model.hpp"
+
+namespace slosh::reports {
+
+// Where an <svg> element is to stand.
+enum class SvgPlace {
+  in_page,  // inside an HTML document, which brings the dark colours
+  own_file  // a document of its own, with its paper and its dark colours
+};
+
+// A drawing, to be framed as often as needed.
+struct DrawnFigure {
+  std::string markup;  // inside the <svg> element
+  int width, height;   // px
+};
+
+// Starts gnuplot (found on the PATH, without a shell and without the user's start-up files) on a
+// script in the scratch directory. Throws ReportError with gnuplot's own words when it is missing
+// or fails.
+DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory);
+
+// The complete element, named and described for those who do not see it.
+std::string svg_element(const Figure& figure, const DrawnFigure& drawn, SvgPlace place);
+
+}  // namespace slosh::reports

@@ -1,0 +1,54 @@
+// The colours and dashes of the figures, on white paper and on dark.
+//
+// Curve colours are Okabe & Ito's (Color Universal Design, 2008), without the yellow and the
+// orange, darkened or lightened until each has a contrast of at least 3:1 to its paper
+// (WCAG 2.1, 1.4.11) and any two differ by at least 13 CIELAB units in Machado's (2009) simulations
+// of protanopia, deuteranopia and tritanopia. Dashes and point types tell curves apart without any
+// colour.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace slosh::reports {
+
+// The same role in both schemes, as #rrggbb. The SVG carries the light one; the dark one comes from
+// dark_rules().
+struct PaletteColour {
+  const char* light;
+  const char* dark;
+};
+
+inline constexpr PaletteColour paper{"#ffffff", "#12161b"};
+inline constexpr PaletteColour ink{"#1f2933", "#e4e8ec"};        // text, axes
+inline constexpr PaletteColour faint_ink{"#67727e", "#9aa5b1"};  // markers, zero line
+inline constexpr PaletteColour grid{"#e3e7eb", "#2b323a"};
+
+inline constexpr std::array<PaletteColour, 6> curve_colours{{{"#0069a8", "#3f97dc"},
+                                                             {"#d55e00", "#f07a35"},
+                                                             {"#00936b", "#1fae84"},
+                                                             {"#a63d80", "#d882b5"},
+                                                             {"#1f2933", "#e4e8ec"},
+                                                             {"#3d9ad6", "#9fd8ff"}}};
+
+inline constexpr std::array<PaletteColour, 3> band_colours{
+    {{"#00936b", "#1fae84"}, {"#3d9ad6", "#9fd8ff"}, {"#a88400", "#e8bc3c"}}};
+
+// gnuplot dash types, cycled by the curves of one style: mostly drawn for lines, mostly gaps for
+// dashed ones.
+inline constexpr std::array<const char*, 4> line_dashes{"solid", "(14,3)", "(14,3,2,3)",
+                                                        "(24,3,2,3,2,3)"};
+inline constexpr std::array<const char*, 4> dashed_dashes{"(6,4)", "(2,3)", "(6,3,2,3)", "(9,6)"};
+
+// gnuplot point types: circle, square, triangle, diamond, inverted triangle, then the same hollow.
+inline constexpr std::array<int, 10> point_types{7, 5, 9, 13, 11, 6, 4, 8, 12, 10};
+
+inline constexpr double band_opacity =
+    0.16;  // two nested bands stay apart, and the grid shows through
+
+// CSS rules that repaint a figure drawn in the light colours, one per colour, for use under a media
+// query.
+std::string dark_rules();
+
+}  // namespace slosh::reports

@@ -1,0 +1,192 @@
+#include "reports/draw_figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/property_tree/xml_parser.hpp>
+#include <fstream>
+#include <limits>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "reports/tests/path_variable.hpp"
+#include "reports/tests/scratch_directory.hpp"
+#include "reports/write_report.hpp"
+
+namespace slosh::reports {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Figure simple_figure(const std::string& id, std::vector<double> y) {
+  Figure figure;
+  figure.id = id;
+  figure.title = "title";
+  Curve curve{.label = "curve", .x = {}, .y = std::move(y), .y_error = {}};
+  for (std::size_t i = 0; i < curve.y.size(); ++i) curve.x.push_back(static_cast<double>(i));
+  figure.curves = {curve};
+  return figure;
+}
+
+std::string drawn_markup(const Figure& figure) {
+  const ScratchDirectory scratch;
+  return draw_figure(figure, scratch.path()).markup;
+}
+
+// The path data of the first curve; its first stroke is the legend's.
+std::string curve_path(const std::string& markup) {
+  const auto curve = markup.find("gnuplot_plot_1");
+  const auto start = markup.find(" d='", markup.find("#0069a8", curve)) + 4;
+  return markup.substr(start, markup.find('\'', start) - start);
+}
+
+void expect_well_formed(const std::string& svg) {
+  std::istringstream stream(svg);
+  boost::property_tree::ptree tree;
+  EXPECT_NO_THROW(boost::property_tree::read_xml(stream, tree)) << svg.substr(0, 500);
+}
+
+TEST(DrawnFigure, BreaksTheLineAtValuesThatAreNotFinite) {
+  const auto strokes = [](std::vector<double> y) {
+    const std::string path = curve_path(drawn_markup(simple_figure("gap", std::move(y))));
+    return std::count(path.begin(), path.end(), 'M') - 1;  // less the legend's
+  };
+  EXPECT_EQ(strokes({1, 2, 3, 4, 5, 6}), 1);
+  EXPECT_EQ(strokes({1, 2, nan, 4, 5, 6}), 2);
+  EXPECT_EQ(strokes({1, 2, nan, nan, 5, 6}), 2);
+  EXPECT_EQ(strokes({nan, 1, 2, 3, 4, std::numeric_limits<double>::infinity()}), 1);
+}
+
+TEST(DrawnFigure, WithNothingToDrawIsAnEmptyFrame) {
+  EXPECT_NE(drawn_markup(simple_figure("nothing", {nan, nan})).find("<path"), std::string::npos);
+  EXPECT_NE(drawn_markup(simple_figure("no-samples", {})).find("<path"), std::string::npos);
+  Figure no_curves = simple_figure("no-curves", {});
+  no_curves.curves.clear();
+  EXPECT_NE(drawn_markup(no_curves).find("<path"), std::string::npos);
+}
+
+TEST(DrawnFigure, HasIdsOfItsOwnAndRefersOnlyToThem) {
+  Figure figure = simple_figure("wave-1", {1, 2, 3});
+  figure.curves[0].style = Curve::Style::line_points;
+  const std::string markup = drawn_markup(figure);
+  std::set<std::string> ids;
+  const std::regex id(R"( id=["']([^"']*)["'])"), reference(R"(href=["']#([^"']*)["'])");
+  for (std::sregex_iterator match(markup.begin(), markup.end(), id), end; match != end; ++match) {
+    EXPECT_EQ((*match)[1].str().rfind("plot-wave-1-", 0), 0u) << (*match)[1];
+    EXPECT_TRUE(ids.insert((*match)[1]).second) << (*match)[1] << " twice";
+  }
+  EXPECT_FALSE(ids.empty());
+  int references = 0;
+  for (std::sregex_iterator match(markup.begin(), markup.end(), reference), end; match != end;
+       ++match, ++references) {
+    EXPECT_TRUE(ids.contains((*match)[1])) << (*match)[1];
+  }
+  EXPECT_GE(references, 3);  // a symbol a sample
+}
+
+TEST(DrawnFigure, CarriesOnlyColoursThatTheDarkSchemeRepaints) {
+  Figure figure = simple_figure("colours", {1, 2, 3});
+  figure.curves.push_back({"bars", {0, 1}, {1, 2}, {0.1, 0.2}, Curve::Style::points});
+  figure.bands = {{"band", 1, 2}};
+  figure.markers = {{"marker", 1}};
+  const ScratchDirectory scratch;
+  const std::string svg =
+      svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
+  const std::regex colour(R"re((fill|stroke|color)\s*=\s*["']([^"']*)["'])re");
+  for (std::sregex_iterator match(svg.begin(), svg.end(), colour), end; match != end; ++match) {
+    const std::string property = (*match)[1], value = (*match)[2];
+    if (value == "none" || value == "currentColor") continue;
+    const std::string rule = ".plot [" + property + "=\"" + value + "\"]";
+    EXPECT_NE(svg.find(rule), std::string::npos) << match->str();
+  }
+}
+
+TEST(DrawnFigure, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
+  const ScratchDirectory scratch;
+  const auto trap = scratch / "trap";
+  Figure figure = simple_figure("labels", {1, 2, 3});
+  figure.curves[0].label =
+      "it's `touch " + trap.string() + "` @x \"black\" 'black' <b> & {a}_b^c\n\x01";
+  figure.x_label = figure.y_label = figure.curves[0].label;
+  figure.markers = {{figure.curves[0].label, 1}};
+  figure.bands = {{figure.curves[0].label, 1, 2}};
+  const std::string svg =
+      svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
+  EXPECT_FALSE(std::filesystem::exists(trap));
+  EXPECT_NE(svg.find("@x \"black\" 'black' &lt;b"), std::string::npos);
+  EXPECT_NE(svg.find("{a}_b^c"), std::string::npos);
+  expect_well_formed(svg);
+}
+
+TEST(DrawnFigure, OfEveryKindIsAWellFormedFile) {
+  for (const bool logarithmic : {false, true}) {
+    Figure figure = simple_figure("kinds", {1, 2, nan, 3000, -5});
+    figure.log_x = figure.log_y = logarithmic;
+    figure.x_range = {1, 4};
+    for (const auto style :
+         {Curve::Style::dashed, Curve::Style::points, Curve::Style::line_points}) {
+      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {1, nan, 0.1}, style});
+      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {}, style});
+    }
+    figure.bands = {{"lower", -std::numeric_limits<double>::infinity(), 2},
+                    {"undefined", nan, nan}};
+    figure.markers = {{"a", 2}, {"outside", 9}, {"undefined", nan}};
+    const ScratchDirectory scratch;
+    expect_well_formed(
+        svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file));
+  }
+}
+
+TEST(DrawnFigure, SurvivesValuesThatAreNearlyEqualHugeOrTiny) {
+  for (const bool logarithmic : {false, true}) {
+    for (const auto& y :
+         {std::vector<double>{1000, 1000 + 1e-9}, std::vector<double>{1, 1.7e308, -1.7e308},
+          std::vector<double>{1e-320, 1e-200, 1e250}, std::vector<double>{0, 1e-320}}) {
+      Figure figure = simple_figure("extreme", y);
+      figure.log_y = logarithmic;
+      figure.bands = {{"huge", -1.7e308, 1.7e308}};
+      EXPECT_NO_THROW(drawn_markup(figure)) << y[0] << (logarithmic ? " logarithmic" : "");
+    }
+  }
+}
+
+TEST(DrawnFigure, OfALongSeriesStaysSmall) {
+  Figure figure = simple_figure("long", std::vector<double>(200'000, 0.0));
+  for (std::size_t i = 0; i < figure.curves[0].y.size(); ++i)
+    figure.curves[0].y[i] = static_cast<double>(i % 7919);
+  EXPECT_LT(drawn_markup(figure).size(), 60'000u);
+}
+
+TEST(MissingGnuplot, IsAnErrorThatSaysWhatToInstall) {
+  const ScratchDirectory scratch;
+  const PathVariable path(scratch.path().string());
+  try {
+    draw_figure(simple_figure("a", {1, 2}), scratch.path());
+    FAIL() << "no error";
+  } catch (const ReportError& error) {
+    EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos) << error.what();
+  }
+}
+
+TEST(FailingGnuplot, IsAnErrorWithItsOwnWords) {
+  const ScratchDirectory scratch;
+  for (const char* script :
+       {"#!/bin/sh\necho 'no such terminal' >&2\nexit 3\n", "#!/bin/sh\nexit 0\n"}) {
+    std::ofstream(scratch / "gnuplot") << script;
+    std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
+    const PathVariable path(scratch.path().string());
+    try {
+      draw_figure(simple_figure("a", {1, 2}), scratch.path());
+      FAIL() << "no error";
+    } catch (const ReportError& error) {
+      const std::string expected = std::string(script).find("exit 3") != std::string::npos
+                                       ? "status 3: no such terminal"
+                                       : "not a complete SVG";
+      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace slosh::reports

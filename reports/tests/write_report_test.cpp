@@ -1,0 +1,164 @@
+#include "reports/write_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+
+#include "reports/tests/path_variable.hpp"
+#include "reports/tests/sample_report.hpp"
+#include "reports/tests/scratch_directory.hpp"
+#include "reports/text_file.hpp"
+
+namespace slosh::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+std::size_t entries(const fs::path& directory) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), {}));
+}
+
+TEST(WrittenReport, HasAllItsFilesAndLeavesNothingBeside) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "campaign/report/");
+  for (const char* name : {"index.html", "report.md", "results.json", "figures/time-history.svg",
+                           "figures/cost.svg"}) {
+    EXPECT_TRUE(fs::is_regular_file(scratch / "campaign/report" / name)) << name;
+  }
+  EXPECT_EQ(entries(scratch / "campaign"), 1u);
+  EXPECT_EQ(entries(scratch / "campaign/report"), 4u);
+  EXPECT_EQ(read_text(scratch / "campaign/report/results.json"), sample_report().results_json);
+}
+
+TEST(WrittenReport, HasUniqueIdsAndNoLinkToNowhereInItsPage) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  std::set<std::string> ids;
+  const std::regex id(R"( id=["']([^"']*)["'])"), target(R"(href=["']#([^"']*)["'])");
+  for (std::sregex_iterator match(page.begin(), page.end(), id), end; match != end; ++match) {
+    EXPECT_TRUE(ids.insert((*match)[1]).second) << (*match)[1] << " twice";
+  }
+  for (std::sregex_iterator match(page.begin(), page.end(), target), end; match != end; ++match) {
+    EXPECT_TRUE(ids.contains((*match)[1])) << (*match)[1];
+  }
+}
+
+TEST(WrittenReport, AsksNothingOfTheNetwork) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  EXPECT_EQ(occurrences(page, "://"), occurrences(page, "xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_EQ(occurrences(page, " src="), 0u);
+  EXPECT_EQ(occurrences(page, "<script"), 0u);
+  EXPECT_EQ(occurrences(page, "@import"), 0u);
+}
+
+TEST(WrittenReport, SaysItsVerdictFirstInBothForms) {
+  const ScratchDirectory scratch;
+  Report report = sample_report();
+  for (const bool passed : {true, false}) {
+    report.passed = passed;
+    write_report(report, scratch / "report");
+    const std::string page = read_text(scratch / "report/index.html"),
+                      markdown = read_text(scratch / "report/report.md");
+    EXPECT_LT(page.find("class=\"verdict"), page.find("<nav"));
+    EXPECT_NE(page.find(passed ? "</span> Pass</strong>" : "</span> Fail</strong>"),
+              std::string::npos);
+    EXPECT_LT(markdown.find("1 of 5 checks"), markdown.find("## Contents"));
+    EXPECT_NE(markdown.find(passed ? "✓ PASS" : "✗ FAIL"), std::string::npos);
+  }
+}
+
+TEST(WrittenReport, HasTablesOfEqualRowsAndLinkedFiguresInItsMarkdown) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string markdown = read_text(scratch / "report/report.md");
+  EXPECT_NE(markdown.find("](figures/time-history.svg)"), std::string::npos);
+  EXPECT_EQ(markdown.find("<script>"), std::string::npos);
+  const std::regex row(R"((?:^|\n)(\|[^\n]*\|)(?=\n))"), bar(R"([^\\]\|)");
+  std::size_t rows = 0;
+  for (std::sregex_iterator match(markdown.begin(), markdown.end(), row), end; match != end;
+       ++match, ++rows) {
+    const std::string line = (*match)[1];
+    const auto bars =
+        std::distance(std::sregex_iterator(line.begin(), line.end(), bar), std::sregex_iterator());
+    EXPECT_TRUE(bars == 6 || bars == 4) << line;
+  }
+  EXPECT_EQ(rows, 7u + 4u);  // header, rule and rows of both tables
+}
+
+TEST(WrittenReport, ReplacesTheOldOneWhole) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  Report second = sample_report();
+  second.title = "second";
+  second.sections.pop_back();
+  write_report(second, scratch / "report");
+  EXPECT_NE(read_text(scratch / "report/index.html").find("<h1>second</h1>"), std::string::npos);
+  EXPECT_FALSE(fs::exists(scratch / "report/figures/cost.svg"));
+  EXPECT_EQ(entries(scratch.path()), 1u);
+}
+
+TEST(WrittenReport, KeepsTheOldOneWhenGnuplotIsMissing) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string old = read_text(scratch / "report/index.html");
+  Report second = sample_report();
+  second.title = "second";
+  {
+    const PathVariable path("");
+    EXPECT_THROW(write_report(second, scratch / "report"), ReportError);
+  }
+  EXPECT_EQ(read_text(scratch / "report/index.html"), old);
+  EXPECT_EQ(entries(scratch.path()), 1u);
+}
+
+TEST(WrittenReport, NeverReplacesADirectoryOfOtherThings) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "thesis.tex") << "years of work";
+  EXPECT_THROW(write_report(sample_report(), scratch.path()), ReportError);
+  EXPECT_THROW(write_report(sample_report(), scratch / "thesis.tex"), ReportError);
+  EXPECT_EQ(read_text(scratch / "thesis.tex"), "years of work");
+}
+
+TEST(WrittenReport, CannotBePutWhereNothingCanBeWritten) {
+  EXPECT_THROW(write_report(sample_report(), "/proc/nowhere/report"), ReportError);
+}
+
+TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
+  const auto expect_refused = [](const char* why, const auto& spoil) {
+    const ScratchDirectory scratch;
+    Report report = sample_report();
+    spoil(report);
+    EXPECT_THROW(write_report(report, scratch / "report"), ReportError) << why;
+    EXPECT_EQ(entries(scratch.path()), 0u) << why;
+  };
+  expect_refused("not JSON", [](Report& r) { r.results_json = "{\"error\": nan}"; });
+  expect_refused("cut JSON", [](Report& r) { r.results_json.resize(r.results_json.size() / 2); });
+  expect_refused("no JSON", [](Report& r) { r.results_json.clear(); });
+  expect_refused("path in an id", [](Report& r) { r.sections[1].figures[0].id = "../wave"; });
+  expect_refused("no id", [](Report& r) { r.sections[0].id.clear(); });
+  expect_refused("id twice", [](Report& r) { r.sections[1].figures[0].id = "cost"; });
+  expect_refused("short row", [](Report& r) { r.sections[0].tables[0].rows[1].pop_back(); });
+  expect_refused("short curve", [](Report& r) { r.sections[1].figures[0].curves[0].y.pop_back(); });
+  expect_refused("short bars",
+                 [](Report& r) { r.sections[2].figures[0].curves[0].y_error.pop_back(); });
+  expect_refused("turned range", [](Report& r) { r.sections[1].figures[0].x_range = {2, 1}; });
+  expect_refused("zero on a logarithmic axis", [](Report& r) {
+    r.sections[2].figures[0].x_range = {0, 1};
+  });
+}
+
+}  // namespace
+}  // namespace slosh::reports

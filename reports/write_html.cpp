@@ -1,0 +1,126 @@
+#include "reports/write_html.hpp"
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+
+#include "reports/figure_palette.hpp"
+#include "reports/templates.hpp"
+#include "reports/text_markup.hpp"
+
+namespace slosh::reports {
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+// Which columns hold numbers only, and at least one.
+std::vector<bool> numeric_columns(const Table& table) {
+  std::vector<bool> numeric;
+  for (std::size_t column = 0; column < table.header.size(); ++column) {
+    numeric.push_back(!table.rows.empty() &&
+                      std::all_of(table.rows.begin(), table.rows.end(),
+                                  [&](const auto& row) { return is_numeric(row[column]); }));
+  }
+  return numeric;
+}
+
+const char* cell_class(CellVerdict verdict, bool numeric) {
+  switch (verdict) {
+    case CellVerdict::good:
+      return "good";
+    case CellVerdict::bad:
+      return "bad";
+    case CellVerdict::neutral:
+      return "neutral";
+    case CellVerdict::none:
+      break;
+  }
+  return numeric ? "number" : "text";
+}
+
+mustache::data cell_data(const std::string& cell, bool numeric) {
+  const CellVerdict verdict = cell_verdict(cell);
+  mustache::data data;
+  data.set("class", cell_class(verdict, numeric));
+  data.set("sign", verdict_sign(verdict));
+  data.set("has_sign", verdict != CellVerdict::none);
+  data.set("text", html_text(cell));
+  return data;
+}
+
+mustache::data table_data(const Table& table, int number) {
+  const std::vector<bool> numeric = numeric_columns(table);
+  mustache::data header(mustache::data::type::list), rows(mustache::data::type::list);
+  for (std::size_t i = 0; i < table.header.size(); ++i) {
+    mustache::data heading{"text", html_text(table.header[i])};
+    heading.set("class", numeric[i] ? "number" : "text");
+    header << heading;
+  }
+  for (const auto& row : table.rows) {
+    mustache::data cells(mustache::data::type::list);
+    for (std::size_t i = 1; i < row.size(); ++i) cells << cell_data(row[i], numeric[i]);
+    mustache::data line;
+    if (!row.empty()) line.set("first", cell_data(row[0], numeric[0]));
+    line.set("cells", cells);
+    rows << line;
+  }
+  mustache::data data;
+  data.set("id", table.id);
+  data.set("number", std::to_string(number));
+  data.set("title", html_text(table.title));
+  data.set("caption", html_text(table.caption));
+  data.set("header", header);
+  data.set("rows", rows);
+  return data;
+}
+
+mustache::data figure_data(const Figure& figure, const DrawnFigure& drawn, int number) {
+  mustache::data data;
+  data.set("id", figure.id);
+  data.set("number", std::to_string(number));
+  data.set("title", html_text(figure.title));
+  data.set("caption", html_text(figure.caption));
+  data.set("svg", svg_element(figure, drawn, SvgPlace::in_page));
+  return data;
+}
+
+mustache::data sections_data(const Report& report, const std::vector<DrawnFigure>& drawings) {
+  mustache::data sections(mustache::data::type::list);
+  int table_number = 0;
+  std::size_t figure_number = 0;
+  for (const Section& section : report.sections) {
+    mustache::data paragraphs(mustache::data::type::list), tables(mustache::data::type::list),
+        figures(mustache::data::type::list);
+    for (const std::string& paragraph : section.paragraphs)
+      paragraphs << mustache::data{"text", html_text(paragraph)};
+    for (const Table& table : section.tables) tables << table_data(table, ++table_number);
+    for (const Figure& figure : section.figures) {
+      const DrawnFigure& drawn = drawings[figure_number++];
+      figures << figure_data(figure, drawn, static_cast<int>(figure_number));
+    }
+    mustache::data data;
+    data.set("id", section.id);
+    data.set("title", section.title);
+    data.set("paragraphs", paragraphs);
+    data.set("tables", tables);
+    data.set("figures", figures);
+    sections << data;
+  }
+  return sections;
+}
+
+}  // namespace
+
+std::string html_page(const Report& report, const std::vector<DrawnFigure>& drawings) {
+  mustache::mustache page(page_template);
+  mustache::data data;
+  data.set("title", report.title);
+  data.set("subtitle", report.subtitle);
+  data.set("verdict", html_text(report.verdict));
+  data.set("passed", report.passed);
+  data.set("style", page_style);
+  data.set("dark_rules", dark_rules());
+  data.set("sections", sections_data(report, drawings));
+  return page.render(data);
+}
+
+}  // namespace slosh::reports

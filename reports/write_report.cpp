@@ -1,0 +1,122 @@
+#include "reports/write_report.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "reports/check_report.hpp"
+#include "reports/draw_figure.hpp"
+#include "reports/text_file.hpp"
+#include "reports/write_html.hpp"
+#include "reports/write_markdown.hpp"
+
+namespace slosh::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> report_entries{"index.html", "report.md", "results.json",
+                                                         "figures"};
+
+// A new directory of its own, gone with the object.
+class TemporaryDirectory {
+ public:
+  explicit TemporaryDirectory(const std::string& name_start) {
+    std::string name = name_start + "XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) {
+      throw ReportError("cannot create a directory " + name + ": " + std::strerror(errno));
+    }
+    path_ = name;
+  }
+  ~TemporaryDirectory() {
+    std::error_code ignored;  // nothing can be done about a leftover here
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// `scratch` and `directory` are created here; only the latter is worth keeping.
+void write_files(const Report& report, const fs::path& scratch, const fs::path& directory) {
+  fs::create_directory(scratch);
+  fs::create_directories(directory / "figures");
+  std::vector<DrawnFigure> drawings;
+  for (const Section& section : report.sections) {
+    for (const Figure& figure : section.figures) {
+      drawings.push_back(draw_figure(figure, scratch));
+      write_text(directory / "figures" / (figure.id + ".svg"),
+                 svg_element(figure, drawings.back(), SvgPlace::own_file));
+    }
+  }
+  write_text(directory / "index.html", html_page(report, drawings));
+  write_text(directory / "report.md", markdown_page(report));
+  write_text(directory / "results.json", report.results_json);
+}
+
+// Guards a directory that was named by mistake: replacing it would delete what is in it.
+void check_replaceable(const fs::path& target) {
+  if (!fs::exists(target)) return;
+  if (!fs::is_directory(target))
+    throw ReportError("cannot write a report to " + target.string() + ": it is a file");
+  for (const auto& entry : fs::directory_iterator(target)) {
+    const std::string name = entry.path().filename().string();
+    if (std::find(report_entries.begin(), report_entries.end(), name) == report_entries.end()) {
+      throw ReportError(
+          fmt::format("will not replace {}: it holds '{}', which is no part of a report",
+                      target.string(), name));
+    }
+  }
+}
+
+// Gives the complete report the target's name at once, or as nearly so as the file system can; an
+// old report goes to `aside` or to the complete one's former name.
+void swap_in(const fs::path& complete, const fs::path& target, const fs::path& aside) {
+  const bool replaces = fs::exists(target);
+  const unsigned flags = replaces ? RENAME_EXCHANGE : 0;
+  if (renameat2(AT_FDCWD, complete.c_str(), AT_FDCWD, target.c_str(), flags) == 0) return;
+  if (!replaces || (errno != EINVAL && errno != ENOSYS)) {
+    throw ReportError("cannot rename " + complete.string() + " to " + target.string() + ": " +
+                      std::strerror(errno));
+  }
+  fs::rename(target, aside);
+  try {
+    fs::rename(complete, target);
+  } catch (const fs::filesystem_error&) {
+    fs::rename(aside, target);
+    throw;
+  }
+}
+
+}  // namespace
+
+void write_report(const Report& report, const fs::path& directory) try {
+  check_report(report);
+  // Through links and without a trailing slash, so that the temporary directory is truly beside it.
+  fs::path target = fs::weakly_canonical(fs::absolute(directory));
+  if (!target.has_filename()) target = target.parent_path();
+  check_replaceable(target);
+  fs::create_directories(target.parent_path());
+  const TemporaryDirectory temporary(target.string() + ".writing-");
+  const fs::path complete = temporary.path() / "report";
+  write_files(report, temporary.path() / "drawing", complete);
+  swap_in(complete, target, temporary.path() / "old");
+} catch (const fs::filesystem_error& error) {
+  throw ReportError(
+      fmt::format("cannot write the report {}: {}", directory.string(), error.what()));
+}
+
+}  // namespace slosh::reports
