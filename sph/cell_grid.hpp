@@ -21,8 +21,8 @@ class CellGrid {
   static constexpr int reach_in_cells = 2;
   static constexpr int runs = 2 * reach_in_cells + 1;
 
-  // Covers [min, max] in both directions, positions relative to the tank; `reach` = support + skin
-  // [m].
+  // Covers [min, max] in both directions, positions relative to the tank [m]; `reach` is the
+  // kernel's support plus the skin [m].
   CellGrid(double min_x, double max_x, double min_z, double max_z, double reach)
       : min_x_(min_x), min_z_(min_z), inverse_width_(reach_in_cells / reach) {
     columns_ = column(max_x) + 1 + reach_in_cells;
@@ -49,9 +49,7 @@ class CellGrid {
     std::array<IndexRange, runs> ranges;
     for (int r = 0; r < runs; ++r) {
       const std::int64_t middle = static_cast<std::int64_t>(cell) + (r - reach_in_cells) * columns_;
-      const std::uint32_t begin = begin_[middle - reach_in_cells],
-                          end = begin_[middle + reach_in_cells + 1];
-      ranges[r] = {begin, end};
+      ranges[r] = {begin_[middle - reach_in_cells], begin_[middle + reach_in_cells + 1]};
     }
     return ranges;
   }

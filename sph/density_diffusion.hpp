@@ -1,7 +1,7 @@
 // Numerical diffusion in the continuity equation, per pair, to be summed as
 //   drho_a/dt += sum_b V_b pair(rho_d_a - rho_d_b) (dW/dr)/r,
-// where the dynamic density rho_d is the density above the hydrostatic one at the same height: the
-// still liquid is left alone.
+// where the dynamic density rho_d = (p - rho_0 g (fill_depth - z)) / c0^2 is the density above the
+// hydrostatic one at the same height: the still liquid is left alone.
 #pragma once
 
 namespace slosh::sph {

@@ -1,14 +1,15 @@
 // How pressure gradient and velocity divergence are summed over sources b of a particle a:
-//   dv_a/dt   = - acceleration_factor_a * sum_b weight_b (strength_a + strength_b + viscous_ab)
-//   grad_a W_ab drho_a/dt =   continuity_factor_a   * sum_b weight_b (v_a - v_b) . grad_a W_ab
-// In each formulation the two sums are adjoint, so that pressure work and compression energy
-// balance.
+//   dv_a/dt   = -A_a sum_b weight_b (strength_a + strength_b + viscous_ab) grad_a W_ab
+//   drho_a/dt =  C_a sum_b weight_b (v_a - v_b) . grad_a W_ab
+// with A the acceleration factor and C the continuity factor. In each formulation the two sums are
+// adjoint, so that pressure work and compression energy balance.
 #pragma once
 
 namespace slosh::sph {
 
-// Symmetric pressure: dv/dt = -sum m_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad W, drho/dt = sum
-// m_b v_ab . grad W (Monaghan 1992; Li et al. 2010, eqs 6-8).
+// Symmetric pressure (Monaghan 1992; Li et al. 2010, eqs 6-8):
+//   dv_a/dt   = -sum_b m_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad_a W_ab
+//   drho_a/dt =  sum_b m_b v_ab . grad_a W_ab
 struct MassWeighted {
   static constexpr const char* name =
       "momentum with p_a/rho_a^2 + p_b/rho_b^2, continuity with masses";
@@ -23,8 +24,10 @@ struct MassWeighted {
   double continuity_factor(double) const { return 1.0; }
 };
 
-// Volumes: dv/dt = -1/rho_a sum V_b (p_a + p_b) grad W, drho/dt = rho_a sum V_b v_ab . grad W,
-// consistent at a free surface (Colagrossi, Antuono & Le Touze 2009; Antuono et al. 2010, eq. 1).
+// Volumes, consistent at a free surface (Colagrossi, Antuono & Le Touze 2009; Antuono et al. 2010,
+// eq. 1):
+//   dv_a/dt   = -1/rho_a sum_b V_b (p_a + p_b + rho_0 Pi_ab) grad_a W_ab
+//   drho_a/dt =  rho_a sum_b V_b v_ab . grad_a W_ab
 struct VolumeWeighted {
   static constexpr const char* name = "momentum with p_a + p_b, continuity with volumes";
   static constexpr bool reads_density = false;

@@ -35,7 +35,8 @@ void lay_block(const Scene& scene, const Tait& state, double bottom, double top,
       p.velocity_z.push_back(0);
       p.density.push_back(density);
       p.mass.push_back(density * dx * dz);
-      p.spacing.push_back(spacing);
+      // The narrower side of the cell: no particle stands nearer to a wall than half of it.
+      p.spacing.push_back(std::min(dx, dz));
     }
 }
 

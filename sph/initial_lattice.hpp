@@ -11,13 +11,14 @@
 
 namespace slosh::sph {
 
-// With two spacings the finer lattice fills the uppermost layer, `fine_layers` particles deep.
+// With two spacings the finer lattice fills the uppermost layer, at least this many particles deep.
 inline constexpr int fine_layers = 10;
 
+// Beyond it the lattice's own stiffness shows in the waves.
+inline constexpr double largest_stretch = 0.05;
+
 // Throws std::invalid_argument where the lattice cell would be stretched by more than
-// largest_stretch.
-inline constexpr double largest_stretch =
-    0.05;  // beyond it the lattice's own stiffness shows in the waves
+// largest_stretch, or where the two spacings leave no room for a layer of each.
 Particles initial_lattice(const Scene& scene, const Tait& state);
 
 }  // namespace slosh::sph

@@ -19,20 +19,19 @@ enum Reflection : std::uint8_t {
   in_bottom = 4,
   in_roof = 8
 };
-inline constexpr int reflection_count =
-    11;  // largest sum of one side wall's and one of bottom's or roof's bits, plus one
+// The largest sum of one side wall's bit and the bottom's or the roof's, plus one.
+inline constexpr int reflection_count = in_right + in_roof + 1;
 
 struct MirrorMap {
   double scale_x = 1, offset_x = 0, scale_z = 1, offset_z = 0;  // position
   double velocity_scale_x = 1, velocity_offset_x = 0, velocity_scale_z = 1;
-  double gravity_x = 0,
-         gravity_z =
-             0;  // the image's pressure exceeds its owner's by rho gravity . (r_image - r_owner)
+  // The image's pressure exceeds its owner's by rho gravity . (r_image - r_owner).
+  double gravity_x = 0, gravity_z = 0;
 };
 
 // Free slip: the velocity normal to the wall is 2 v_wall - v, the tangential one is kept, and the
-// pressure grows through the wall as in a liquid that the wall accelerates: dp/dn = rho (g -
-// a_wall) . n.
+// pressure grows through the wall as in a liquid that the wall accelerates,
+// dp/dn = rho (g - a_wall) . n.
 struct FreeSlipMirror {
   static constexpr const char* name =
       "mirror particles, free slip, pressure gradient of the accelerated wall";

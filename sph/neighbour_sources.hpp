@@ -95,8 +95,8 @@ class NeighbourSources {
 
   template <class Scheme>
   void allocate() {
-    const std::size_t n =
-        owner_.size() + vector_length;  // a padded run may read past the last source
+    // A padded run may read past the last source.
+    const std::size_t n = owner_.size() + vector_length;
     for (auto* field : {&sources_.x, &sources_.z, &sources_.velocity_x, &sources_.velocity_z,
                         &sources_.strength, &sources_.weight})
       field->resize(n);

@@ -1,7 +1,7 @@
 // The liquid's particles, and the sources that the pair loops read: each a structure of arrays,
 // aligned for vector loads. A source is a liquid particle or one of its mirror images
-// (mirror_particles.hpp); sources are sorted by cell, so that a particle's neighbours lie in three
-// contiguous runs (cell_grid.hpp).
+// (mirror_particles.hpp); sources are sorted by cell, so that a particle's neighbours lie in a
+// few contiguous runs (cell_grid.hpp).
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct Particles {
   Array<double> velocity_x, velocity_z;  // [m/s]
   Array<double> density;                 // [kg/m3]
   Array<double> mass;                    // [kg/m]
-  Array<double> spacing;                 // [m], the lattice spacing that the particle was laid with
+  Array<double> spacing;                 // [m], of the lattice that the particle was laid with
 
   std::size_t size() const { return x.size(); }
 

@@ -49,8 +49,8 @@ struct History {
 struct RunOutput {
   std::map<std::string, History> elevation;  // by gauge name [m] above the still level
   History horizontal_force;                  // of the liquid on the tank, per metre of width [N/m]
-  History kinetic_energy,
-      potential_energy;  // of the liquid [J/m]; potential relative to the initial state
+  History kinetic_energy;                    // of the liquid, in the earth's frame [J/m]
+  History potential_energy;                  // of the liquid [J/m], relative to the initial state
   double steps = 0;
   std::size_t particles = 0;                  // of the liquid
   std::vector<std::string> active_terms;      // the physics compiled into the scheme

@@ -12,6 +12,10 @@ namespace fs = std::filesystem;
 
 constexpr int schema_version = 1;
 
+Rule<std::string> known_paper() {
+  return {"\"li2010\"", [](const std::string& paper) { return paper == "li2010"; }};
+}
+
 // Where a member stands in the campaign file goes before what is wrong with it.
 fs::path find_member(const PlacedText& member, const CampaignDefinition& campaign,
                      const fs::path& case_directory) {
@@ -38,10 +42,11 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   campaign.text = read_definition_text("campaign", file);
   const TomlTable root(campaign.text, file);
   root.get("schema_version", exactly(schema_version));
-  root.allow_only({"schema_version", "name", "title", "source", "cases"});
+  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases"});
   campaign.name = root.get("name", file_safe_name());
   campaign.title = root.get("title", any_text());
   campaign.source = root.get("source", any_text());
+  campaign.paper = root.find("paper", known_paper()).value_or("");
   for (const PlacedText& member : root.texts("cases", any_text())) {
     campaign.cases.push_back(find_member(member, campaign, case_directory));
   }

@@ -38,20 +38,25 @@ enum class Verdict { pass, violated, solver_failed, not_compared, not_selected }
 struct GateOutcome {
   GateRow row;
   Verdict verdict;
-  Estimate value{};       // the metric, NaN where there is none
-  std::string message;    // "0.8 % <= 1.5 %", or why nothing could be compared
+  Estimate value{};     // the metric, NaN where there is none
+  std::string message;  // "0.8 % <= 1.5 %", or why nothing could be compared
 };
 
-// Gives the comparison of two runs for a quantity; throws ComparisonError or ResultError where there is none.
-using FindComparison = std::function<const Comparison&(const std::string& candidate, const std::string& reference,
-                                                       const std::string& quantity)>;
+// Gives the comparison of two runs for a quantity; throws ComparisonError or ResultError where
+// there is none.
+using FindComparison = std::function<const Comparison&(
+    const std::string& candidate, const std::string& reference, const std::string& quantity)>;
 
 // NaN never passes: every limit is tested as !(|value| <= limit).
-GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs, const FindComparison& find);
+GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
+                     const FindComparison& find);
 
-// The worst of all: solver failed (3) over violated (1) over not compared (4); no row evaluated at all is 4.
+// The worst of all: solver failed (3) over violated (1) over not compared (4); no row evaluated at
+// all is 4.
 int exit_status(const std::vector<GateOutcome>& outcomes);
 
+std::string verdict_name(
+    Verdict verdict);  // "pass", "violated", "solver failed", "not compared", "not selected"
 std::string metric_name(Metric metric);  // as in the case file
 std::string metric_unit(Metric metric, const std::string& quantity_unit);
 

@@ -133,12 +133,13 @@ TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
   }
 }
 
-TEST(RunOfACase, RefusesASpacingThatDoesNotFillTheTankWithItsPlace) {
+TEST(RunOfACase, RefusesTwoSpacingsOfASchemeOfOneWithItsPlace) {
   try {
-    execute(sample_case(), sample_run(SphRun{"low_dissipation", 0.033, 0.033}), {}, no_progress);
-    FAIL() << "the spacing was taken";
+    execute(sample_case(), sample_run(SphRun{"low_dissipation", 0.05, 0.025}), {}, no_progress);
+    FAIL() << "the spacings were taken";
   } catch (const CaseFileError& error) {
-    EXPECT_EQ(std::string(error.what()).find("small_surge.toml:42: run a_run: particle_spacing"),
+    EXPECT_EQ(std::string(error.what())
+                  .find("small_surge.toml:42: run a_run: scheme low_dissipation takes one"),
               0u)
         << error.what();
   }

@@ -1,0 +1,96 @@
+#include "sph/initial_lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sph/tests/surging_scene.hpp"
+
+namespace slosh::sph {
+namespace {
+
+const Tait water{.rest_density = 1000, .speed_of_sound = 18.8};
+
+double volume(const Particles& particles) {
+  double sum = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    sum += particles.mass[i] / particles.density[i];
+  return sum;
+}
+
+TEST(InitialLattice, FillsTheDepthExactly) {
+  for (double spacing : {0.05, 0.025, 0.02, 0.0101, 0.01})
+    EXPECT_NEAR(volume(initial_lattice(still_scene(spacing, 0), water)), 0.35, 1e-12) << spacing;
+}
+
+TEST(InitialLattice, HasThePapers900ParticlesAtTwoCentimetres) {
+  EXPECT_EQ(initial_lattice(still_scene(0.02, 0), water).size(), 900);
+}
+
+TEST(InitialLattice, CarriesTheHydrostaticPressure) {
+  const Particles particles = initial_lattice(still_scene(0.02, 0), water);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const double pressure = 1000 * 9.81 * (0.35 - particles.z[i]);
+    EXPECT_NEAR(water.pressure(particles.density[i]), pressure, 1e-7);
+  }
+}
+
+TEST(InitialLattice, StandsHalfACellOffTheWallsAndTheSurface) {
+  for (double spacing : {0.02, 0.01}) {
+    const Particles p = initial_lattice(still_scene(spacing, 0), water);
+    const auto [left, right] = std::minmax_element(p.x.begin(), p.x.end());
+    const auto [lowest, highest] = std::minmax_element(p.z.begin(), p.z.end());
+    EXPECT_NEAR(*left, 1 - *right, 1e-14);
+    EXPECT_NEAR(*left, 0.5 * spacing, 1e-14);
+    EXPECT_NEAR(*lowest, 0.35 - *highest, 1e-14);
+    // 18 rows in place of 17.5 at two centimetres.
+    EXPECT_NEAR(*lowest, spacing == 0.02 ? 0.35 / 36 : 0.005, 1e-14);
+  }
+}
+
+TEST(InitialLattice, IsLaidInTheTankWhereverThatStartsAndMovesWithTheLiquid) {
+  Scene scene = still_scene(0.05, 0);
+  const Particles at_origin = initial_lattice(scene, water);
+  scene.displacement = [](double) { return 0.4; };
+  scene.initial_velocity = -0.3;
+  const Particles displaced = initial_lattice(scene, water);
+  for (std::size_t i = 0; i < displaced.size(); ++i) {
+    EXPECT_NEAR(displaced.x[i], at_origin.x[i] + 0.4, 1e-14);
+    EXPECT_EQ(displaced.velocity_x[i], -0.3);
+    EXPECT_EQ(displaced.velocity_z[i], 0);
+  }
+}
+
+TEST(InitialLattice, LaysTheFinerSpacingAtTheSurface) {
+  Scene scene = still_scene(0.02, 0);
+  scene.surface_particle_spacing = 0.01;
+  const Particles particles = initial_lattice(scene, water);
+  // 12 coarse layers up to 0.24 m and 11 fine ones above.
+  ASSERT_EQ(particles.size(), 12 * 50 + 11 * 100);
+  EXPECT_NEAR(volume(particles), 0.35, 1e-12);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    EXPECT_NEAR(particles.spacing[i], particles.z[i] < 0.24 ? 0.02 : 0.01, 1e-14);
+    const double pressure = 1000 * 9.81 * (0.35 - particles.z[i]);
+    EXPECT_NEAR(water.pressure(particles.density[i]), pressure, 1e-7);
+  }
+}
+
+TEST(InitialLattice, RefusesASpacingThatWouldStretchItByMoreThanFivePerCent) {
+  EXPECT_THROW(initial_lattice(still_scene(0.08, 0), water), std::invalid_argument);   // 12.5 x 4.4
+  EXPECT_THROW(initial_lattice(still_scene(0.125, 0), water), std::invalid_argument);  // 8 x 2.8
+  EXPECT_NO_THROW(initial_lattice(still_scene(0.0365, 0), water));                     // 27.4 x 9.6
+  for (double spacing : {0.0, -0.02, 3.0, std::nan("")})
+    EXPECT_THROW(initial_lattice(still_scene(spacing, 0), water), std::invalid_argument) << spacing;
+}
+
+TEST(InitialLattice, RefusesASurfaceSpacingThatIsNotFinerOrLeavesNoRoom) {
+  Scene scene = still_scene(0.05, 0);
+  for (double surface : {0.07, 0.04, 0.0, -0.01, std::nan("")}) {
+    scene.surface_particle_spacing = surface;
+    EXPECT_THROW(initial_lattice(scene, water), std::invalid_argument) << surface;
+  }
+}
+
+}  // namespace
+}  // namespace slosh::sph

@@ -1,0 +1,105 @@
+#include "verification/campaign/campaign_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/campaign/case_figures.hpp"
+#include "verification/campaign/case_tables.hpp"
+#include "verification/campaign/li2010_paper.hpp"
+#include "verification/campaign/results_json.hpp"
+#include "verification/runs/provenance.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Section;
+
+int count(const std::vector<CaseAssessment>& cases, Verdict verdict) {
+  int n = 0;
+  for (const CaseAssessment& one : cases)
+    for (const GateOutcome& outcome : one.gate) n += outcome.verdict == verdict;
+  return n;
+}
+
+int count(const std::vector<CaseAssessment>& cases, RunState state) {
+  int n = 0;
+  for (const CaseAssessment& one : cases)
+    for (const auto& [run, status] : one.runs.status) n += status.state == state;
+  return n;
+}
+
+std::string motion_text(const CaseDefinition& definition) {
+  if (const auto* sine = std::get_if<SineSurge>(&definition.motion))
+    return fmt::format(
+        "surge X = {} m sin({:.6g} rad/s t){}", sine->amplitude, sine->angular_frequency,
+        sine->ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine->ramp_periods) : "");
+  if (const auto* table = std::get_if<TableSurge>(&definition.motion))
+    return "surge after the table " + table->file.filename().string();
+  return "roll";
+}
+
+Section case_section(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  Section section;
+  section.id = definition.name;
+  section.title = definition.title;
+  section.paragraphs = {
+      fmt::format("{}. Tank {} m x {} m, liquid {} m deep; {}; {} s from rest in the {}'s frame. "
+                  "Comparison from {} to {} s.",
+                  definition.source, definition.tank.length, definition.tank.height,
+                  definition.liquid.fill_depth, motion_text(definition), definition.duration,
+                  definition.start == Start::earth ? "earth" : "tank", definition.window_begin,
+                  definition.window_end)};
+  for (const auto& [run, status] : assessment.runs.status)
+    if (status.state == RunState::out_of_range)
+      section.paragraphs.push_back("The reference `" + run + "` " + status.message +
+                                   ": it is drawn and never gates.");
+  section.figures = case_figures(assessment);
+  if (!assessment.comparisons.empty())
+    section.tables = {mode_table(assessment), history_table(assessment)};
+  section.tables.push_back(cost_table(assessment));
+  section.tables.push_back(provenance_table(assessment));
+  return section;
+}
+
+}  // namespace
+
+std::string verdict_sentence(const std::vector<CaseAssessment>& cases) {
+  const int status = exit_status(cases), passed = count(cases, Verdict::pass);
+  const int judged = passed + count(cases, Verdict::violated) +
+                     count(cases, Verdict::solver_failed) + count(cases, Verdict::not_compared);
+  std::string text = fmt::format("{}: {} of {} gate rows hold",
+                                 status == exit_pass ? "PASS" : "FAIL", passed, judged);
+  const auto add = [&](int n, const char* what) {
+    if (n > 0) text += fmt::format(", {} {}", n, what);
+  };
+  add(count(cases, Verdict::violated), "violated");
+  add(count(cases, Verdict::not_compared), "not compared");
+  add(count(cases, RunState::failed), "runs failed");
+  add(count(cases, Verdict::not_selected), "left out of this quick form");
+  return text + ".";
+}
+
+reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
+                                const std::vector<CaseAssessment>& cases) {
+  const auto origin = provenance("");
+  reports::Report report;
+  report.title = campaign.title + (quick ? " (quick form)" : "");
+  report.verdict = verdict_sentence(cases);
+  report.passed = exit_status(cases) == exit_pass;
+  report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
+                                origin.at("slosh_version"), origin.at("processor"));
+  report.sections.push_back({"gate",
+                             "Gate",
+                             {fmt::format("Repeat this campaign with `./slosh campaign {}{}`. {}.",
+                                          campaign.name, quick ? " --quick" : "", campaign.source)},
+                             {gate_table(cases)},
+                             {}});
+  for (const CaseAssessment& one : cases) report.sections.push_back(case_section(one));
+  if (campaign.paper == "li2010") report.sections.push_back(li2010_section(cases));
+  report.results_json = results_json(campaign.name, quick, cases);
+  return report;
+}
+
+}  // namespace slosh

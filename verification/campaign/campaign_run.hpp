@@ -1,0 +1,39 @@
+// Runs what a campaign's cases declare, each run a process of its own, and keeps every finished
+// result: one whose key still fits is not computed again.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verification/campaign/case_assessment.hpp"
+#include "verification/case_file/campaign_definition.hpp"
+
+namespace slosh {
+
+struct CampaignSettings {
+  std::filesystem::path output;      // <output>/runs/<case>/<run>.h5, .log and work directories
+  std::filesystem::path executable;  // this tool, which runs one run as `slosh run`
+  std::filesystem::path openfoam_templates;  // openfoam_cases/surging_tank
+  bool quick = false;                        // only the runs marked so
+  bool solve = true;                         // false: only read what is there
+  int at_once = 1;                           // processes
+};
+
+// By case, in the order given. Throws InterruptedError once `stop` is set; what was finished stays.
+std::vector<CaseRuns> run_cases(const std::vector<CaseDefinition>& cases,
+                                const CampaignSettings& settings, const std::atomic<bool>& stop);
+
+struct InterruptedError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Where a run's result lies.
+std::filesystem::path result_file(const CampaignSettings& settings,
+                                  const CaseDefinition& definition, const RunDefinition& run);
+
+// The command that repeats one run, for a report.
+std::string repeat_command(const CaseDefinition& definition, const RunDefinition& run);
+
+}  // namespace slosh

@@ -1,0 +1,148 @@
+#include "verification/campaign/case_assessment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "reference/linear_surge.hpp"
+#include "verification/case_file/motion.hpp"
+
+namespace slosh {
+namespace {
+
+template <class Solver>
+const Solver* solver_as(const CaseDefinition& definition, const std::string& run) {
+  return std::get_if<Solver>(&run_named(definition, run).solver);
+}
+
+bool stands(const CaseRuns& runs, const std::string& run) { return runs.results.contains(run); }
+
+// A reference may gate only where its own prediction stays within the range that the case declares
+// for it.
+void mark_references_out_of_range(const CaseDefinition& definition, CaseRuns& runs) {
+  for (const auto& [name, result] : runs.results) {
+    const LinearRun* linear = solver_as<LinearRun>(definition, name);
+    if (!linear) continue;
+    const double ratio = result.diagnostics.at("highest_elevation_over_depth");
+    if (!(ratio <= linear->valid_elevation_over_depth))
+      runs.status[name] = {
+          RunState::out_of_range,
+          fmt::format("predicts an elevation of {:.3g} fill depths, valid to {:.3g}", ratio,
+                      linear->valid_elevation_over_depth)};
+  }
+}
+
+// The finest interFoam that stands, which SPH is compared with; empty where there is none.
+std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& runs) {
+  std::string finest;
+  int most_cells = 0;
+  for (const auto& [name, result] : runs.results) {
+    const InterFoamRun* mesh = solver_as<InterFoamRun>(definition, name);
+    if (!mesh || mesh->cells_x * mesh->cells_z <= most_cells) continue;
+    most_cells = mesh->cells_x * mesh->cells_z;
+    finest = name;
+  }
+  return finest;
+}
+
+bool has_two_layer_theory(const CaseDefinition& definition) {
+  return std::any_of(definition.runs.begin(), definition.runs.end(), [](const RunDefinition& run) {
+    const LinearRun* linear = std::get_if<LinearRun>(&run.solver);
+    return linear && linear->two_layer;
+  });
+}
+
+using Pair = std::pair<std::string, std::string>;
+
+// Candidate and reference, in the order of the case file.
+std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRuns& runs) {
+  const std::string mesh = finest_interfoam(definition, runs);
+  const bool two_layers = has_two_layer_theory(definition);
+  std::vector<Pair> pairs;
+  for (const RunDefinition& candidate : definition.runs) {
+    if (!stands(runs, candidate.name) || std::holds_alternative<LinearRun>(candidate.solver))
+      continue;
+    const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
+    for (const RunDefinition& reference : definition.runs) {
+      const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
+      if (linear && stands(runs, reference.name) && linear->two_layer == (sees_gas && two_layers))
+        pairs.push_back({candidate.name, reference.name});
+    }
+    if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
+  }
+  return pairs;
+}
+
+Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs, const Pair& pair,
+                        const std::string& quantity, const std::vector<ToneRequest>& modes) {
+  Comparison comparison =
+      compare(runs.results.at(pair.first).at(quantity), runs.results.at(pair.second).at(quantity),
+              {definition.window_begin, definition.window_end}, modes);
+  comparison.candidate = pair.first;
+  comparison.reference = pair.second;
+  return comparison;
+}
+
+}  // namespace
+
+const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name) {
+  const auto found = std::find_if(definition.runs.begin(), definition.runs.end(),
+                                  [&](const RunDefinition& run) { return run.name == name; });
+  if (found == definition.runs.end())
+    throw std::invalid_argument("case " + definition.name + " has no run " + name);
+  return *found;
+}
+
+std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
+  const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
+                             definition.gravity, definition.liquid.density};
+  std::vector<ToneRequest> modes;
+  if (const double forcing = forcing_frequency(definition); forcing > 0)
+    modes.push_back({"forced", forcing, false});
+  for (int n = 1; n <= definition.natural_modes; ++n)
+    modes.push_back(
+        {fmt::format("natural_{}", n), reference::natural_frequency(tank, 2 * n - 1), true});
+  return modes;
+}
+
+CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
+  mark_references_out_of_range(definition, runs);
+  CaseAssessment assessment{definition, std::move(runs), {}, {}};
+  const std::vector<ToneRequest> modes = fitted_modes(definition);
+  std::map<std::string, Comparison> by_gate_row;  // what the rows ask for, each pair once
+  const FindComparison find = [&](const std::string& candidate, const std::string& reference,
+                                  const std::string& quantity) -> const Comparison& {
+    const std::string key = candidate + "\n" + reference + "\n" + quantity;
+    const auto known = by_gate_row.find(key);
+    if (known != by_gate_row.end()) return known->second;
+    return by_gate_row
+        .emplace(key,
+                 compare_runs(definition, assessment.runs, {candidate, reference}, quantity, modes))
+        .first->second;
+  };
+  for (const Pair& pair : compared_pairs(definition, assessment.runs))
+    for (const GaugeDefinition& gauge : definition.gauges) {
+      try {
+        assessment.comparisons.push_back(find(pair.first, pair.second, "elevation@" + gauge.name));
+      } catch (const ComparisonError& error) {
+        // Not comparable: a gate row that needs this pair says so; the report's tables leave it
+        // out.
+      }
+    }
+  for (const GateRow& row : definition.gate)
+    assessment.gate.push_back(evaluate(row, assessment.runs.status, find));
+  return assessment;
+}
+
+int exit_status(const std::vector<CaseAssessment>& cases) {
+  std::vector<GateOutcome> outcomes;
+  for (const CaseAssessment& one : cases) {
+    for (const auto& [run, status] : one.runs.status)
+      if (status.state == RunState::failed) return exit_solver_failed;
+    outcomes.insert(outcomes.end(), one.gate.begin(), one.gate.end());
+  }
+  return exit_status(outcomes);
+}
+
+}  // namespace slosh

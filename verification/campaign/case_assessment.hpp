@@ -1,0 +1,48 @@
+// A case after its runs: which of them stand, how each pair of them compares, and what the gate
+// says. Nothing here runs a solver.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/metrics/comparison.hpp"
+#include "verification/runs/result_file.hpp"
+
+namespace slosh {
+
+// The runs of a case: how each ended, and the results of those that finished.
+struct CaseRuns {
+  std::map<std::string, RunStatus> status;  // of every run that the case declares
+  std::map<std::string, RunResult>
+      results;  // of the finished ones, those out of their range included
+};
+
+struct CaseAssessment {
+  CaseDefinition definition;
+  CaseRuns runs;
+  // By candidate, reference and quantity: every solver against every reference of its kind of
+  // theory (SPH: one layer; interFoam: two layers where declared) and SPH against the finest
+  // interFoam.
+  std::vector<Comparison> comparisons;
+  std::vector<GateOutcome> gate;
+};
+
+// The modes that the case's comparisons fit: the forcing and the first natural modes that surge
+// excites.
+std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
+
+// Marks references that have left their declared range, compares and gates.
+CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs);
+
+// The run's definition by its name; the case has one.
+const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
+
+// Exit status of the whole: a failed run counts even where no gate row names it.
+int exit_status(const std::vector<CaseAssessment>& cases);
+
+}  // namespace slosh

@@ -1,0 +1,211 @@
+#include "verification/campaign/case_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "verification/metrics/spectrum.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Curve;
+using reports::Figure;
+
+std::string first_quantity(const CaseDefinition& definition) {
+  return "elevation@" + definition.gauges.front().name;
+}
+
+// SPH by its scheme, the others by their kind: the runs of a family differ in resolution alone.
+std::string family(const RunDefinition& run) {
+  if (const auto* sph = std::get_if<SphRun>(&run.solver)) return sph->scheme;
+  if (std::holds_alternative<InterFoamRun>(run.solver)) return "interFoam";
+  return run.name;
+}
+
+double resolution(const RunDefinition& run) {
+  if (const auto* sph = std::get_if<SphRun>(&run.solver))
+    return 1 / (sph->particle_spacing * sph->surface_particle_spacing);
+  if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
+    return 1.0 * mesh->cells_x * mesh->cells_z;
+  return 0;
+}
+
+// The finest run of each family that stands, theory first, in the order of the case file.
+std::vector<std::string> finest_runs(const CaseAssessment& assessment) {
+  std::vector<std::string> families;
+  std::map<std::string, const RunDefinition*> finest;
+  for (const RunDefinition& run : assessment.definition.runs) {
+    if (!assessment.runs.results.contains(run.name)) continue;
+    const RunDefinition*& best = finest[family(run)];
+    if (!best) families.push_back(family(run));
+    if (!best || resolution(run) > resolution(*best)) best = &run;
+  }
+  std::vector<std::string> names;
+  for (const std::string& one : families) names.push_back(finest[one]->name);
+  return names;
+}
+
+std::vector<double> in_millimetres(std::vector<double> values) {
+  for (double& value : values) value *= 1000;
+  return values;
+}
+
+std::string label(const CaseAssessment& assessment, const std::string& run) {
+  return assessment.runs.status.at(run).state == RunState::out_of_range
+             ? run + " (out of its range)"
+             : run;
+}
+
+Figure history(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const GaugeDefinition& gauge = definition.gauges.front();
+  Figure figure;
+  figure.id = definition.name + "-history";
+  figure.title = "Surface elevation " + fmt::format("{:.3g} m from the left wall", gauge.x);
+  figure.caption = "Time history at the gauge: theory and the finest run of each solver. " +
+                   definition.source + ".";
+  figure.x_label = "time [s]";
+  figure.y_label = "elevation [mm]";
+  figure.x_range = {0, definition.duration};
+  for (const std::string& run : finest_runs(assessment)) {
+    const TimeSeries& series = assessment.runs.results.at(run).at(first_quantity(definition));
+    figure.curves.push_back(
+        {label(assessment, run), series.time, in_millimetres(series.value), {}, {}});
+  }
+  return figure;
+}
+
+// The limit of the case's normalised_rms row, as an elevation: rms error allowed [m]; zero where no
+// row gives one.
+double tolerated_residual(const CaseAssessment& assessment, const Comparison& comparison) {
+  for (const GateRow& row : assessment.definition.gate)
+    if (row.metric == Metric::normalised_rms && row.limit &&
+        row.candidate == comparison.candidate && row.reference == comparison.reference) {
+      double sum2 = 0;
+      for (const double r : comparison.residual.value) sum2 += r * r;
+      const double rms = std::sqrt(sum2 / static_cast<double>(comparison.residual.value.size()));
+      return *row.limit * rms / comparison.normalised_rms;
+    }
+  return 0;
+}
+
+Figure residuals(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  Figure figure;
+  figure.id = definition.name + "-residual";
+  figure.title = "Residual against theory";
+  figure.caption =
+      "Candidate minus its reference over the comparison window, for the finest run of each "
+      "solver. A band is the rms "
+      "residual that the gate tolerates.";
+  figure.x_label = "time [s]";
+  figure.y_label = "residual [mm]";
+  const auto finest = finest_runs(assessment);
+  for (const Comparison& comparison : assessment.comparisons) {
+    const bool shown =
+        std::find(finest.begin(), finest.end(), comparison.candidate) != finest.end();
+    const bool theory =
+        std::holds_alternative<LinearRun>(run_named(definition, comparison.reference).solver);
+    if (!shown || !theory || comparison.quantity != first_quantity(definition)) continue;
+    figure.curves.push_back({comparison.candidate + " - " + comparison.reference,
+                             comparison.residual.time,
+                             in_millimetres(comparison.residual.value),
+                             {},
+                             {}});
+    if (const double band = 1000 * tolerated_residual(assessment, comparison); band > 0)
+      figure.bands.push_back({"tolerance, " + comparison.candidate, -band, band});
+  }
+  return figure;
+}
+
+Figure spectra(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  Figure figure;
+  figure.id = definition.name + "-spectrum";
+  figure.title = "Spectrum of the elevation";
+  figure.x_label = "frequency [Hz]";
+  figure.y_label = "power [m2]";
+  figure.log_y = true;
+  double highest = 0, resolution = 0;
+  for (const ToneRequest& mode : fitted_modes(definition)) {
+    const double frequency = mode.angular_frequency / (2 * std::numbers::pi);
+    figure.markers.push_back({mode.name, frequency});
+    highest = std::max(highest, frequency);
+  }
+  figure.x_range = {0, 2 * highest};
+  for (const std::string& run : finest_runs(assessment)) {
+    const Spectrum spectrum =
+        power_spectrum(assessment.runs.results.at(run).at(first_quantity(definition)),
+                       {definition.window_begin, definition.window_end});
+    resolution = spectrum.resolution;
+    Curve curve{label(assessment, run), {}, {}, {}, {}};
+    for (std::size_t i = 0; i < spectrum.frequency.size() && spectrum.frequency[i] <= 2 * highest;
+         ++i) {
+      curve.x.push_back(spectrum.frequency[i]);
+      curve.y.push_back(spectrum.power[i]);
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  figure.caption = fmt::format(
+      "One-sided, detrended, Hann window over the comparison window; vertical lines mark the "
+      "forcing and the natural "
+      "frequencies of linear theory. The window tells frequencies {:.2g} Hz apart; zero-padding "
+      "adds no resolution.",
+      resolution);
+  return figure;
+}
+
+// One curve a family, its error against the reference that most of its runs are compared with.
+Figure error_against_run_time(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  Figure figure;
+  figure.id = definition.name + "-cost";
+  figure.title = "Error against run time";
+  figure.caption =
+      "Normalised rms error over the comparison window against the processor time of the run (user "
+      "and system, all "
+      "processes), each run on one core beside another.";
+  figure.x_label = "processor time [s]";
+  figure.y_label = "normalised rms error [1]";
+  figure.log_x = figure.log_y = true;
+  std::map<std::string, std::map<double, std::pair<double, double>>> points;
+  std::vector<std::string> families;
+  std::set<std::string> counted;
+  for (const Comparison& comparison : assessment.comparisons) {
+    if (comparison.quantity != first_quantity(definition) ||
+        !counted.insert(comparison.candidate).second)
+      continue;
+    const RunDefinition& run = run_named(definition, comparison.candidate);
+    const RunCost& cost = assessment.runs.results.at(run.name).cost;
+    const std::string name = family(run) + " against " + comparison.reference;
+    if (!points.contains(name)) families.push_back(name);
+    points[name][resolution(run)] = {cost.user_time + cost.system_time, comparison.normalised_rms};
+  }
+  for (const std::string& name : families) {
+    Curve curve{name, {}, {}, {}, Curve::Style::line_points};
+    for (const auto& [fineness, point] : points[name]) {
+      curve.x.push_back(point.first);
+      curve.y.push_back(point.second);
+    }
+    figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> case_figures(const CaseAssessment& assessment) {
+  std::vector<Figure> figures;
+  for (auto make : {history, residuals, spectra, error_against_run_time}) {
+    Figure figure = make(assessment);
+    if (!figure.curves.empty()) figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+}  // namespace slosh

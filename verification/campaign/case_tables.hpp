@@ -1,0 +1,26 @@
+// The tables of one case's section of a report, and the gate's table over all cases.
+#pragma once
+
+#include <vector>
+
+#include "reports/report_model.hpp"
+#include "verification/campaign/case_assessment.hpp"
+
+namespace slosh {
+
+// All gate rows of all cases: what was asked, what was found, the verdict, why.
+reports::Table gate_table(const std::vector<CaseAssessment>& cases);
+
+// Per pair and fitted mode: amplitude error, lag, frequency error, decay, with 95 % intervals.
+reports::Table mode_table(const CaseAssessment& assessment);
+
+// Per pair: normalised rms, largest residual, spectral peaks.
+reports::Table history_table(const CaseAssessment& assessment);
+
+// Per run: how it ended, its size, steps and cost.
+reports::Table cost_table(const CaseAssessment& assessment);
+
+// Per run: active terms, diagnostics, provenance and the command that repeats it.
+reports::Table provenance_table(const CaseAssessment& assessment);
+
+}  // namespace slosh

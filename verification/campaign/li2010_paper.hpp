@@ -1,0 +1,14 @@
+// Li et al. 2010 beside this harness: the paper's printed numbers and its errata, with the figures
+// computed here.
+#pragma once
+
+#include <vector>
+
+#include "reports/report_model.hpp"
+#include "verification/campaign/case_assessment.hpp"
+
+namespace slosh {
+
+reports::Section li2010_section(const std::vector<CaseAssessment>& cases);
+
+}  // namespace slosh

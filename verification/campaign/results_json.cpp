@@ -1,0 +1,120 @@
+#include "verification/campaign/results_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace slosh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json estimate(const Estimate& value) {
+  return {{"value", value.value}, {"half_width_95", value.half_width}};
+}
+
+Json run_entry(const std::string& name, const CaseRuns& runs) {
+  constexpr const char* states[] = {"finished", "failed", "not_selected", "out_of_range"};
+  const RunStatus& status = runs.status.at(name);
+  Json entry{{"name", name},
+             {"state", states[static_cast<int>(status.state)]},
+             {"message", status.message}};
+  const auto found = runs.results.find(name);
+  if (found == runs.results.end()) return entry;
+  const RunResult& result = found->second;
+  entry.update({{"solver", result.solver},
+                {"key", result.key},
+                {"user_time_s", result.cost.user_time},
+                {"system_time_s", result.cost.system_time},
+                {"wall_time_s", result.cost.wall_time},
+                {"peak_memory_byte", result.cost.peak_memory},
+                {"steps", result.cost.steps},
+                {"elements", result.cost.elements},
+                {"active_terms", result.active_terms},
+                {"diagnostics", result.diagnostics},
+                {"provenance", result.provenance}});
+  return entry;
+}
+
+Json peaks(const std::vector<SpectralPeak>& found) {
+  Json list = Json::array();
+  for (const SpectralPeak& peak : found)
+    list.push_back({{"frequency_Hz", peak.frequency}, {"power", peak.power}});
+  return list;
+}
+
+Json comparison_entry(const Comparison& pair) {
+  Json modes = Json::array();
+  for (const ModeComparison& mode : pair.modes)
+    modes.push_back({{"mode", mode.mode},
+                     {"candidate_amplitude", estimate(mode.candidate.amplitude)},
+                     {"reference_amplitude", estimate(mode.reference.amplitude)},
+                     {"amplitude_error", estimate(mode.amplitude_error)},
+                     {"phase_lag_s", estimate(mode.phase_lag)},
+                     {"phase_lag_deg", estimate(mode.phase_lag_degrees)},
+                     {"phase_lag_periods", estimate(mode.phase_lag_periods)},
+                     {"frequency_error", estimate(mode.frequency_error)},
+                     {"decay_rate_1_s", estimate(mode.decay_rate)}});
+  return {{"candidate", pair.candidate},
+          {"reference", pair.reference},
+          {"quantity", pair.quantity},
+          {"unit", pair.unit},
+          {"window_begin_s", pair.window.begin},
+          {"window_end_s", pair.window.end},
+          {"normalised_rms", pair.normalised_rms},
+          {"maximum_residual", pair.maximum_residual},
+          {"cross_correlation_lag_s", pair.cross_correlation_lag},
+          {"sprague_geers_magnitude", pair.sprague_geers_magnitude},
+          {"sprague_geers_phase", pair.sprague_geers_phase},
+          {"candidate_peaks", peaks(pair.candidate_peaks)},
+          {"reference_peaks", peaks(pair.reference_peaks)},
+          {"modes", modes}};
+}
+
+Json gate_entry(const GateOutcome& outcome) {
+  const GateRow& row = outcome.row;
+  Json entry{{"verdict", verdict_name(outcome.verdict)},
+             {"candidate", row.candidate},
+             {"reference", row.reference},
+             {"quantity", row.quantity},
+             {"mode", row.mode},
+             {"metric", metric_name(row.metric)},
+             {"unit", row.unit},
+             {"value", outcome.value.value},
+             {"half_width_95", outcome.value.half_width},
+             {"message", outcome.message},
+             {"reason", row.reason},
+             {"source", row.source},
+             {"file", row.where.file},
+             {"line", row.where.line}};
+  if (row.limit) entry["limit"] = *row.limit;
+  if (row.between) entry["between"] = {row.between->first, row.between->second};
+  if (row.improves_on) entry["improves_on"] = *row.improves_on;
+  return entry;
+}
+
+}  // namespace
+
+std::string results_json(const std::string& campaign, bool quick,
+                         const std::vector<CaseAssessment>& cases) {
+  Json document{{"schema", "slosh results"},
+                {"schema_version", 1},
+                {"campaign", campaign},
+                {"quick", quick},
+                {"exit_status", exit_status(cases)},
+                {"cases", Json::array()}};
+  for (const CaseAssessment& one : cases) {
+    Json entry{{"name", one.definition.name},
+               {"runs", Json::array()},
+               {"comparisons", Json::array()},
+               {"gate", Json::array()}};
+    for (const RunDefinition& run : one.definition.runs)
+      entry["runs"].push_back(run_entry(run.name, one.runs));
+    for (const Comparison& pair : one.comparisons)
+      entry["comparisons"].push_back(comparison_entry(pair));
+    for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
+    document["cases"].push_back(std::move(entry));
+  }
+  // nlohmann writes a number that is not finite as null.
+  return document.dump(2);
+}
+
+}  // namespace slosh

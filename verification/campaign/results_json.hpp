@@ -1,0 +1,16 @@
+// The campaign's outcome as JSON, for machines. Schema, version 1 (the README lists it): schema,
+// schema_version, campaign, quick, exit_status, cases[]: name, runs[], comparisons[], gate[].
+// Numbers in SI units, the unit in the key; a number that does not exist is null.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/campaign/case_assessment.hpp"
+
+namespace slosh {
+
+std::string results_json(const std::string& campaign, bool quick,
+                         const std::vector<CaseAssessment>& cases);
+
+}  // namespace slosh

@@ -1,0 +1,37 @@
+// The subcommands of the tool. Each takes its parsed options and returns the exit status; they
+// throw CaseFileError, SolverError, ResultError and ReportError, which main.cpp turns into messages
+// and exit statuses.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+
+namespace slosh {
+
+// Where the tool's data lies: the source tree's folders.
+struct Installation {
+  std::filesystem::path executable, cases, campaigns, openfoam_templates, build;
+};
+
+struct CampaignOptions {
+  std::string campaign;
+  bool quick = false;
+  bool solve = true;  // false: `slosh report`
+  int at_once = 1;
+  std::filesystem::path
+      output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
+};
+
+struct RunOptions {
+  std::string case_name, run;
+  std::filesystem::path output, progress_file;
+  double snapshot_interval = 0;  // [s]
+};
+
+int run_campaign(const CampaignOptions& options, const Installation& installation,
+                 const std::atomic<bool>& stop);
+int run_one(const RunOptions& options, const Installation& installation);
+int list_definitions(const Installation& installation);
+
+}  // namespace slosh

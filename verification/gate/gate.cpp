@@ -1,0 +1,209 @@
+#include "verification/gate/gate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace slosh {
+namespace {
+
+constexpr Estimate no_value{std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::quiet_NaN()};
+
+// "1" reads as percent, everything else in its own unit.
+std::string in_unit(double value, const std::string& unit) {
+  return unit == "1" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string with_interval(const Estimate& estimate, const std::string& unit) {
+  const std::string value = in_unit(estimate.value, unit);
+  if (!(estimate.half_width > 0)) return value;  // a whole-window metric has none
+  return value + " +- " + in_unit(estimate.half_width, unit);
+}
+
+const ModeComparison& mode_of(const Comparison& comparison, const std::string& mode) {
+  const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
+                                  [&](const ModeComparison& one) { return one.mode == mode; });
+  if (found == comparison.modes.end())
+    throw ComparisonError("the mode " + mode + " was not fitted");
+  return *found;
+}
+
+Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
+  switch (metric) {
+    case Metric::amplitude_error:
+      return mode_of(comparison, mode).amplitude_error;
+    case Metric::phase_lag:
+      return mode_of(comparison, mode).phase_lag_degrees;
+    case Metric::frequency_error:
+      return mode_of(comparison, mode).frequency_error;
+    case Metric::decay_rate:
+      return mode_of(comparison, mode).decay_rate;
+    case Metric::normalised_rms:
+      return {comparison.normalised_rms, 0};
+    case Metric::maximum_residual:
+      return {comparison.maximum_residual, 0};
+  }
+  throw std::logic_error("a metric without a value");
+}
+
+// The metric of a row's candidate, or of the run that it is to improve on.
+Estimate measure(const GateRow& row, const std::string& candidate, const FindComparison& find) {
+  const Comparison& comparison = find(candidate, row.reference, row.quantity);
+  const std::string unit = metric_unit(row.metric, comparison.unit);
+  if (unit != row.unit) {
+    throw ComparisonError(
+        fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
+  }
+  return metric_value(row.metric, row.mode, comparison);
+}
+
+struct Bound {
+  bool holds;
+  std::string text;
+};
+
+// Written so that a value that is no number holds no bound.
+Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const FindComparison& find) {
+  const double value = estimate.value;
+  const std::string shown = with_interval(estimate, row.unit);
+  if (row.limit) {
+    const bool holds = std::abs(value) <= *row.limit;
+    return {holds, fmt::format("{} {} {}", value < 0 ? "|" + shown + "|" : shown,
+                               holds ? "<=" : "is not <=", in_unit(*row.limit, row.unit))};
+  }
+  if (row.between) {
+    const auto& [lower, upper] = *row.between;
+    const bool holds = value >= lower && value <= upper;
+    return {holds, fmt::format("{} {} {} .. {}", shown, holds ? "within" : "is not within",
+                               in_unit(lower, row.unit), in_unit(upper, row.unit))};
+  }
+  const std::string& other = row.improves_on.value();
+  const Estimate others = measure(row, other, find);
+  const bool holds = std::abs(value) < std::abs(others.value);
+  return {holds, fmt::format("|{}| {} |{}| of {}", shown, holds ? "<" : "is not <",
+                             with_interval(others, row.unit), other)};
+}
+
+struct RoleInRow {
+  std::string role, run;
+};
+
+std::vector<RoleInRow> runs_of(const GateRow& row) {
+  std::vector<RoleInRow> runs{{"candidate", row.candidate}, {"reference", row.reference}};
+  if (row.improves_on) runs.push_back({"run to improve on", *row.improves_on});
+  return runs;
+}
+
+// Why a row cannot be evaluated, most telling first; nothing where it can.
+std::optional<std::pair<Verdict, std::string>> obstacle(
+    const GateRow& row, const std::map<std::string, RunStatus>& runs) {
+  struct Obstacle {
+    RunState state;
+    Verdict verdict;
+    const char* text;
+  };
+  constexpr std::array<Obstacle, 3> obstacles{{
+      {RunState::not_selected, Verdict::not_selected, "is not part of this form of the campaign"},
+      {RunState::failed, Verdict::solver_failed, "failed"},
+      {RunState::out_of_range, Verdict::not_compared, "is outside its declared range"},
+  }};
+  for (const auto& [role, run] : runs_of(row)) {
+    if (!runs.contains(run))
+      return {{Verdict::not_compared, fmt::format("the {} {} is missing", role, run)}};
+  }
+  for (const Obstacle& one : obstacles) {
+    for (const auto& [role, run] : runs_of(row)) {
+      const RunStatus& status = runs.at(run);
+      if (status.state != one.state) continue;
+      const std::string detail = status.message.empty() ? "" : ": " + status.message;
+      return {{one.verdict, fmt::format("the {} {} {}{}", role, run, one.text, detail)}};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
+                     const FindComparison& find) {
+  if (const auto found = obstacle(row, runs)) return {row, found->first, no_value, found->second};
+  try {
+    const Estimate value = measure(row, row.candidate, find);
+    const Bound bound = compare_to_bound(row, value, find);
+    return {row, bound.holds ? Verdict::pass : Verdict::violated, value, bound.text};
+  } catch (const std::runtime_error&
+               error) {  // ComparisonError and ResultError: there is nothing to compare
+    return {row, Verdict::not_compared, no_value, error.what()};
+  }
+}
+
+int exit_status(const std::vector<GateOutcome>& outcomes) {
+  const auto any = [&](Verdict verdict) {
+    return std::any_of(outcomes.begin(), outcomes.end(), [verdict](const GateOutcome& outcome) {
+      return outcome.verdict == verdict;
+    });
+  };
+  if (any(Verdict::solver_failed)) return exit_solver_failed;
+  if (any(Verdict::violated)) return exit_violated;
+  if (any(Verdict::not_compared) || !any(Verdict::pass)) return exit_not_compared;
+  return exit_pass;
+}
+
+std::string verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::violated:
+      return "violated";
+    case Verdict::solver_failed:
+      return "solver failed";
+    case Verdict::not_compared:
+      return "not compared";
+    case Verdict::not_selected:
+      return "not selected";
+  }
+  throw std::logic_error("a verdict without a name");
+}
+
+std::string metric_name(Metric metric) {
+  switch (metric) {
+    case Metric::amplitude_error:
+      return "amplitude_error";
+    case Metric::phase_lag:
+      return "phase_lag";
+    case Metric::frequency_error:
+      return "frequency_error";
+    case Metric::decay_rate:
+      return "decay_rate";
+    case Metric::normalised_rms:
+      return "normalised_rms";
+    case Metric::maximum_residual:
+      return "maximum_residual";
+  }
+  throw std::logic_error("a metric without a name");
+}
+
+std::string metric_unit(Metric metric, const std::string& quantity_unit) {
+  switch (metric) {
+    case Metric::amplitude_error:
+    case Metric::frequency_error:
+    case Metric::normalised_rms:
+      return "1";
+    case Metric::phase_lag:
+      return "deg";
+    case Metric::decay_rate:
+      return "1/s";
+    case Metric::maximum_residual:
+      return quantity_unit;
+  }
+  throw std::logic_error("a metric without a unit");
+}
+
+}  // namespace slosh

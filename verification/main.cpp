@@ -1,0 +1,113 @@
+// The tool `slosh`: reads the command line, starts a subcommand, turns errors into messages and
+// exit statuses.
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <iostream>
+#include <thread>
+
+#include "reports/write_report.hpp"
+#include "verification/campaign/campaign_run.hpp"
+#include "verification/case_file/case_file_error.hpp"
+#include "verification/command_line.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+void request_stop(int) { stop_requested = true; }
+
+slosh::Installation installation() {
+  namespace fs = std::filesystem;
+  const fs::path source = SLOSH_SOURCE_DIR;
+  return {fs::read_symlink("/proc/self/exe"), source / "verification/cases",
+          source / "verification/campaigns", source / "openfoam_cases/surging_tank",
+          source / "build"};
+}
+
+constexpr const char* closing_words =
+    "The launcher ./slosh also knows: test (builds and runs the tests), doctor (what is "
+    "installed).\n"
+    "Exit status: 0 all gate rows hold; 1 a tolerance is violated; 2 usage or case-file error; 3 a "
+    "solver failed;\n"
+    "4 a reference is missing or nothing was compared; 130 interrupted.\n"
+    "Examples:\n"
+    "  ./slosh campaign small_amplitude --quick\n"
+    "  ./slosh run li2010_small_amplitude linear --output linear.h5";
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
+  app.footer(closing_words);
+  app.require_subcommand(1);
+  slosh::CampaignOptions campaign;
+  campaign.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  slosh::RunOptions one;
+
+  const auto add_campaign_options = [&](CLI::App* command) {
+    command
+        ->add_option("name", campaign.campaign,
+                     "A campaign of `slosh list`, or the path of a campaign file")
+        ->required();
+    command->add_flag("--quick", campaign.quick, "Only the runs that the cases mark as quick");
+    command->add_option("-o,--output", campaign.output,
+                        "Directory of the results and the report (default: build/campaigns/NAME)");
+  };
+  CLI::App* campaign_command =
+      app.add_subcommand("campaign", "Runs a campaign's cases, compares, reports and gates");
+  add_campaign_options(campaign_command);
+  campaign_command
+      ->add_option("-j,--jobs", campaign.at_once, "Runs side by side (default: one a core)")
+      ->check(CLI::PositiveNumber);
+  CLI::App* report_command =
+      app.add_subcommand("report", "The same from the results that are there; starts no solver");
+  add_campaign_options(report_command);
+  CLI::App* run_command =
+      app.add_subcommand("run", "Executes one run of a case and leaves its result file");
+  run_command
+      ->add_option("case", one.case_name, "A case of `slosh list`, or the path of a case file")
+      ->required();
+  run_command->add_option("run", one.run, "The run's name in the case")->required();
+  run_command->add_option("-o,--output", one.output, "Result file (default: RUN.h5)");
+  run_command
+      ->add_option("--snapshots", one.snapshot_interval,
+                   "Interval of particle snapshots for ParaView [s]")
+      ->check(CLI::PositiveNumber);
+  run_command->add_option("--progress-file", one.progress_file, "Where to tell how far the run is");
+  CLI::App* list_command = app.add_subcommand("list", "Lists campaigns, cases and their runs");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? slosh::exit_pass : slosh::exit_usage;
+  }
+  if (*list_command) return slosh::list_definitions(installation());
+  if (*run_command) return slosh::run_one(one, installation());
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+  campaign.solve = !*report_command;
+  return slosh::run_campaign(campaign, installation(), stop_requested);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto fail = [](const std::exception& error, int status) {
+    std::cerr << "slosh: " << error.what() << "\n";
+    return status;
+  };
+  try {
+    return dispatch(argc, argv);
+  } catch (const slosh::CaseFileError& error) {
+    return fail(error, slosh::exit_usage);
+  } catch (const slosh::InterruptedError& error) {
+    return fail(error, slosh::exit_interrupted);
+  } catch (const slosh::SolverError& error) {
+    return fail(error, slosh::exit_solver_failed);
+  } catch (const std::exception& error) {
+    // A result or a report that could not be written: nothing was compared.
+    return fail(error, slosh::exit_not_compared);
+  }
+}

@@ -1,0 +1,31 @@
+// The 128-bit XXH3 hash of bytes in 32 hexadecimal digits: guards result files and names what made
+// them. It detects accidents, not forgery.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace slosh {
+
+class ContentHash {
+ public:
+  ContentHash();
+  ~ContentHash();
+  void add(std::string_view bytes);
+  // The whole content of a file; throws std::filesystem::filesystem_error where it cannot be read.
+  void add_file(const std::filesystem::path& file);
+  std::string digits() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+std::string content_hash(std::string_view bytes);
+
+// Throws std::filesystem::filesystem_error.
+std::string read_bytes(const std::filesystem::path& file);
+
+}  // namespace slosh

@@ -1,0 +1,62 @@
+#include "openfoam_cases/surging_tank.hpp"
+#include "verification/case_file/motion.hpp"
+#include "verification/runs/solver_runs.hpp"
+
+namespace slosh {
+namespace {
+
+openfoam::SurgingTank tank_of(const InterFoamRun& run, const CaseDefinition& definition) {
+  const SurgeMotion motion = surge_motion(definition);
+  openfoam::SurgingTank tank{
+      .length = definition.tank.length,
+      .height = definition.tank.height,
+      .fill_depth = definition.liquid.fill_depth,
+      .gravity = definition.gravity,
+      .liquid = {definition.liquid.density, definition.liquid.kinematic_viscosity},
+      .gas = {definition.gas.density, definition.gas.kinematic_viscosity},
+      .acceleration = motion.acceleration,
+      .initial_relative_velocity = definition.start == Start::earth ? -motion.velocity(0) : 0,
+      .duration = definition.duration,
+      .sample_interval = definition.sample_interval,
+      .gauges = {},
+      .cells_x = run.cells_x,
+      .cells_z = run.cells_z,
+      .processes = run.processes};
+  for (const GaugeDefinition& gauge : definition.gauges)
+    tank.gauges.push_back({gauge.name, gauge.x});
+  return tank;
+}
+
+TimeSeries series(const std::string& name, const std::string& unit, openfoam::History& history) {
+  return {name, unit, std::move(history.time), std::move(history.value)};
+}
+
+}  // namespace
+
+RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request) {
+  const openfoam::SurgingTank tank = tank_of(interfoam, request.definition);
+  const auto case_directory = request.settings.work_directory / (request.run.name + ".openfoam");
+  std::filesystem::remove_all(case_directory);  // what an earlier, broken run may have left
+  openfoam::write_case(tank, request.settings.openfoam_templates, case_directory);
+  openfoam::run_case(tank, case_directory, request.progress);
+  openfoam::Harvest harvest = openfoam::harvest(tank, case_directory);
+
+  RunResult result;
+  for (const GaugeDefinition& gauge : request.definition.gauges) {
+    result.series.push_back(
+        series("elevation@" + gauge.name, "m", harvest.elevation.at(gauge.name)));
+  }
+  result.series.push_back(series("horizontal_force", "N/m", harvest.horizontal_force));
+  result.series.push_back(series("liquid_volume", "m2", harvest.liquid_volume));
+  result.active_terms = {"volume of fluid, liquid and gas", "laminar viscosity", "slip walls",
+                         "acceleration in the tank's frame"};
+  result.diagnostics = {{"max_courant_number", harvest.max_courant_number},
+                        {"mean_pressure_iterations_per_step", harvest.mean_pressure_iterations},
+                        {"relative_mass_loss", harvest.relative_mass_loss}};
+  result.provenance["openfoam_version"] = harvest.version;
+  result.cost.steps = harvest.steps;
+  result.cost.elements = static_cast<double>(interfoam.cells_x) * interfoam.cells_z;
+  return result;
+}
+
+}  // namespace slosh

@@ -1,0 +1,84 @@
+#include "verification/runs/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "openfoam_cases/surging_tank.hpp"
+#include "sph/simulation.hpp"
+#include "verification/runs/cost_meter.hpp"
+#include "verification/runs/provenance.hpp"
+#include "verification/runs/solver_runs.hpp"
+
+namespace slosh {
+namespace {
+
+const char* solver_name(const SphRun&) { return "sph"; }
+const char* solver_name(const InterFoamRun&) { return "interfoam"; }
+const char* solver_name(const LinearRun&) { return "linear"; }
+
+RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
+RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
+  return run_interfoam(run, request);
+}
+RunResult run_solver(const LinearRun& run, const RunRequest& request) {
+  return run_linear(run, request);
+}
+
+bool is_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::isfinite(value); });
+}
+
+// A solver that ends early or with values that are no numbers has failed, whatever it says of
+// itself.
+void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
+  if (series.time.empty() || series.time.size() != series.value.size()) {
+    throw SolverError(fmt::format("the series {} has {} times and {} values", series.name,
+                                  series.time.size(), series.value.size()));
+  }
+  const double missing = definition.duration - series.time.back();
+  if (!(missing <=
+        definition.sample_interval)) {  // the last sample may lie anywhere in the last interval
+    throw SolverError(fmt::format("the series {} ends at {} s, expected {} s", series.name,
+                                  series.time.back(), definition.duration));
+  }
+  if (!is_finite(series.time) || !is_finite(series.value)) {
+    throw SolverError(fmt::format("the series {} holds values that are no numbers", series.name));
+  }
+}
+
+RunResult run_chosen_solver(const RunRequest& request) try {
+  RunResult result =
+      std::visit([&](const auto& run) { return run_solver(run, request); }, request.run.solver);
+  for (const TimeSeries& series : result.series) require_whole(series, request.definition);
+  return result;
+} catch (const sph::SimulationError& error) {
+  throw SolverError(error.what());
+} catch (const openfoam::RunError& error) {
+  throw SolverError(error.what());
+} catch (const std::filesystem::filesystem_error& error) {
+  throw SolverError(error.what());
+}
+
+}  // namespace
+
+RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
+                  const RunSettings& settings, const Progress& progress) {
+  const CostMeter meter;
+  RunResult result = run_chosen_solver({definition, run, settings, progress});
+  const RunCost counts = result.cost;
+  result.cost = meter.cost();
+  result.cost.steps = counts.steps;
+  result.cost.elements = counts.elements;
+  result.case_name = definition.name;
+  result.run_name = run.name;
+  result.solver = std::visit([](const auto& solver) { return solver_name(solver); }, run.solver);
+  result.case_text = definition.text;
+  result.key = settings.key;
+  result.provenance.merge(provenance(settings.command));
+  return result;
+}
+
+}  // namespace slosh

@@ -1,0 +1,39 @@
+// Executes one run of a case in this process: translates the case for the solver, runs it, and puts
+// what it gives into a result. Series: "elevation@<gauge>" [m] above the still level;
+// "horizontal_force" [N/m] on the tank; of SPH also "kinetic_energy", "potential_energy" [J/m]; of
+// interFoam also "liquid_volume" [m2]. Gauges and tank as in the case file, x from the left wall.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/runs/result_file.hpp"
+
+namespace slosh {
+
+// The solver failed, could not use its directories, or left less than the whole duration or values
+// that are no numbers. what() says how.
+struct SolverError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct RunSettings {
+  std::filesystem::path work_directory;  // for OpenFOAM's case and the snapshots; made if need be
+  std::filesystem::path openfoam_templates;  // openfoam_cases/surging_tank
+  double snapshot_interval = 0;              // [s], of an SPH run; 0: no snapshots
+  std::string key;                           // run_key()'s, recorded
+  std::string command;                       // repeats this run, recorded
+};
+
+// Called now and then with the simulated time [s] and the steps so far.
+using Progress = std::function<void(double time, double steps)>;
+
+// Throws CaseFileError (file:line) for a roll, an unknown scheme or spacings that a scheme does not
+// take, SolverError, and ResultError where a snapshot cannot be written.
+RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
+                  const RunSettings& settings, const Progress& progress);
+
+}  // namespace slosh

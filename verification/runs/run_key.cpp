@@ -1,0 +1,80 @@
+#include "verification/runs/run_key.hpp"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "openfoam_cases/surging_tank.hpp"
+#include "verification/runs/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+using nlohmann::json;  // its objects are sorted and its numbers written in full: one text per value
+
+json description(const SineSurge& motion) {
+  return {{"sine_surge", {motion.amplitude, motion.angular_frequency, motion.ramp_periods}}};
+}
+json description(const TableSurge& motion) {
+  return {{"table_surge", {motion.time, motion.displacement}}};
+}
+json description(const SineRoll& motion) {
+  return {
+      {"sine_roll", {motion.amplitude, motion.angular_frequency, motion.axis_x, motion.axis_z}}};
+}
+
+json description(const SphRun& run) {
+  return {{"sph", {run.scheme, run.particle_spacing, run.surface_particle_spacing}}};
+}
+json description(const InterFoamRun& run) {
+  return {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};
+}
+json description(const LinearRun& run) { return {{"linear", {run.modes, run.two_layer}}}; }
+
+template <class... Types>
+json description(const std::variant<Types...>& choice) {
+  return std::visit([](const auto& chosen) { return description(chosen); }, choice);
+}
+
+json physics(const CaseDefinition& definition) {
+  json gauges = json::array();
+  for (const GaugeDefinition& gauge : definition.gauges) gauges.push_back({gauge.name, gauge.x});
+  const LiquidDefinition& liquid = definition.liquid;
+  return {{"gravity", definition.gravity},
+          {"tank", {definition.tank.length, definition.tank.height}},
+          {"liquid", {liquid.fill_depth, liquid.density, liquid.kinematic_viscosity}},
+          {"gas", {definition.gas.density, definition.gas.kinematic_viscosity}},
+          {"motion", description(definition.motion)},
+          {"start", definition.start == Start::earth ? "earth" : "tank"},
+          {"duration", definition.duration},
+          {"sample_interval", definition.sample_interval},
+          {"gauges", gauges}};
+}
+
+void add_directory(ContentHash& hash, const std::filesystem::path& directory) {
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    if (entry.is_regular_file()) files.insert(entry.path());
+  }
+  for (const auto& file : files) {
+    hash.add(
+        json{file.lexically_relative(directory).string(), std::filesystem::file_size(file)}.dump());
+    hash.add_file(file);
+  }
+}
+
+}  // namespace
+
+std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
+                    const std::filesystem::path& executable,
+                    const std::filesystem::path& openfoam_templates) {
+  ContentHash hash;
+  hash.add(json{{"case", physics(definition)}, {"run", description(run.solver)}}.dump());
+  hash.add_file(executable);
+  if (std::holds_alternative<InterFoamRun>(run.solver)) {
+    hash.add(openfoam::installed_version());
+    add_directory(hash, openfoam_templates);
+  }
+  return hash.digits();
+}
+
+}  // namespace slosh

@@ -1,0 +1,97 @@
+#include "verification/runs/snapshots.hpp"
+
+#include <fmt/format.h>
+
+#include "verification/runs/atomic_file.hpp"
+#include "verification/runs/hdf5_handles.hpp"
+#include "verification/runs/result_file.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* index_frame = R"(<?xml version="1.0" encoding="UTF-8"?>
+<Xdmf Version="2.0">
+  <Domain>
+    <Grid Name="particles" GridType="Collection" CollectionType="Temporal">
+{}    </Grid>
+  </Domain>
+</Xdmf>
+)";
+
+constexpr const char* grid_entry = R"(      <Grid Name="{group}" GridType="Uniform">
+        <Time Value="{time}"/>
+        <Topology TopologyType="Polyvertex" NodesPerElement="1" NumberOfElements="{count}"/>
+        <Geometry GeometryType="XYZ">{position}</Geometry>
+        <Attribute Name="velocity" AttributeType="Vector" Center="Node">{velocity}</Attribute>
+        <Attribute Name="pressure" AttributeType="Scalar" Center="Node">{pressure}</Attribute>
+        <Attribute Name="density" AttributeType="Scalar" Center="Node">{density}</Attribute>
+      </Grid>
+)";
+
+std::vector<double> in_plane(const std::vector<double>& x, const std::vector<double>& z) {
+  std::vector<double> rows;
+  rows.reserve(3 * x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) rows.insert(rows.end(), {x[i], z[i], 0.0});
+  return rows;
+}
+
+// A run's name is safe as a file's (the case parser sees to it), and so it is in XML.
+std::string data_item(const std::string& place, const std::string& dimensions) {
+  return fmt::format(
+      R"(<DataItem Dimensions="{}" NumberType="Float" Precision="8" Format="HDF">{}</DataItem>)",
+      dimensions, place);
+}
+
+void write_values(hid_t group, const char* name, const char* unit,
+                  const std::vector<double>& values, int columns = 1) {
+  hdf5::write_attribute(hdf5::write_numbers(group, name, values, columns), "unit", unit);
+}
+
+void write_group(const fs::path& data, const std::string& name, const sph::Snapshot& snapshot) {
+  const hdf5::Handle file(H5Fopen(data.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                          "open " + data.string());
+  const hdf5::Handle group = hdf5::create_group(file, name);
+  hdf5::write_attribute(group, "time_s", snapshot.time);
+  write_values(group, "position", "m", in_plane(snapshot.x, snapshot.z), 3);
+  write_values(group, "velocity", "m/s", in_plane(snapshot.velocity_x, snapshot.velocity_z), 3);
+  write_values(group, "pressure", "Pa", snapshot.pressure);
+  write_values(group, "density", "kg/m3", snapshot.density);
+}
+
+}  // namespace
+
+SnapshotWriter::SnapshotWriter(const fs::path& directory, const std::string& run_name) try
+    : data_(directory / (run_name + ".snapshots.h5")),
+      index_(directory / (run_name + ".snapshots.xmf")) {
+  const hdf5::QuietErrors quiet;
+  fs::create_directories(directory);
+  const hdf5::Handle file(H5Fcreate(data_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                          H5Fclose, "create " + data_.string());
+} catch (const std::runtime_error& error) {
+  throw ResultError(
+      fmt::format("cannot write snapshots into {}: {}", directory.string(), error.what()));
+}
+
+void SnapshotWriter::record(const sph::Snapshot& snapshot) try {
+  const hdf5::QuietErrors quiet;
+  const std::string name = fmt::format("snapshot_{:05d}", count_++);
+  write_group(data_, name, snapshot);
+  const std::string scalar = fmt::format("{}", snapshot.x.size()), vector = scalar + " 3";
+  const auto item = [&](const char* data_set, const std::string& dimensions) {
+    return data_item(fmt::format("{}:/{}/{}", data_.filename().string(), name, data_set),
+                     dimensions);
+  };
+  grids_ += fmt::format(grid_entry, fmt::arg("group", name), fmt::arg("time", snapshot.time),
+                        fmt::arg("count", scalar), fmt::arg("position", item("position", vector)),
+                        fmt::arg("velocity", item("velocity", vector)),
+                        fmt::arg("pressure", item("pressure", scalar)),
+                        fmt::arg("density", item("density", scalar)));
+  replace_file(index_, fmt::format(index_frame, grids_), Durability::process_crash);
+} catch (const std::runtime_error& error) {
+  throw ResultError(
+      fmt::format("cannot write a snapshot for {}: {}", index_.string(), error.what()));
+}
+
+}  // namespace slosh

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "sph/simulation.hpp"
+#include "verification/case_file/motion.hpp"
+#include "verification/runs/snapshots.hpp"
+#include "verification/runs/solver_runs.hpp"
+
+namespace slosh {
+namespace {
+
+CaseFileError refused(const RunDefinition& run, const std::string& why) {
+  return CaseFileError(
+      fmt::format("{}:{}: run {}: {}", run.where.file, run.where.line, run.name, why));
+}
+
+void require_scheme(const SphRun& sph, const RunDefinition& run) {
+  const std::vector<std::string> known = sph::scheme_names();
+  if (std::find(known.begin(), known.end(), sph.scheme) != known.end()) return;
+  throw refused(
+      run, fmt::format("scheme = \"{}\": expected one of {}", sph.scheme, fmt::join(known, " | ")));
+}
+
+sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
+  const SurgeMotion motion = surge_motion(definition);
+  sph::Scene scene{.tank_length = definition.tank.length,
+                   .tank_height = definition.tank.height,
+                   .fill_depth = definition.liquid.fill_depth,
+                   .gravity = definition.gravity,
+                   .rest_density = definition.liquid.density,
+                   .kinematic_viscosity = definition.liquid.kinematic_viscosity,
+                   .displacement = motion.displacement,
+                   .velocity = motion.velocity,
+                   .acceleration = motion.acceleration,
+                   .initial_velocity = definition.start == Start::tank ? motion.velocity(0) : 0,
+                   .duration = definition.duration,
+                   .sample_interval = definition.sample_interval,
+                   .particle_spacing = sph.particle_spacing,
+                   .surface_particle_spacing = sph.surface_particle_spacing,
+                   .gauges = {},
+                   .record_snapshot = {}};
+  for (const GaugeDefinition& gauge : definition.gauges)
+    scene.gauges.push_back({gauge.name, gauge.x});
+  return scene;
+}
+
+TimeSeries series(const std::string& name, const std::string& unit, sph::History& history) {
+  return {name, unit, std::move(history.time), std::move(history.value)};
+}
+
+}  // namespace
+
+RunResult run_sph(const SphRun& sph, const RunRequest& request) try {
+  require_scheme(sph, request.run);
+  sph::Scene scene = scene_of(sph, request.definition);
+  std::unique_ptr<SnapshotWriter> snapshots;
+  if (request.settings.snapshot_interval > 0) {
+    snapshots = std::make_unique<SnapshotWriter>(request.settings.work_directory, request.run.name);
+    scene.snapshot_interval = request.settings.snapshot_interval;
+    scene.record_snapshot = [&](const sph::Snapshot& snapshot) { snapshots->record(snapshot); };
+  }
+  sph::RunOutput output = sph::run(sph.scheme, scene, request.progress);
+
+  RunResult result;
+  for (const GaugeDefinition& gauge : request.definition.gauges) {
+    result.series.push_back(
+        series("elevation@" + gauge.name, "m", output.elevation.at(gauge.name)));
+  }
+  result.series.push_back(series("horizontal_force", "N/m", output.horizontal_force));
+  result.series.push_back(series("kinetic_energy", "J/m", output.kinetic_energy));
+  result.series.push_back(series("potential_energy", "J/m", output.potential_energy));
+  result.active_terms = std::move(output.active_terms);
+  result.diagnostics = std::move(output.diagnostics);
+  result.cost.steps = output.steps;
+  result.cost.elements = static_cast<double>(output.particles);
+  return result;
+} catch (const std::invalid_argument& error) {  // a scene that the scheme does not take
+  throw refused(request.run, error.what());
+}
+
+}  // namespace slosh
