@@ -24,9 +24,13 @@ using namespace std::chrono_literals;
 constexpr auto poll_interval = 50ms;
 constexpr auto progress_interval = 100ms;
 
-bp::environment child_environment(const fs::path& directory) {
+// OpenFOAM takes its case's path from PWD and refuses one with a space or a quote in it. Linux has
+// this name for any process's working directory.
+constexpr const char* plain_path = "/proc/self/cwd";
+
+bp::environment child_environment() {
   bp::environment environment = boost::this_process::environment();
-  environment["PWD"] = fs::absolute(directory).string();  // as a shell has it, else they warn
+  environment["PWD"] = plain_path;
   // Where Debian's package keeps its etc/; without it no OpenFOAM program starts.
   if (environment.count("WM_PROJECT_DIR") == 0) {
     environment["WM_PROJECT_DIR"] = "/usr/share/openfoam";
@@ -48,8 +52,8 @@ boost::filesystem::path find_program(const std::string& name) {
 class Child {
  public:
   Child(const std::vector<std::string>& command, const fs::path& directory, const fs::path& log)
-      : process_(find_program(command.front()), bp::args(tail(command)),
-                 child_environment(directory), bp::start_dir(directory.string()),
+      : process_(find_program(command.front()), bp::args(tail(command)), child_environment(),
+                 bp::start_dir(directory.string()),
                  bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string()) {}
 
   ~Child() {
@@ -140,10 +144,12 @@ void run_case(const SurgingTank& tank, const fs::path& case_directory, const Pro
   }
   run_stage("decomposePar", {"decomposePar"}, case_directory, {});
   find_program("interFoam");
-  // Ranks bound to cores would share the first ones with those of another run beside this.
+  // mpirun gives its ranks a PWD of its own. Ranks bound to cores would share the first ones with
+  // those of another run beside this.
   run_stage("interFoam",
             {"mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np",
-             std::to_string(tank.processes), "interFoam", "-parallel"},
+             std::to_string(tank.processes), "env", fmt::format("PWD={}", plain_path), "interFoam",
+             "-parallel"},
             case_directory, progress);
 }
 
@@ -151,7 +157,7 @@ std::string installed_version() {
   const auto program = bp::search_path("interFoam");
   if (program.empty()) return "";
   bp::ipstream output;
-  bp::child child(program, "-help", child_environment(fs::current_path()), bp::std_out > output,
+  bp::child child(program, "-help", child_environment(), bp::std_out > output,
                   bp::std_err > bp::null, bp::std_in < bp::null);
   std::string version;
   for (std::string line; std::getline(output, line);) {

@@ -44,8 +44,8 @@ struct Figure {
   std::vector<Marker> markers;
 };
 
-// The cells "pass", "FAIL", "violated", "solver failed", "not compared", "not selected", "out of
-// range" (in any case) get a sign and a colour. Columns of numbers are aligned right.
+// The cells "pass", "FAIL", "violated", "solver failed", "not compared", "no result", "not
+// selected", "out of range" (in any case) get a sign and a colour. Columns of numbers are aligned right.
 struct Table {
   std::string id, title, caption;  // the anchor is "table-<id>"
   std::vector<std::string> header;

@@ -6,10 +6,12 @@
 namespace slosh::sph {
 namespace {
 
-// Cubic B-spline on knots -2, -1, 0, 1, 2; integral 1.
+constexpr double window_width = 3;  // in lattice spacings
+
+// M4': support 2, integral 1, second moment 0.
 double window(double s) {
   const double a = std::abs(s), outer = std::max(0.0, 2 - a), inner = std::max(0.0, 1 - a);
-  return (outer * outer * outer - 4 * inner * inner * inner) / 6;
+  return 0.5 * outer * outer * (1 - a) - inner * inner * (1 - 2 * a);
 }
 
 }  // namespace
@@ -20,7 +22,7 @@ double surface_elevation(const Particles& p, double wall_left, double tank_lengt
 #pragma omp simd reduction(+ : depth)
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double from_left = p.x[i] - wall_left;
-    const double scale = 1.0 / p.spacing[i];
+    const double scale = 1.0 / (window_width * p.spacing[i]);
     depth += p.mass[i] / p.density[i] * scale *
              (window((x - from_left) * scale) + window((x + from_left) * scale) +
               window((x - 2 * tank_length + from_left) * scale));

@@ -1,11 +1,12 @@
 // The free surface's elevation above the still level to a small fraction of a particle: the depth
 // of liquid in a column, as the integral of the particles' volumes over a smooth window across x,
-//   eta(x) = sum_b V_b M((x - x_b) / s_b) / s_b - fill_depth,
-// M the cubic B-spline with knots one lattice spacing s_b apart, which sums to one over a lattice:
-// each row of particles counts with its own thickness, wherever its particles stand. The window
-// smooths a wave of wave number k by (k s)^2 / 6. Liquid beyond a side wall is the mirror image of
-// that before it. What it measures is the depth of liquid, drops and overturning jets included, as
-// a column integral of VOF does.
+//   eta(x) = sum_b V_b M((x - x_b) / w_b) / w_b - fill_depth,   w_b = 3 lattice spacings,
+// M the interpolating cubic M4' (Monaghan 1985, eq. 3.9), which sums to one over a lattice and has
+// no second moment: a wave of wave number k is changed only by the order of (k w)^4. The window is
+// wide against the lattice, because a scheme may pack particles tighter in one place (along a wall)
+// than in another while their densities do not tell. Liquid beyond a side wall is the mirror image
+// of that before it. What it measures is the depth of liquid, drops and overturning jets included,
+// as a column integral of VOF does.
 #pragma once
 
 #include "sph/particles.hpp"

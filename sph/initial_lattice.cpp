@@ -35,8 +35,7 @@ void lay_block(const Scene& scene, const Tait& state, double bottom, double top,
       p.velocity_z.push_back(0);
       p.density.push_back(density);
       p.mass.push_back(density * dx * dz);
-      // The narrower side of the cell: no particle stands nearer to a wall than half of it.
-      p.spacing.push_back(std::min(dx, dz));
+      p.spacing.push_back(dx);
     }
 }
 
@@ -60,6 +59,14 @@ Particles initial_lattice(const Scene& scene, const Tait& state) {
   lay_block(scene, state, 0, interface, coarse, particles);
   lay_block(scene, state, interface, scene.fill_depth, fine, particles);
   return particles;
+}
+
+double flattest_cell(const Particles& lattice) {
+  double ratio = 1;
+  for (std::size_t i = 0; i < lattice.size(); ++i)
+    ratio = std::min(
+        ratio, lattice.mass[i] / lattice.density[i] / (lattice.spacing[i] * lattice.spacing[i]));
+  return ratio;
 }
 
 }  // namespace slosh::sph

@@ -21,4 +21,7 @@ inline constexpr double largest_stretch = 0.05;
 // largest_stretch, or where the two spacings leave no room for a layer of each.
 Particles initial_lattice(const Scene& scene, const Tait& state);
 
+// Height over width of the lattice's flattest cell, at most 1.
+double flattest_cell(const Particles& lattice);
+
 }  // namespace slosh::sph

@@ -69,7 +69,7 @@ class Liquid {
  private:
   double largest_support() const {
     const double spacing = *std::max_element(particles.spacing.begin(), particles.spacing.end());
-    return kernel_support * Scheme::smoothing_ratio * spacing;
+    return kernel_support / scheme_.smoothing.inverse(spacing, spacing);
   }
 
   Scheme scheme_;

@@ -36,7 +36,7 @@ struct Particles {
   Array<double> velocity_x, velocity_z;  // [m/s]
   Array<double> density;                 // [kg/m3]
   Array<double> mass;                    // [kg/m]
-  Array<double> spacing;                 // [m], of the lattice that the particle was laid with
+  Array<double> spacing;                 // [m], the width of the lattice cell that it was laid in
 
   std::size_t size() const { return x.size(); }
 

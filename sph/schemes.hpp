@@ -10,6 +10,7 @@
 #include "sph/density_diffusion.hpp"
 #include "sph/equation_of_state.hpp"
 #include "sph/formulation.hpp"
+#include "sph/initial_lattice.hpp"
 #include "sph/integrators.hpp"
 #include "sph/kernels.hpp"
 #include "sph/mirror_particles.hpp"
@@ -57,8 +58,9 @@ struct Li2010 {
         fill_depth(scene.fill_depth),
         state{scene.rest_density, 10 * expected_speed(scene)},  // c0 = 10 V_max
         smoothing(smoothing_ratio, scene.particle_spacing),
-        viscosity{1.0, 1.0, state.speed_of_sound},             // alpha = beta = 1
-        wall_contact{5 * scene.gravity * scene.fill_depth} {}  // D = 5 g h, Monaghan 1994
+        viscosity{1.0, 1.0, state.speed_of_sound},          // alpha = beta = 1
+        wall_contact{5 * scene.gravity * scene.fill_depth,  // D = 5 g h, Monaghan 1994
+                     0.5 * flattest_cell(initial_lattice(scene, state))} {}
 
   // The paper's 0.5 ms, whatever the spacing.
   static double time_step(const Scene&, double) { return 5e-4; }

@@ -144,7 +144,7 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
 }  // namespace
 
 std::vector<std::string> scheme_names() {
-  return {"li2010", "low_dissipation", "low_dissipation_quintic"};
+  return {"li2010", "low_dissipation", "low_dissipation_wendland"};
 }
 
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress) {
@@ -154,9 +154,10 @@ RunOutput run(const std::string& scheme, const Scene& scene, const Progress& pro
   if (!uniform && scheme.starts_with("low_dissipation"))
     throw std::invalid_argument("scheme " + scheme +
                                 " takes one particle spacing: surface_particle_spacing differs");
-  if (scheme == "low_dissipation") return run_scheme<LowDissipation<WendlandC2>>(scene, progress);
-  if (scheme == "low_dissipation_quintic")
+  if (scheme == "low_dissipation")
     return run_scheme<LowDissipation<QuinticSpline>>(scene, progress);
+  if (scheme == "low_dissipation_wendland")
+    return run_scheme<LowDissipation<WendlandC2>>(scene, progress);
   throw std::invalid_argument(
       fmt::format("scheme = {}: expected one of {}", scheme, fmt::join(scheme_names(), ", ")));
 }

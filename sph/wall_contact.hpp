@@ -38,18 +38,19 @@ struct ReflectingWall {
 
 // Repulsive particles along the walls (Monaghan 1994; Li et al. 2010, section 2.4): each pushes a
 // particle at distance r < r0 with the acceleration D ((r0/r)^12 - (r0/r)^4) r_vector / r^2. They
-// stand spacing/2 apart and r0 = spacing/2, a lattice particle's distance from the wall: the still
-// lattice just does not feel them.
+// stand r0 apart. r0 is half the spacing, a lattice particle's distance from the wall, or half the
+// height of the lattice's cells where those are flatter: the still lattice just does not feel them.
 struct RepulsiveWall {
   static constexpr const char* name = "repulsive wall particles, 12-4";
   double strength;  // D [m2/s2]
+  double range;     // r0 over the particle's spacing
 
   void confine(Particles&, const TankWalls&) const {}
 
   void push(const Particles& p, const TankWalls& walls, Rates& rates) const {
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double r0 = 0.5 * p.spacing[i];
+      const double r0 = range * p.spacing[i];
       const double from_left = p.x[i] - walls.left, from_right = p.x[i] - walls.right;
       const double from_bottom = p.z[i] - walls.bottom, from_roof = p.z[i] - walls.roof;
       double& ax = rates.acceleration_x[i];

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <vector>
 
@@ -24,6 +25,36 @@ std::string gate_line(const CaseAssessment& assessment, const GateOutcome& outco
   return fmt::format("{:<14} {} {} {} {} {}: {}", verdict_name(outcome.verdict),
                      assessment.definition.name, outcome.row.candidate, outcome.row.mode,
                      metric_name(outcome.row.metric), outcome.row.quantity, outcome.message);
+}
+
+void print(const CaseAssessment& assessment) {
+  for (const auto& [run, status] : assessment.runs.status)
+    if (status.state == RunState::failed || status.state == RunState::missing)
+      std::cerr << fmt::format("{}/{}: {}: {}\n", assessment.definition.name, run,
+                               state_name(status.state), status.message);
+  for (const GateOutcome& outcome : assessment.gate)
+    std::cout << gate_line(assessment, outcome) << "\n";
+}
+
+// All that a campaign's cases get wrong is found before anything runs.
+std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign) {
+  std::vector<CaseDefinition> cases;
+  for (const fs::path& file : campaign.cases) {
+    CaseDefinition definition = read_case(file);
+    for (const CaseDefinition& other : cases)
+      if (other.name == definition.name)
+        throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
+                                        file.string(), definition.name, other.file.string()));
+    for (const RunDefinition& run : definition.runs) require_known(definition, run);
+    cases.push_back(std::move(definition));
+  }
+  return cases;
+}
+
+// How a command line names the file: a shipped one by its name, any other by its path.
+std::string name_or_path(const fs::path& file, const fs::path& shipped) {
+  if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();
+  return fmt::format("'{}'", fs::absolute(file).lexically_normal().string());
 }
 
 std::vector<fs::path> definitions_in(const fs::path& directory) {
@@ -54,30 +85,32 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                  const std::atomic<bool>& stop) {
   const CampaignDefinition campaign =
       read_campaign(find_campaign(options.campaign, installation.campaigns), installation.cases);
-  std::vector<CaseDefinition> cases;
-  for (const fs::path& file : campaign.cases) cases.push_back(read_case(file));
-  const fs::path output =
-      options.output.empty()
-          ? installation.build / "campaigns" / (campaign.name + (options.quick ? "-quick" : ""))
-          : options.output;
+  const std::vector<CaseDefinition> cases = read_cases(campaign);
+  const std::string form = options.quick ? "-quick" : "";
   const CampaignSettings settings{
-      fs::absolute(output), installation.executable, installation.openfoam_templates,
-      options.quick,        options.solve,           options.at_once};
+      fs::absolute(options.output.empty()
+                       ? installation.build / "campaigns" / (campaign.name + form)
+                       : options.output),
+      installation.executable,
+      installation.solver_build,
+      installation.openfoam_templates,
+      options.quick,
+      options.solve,
+      options.at_once};
   std::vector<CaseRuns> runs = run_cases(cases, settings, stop);
 
   std::vector<CaseAssessment> assessed;
-  for (std::size_t i = 0; i < cases.size(); ++i)
+  for (std::size_t i = 0; i < cases.size(); ++i) {
     assessed.push_back(assess(cases[i], std::move(runs[i])));
-  const fs::path report = settings.output / "report";
-  reports::write_report(campaign_report(campaign, options.quick, assessed), report);
-
-  for (const CaseAssessment& one : assessed) {
-    for (const auto& [run, status] : one.runs.status)
-      if (status.state == RunState::failed)
-        std::cerr << one.definition.name << "/" << run << ": " << status.message << "\n";
-    for (const GateOutcome& outcome : one.gate) std::cout << gate_line(one, outcome) << "\n";
+    print(assessed.back());
   }
-  std::cout << verdict_sentence(assessed) << "\nreport: " << (report / "index.html").string()
+  const std::string command =
+      fmt::format("./slosh campaign {}{}", name_or_path(campaign.file, installation.campaigns),
+                  options.quick ? " --quick" : "");
+  const fs::path report = settings.output / "report";
+  reports::write_report(campaign_report(campaign, options.quick, command, assessed), report);
+  std::cout << (exit_status(assessed) == exit_pass ? "PASS: " : "FAIL: ")
+            << verdict_sentence(assessed) << "\nreport: " << (report / "index.html").string()
             << "\n";
   return exit_status(assessed);
 }
@@ -101,8 +134,10 @@ int run_one(const RunOptions& options, const Installation& installation) {
   settings.openfoam_templates = installation.openfoam_templates;
   settings.snapshot_interval = options.snapshot_interval;
   settings.key =
-      run_key(definition, *run, installation.executable, installation.openfoam_templates);
-  settings.command = repeat_command(definition, *run);
+      run_key(definition, *run, installation.solver_build, installation.openfoam_templates);
+  settings.command =
+      fmt::format("./slosh run {} {} --output {}.h5",
+                  name_or_path(definition.file, installation.cases), run->name, run->name);
   write_result(execute(definition, *run, settings,
                        progress_writer(options.progress_file, definition.duration)),
                file);

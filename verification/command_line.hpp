@@ -11,7 +11,7 @@ namespace slosh {
 
 // Where the tool's data lies: the source tree's folders.
 struct Installation {
-  std::filesystem::path executable, cases, campaigns, openfoam_templates, build;
+  std::filesystem::path executable, solver_build, cases, campaigns, openfoam_templates, build;
 };
 
 struct CampaignOptions {

@@ -2,12 +2,13 @@
 // exit statuses.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 
-#include "reports/write_report.hpp"
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/command_line.hpp"
@@ -23,8 +24,12 @@ void request_stop(int) { stop_requested = true; }
 slosh::Installation installation() {
   namespace fs = std::filesystem;
   const fs::path source = SLOSH_SOURCE_DIR;
-  return {fs::read_symlink("/proc/self/exe"), source / "verification/cases",
-          source / "verification/campaigns", source / "openfoam_cases/surging_tank",
+  const fs::path executable = fs::read_symlink("/proc/self/exe");
+  return {executable,
+          executable.parent_path() / "slosh.solver",
+          source / "verification/cases",
+          source / "verification/campaigns",
+          source / "openfoam_cases/surging_tank",
           source / "build"};
 }
 
@@ -38,56 +43,61 @@ constexpr const char* closing_words =
     "  ./slosh campaign small_amplitude --quick\n"
     "  ./slosh run li2010_small_amplitude linear --output linear.h5";
 
+void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
+  command
+      .add_option("name", options.campaign,
+                  "A campaign of `slosh list`, or the path of a campaign file")
+      ->required();
+  command.add_flag("--quick", options.quick, "Only the runs that the cases mark as quick");
+  command.add_option("-o,--output", options.output,
+                     "Directory of the results and the report (default: build/campaigns/NAME)");
+}
+
+void add_run_options(CLI::App& command, slosh::RunOptions& options) {
+  command
+      .add_option("case", options.case_name, "A case of `slosh list`, or the path of a case file")
+      ->required();
+  command.add_option("run", options.run, "The run's name in the case")->required();
+  command.add_option("-o,--output", options.output, "Result file (default: RUN.h5)");
+  command
+      .add_option("--snapshots", options.snapshot_interval,
+                  "Interval of particle snapshots for ParaView [s]")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
   app.footer(closing_words);
   app.require_subcommand(1);
   slosh::CampaignOptions campaign;
   campaign.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  slosh::RunOptions one;
-
-  const auto add_campaign_options = [&](CLI::App* command) {
-    command
-        ->add_option("name", campaign.campaign,
-                     "A campaign of `slosh list`, or the path of a campaign file")
-        ->required();
-    command->add_flag("--quick", campaign.quick, "Only the runs that the cases mark as quick");
-    command->add_option("-o,--output", campaign.output,
-                        "Directory of the results and the report (default: build/campaigns/NAME)");
-  };
-  CLI::App* campaign_command =
-      app.add_subcommand("campaign", "Runs a campaign's cases, compares, reports and gates");
-  add_campaign_options(campaign_command);
+  slosh::RunOptions run;
+  CLI::App& campaign_command =
+      *app.add_subcommand("campaign", "Runs a campaign's cases, compares, reports and gates");
+  CLI::App& report_command =
+      *app.add_subcommand("report", "The same from the results that are there; starts no solver");
+  CLI::App& run_command =
+      *app.add_subcommand("run", "Executes one run of a case and leaves its result file");
+  const CLI::App& list_command =
+      *app.add_subcommand("list", "Lists campaigns, cases and their runs");
+  add_campaign_options(campaign_command, campaign);
   campaign_command
-      ->add_option("-j,--jobs", campaign.at_once, "Runs side by side (default: one a core)")
+      .add_option("-j,--jobs", campaign.at_once, "Runs side by side (default: one a core)")
       ->check(CLI::PositiveNumber);
-  CLI::App* report_command =
-      app.add_subcommand("report", "The same from the results that are there; starts no solver");
-  add_campaign_options(report_command);
-  CLI::App* run_command =
-      app.add_subcommand("run", "Executes one run of a case and leaves its result file");
-  run_command
-      ->add_option("case", one.case_name, "A case of `slosh list`, or the path of a case file")
-      ->required();
-  run_command->add_option("run", one.run, "The run's name in the case")->required();
-  run_command->add_option("-o,--output", one.output, "Result file (default: RUN.h5)");
-  run_command
-      ->add_option("--snapshots", one.snapshot_interval,
-                   "Interval of particle snapshots for ParaView [s]")
-      ->check(CLI::PositiveNumber);
-  run_command->add_option("--progress-file", one.progress_file, "Where to tell how far the run is");
-  CLI::App* list_command = app.add_subcommand("list", "Lists campaigns, cases and their runs");
+  add_campaign_options(report_command, campaign);
+  add_run_options(run_command, run);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? slosh::exit_pass : slosh::exit_usage;
   }
-  if (*list_command) return slosh::list_definitions(installation());
-  if (*run_command) return slosh::run_one(one, installation());
+  if (list_command) return slosh::list_definitions(installation());
+  if (run_command) return slosh::run_one(run, installation());
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
-  campaign.solve = !*report_command;
+  campaign.solve = !report_command;
   return slosh::run_campaign(campaign, installation(), stop_requested);
 }
 
@@ -107,7 +117,8 @@ int main(int argc, char** argv) {
   } catch (const slosh::SolverError& error) {
     return fail(error, slosh::exit_solver_failed);
   } catch (const std::exception& error) {
-    // A result or a report that could not be written: nothing was compared.
-    return fail(error, slosh::exit_not_compared);
+    // A result or a report that could not be written: nothing was compared. An interrupt ends the
+    // plotter too, and then is the cause.
+    return fail(error, stop_requested ? slosh::exit_interrupted : slosh::exit_not_compared);
   }
 }

@@ -45,7 +45,7 @@ inline std::string contents(const std::filesystem::path& file) {
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "openfoam_case_XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "openfoam's cäse XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
   ~TemporaryDirectory() { std::filesystem::remove_all(path_); }

@@ -36,7 +36,7 @@ TEST(MarkdownText, StartsNoListByAccident) {
 TEST(CellVerdicts, AreReadInAnyCaseAndOnlyFromTheWholeCell) {
   EXPECT_EQ(cell_verdict("pass"), CellVerdict::good);
   EXPECT_EQ(cell_verdict("PASS"), CellVerdict::good);
-  for (const char* bad : {"FAIL", "violated", "solver failed", "Not compared"}) {
+  for (const char* bad : {"FAIL", "violated", "solver failed", "Not compared", "no result"}) {
     EXPECT_EQ(cell_verdict(bad), CellVerdict::bad) << bad;
   }
   EXPECT_EQ(cell_verdict("not selected"), CellVerdict::neutral);

@@ -49,6 +49,11 @@ TEST(InitialLattice, StandsHalfACellOffTheWallsAndTheSurface) {
   }
 }
 
+TEST(InitialLattice, KnowsItsFlattestCell) {
+  EXPECT_NEAR(flattest_cell(initial_lattice(still_scene(0.01, 0), water)), 1, 1e-12);
+  EXPECT_NEAR(flattest_cell(initial_lattice(still_scene(0.02, 0), water)), 17.5 / 18, 1e-12);
+}
+
 TEST(InitialLattice, IsLaidInTheTankWhereverThatStartsAndMovesWithTheLiquid) {
   Scene scene = still_scene(0.05, 0);
   const Particles at_origin = initial_lattice(scene, water);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "sph/initial_lattice.hpp"
+#include "sph/liquid.hpp"
 #include "sph/schemes.hpp"
 #include "sph/tests/all_pairs_oracle.hpp"
 #include "sph/tests/surging_scene.hpp"
@@ -228,6 +230,30 @@ TEST(PairSumsOfTwoSpacings, AreThoseOverAllPairs) {
     const Rates rates = by_neighbours(scheme, neighbours, particles, walls);
     EXPECT_LE(disagreement(rates, by_all_pairs(scheme, particles, walls)), round_off);
   }
+}
+
+// Where columns are narrower than the particle spacing the kernel's support is still the spacing's.
+TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedHalfTheSkin) {
+  using Scheme = LowDissipation<QuinticSpline>;
+  Scene scene = small_scene(spacing);
+  scene.tank_length = 0.15;
+  scene.particle_spacing = scene.surface_particle_spacing = 0.0103;
+  const Scheme scheme(scene);
+  Liquid<Scheme> liquid(scene, scheme, initial_lattice(scene, scheme.state));
+  ASSERT_NEAR(liquid.particles.spacing[0], 0.01, 1e-14);
+  const double distance = 0.49 * Scheme::skin * kernel_support * Scheme::smoothing_ratio * 0.0103;
+  Particles& p = liquid.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.x[i] += distance * std::cos(2.4 * static_cast<double>(i));
+    p.z[i] += distance * std::sin(2.4 * static_cast<double>(i));
+  }
+  ASSERT_FALSE(liquid.neighbours().stale(p, liquid.walls_at(0), 0));
+  liquid.accelerate(0);
+  liquid.compress(0);
+  Particles nominal = p;
+  std::fill(nominal.spacing.begin(), nominal.spacing.end(), 0.0103);
+  EXPECT_LE(disagreement(liquid.rates, by_all_pairs(scheme, nominal, liquid.walls_at(0))),
+            round_off);
 }
 
 TEST(NeighbourSources, NameTheParticleThatIsNotInTheTank) {

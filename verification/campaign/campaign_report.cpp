@@ -56,9 +56,13 @@ Section case_section(const CaseAssessment& assessment) {
       section.paragraphs.push_back("The reference `" + run + "` " + status.message +
                                    ": it is drawn and never gates.");
   section.figures = case_figures(assessment);
-  if (!assessment.comparisons.empty())
-    section.tables = {mode_table(assessment), history_table(assessment)};
+  if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
+  if (!assessment.comparisons.empty()) {
+    section.tables.push_back(mode_table(assessment));
+    section.tables.push_back(history_table(assessment));
+  }
   section.tables.push_back(cost_table(assessment));
+  section.tables.push_back(terms_table(assessment));
   section.tables.push_back(provenance_table(assessment));
   return section;
 }
@@ -66,22 +70,23 @@ Section case_section(const CaseAssessment& assessment) {
 }  // namespace
 
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases) {
-  const int status = exit_status(cases), passed = count(cases, Verdict::pass);
+  const int passed = count(cases, Verdict::pass);
   const int judged = passed + count(cases, Verdict::violated) +
                      count(cases, Verdict::solver_failed) + count(cases, Verdict::not_compared);
-  std::string text = fmt::format("{}: {} of {} gate rows hold",
-                                 status == exit_pass ? "PASS" : "FAIL", passed, judged);
+  std::string text = fmt::format("{} of {} gate rows hold", passed, judged);
   const auto add = [&](int n, const char* what) {
     if (n > 0) text += fmt::format(", {} {}", n, what);
   };
   add(count(cases, Verdict::violated), "violated");
   add(count(cases, Verdict::not_compared), "not compared");
   add(count(cases, RunState::failed), "runs failed");
+  add(count(cases, RunState::missing), "runs without a result");
   add(count(cases, Verdict::not_selected), "left out of this quick form");
   return text + ".";
 }
 
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
+                                const std::string& command,
                                 const std::vector<CaseAssessment>& cases) {
   const auto origin = provenance("");
   reports::Report report;
@@ -90,12 +95,12 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   report.passed = exit_status(cases) == exit_pass;
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
-  report.sections.push_back({"gate",
-                             "Gate",
-                             {fmt::format("Repeat this campaign with `./slosh campaign {}{}`. {}.",
-                                          campaign.name, quick ? " --quick" : "", campaign.source)},
-                             {gate_table(cases)},
-                             {}});
+  report.sections.push_back(
+      {"gate",
+       "Gate",
+       {fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)},
+       {gate_table(cases)},
+       {}});
   for (const CaseAssessment& one : cases) report.sections.push_back(case_section(one));
   if (campaign.paper == "li2010") report.sections.push_back(li2010_section(cases));
   report.results_json = results_json(campaign.name, quick, cases);

@@ -10,10 +10,12 @@
 
 namespace slosh {
 
+// `command` repeats the campaign.
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
+                                const std::string& command,
                                 const std::vector<CaseAssessment>& cases);
 
-// "PASS: ...", "FAIL: ...": one sentence on the whole.
+// "19 of 19 gate rows hold, 12 left out of this quick form."
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases);
 
 }  // namespace slosh

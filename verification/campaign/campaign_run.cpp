@@ -7,8 +7,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <optional>
+#include <string_view>
 
+#include "verification/case_file/case_file_error.hpp"
 #include "verification/runs/progress_display.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/runs/run_pool.hpp"
@@ -20,9 +21,7 @@ namespace fs = std::filesystem;
 
 struct PendingRun {
   std::size_t case_index;
-  std::string run;
-  double expected_cost;
-  Job job;
+  const RunDefinition* run;
 };
 
 // Orders the queue, longest first, so that no long run is left alone at the end. Core-seconds per
@@ -36,16 +35,19 @@ double expected_cost(const CaseDefinition& definition, const RunDefinition& run)
   return 0;
 }
 
-// The result under the run's name, if it is whole and made by what the case declares today.
-std::optional<RunResult> kept_result(const fs::path& file, const std::string& key) {
-  if (!fs::exists(file)) return std::nullopt;
-  try {
-    RunResult result = read_result(file);
-    if (result.key == key) return result;
-  } catch (const ResultError& error) {
-    std::cerr << error.what() << ": it is computed again\n";
-  }
-  return std::nullopt;
+// The result under the run's name. Throws ResultError where there is none that fits: what a solver
+// could compute must be of this very build, what is only read must be of this case and run.
+RunResult fitting_result(const CaseDefinition& definition, const RunDefinition& run,
+                         const CampaignSettings& settings) {
+  const fs::path file = result_file(settings, definition, run);
+  RunResult result = read_result(file);
+  const std::string key =
+      run_key(definition, run, settings.solver_build, settings.openfoam_templates);
+  if (!asks_the_same(result.key, key))
+    throw ResultError(file.string() + " was made for another state of the case file");
+  if (settings.solve && result.key != key)
+    throw ResultError(file.string() + " was made by another build or version");
+  return result;
 }
 
 Job job_for(const CaseDefinition& definition, const RunDefinition& run,
@@ -68,21 +70,60 @@ Job job_for(const CaseDefinition& definition, const RunDefinition& run,
   return job;
 }
 
-// What the run said last, for the report.
-std::string last_line(const fs::path& log) {
+// Why a run failed, in its own words: the first line of the tool's message, or else the last line
+// that it wrote.
+std::string complaint_in(const fs::path& log) {
+  constexpr std::string_view mark = "slosh: ";  // main.cpp puts it before every error
   std::ifstream stream(log);
   std::string line, last;
-  while (std::getline(stream, line))
+  while (std::getline(stream, line)) {
+    if (line.starts_with(mark)) return line.substr(mark.size());
     if (!line.empty()) last = line;
+  }
   return last;
 }
 
-RunStatus read_finished(const fs::path& file, CaseRuns& runs, const std::string& run) {
+// Enters what stands before anything is started, and returns the runs that are to be computed.
+std::vector<PendingRun> take_stock(const std::vector<CaseDefinition>& cases,
+                                   const CampaignSettings& settings,
+                                   std::vector<CaseRuns>& outcome) {
+  std::vector<PendingRun> pending;
+  for (std::size_t c = 0; c < cases.size(); ++c)
+    for (const RunDefinition& run : cases[c].runs) {
+      RunStatus& status = outcome[c].status[run.name];
+      if (settings.quick && !run.quick) {
+        status = {RunState::not_selected, ""};
+        continue;
+      }
+      try {
+        outcome[c].results[run.name] = fitting_result(cases[c], run, settings);
+        status = {RunState::finished, ""};
+      } catch (const ResultError& error) {
+        status = {RunState::missing, error.what()};
+        if (!settings.solve) continue;
+        pending.push_back({c, &run});
+        if (fs::exists(result_file(settings, cases[c], run)))
+          std::cerr << error.what() << ": it is computed again\n";
+      }
+    }
+  return pending;
+}
+
+// Enters how a run that was started has ended. Throws CaseFileError where the run refused its case.
+void take_over(const JobState& state, const CaseDefinition& definition, const RunDefinition& run,
+               const CampaignSettings& settings, CaseRuns& runs) {
+  if (state.phase == JobPhase::exited && state.status == exit_usage)
+    throw CaseFileError(complaint_in(state.job.log_file));
+  RunStatus& status = runs.status[run.name];
+  if (!has_succeeded(state)) {
+    status = {RunState::failed, description(state) + ": " + complaint_in(state.job.log_file)};
+    return;
+  }
   try {
-    runs.results[run] = read_result(file);
-    return {RunState::finished, ""};
+    runs.results[run.name] = read_result(result_file(settings, definition, run));
+    status = {RunState::finished, ""};
   } catch (const ResultError& error) {
-    return {RunState::failed, error.what()};
+    status = {RunState::missing, error.what()};
   }
 }
 
@@ -93,37 +134,19 @@ fs::path result_file(const CampaignSettings& settings, const CaseDefinition& def
   return settings.output / "runs" / definition.name / (run.name + ".h5");
 }
 
-std::string repeat_command(const CaseDefinition& definition, const RunDefinition& run) {
-  return fmt::format("./slosh run {} {} --output {}.h5", definition.name, run.name, run.name);
-}
-
 std::vector<CaseRuns> run_cases(const std::vector<CaseDefinition>& cases,
                                 const CampaignSettings& settings, const std::atomic<bool>& stop) {
   std::vector<CaseRuns> outcome(cases.size());
-  std::vector<PendingRun> pending;
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    for (const RunDefinition& run : cases[c].runs) {
-      CaseRuns& runs = outcome[c];
-      const fs::path file = result_file(settings, cases[c], run);
-      if (settings.quick && !run.quick) {
-        runs.status[run.name] = {RunState::not_selected, ""};
-      } else if (!settings.solve) {
-        runs.status[run.name] = read_finished(file, runs, run.name);
-      } else if (auto kept = kept_result(file, run_key(cases[c], run, settings.executable,
-                                                       settings.openfoam_templates))) {
-        runs.status[run.name] = {RunState::finished, ""};
-        runs.results[run.name] = std::move(*kept);
-      } else {
-        pending.push_back(
-            {c, run.name, expected_cost(cases[c], run), job_for(cases[c], run, settings)});
-      }
-    }
-  std::stable_sort(pending.begin(), pending.end(), [](const PendingRun& a, const PendingRun& b) {
-    return a.expected_cost > b.expected_cost;
-  });
-
+  std::vector<PendingRun> pending = take_stock(cases, settings, outcome);
+  const auto cost = [&](const PendingRun& one) {
+    return expected_cost(cases[one.case_index], *one.run);
+  };
+  std::stable_sort(pending.begin(), pending.end(),
+                   [&](const PendingRun& a, const PendingRun& b) { return cost(a) > cost(b); });
   std::vector<Job> jobs;
-  for (const PendingRun& one : pending) jobs.push_back(one.job);
+  for (const PendingRun& one : pending)
+    jobs.push_back(job_for(cases[one.case_index], *one.run, settings));
+
   // Runs share the cores by running side by side, one thread each.
   setenv("OMP_NUM_THREADS", "1", 0);
   ProgressDisplay display(std::cerr, style_of_standard_error());
@@ -131,18 +154,9 @@ std::vector<CaseRuns> run_cases(const std::vector<CaseDefinition>& cases,
                                [&](const std::vector<JobState>& now) { display.show(now); });
   if (stop)
     throw InterruptedError("interrupted: finished runs are kept in " + settings.output.string());
-
-  for (std::size_t i = 0; i < pending.size(); ++i) {
-    CaseRuns& runs = outcome[pending[i].case_index];
-    const std::string& name = pending[i].run;
-    const CaseDefinition& definition = cases[pending[i].case_index];
-    runs.status[name] =
-        has_succeeded(states[i])
-            ? read_finished(result_file(settings, definition, run_named(definition, name)), runs,
-                            name)
-            : RunStatus{RunState::failed,
-                        description(states[i]) + ": " + last_line(states[i].job.log_file)};
-  }
+  for (std::size_t i = 0; i < pending.size(); ++i)
+    take_over(states[i], cases[pending[i].case_index], *pending[i].run, settings,
+              outcome[pending[i].case_index]);
   return outcome;
 }
 

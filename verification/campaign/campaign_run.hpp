@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,27 +14,26 @@
 namespace slosh {
 
 struct CampaignSettings {
-  std::filesystem::path output;      // <output>/runs/<case>/<run>.h5, .log and work directories
-  std::filesystem::path executable;  // this tool, which runs one run as `slosh run`
+  std::filesystem::path output;        // <output>/runs/<case>/<run>.h5, .log and work directories
+  std::filesystem::path executable;    // this tool, which runs one run as `slosh run`
+  std::filesystem::path solver_build;  // as run_key() takes it
   std::filesystem::path openfoam_templates;  // openfoam_cases/surging_tank
   bool quick = false;                        // only the runs marked so
   bool solve = true;                         // false: only read what is there
   int at_once = 1;                           // processes
 };
 
-// By case, in the order given. Throws InterruptedError once `stop` is set; what was finished stays.
-std::vector<CaseRuns> run_cases(const std::vector<CaseDefinition>& cases,
-                                const CampaignSettings& settings, const std::atomic<bool>& stop);
-
 struct InterruptedError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// By case, in the order given. Throws InterruptedError once `stop` is set, and CaseFileError where
+// a run refused its case; what was finished stays.
+std::vector<CaseRuns> run_cases(const std::vector<CaseDefinition>& cases,
+                                const CampaignSettings& settings, const std::atomic<bool>& stop);
+
 // Where a run's result lies.
 std::filesystem::path result_file(const CampaignSettings& settings,
                                   const CaseDefinition& definition, const RunDefinition& run);
-
-// The command that repeats one run, for a report.
-std::string repeat_command(const CaseDefinition& definition, const RunDefinition& run);
 
 }  // namespace slosh

@@ -110,13 +110,13 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
   mark_references_out_of_range(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, {}};
   const std::vector<ToneRequest> modes = fitted_modes(definition);
-  std::map<std::string, Comparison> by_gate_row;  // what the rows ask for, each pair once
+  std::map<std::string, Comparison> computed;
   const FindComparison find = [&](const std::string& candidate, const std::string& reference,
                                   const std::string& quantity) -> const Comparison& {
     const std::string key = candidate + "\n" + reference + "\n" + quantity;
-    const auto known = by_gate_row.find(key);
-    if (known != by_gate_row.end()) return known->second;
-    return by_gate_row
+    const auto known = computed.find(key);
+    if (known != computed.end()) return known->second;
+    return computed
         .emplace(key,
                  compare_runs(definition, assessment.runs, {candidate, reference}, quantity, modes))
         .first->second;
@@ -137,12 +137,16 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
 
 int exit_status(const std::vector<CaseAssessment>& cases) {
   std::vector<GateOutcome> outcomes;
+  bool any_missing = false;
   for (const CaseAssessment& one : cases) {
-    for (const auto& [run, status] : one.runs.status)
+    for (const auto& [run, status] : one.runs.status) {
       if (status.state == RunState::failed) return exit_solver_failed;
+      any_missing |= status.state == RunState::missing;
+    }
     outcomes.insert(outcomes.end(), one.gate.begin(), one.gate.end());
   }
-  return exit_status(outcomes);
+  const int gated = exit_status(outcomes);
+  return gated == exit_pass && any_missing ? exit_not_compared : gated;
 }
 
 }  // namespace slosh

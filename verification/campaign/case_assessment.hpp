@@ -3,9 +3,7 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "verification/case_file/case_definition.hpp"
@@ -17,9 +15,8 @@ namespace slosh {
 
 // The runs of a case: how each ended, and the results of those that finished.
 struct CaseRuns {
-  std::map<std::string, RunStatus> status;  // of every run that the case declares
-  std::map<std::string, RunResult>
-      results;  // of the finished ones, those out of their range included
+  std::map<std::string, RunStatus> status;   // of every run that the case declares
+  std::map<std::string, RunResult> results;  // of the finished ones and those out of their range
 };
 
 struct CaseAssessment {
@@ -42,7 +39,8 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs);
 // The run's definition by its name; the case has one.
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
 
-// Exit status of the whole: a failed run counts even where no gate row names it.
+// Exit status of the whole: a run that failed or has no result counts even where no gate row names
+// it.
 int exit_status(const std::vector<CaseAssessment>& cases);
 
 }  // namespace slosh

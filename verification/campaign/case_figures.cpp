@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "verification/metrics/spectrum.hpp"
@@ -35,7 +36,7 @@ double resolution(const RunDefinition& run) {
   return 0;
 }
 
-// The finest run of each family that stands, theory first, in the order of the case file.
+// The finest run of each family that stands, in the order of the case file.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment) {
   std::vector<std::string> families;
   std::map<std::string, const RunDefinition*> finest;
@@ -123,6 +124,15 @@ Figure residuals(const CaseAssessment& assessment) {
   return figure;
 }
 
+// Nothing of a series that cannot be compared: the gate says why.
+std::optional<Spectrum> spectrum_of(const CaseAssessment& assessment, const std::string& run) try {
+  const CaseDefinition& definition = assessment.definition;
+  return power_spectrum(assessment.runs.results.at(run).at(first_quantity(definition)),
+                        {definition.window_begin, definition.window_end});
+} catch (const ComparisonError&) {
+  return std::nullopt;
+}
+
 Figure spectra(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
@@ -131,7 +141,7 @@ Figure spectra(const CaseAssessment& assessment) {
   figure.x_label = "frequency [Hz]";
   figure.y_label = "power [m2]";
   figure.log_y = true;
-  double highest = 0, resolution = 0;
+  double highest = 0, apart = 0;
   for (const ToneRequest& mode : fitted_modes(definition)) {
     const double frequency = mode.angular_frequency / (2 * std::numbers::pi);
     figure.markers.push_back({mode.name, frequency});
@@ -139,15 +149,14 @@ Figure spectra(const CaseAssessment& assessment) {
   }
   figure.x_range = {0, 2 * highest};
   for (const std::string& run : finest_runs(assessment)) {
-    const Spectrum spectrum =
-        power_spectrum(assessment.runs.results.at(run).at(first_quantity(definition)),
-                       {definition.window_begin, definition.window_end});
-    resolution = spectrum.resolution;
+    const auto spectrum = spectrum_of(assessment, run);
+    if (!spectrum) continue;
+    apart = spectrum->resolution;
     Curve curve{label(assessment, run), {}, {}, {}, {}};
-    for (std::size_t i = 0; i < spectrum.frequency.size() && spectrum.frequency[i] <= 2 * highest;
+    for (std::size_t i = 0; i < spectrum->frequency.size() && spectrum->frequency[i] <= 2 * highest;
          ++i) {
-      curve.x.push_back(spectrum.frequency[i]);
-      curve.y.push_back(spectrum.power[i]);
+      curve.x.push_back(spectrum->frequency[i]);
+      curve.y.push_back(spectrum->power[i]);
     }
     figure.curves.push_back(std::move(curve));
   }
@@ -156,11 +165,12 @@ Figure spectra(const CaseAssessment& assessment) {
       "forcing and the natural "
       "frequencies of linear theory. The window tells frequencies {:.2g} Hz apart; zero-padding "
       "adds no resolution.",
-      resolution);
+      apart);
   return figure;
 }
 
-// One curve a family, its error against the reference that most of its runs are compared with.
+// One curve a family; the error of each run is that against the first reference of its comparisons,
+// which is theory where there is one.
 Figure error_against_run_time(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;

@@ -3,21 +3,29 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-
-#include "verification/campaign/campaign_run.hpp"
+#include <algorithm>
 
 namespace slosh {
 namespace {
 
 using reports::Table;
 
-std::string percent(const Estimate& estimate) {
-  return fmt::format("{:+.2f} ± {:.2f} %", 100 * estimate.value, 100 * estimate.half_width);
+std::string with_interval(const Estimate& estimate, double scale = 1) {
+  return fmt::format("{:+.3g} ± {:.2g}", scale * estimate.value, scale * estimate.half_width);
 }
 
-std::string with_interval(const Estimate& estimate, const char* unit) {
-  return fmt::format("{:+.3g} ± {:.2g} {}", estimate.value, estimate.half_width, unit);
+// Amplitude error, lag three times, frequency error, decay. A candidate's mode that cannot be told
+// from noise has none of them.
+std::vector<std::string> mode_measures(const ModeComparison& mode) {
+  if (!(mode.candidate.amplitude.half_width < mode.candidate.amplitude.value))
+    return {"not resolved", "", "", "", "", ""};
+  const bool forced = mode.mode == "forced";  // of a given frequency and without decay
+  return {with_interval(mode.amplitude_error, 100),
+          with_interval(mode.phase_lag_degrees),
+          with_interval(mode.phase_lag),
+          with_interval(mode.phase_lag_periods),
+          forced ? "" : with_interval(mode.frequency_error, 100),
+          forced ? "" : with_interval(mode.decay_rate)};
 }
 
 std::string allowed(const GateRow& row) {
@@ -30,18 +38,11 @@ std::string allowed(const GateRow& row) {
   return "below that of " + *row.improves_on;
 }
 
-std::string state_name(RunState state) {
-  switch (state) {
-    case RunState::finished:
-      return "finished";
-    case RunState::failed:
-      return "solver failed";
-    case RunState::not_selected:
-      return "not selected";
-    case RunState::out_of_range:
-      return "out of range";
-  }
-  throw std::logic_error("a state without a name");
+// "forced amplitude error of elevation@right"
+std::string measure_name(const GateRow& row) {
+  std::string metric = metric_name(row.metric);
+  std::replace(metric.begin(), metric.end(), '_', ' ');
+  return (row.mode == "whole" ? "" : row.mode + " ") + metric + " of " + row.quantity;
 }
 
 std::string peaks(const std::vector<SpectralPeak>& found) {
@@ -54,44 +55,51 @@ std::string peaks(const std::vector<SpectralPeak>& found) {
 }  // namespace
 
 Table gate_table(const std::vector<CaseAssessment>& cases) {
-  Table table{"gate",
-              "Gate",
-              "Every row of every case file. A value that is no number, a series that ends early "
-              "and a reference that is "
-              "missing or out of its range never pass.",
-              {"verdict", "case", "candidate", "reference", "quantity", "mode", "metric", "found",
-               "allowed", "reason", "source"},
-              {}};
+  Table table{
+      "gate",
+      "Gate rows",
+      "A value that is no number, a series that ends early and a reference that is missing or "
+      "out of its range never pass. Limits and their reasons stand in each case's section.",
+      {"verdict", "case", "candidate", "reference", "measure", "found"},
+      {}};
   for (const CaseAssessment& one : cases)
-    for (const GateOutcome& outcome : one.gate) {
-      const GateRow& row = outcome.row;
-      table.rows.push_back({verdict_name(outcome.verdict), one.definition.name, row.candidate,
-                            row.reference, row.quantity, row.mode, metric_name(row.metric),
-                            outcome.message, allowed(row), row.reason, row.source});
-    }
+    for (const GateOutcome& outcome : one.gate)
+      table.rows.push_back({verdict_name(outcome.verdict), one.definition.name,
+                            outcome.row.candidate, outcome.row.reference, measure_name(outcome.row),
+                            outcome.message});
+  return table;
+}
+
+Table limits_table(const CaseAssessment& assessment) {
+  Table table{assessment.definition.name + "-limits",
+              "Limits and their reasons",
+              "",
+              {"measure", "allowed", "reason", "source"},
+              {}};
+  for (const GateRow& row : assessment.definition.gate) {
+    std::vector<std::string> line{measure_name(row), allowed(row), row.reason, row.source};
+    if (std::find(table.rows.begin(), table.rows.end(), line) == table.rows.end())
+      table.rows.push_back(std::move(line));
+  }
   return table;
 }
 
 Table mode_table(const CaseAssessment& assessment) {
-  Table table{assessment.definition.name + "-modes",
-              "Fitted modes",
-              "Harmonic least squares over the comparison window, forcing and natural modes "
-              "together, natural modes with "
-              "free frequency and decay; 95 % intervals. A positive lag is late.",
-              {"candidate", "reference", "mode", "reference amplitude", "amplitude error", "lag",
-               "lag [periods]", "frequency error", "decay of the candidate"},
-              {}};
+  Table table{
+      assessment.definition.name + "-modes",
+      "Fitted modes",
+      "Harmonic least squares over the comparison window, forcing and natural modes together, "
+      "natural modes with free frequency and decay; 95 % intervals. A positive lag is late.",
+      {"candidate", "reference", "quantity", "mode", "amplitude error [%]", "lag [deg]", "lag [s]",
+       "lag [periods]", "frequency error [%]", "decay [1/s]"},
+      {}};
   for (const Comparison& pair : assessment.comparisons)
-    for (const ModeComparison& mode : pair.modes)
-      table.rows.push_back(
-          {pair.candidate, pair.reference, mode.mode,
-           fmt::format("{:.3f} mm", 1000 * mode.reference.amplitude.value),
-           percent(mode.amplitude_error),
-           with_interval(mode.phase_lag_degrees, "deg") +
-               fmt::format(" ({:+.4f} s)", mode.phase_lag.value),
-           fmt::format("{:+.4f}", mode.phase_lag_periods.value),
-           mode.mode == "forced" ? "given" : percent(mode.frequency_error),
-           mode.mode == "forced" ? "none" : with_interval(mode.decay_rate, "1/s")});
+    for (const ModeComparison& mode : pair.modes) {
+      std::vector<std::string> row{pair.candidate, pair.reference, pair.quantity, mode.mode};
+      const std::vector<std::string> measures = mode_measures(mode);
+      row.insert(row.end(), measures.begin(), measures.end());
+      table.rows.push_back(std::move(row));
+    }
   return table;
 }
 
@@ -100,11 +108,11 @@ Table history_table(const CaseAssessment& assessment) {
               "Whole histories",
               "Normalised rms: rms of the residual over rms of the reference. Peaks of the "
               "spectrum, highest first.",
-              {"candidate", "reference", "normalised rms", "largest residual",
+              {"candidate", "reference", "quantity", "normalised rms", "largest residual",
                "peaks of the candidate", "peaks of the reference"},
               {}};
   for (const Comparison& pair : assessment.comparisons)
-    table.rows.push_back({pair.candidate, pair.reference,
+    table.rows.push_back({pair.candidate, pair.reference, pair.quantity,
                           fmt::format("{:.2f} %", 100 * pair.normalised_rms),
                           fmt::format("{:.3f} mm", 1000 * pair.maximum_residual),
                           peaks(pair.candidate_peaks), peaks(pair.reference_peaks)});
@@ -139,27 +147,43 @@ Table cost_table(const CaseAssessment& assessment) {
   return table;
 }
 
+Table terms_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-terms",
+      "Active terms and diagnostics",
+      "The physics that was compiled in or switched on, and what the run recorded of itself.",
+      {"run", "active terms", "diagnostics"},
+      {}};
+  for (const RunDefinition& run : assessment.definition.runs) {
+    const auto found = assessment.runs.results.find(run.name);
+    if (found == assessment.runs.results.end()) continue;
+    std::vector<std::string> diagnostics;
+    for (const auto& [name, value] : found->second.diagnostics)
+      diagnostics.push_back(fmt::format("{} = {:.4g}", name, value));
+    table.rows.push_back({run.name, fmt::format("{}", fmt::join(found->second.active_terms, "; ")),
+                          fmt::format("{}", fmt::join(diagnostics, "; "))});
+  }
+  return table;
+}
+
 Table provenance_table(const CaseAssessment& assessment) {
   Table table{assessment.definition.name + "-provenance",
-              "Terms, diagnostics and provenance",
-              "The physics that was active, what the run recorded of itself, and the command that "
-              "repeats it.",
-              {"run", "active terms", "diagnostics", "provenance", "repeat with"},
+              "Provenance",
+              "Compiler flags and the whole key stand in the result file and in `results.json`.",
+              {"run", "made by", "on", "key", "repeat with"},
               {}};
   for (const RunDefinition& run : assessment.definition.runs) {
     const auto found = assessment.runs.results.find(run.name);
     if (found == assessment.runs.results.end()) continue;
-    const RunResult& result = found->second;
-    std::vector<std::string> diagnostics, provenance;
-    for (const auto& [name, value] : result.diagnostics)
-      diagnostics.push_back(fmt::format("{} = {:.6g}", name, value));
-    for (const auto& [name, value] : result.provenance)
-      if (name != "command") provenance.push_back(name + ": " + value);
-    provenance.push_back("key: " + result.key);
-    table.rows.push_back({run.name, fmt::format("{}", fmt::join(result.active_terms, "; ")),
-                          fmt::format("{}", fmt::join(diagnostics, "; ")),
-                          fmt::format("{}", fmt::join(provenance, "; ")),
-                          fmt::format("`{}`", repeat_command(assessment.definition, run))});
+    const auto& origin = found->second.provenance;
+    const auto openfoam = origin.find("openfoam_version");
+    table.rows.push_back(
+        {run.name,
+         fmt::format("Slosh {}, {}{}", origin.at("slosh_version"), origin.at("compiler"),
+                     openfoam == origin.end() ? "" : ", OpenFOAM " + openfoam->second),
+         fmt::format("{}, {}", origin.at("date_utc"), origin.at("processor")),
+         fmt::format("`{}`", found->second.key.substr(0, 8)),
+         fmt::format("`{}`", origin.at("command"))});
   }
   return table;
 }

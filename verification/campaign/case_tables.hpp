@@ -1,4 +1,4 @@
-// The tables of one case's section of a report, and the gate's table over all cases.
+// The tables of one case's section of a report, and the gate's over all cases.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,12 @@
 
 namespace slosh {
 
-// All gate rows of all cases: what was asked, what was found, the verdict, why.
+// The gate rows of all cases: what was found and the verdict.
 reports::Table gate_table(const std::vector<CaseAssessment>& cases);
+
+// A case's limits, why they stand and where they come from; rows alike but for their runs are
+// one line.
+reports::Table limits_table(const CaseAssessment& assessment);
 
 // Per pair and fitted mode: amplitude error, lag, frequency error, decay, with 95 % intervals.
 reports::Table mode_table(const CaseAssessment& assessment);
@@ -20,7 +24,10 @@ reports::Table history_table(const CaseAssessment& assessment);
 // Per run: how it ended, its size, steps and cost.
 reports::Table cost_table(const CaseAssessment& assessment);
 
-// Per run: active terms, diagnostics, provenance and the command that repeats it.
+// Per run: active terms and what the run recorded of itself.
+reports::Table terms_table(const CaseAssessment& assessment);
+
+// Per run: versions, machine, date, and the command that repeats it.
 reports::Table provenance_table(const CaseAssessment& assessment);
 
 }  // namespace slosh

@@ -12,11 +12,8 @@ Json estimate(const Estimate& value) {
 }
 
 Json run_entry(const std::string& name, const CaseRuns& runs) {
-  constexpr const char* states[] = {"finished", "failed", "not_selected", "out_of_range"};
   const RunStatus& status = runs.status.at(name);
-  Json entry{{"name", name},
-             {"state", states[static_cast<int>(status.state)]},
-             {"message", status.message}};
+  Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
   const auto found = runs.results.find(name);
   if (found == runs.results.end()) return entry;
   const RunResult& result = found->second;

@@ -109,9 +109,10 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
     Verdict verdict;
     const char* text;
   };
-  constexpr std::array<Obstacle, 3> obstacles{{
+  constexpr std::array<Obstacle, 4> obstacles{{
       {RunState::not_selected, Verdict::not_selected, "is not part of this form of the campaign"},
       {RunState::failed, Verdict::solver_failed, "failed"},
+      {RunState::missing, Verdict::not_compared, "has no result"},
       {RunState::out_of_range, Verdict::not_compared, "is outside its declared range"},
   }};
   for (const auto& [role, run] : runs_of(row)) {
@@ -170,6 +171,22 @@ std::string verdict_name(Verdict verdict) {
       return "not selected";
   }
   throw std::logic_error("a verdict without a name");
+}
+
+std::string state_name(RunState state) {
+  switch (state) {
+    case RunState::finished:
+      return "finished";
+    case RunState::failed:
+      return "solver failed";
+    case RunState::missing:
+      return "no result";
+    case RunState::not_selected:
+      return "not selected";
+    case RunState::out_of_range:
+      return "out of range";
+  }
+  throw std::logic_error("a state without a name");
 }
 
 std::string metric_name(Metric metric) {

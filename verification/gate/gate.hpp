@@ -24,6 +24,7 @@ enum ExitStatus {
 enum class RunState {
   finished,
   failed,        // the solver failed: message says how
+  missing,       // no result to use: message says why
   not_selected,  // not part of this campaign's form (--quick)
   out_of_range   // a reference outside its declared range: drawn, never gates
 };
@@ -57,6 +58,8 @@ int exit_status(const std::vector<GateOutcome>& outcomes);
 
 std::string verdict_name(
     Verdict verdict);  // "pass", "violated", "solver failed", "not compared", "not selected"
+// "finished", "solver failed", "no result", "not selected", "out of range"
+std::string state_name(RunState state);
 std::string metric_name(Metric metric);  // as in the case file
 std::string metric_unit(Metric metric, const std::string& quantity_unit);
 

@@ -7,6 +7,7 @@
 
 #include "openfoam_cases/surging_tank.hpp"
 #include "sph/simulation.hpp"
+#include "verification/case_file/motion.hpp"
 #include "verification/runs/cost_meter.hpp"
 #include "verification/runs/provenance.hpp"
 #include "verification/runs/solver_runs.hpp"
@@ -63,6 +64,11 @@ RunResult run_chosen_solver(const RunRequest& request) try {
 }
 
 }  // namespace
+
+void require_known(const CaseDefinition& definition, const RunDefinition& run) {
+  surge_motion(definition);  // refuses a roll
+  if (const auto* sph = std::get_if<SphRun>(&run.solver)) require_scheme(*sph, run);
+}
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress) {

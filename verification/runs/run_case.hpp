@@ -31,6 +31,10 @@ struct RunSettings {
 // Called now and then with the simulated time [s] and the steps so far.
 using Progress = std::function<void(double time, double steps)>;
 
+// Throws CaseFileError (file:line) for a roll or an unknown scheme, which execute() would refuse
+// too: for whoever wants to know before anything runs.
+void require_known(const CaseDefinition& definition, const RunDefinition& run);
+
 // Throws CaseFileError (file:line) for a roll, an unknown scheme or spacings that a scheme does not
 // take, SolverError, and ResultError where a snapshot cannot be written.
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,

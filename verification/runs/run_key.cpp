@@ -65,16 +65,20 @@ void add_directory(ContentHash& hash, const std::filesystem::path& directory) {
 }  // namespace
 
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
-                    const std::filesystem::path& executable,
+                    const std::filesystem::path& solver_build,
                     const std::filesystem::path& openfoam_templates) {
-  ContentHash hash;
-  hash.add(json{{"case", physics(definition)}, {"run", description(run.solver)}}.dump());
-  hash.add_file(executable);
+  ContentHash question, answer;
+  question.add(json{{"case", physics(definition)}, {"run", description(run.solver)}}.dump());
+  answer.add_file(solver_build);
   if (std::holds_alternative<InterFoamRun>(run.solver)) {
-    hash.add(openfoam::installed_version());
-    add_directory(hash, openfoam_templates);
+    answer.add(openfoam::installed_version());
+    add_directory(answer, openfoam_templates);
   }
-  return hash.digits();
+  return question.digits() + "-" + answer.digits();
+}
+
+bool asks_the_same(std::string_view key, std::string_view other) {
+  return key.substr(0, key.find('-')) == other.substr(0, other.find('-'));
 }
 
 }  // namespace slosh

@@ -4,17 +4,24 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "verification/case_file/case_definition.hpp"
 
 namespace slosh {
 
+// "<32 digits>-<32 digits>": first what was asked, then what answered.
+//
 // Hashes the physical part of the case (not its names, comparison and gate), the run's solver and
-// its settings (not its name, nor the range in which a reference may gate), the executable's
-// content and, for interFoam, its version and the templates' content. Throws
-// std::filesystem::filesystem_error where the executable or the templates cannot be read.
+// its settings (not its name, nor the range in which a reference may gate); then the content of
+// `solver_build` (a file that changes with the solvers' code, slosh.solver beside the tool) and,
+// for interFoam, its version and the templates' content. Throws std::filesystem::filesystem_error
+// where that file or the templates cannot be read.
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
-                    const std::filesystem::path& executable,
+                    const std::filesystem::path& solver_build,
                     const std::filesystem::path& openfoam_templates);
+
+// Whether two keys ask the same, be it answered by another build or version.
+bool asks_the_same(std::string_view key, std::string_view other);
 
 }  // namespace slosh

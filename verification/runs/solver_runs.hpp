@@ -14,6 +14,9 @@ struct RunRequest {
   const Progress& progress;
 };
 
+// Throws CaseFileError (file:line) unless the scheme is one of sph/'s.
+void require_scheme(const SphRun& sph, const RunDefinition& run);
+
 RunResult run_sph(const SphRun& sph, const RunRequest& request);
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request);
 RunResult run_linear(const LinearRun& linear, const RunRequest& request);

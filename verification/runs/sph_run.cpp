@@ -18,13 +18,6 @@ CaseFileError refused(const RunDefinition& run, const std::string& why) {
       fmt::format("{}:{}: run {}: {}", run.where.file, run.where.line, run.name, why));
 }
 
-void require_scheme(const SphRun& sph, const RunDefinition& run) {
-  const std::vector<std::string> known = sph::scheme_names();
-  if (std::find(known.begin(), known.end(), sph.scheme) != known.end()) return;
-  throw refused(
-      run, fmt::format("scheme = \"{}\": expected one of {}", sph.scheme, fmt::join(known, " | ")));
-}
-
 sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
   sph::Scene scene{.tank_length = definition.tank.length,
@@ -53,6 +46,13 @@ TimeSeries series(const std::string& name, const std::string& unit, sph::History
 }
 
 }  // namespace
+
+void require_scheme(const SphRun& sph, const RunDefinition& run) {
+  const std::vector<std::string> known = sph::scheme_names();
+  if (std::find(known.begin(), known.end(), sph.scheme) != known.end()) return;
+  throw refused(
+      run, fmt::format("scheme = \"{}\": expected one of {}", sph.scheme, fmt::join(known, " | ")));
+}
 
 RunResult run_sph(const SphRun& sph, const RunRequest& request) try {
   require_scheme(sph, request.run);

@@ -120,6 +120,7 @@ TEST(RunOfACase, RefusesARoll) {
       SineRoll{.amplitude = 0.07, .angular_frequency = 2, .axis_x = 0.5, .axis_z = 0, .where = {}};
   EXPECT_THROW(execute(definition, linear, {}, no_progress), CaseFileError);
   EXPECT_THROW(execute(definition, coarse_sph, {}, no_progress), CaseFileError);
+  EXPECT_THROW(require_known(definition, linear), CaseFileError);
 }
 
 TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
@@ -133,13 +134,20 @@ TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
   }
 }
 
+TEST(RunOfACase, IsKnownBeforeItRuns) {
+  EXPECT_NO_THROW(require_known(sample_case(), coarse_sph));
+  EXPECT_NO_THROW(require_known(sample_case(), linear));
+  EXPECT_THROW(require_known(sample_case(), sample_run(SphRun{"li2011", 0.05, 0.05})),
+               CaseFileError);
+}
+
 TEST(RunOfACase, RefusesTwoSpacingsOfASchemeOfOneWithItsPlace) {
   try {
-    execute(sample_case(), sample_run(SphRun{"low_dissipation", 0.05, 0.025}), {}, no_progress);
+    execute(sample_case(), sample_run(SphRun{"low_dissipation_wendland", 0.05, 0.025}), {}, no_progress);
     FAIL() << "the spacings were taken";
   } catch (const CaseFileError& error) {
     EXPECT_EQ(std::string(error.what())
-                  .find("small_surge.toml:42: run a_run: scheme low_dissipation takes one"),
+                  .find("small_surge.toml:42: run a_run: scheme low_dissipation_wendland takes one"),
               0u)
         << error.what();
   }

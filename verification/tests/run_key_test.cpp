@@ -32,7 +32,7 @@ class RunKey : public ::testing::Test {
 
 TEST_F(RunKey, IsTheSameForTheSameRun) {
   EXPECT_EQ(key(sample_case(), sph), key(sample_case(), sph));
-  EXPECT_EQ(key(sample_case(), sph).size(), 32u);
+  EXPECT_EQ(key(sample_case(), sph).size(), 65u);
 }
 
 TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
@@ -72,7 +72,7 @@ TEST_F(RunKey, ChangesWithTheContentOfAMotionTable) {
 TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
   const CaseDefinition definition = sample_case();
   const std::vector<RunDefinition> runs{sph,
-                                        sample_run(SphRun{"low_dissipation", 0.02, 0.02}),
+                                        sample_run(SphRun{"low_dissipation_wendland", 0.02, 0.02}),
                                         sample_run(SphRun{"li2010", 0.01, 0.01}),
                                         sample_run(SphRun{"li2010", 0.02, 0.01}),
                                         interfoam,
@@ -102,6 +102,16 @@ TEST_F(RunKey, ChangesWithTheExecutable) {
   const std::string before = key(sample_case(), sph);
   std::ofstream(executable) << "another build of it  ";
   EXPECT_NE(key(sample_case(), sph), before);
+}
+
+TEST_F(RunKey, TellsAnotherBuildFromAnotherQuestion) {
+  const std::string before = key(sample_case(), sph);
+  CaseDefinition heavier = sample_case();
+  heavier.gravity = 9.9;
+  EXPECT_FALSE(asks_the_same(key(heavier, sph), before));
+  EXPECT_FALSE(asks_the_same(key(sample_case(), interfoam), before));
+  std::ofstream(executable) << "another build of it  ";
+  EXPECT_TRUE(asks_the_same(key(sample_case(), sph), before));
 }
 
 TEST_F(RunKey, ChangesWithTheTemplatesOfInterFoamAlone) {

@@ -50,7 +50,7 @@ void expect_linear_theory(Start start, const decltype(RunDefinition::solver)& so
 }
 
 TEST(SolverTranslation, SphFollowsLinearTheoryFromAStartInTheEarthsFrame) {
-  expect_linear_theory(Start::earth, SphRun{"low_dissipation", 0.025, 0.025});
+  expect_linear_theory(Start::earth, SphRun{"low_dissipation_wendland", 0.025, 0.025});
 }
 
 TEST(SolverTranslation, InterFoamFollowsLinearTheoryFromEitherStart) {

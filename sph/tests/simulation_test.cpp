@@ -1,0 +1,170 @@
+#include "sph/simulation.hpp"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "sph/tests/surging_scene.hpp"
+
+namespace slosh::sph {
+namespace {
+
+double largest(const std::vector<double>& values) {
+  double result = 0;
+  for (double value : values)
+    result = std::isnan(value) ? value : std::max(result, std::abs(value));
+  return result;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+  return difference;
+}
+
+void expect_same_bits(const History& a, const History& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.value, b.value);
+}
+
+RunOutput run_with_threads(int threads, const std::string& scheme, const Scene& scene) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  RunOutput output = run(scheme, scene, {});
+  omp_set_num_threads(before);
+  return output;
+}
+
+class EveryScheme : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Named, EveryScheme, testing::ValuesIn(scheme_names()),
+                         [](const auto& scheme) { return scheme.param; });
+
+TEST_P(EveryScheme, GivesTheSameBitsWithOneAndTwoThreads) {
+  // The steps of the fixed-step scheme are three times shorter.
+  const Scene scene = surging_scene(0.025, GetParam() == "li2010" ? 0.06 : 0.2);
+  const RunOutput one = run_with_threads(1, GetParam(), scene);
+  const RunOutput two = run_with_threads(2, GetParam(), scene);
+  for (const Gauge& gauge : scene.gauges)
+    expect_same_bits(one.elevation.at(gauge.name), two.elevation.at(gauge.name));
+  expect_same_bits(one.horizontal_force, two.horizontal_force);
+  expect_same_bits(one.kinetic_energy, two.kinetic_energy);
+  expect_same_bits(one.potential_energy, two.potential_energy);
+}
+
+TEST_P(EveryScheme, RecordsWhatTheSceneAsksFor) {
+  Scene scene = surging_scene(0.025, 0.1);
+  scene.snapshot_interval = 0.05;
+  std::vector<double> snapshots;
+  scene.record_snapshot = [&](const Snapshot& snapshot) {
+    snapshots.push_back(snapshot.time);
+    EXPECT_EQ(snapshot.x.size(), 560);
+    EXPECT_EQ(snapshot.pressure.size(), 560);
+  };
+  const RunOutput output = run(GetParam(), scene, {});
+  const History& right = output.elevation.at("right");
+  ASSERT_EQ(right.time.size(), 11);
+  EXPECT_EQ(right.time[3], 3 * 0.01);
+  EXPECT_EQ(output.kinetic_energy.time, right.time);
+  EXPECT_EQ(output.horizontal_force.time.front(), 0.01);
+  EXPECT_EQ(output.particles, 560);
+  EXPECT_GT(output.steps, 10);
+  EXPECT_FALSE(output.active_terms.empty());
+  EXPECT_GT(output.diagnostics.at("smallest_time_step_s"), 0);
+  EXPECT_EQ(snapshots, (std::vector<double>{0, 0.05, 0.1}));
+}
+
+TEST_P(EveryScheme, AnswersTheMirroredMotionWithTheMirroredWave) {
+  Scene scene = surging_scene(0.025, 0.5);
+  const RunOutput ahead = run(GetParam(), scene, {});
+  const RunOutput back = run(GetParam(), surging_scene(0.025, 0.5, -0.02), {});
+  EXPECT_GT(largest(ahead.elevation.at("right").value), 1e-3);
+  // Round-off grows along the particles' paths; the wave is of millimetres.
+  EXPECT_LE(largest_difference(ahead.elevation.at("right").value, back.elevation.at("left").value),
+            1e-9);
+  EXPECT_LE(largest_difference(ahead.elevation.at("left").value, back.elevation.at("right").value),
+            1e-9);
+}
+
+TEST_P(EveryScheme, FollowsGravity) {
+  Scene scene = surging_scene(0.025, 1.0);
+  const auto earth = run(GetParam(), scene, {}).elevation.at("right").value;
+  scene.gravity = 9.0;
+  const auto lighter = run(GetParam(), scene, {}).elevation.at("right").value;
+  EXPECT_GT(largest_difference(earth, lighter), 0.03 * largest(earth));
+}
+
+// Momentum from snapshots, with every particle of the same mass: their masses differ by the
+// hydrostatic compression, 1 % over the depth. One step per sample.
+TEST_P(EveryScheme, GivesTheForceThatChangesTheLiquidsMomentum) {
+  Scene scene = surging_scene(0.025, 0.4);
+  scene.sample_interval = scene.snapshot_interval = 5e-4;
+  std::vector<double> momentum;
+  scene.record_snapshot = [&](const Snapshot& s) {
+    const double mass = 1000 * 0.35 / static_cast<double>(s.x.size());
+    momentum.push_back(mass * std::accumulate(s.velocity_x.begin(), s.velocity_x.end(), 0.0));
+  };
+  const RunOutput output = run(GetParam(), scene, {});
+  const std::vector<double>& force = output.horizontal_force.value;
+  ASSERT_EQ(output.steps, static_cast<double>(force.size()));
+  ASSERT_EQ(momentum.size(), force.size() + 1);
+  double error2 = 0, force2 = 0;
+  for (std::size_t i = 1; i < force.size(); ++i) {
+    const double rate = (momentum[i + 1] - momentum[i]) / scene.sample_interval;
+    error2 += std::pow(force[i] + rate, 2);
+    force2 += std::pow(force[i], 2);
+  }
+  EXPECT_LE(std::sqrt(error2 / force2), 0.02);
+}
+
+// Nothing in the flow depends on how fast the tank and the liquid travel together.
+TEST(LowDissipation, StaysStillInStillAndInCarriedTanks) {
+  for (double speed : {0.0, 0.5}) {
+    const double spacing = 0.025;
+    const RunOutput output = run("low_dissipation", carried_scene(spacing, 2.0, speed), {});
+    EXPECT_LE(largest(output.elevation.at("left").value), 0.01 * spacing) << speed;
+    EXPECT_LE(largest(output.elevation.at("right").value), 0.01 * spacing) << speed;
+    const double carried = 0.5 * 1000 * 0.35 * speed * speed;  // but for the compression, 0.5 %
+    EXPECT_NEAR(output.kinetic_energy.value.back(), carried, 0.01 * carried + 1e-4) << speed;
+    EXPECT_LE(largest(output.potential_energy.value), 0.1) << speed;
+    EXPECT_LE(std::abs(output.horizontal_force.value.back()), 1e-2) << speed;
+  }
+}
+
+TEST(Simulation, RefusesASchemeThatItDoesNotHave) {
+  try {
+    run("low_dissipation_cubic", still_scene(0.05, 0.1), {});
+    FAIL() << "an unknown scheme was let pass";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("low_dissipation_cubic"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("li2010"), std::string::npos);
+  }
+}
+
+TEST(Simulation, RefusesTwoSpacingsWhereTheSchemeTakesOne) {
+  Scene scene = still_scene(0.02, 0.1);
+  scene.surface_particle_spacing = 0.01;
+  EXPECT_THROW(run("low_dissipation_wendland", scene, {}), std::invalid_argument);
+  EXPECT_THROW(run("low_dissipation", scene, {}), std::invalid_argument);
+}
+
+TEST(Simulation, RunsLisSchemeWithTwoSpacings) {
+  Scene scene = surging_scene(0.04, 0.1);
+  scene.fill_depth = 0.36;
+  scene.surface_particle_spacing = 0.02;
+  const RunOutput output = run("li2010", scene, {});
+  EXPECT_EQ(output.particles, 4 * 25 + 10 * 50);
+  EXPECT_EQ(output.active_terms[1], "smoothing length averaged over each pair");
+}
+
+TEST(Simulation, RefusesALatticeThatDoesNotFitTheTank) {
+  EXPECT_THROW(run("low_dissipation_wendland", still_scene(0.08, 0.1), {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace slosh::sph

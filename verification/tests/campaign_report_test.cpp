@@ -1,0 +1,188 @@
+// What a campaign's report and its JSON say of assessed cases.
+#include "verification/campaign/campaign_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "reports/check_report.hpp"
+#include "verification/campaign/results_json.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+CampaignDefinition surge_campaign() {
+  CampaignDefinition campaign;
+  campaign.name = "surges";
+  campaign.title = "Surges";
+  campaign.source = "none";
+  return campaign;
+}
+
+CaseAssessment good() { return assess(surge_case(), surge_runs()); }
+
+CaseAssessment not_comparable() {
+  TimeSeries broken = elevation_of({});
+  broken.value[500] = nan;
+  return assess(surge_case(), surge_runs_with("particles", broken));
+}
+
+reports::Report report_of(const CampaignDefinition& campaign,
+                          const std::vector<CaseAssessment>& cases) {
+  return campaign_report(campaign, false, "./slosh campaign surges", cases);
+}
+
+TEST(VerdictSentence, CountsTheRowsThatHold) {
+  EXPECT_EQ(verdict_sentence({good()}), "3 of 3 gate rows hold.");
+  EXPECT_EQ(verdict_sentence({}), "0 of 0 gate rows hold.");
+}
+
+TEST(VerdictSentence, NamesEveryKindOfTrouble) {
+  TimeSeries high = elevation_of({});
+  for (double& value : high.value) value *= 1.1;
+  EXPECT_EQ(verdict_sentence({assess(surge_case(), surge_runs_with("particles", high))}),
+            "2 of 3 gate rows hold, 1 violated.");
+  EXPECT_EQ(verdict_sentence({good(), not_comparable()}), "3 of 6 gate rows hold, 3 not compared.");
+  const auto without = [](RunState why) {
+    return std::vector{assess(surge_case(), surge_runs_without("particles", why, "x"))};
+  };
+  EXPECT_EQ(verdict_sentence(without(RunState::failed)), "0 of 3 gate rows hold, 1 runs failed.");
+  EXPECT_EQ(verdict_sentence(without(RunState::missing)),
+            "0 of 3 gate rows hold, 3 not compared, 1 runs without a result.");
+  EXPECT_EQ(verdict_sentence(without(RunState::not_selected)),
+            "0 of 0 gate rows hold, 3 left out of this quick form.");
+}
+
+std::vector<std::string> section_ids(const reports::Report& report) {
+  std::vector<std::string> ids;
+  for (const reports::Section& section : report.sections) ids.push_back(section.id);
+  return ids;
+}
+
+TEST(CampaignReport, HasASectionForTheGateEachCaseAndThePaper) {
+  CaseAssessment second = good();
+  second.definition.name = "another_surge";
+  CampaignDefinition campaign = surge_campaign();
+  EXPECT_EQ(section_ids(report_of(campaign, {good(), second})),
+            (std::vector<std::string>{"gate", "small_surge", "another_surge"}));
+  campaign.paper = "li2010";
+  EXPECT_EQ(section_ids(report_of(campaign, {good()})),
+            (std::vector<std::string>{"gate", "small_surge", "li2010"}));
+}
+
+TEST(CampaignReport, KeepsToTheReportsModel) {
+  CaseAssessment second = good();
+  second.definition.name = "another_surge";
+  CampaignDefinition campaign = surge_campaign();
+  campaign.paper = "li2010";
+  const reports::Report report = report_of(campaign, {good(), second});
+  EXPECT_NO_THROW(reports::check_report(report));
+  std::set<std::string> tables, figures;
+  std::size_t table_count = 0, figure_count = 0;
+  for (const reports::Section& section : report.sections) {
+    for (const reports::Table& table : section.tables) tables.insert(table.id), ++table_count;
+    for (const reports::Figure& figure : section.figures) figures.insert(figure.id), ++figure_count;
+  }
+  EXPECT_EQ(tables.size(), table_count);
+  EXPECT_EQ(figures.size(), figure_count);
+  EXPECT_EQ(figure_count, 8u);  // history, residual, spectrum and cost of either case
+}
+
+TEST(CampaignReport, OfCasesOfOneNameIsNone) {
+  EXPECT_ANY_THROW(reports::check_report(report_of(surge_campaign(), {good(), good()})));
+}
+
+TEST(CampaignReport, TellsTheVerdictAndTheCommandThatRepeatsIt) {
+  const reports::Report report = report_of(surge_campaign(), {good()});
+  EXPECT_TRUE(report.passed);
+  EXPECT_EQ(report.verdict, "3 of 3 gate rows hold.");
+  EXPECT_NE(report.sections[0].paragraphs[0].find("`./slosh campaign surges`"), std::string::npos);
+  EXPECT_FALSE(report_of(surge_campaign(), {not_comparable()}).passed);
+}
+
+TEST(CampaignReport, HasARowForEveryGateRow) {
+  const reports::Report report = report_of(surge_campaign(), {good(), not_comparable()});
+  const auto& rows = report.sections[0].tables[0].rows;
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[0][0], "pass");
+  EXPECT_EQ(rows[3][0], "not compared");
+}
+
+TEST(CampaignReport, DrawsAReferenceOutOfItsRangeAndSaysSo) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
+  const reports::Section& section = report.sections[1];
+  EXPECT_NE(section.paragraphs.back().find("never gates"), std::string::npos);
+  const auto& curves = section.figures[0].curves;
+  EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [](const reports::Curve& curve) {
+    return curve.label == "theory (out of its range)";
+  }));
+}
+
+TEST(CampaignReport, StandsWithoutASingleResult) {
+  CaseRuns runs;
+  for (const RunDefinition& run : surge_case().runs)
+    runs.status[run.name] = {RunState::failed, "killed by signal 9 (Killed)"};
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_TRUE(report.sections[1].figures.empty());
+  EXPECT_FALSE(report.passed);
+}
+
+nlohmann::json json_of(const std::vector<CaseAssessment>& cases) {
+  return nlohmann::json::parse(results_json("surges", true, cases));
+}
+
+TEST(ResultsJson, HasTheFieldsOfItsSchema) {
+  const nlohmann::json document = json_of({good()});
+  EXPECT_EQ(document.at("schema"), "slosh results");
+  EXPECT_EQ(document.at("schema_version"), 1);
+  EXPECT_EQ(document.at("campaign"), "surges");
+  EXPECT_EQ(document.at("quick"), true);
+  EXPECT_EQ(document.at("exit_status"), 0);
+  const nlohmann::json& one = document.at("cases").at(0);
+  EXPECT_EQ(one.at("name"), "small_surge");
+  EXPECT_EQ(one.at("runs").size(), 5u);
+  EXPECT_EQ(one.at("comparisons").size(), 4u);
+  EXPECT_EQ(one.at("gate").size(), 3u);
+  EXPECT_EQ(one.at("runs").at(2).at("state"), "finished");
+  EXPECT_EQ(one.at("runs").at(2).at("user_time_s"), 1);
+  const nlohmann::json& comparison = one.at("comparisons").at(0);
+  EXPECT_EQ(comparison.at("candidate"), "particles");
+  EXPECT_EQ(comparison.at("window_end_s"), 20);
+  EXPECT_EQ(comparison.at("modes").at(0).at("mode"), "forced");
+  EXPECT_NEAR(comparison.at("modes").at(0).at("amplitude_error").at("value"), 0, 1e-12);
+  const nlohmann::json& row = one.at("gate").at(0);
+  EXPECT_EQ(row.at("verdict"), "pass");
+  EXPECT_EQ(row.at("metric"), "amplitude_error");
+  EXPECT_EQ(row.at("limit"), 0.05);
+  EXPECT_EQ(row.at("line"), 50);
+}
+
+TEST(ResultsJson, WritesANumberThatIsNoneAsNull) {
+  const nlohmann::json document = json_of({not_comparable()});
+  EXPECT_EQ(document.at("exit_status"), 4);
+  const nlohmann::json& row = document.at("cases").at(0).at("gate").at(0);
+  EXPECT_EQ(row.at("verdict"), "not compared");
+  EXPECT_TRUE(row.at("value").is_null());
+  EXPECT_FALSE(row.at("message").get<std::string>().empty());
+}
+
+TEST(ResultsJson, TellsHowARunWithoutAResultEnded) {
+  const nlohmann::json document = json_of(
+      {assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "diverged"))});
+  const nlohmann::json& run = document.at("cases").at(0).at("runs").at(4);
+  EXPECT_EQ(run.at("state"), "solver failed");
+  EXPECT_EQ(run.at("message"), "diverged");
+  EXPECT_FALSE(run.contains("user_time_s"));
+}
+
+}  // namespace
+}  // namespace slosh

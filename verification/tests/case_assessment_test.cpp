@@ -1,0 +1,244 @@
+// What a campaign makes of its runs' results, and that it turns red on every way in which they can
+// be wrong.
+#include "verification/campaign/case_assessment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double forcing_period = 2 * 3.14159265358979 / (0.3 * 4.94488);
+
+std::set<Verdict> verdicts(const CaseAssessment& assessment) {
+  std::set<Verdict> found;
+  for (const GateOutcome& outcome : assessment.gate) found.insert(outcome.verdict);
+  return found;
+}
+
+Verdict verdict_on(Metric metric, const CaseAssessment& assessment) {
+  for (const GateOutcome& outcome : assessment.gate)
+    if (outcome.row.metric == metric) return outcome.verdict;
+  throw std::logic_error("no such row");
+}
+
+CaseAssessment assess_candidate(const TimeSeries& elevation) {
+  return assess(surge_case(), surge_runs_with("particles", elevation));
+}
+
+TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+TEST(CaseAssessment, PassesACandidateThatIsItsReference) {
+  const CaseAssessment assessment = assess(surge_case(), surge_runs());
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({assessment}), exit_pass);
+}
+
+TEST(CaseAssessment, RejectsACandidateATenthTooHigh) {
+  const CaseAssessment assessment = assess_candidate(scaled(elevation_of({}), 1.1));
+  EXPECT_EQ(verdict_on(Metric::amplitude_error, assessment), Verdict::violated);
+  EXPECT_EQ(verdict_on(Metric::phase_lag, assessment), Verdict::pass);
+  EXPECT_NEAR(assessment.gate.front().value.value, 0.1, 1e-3);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsACandidateATwentiethOfAPeriodLate) {
+  TimeSeries late = elevation_of({});
+  for (double& time : late.time) time += 0.05 * forcing_period;
+  const CaseAssessment assessment = assess_candidate(late);
+  EXPECT_EQ(verdict_on(Metric::phase_lag, assessment), Verdict::violated);
+  // A twentieth of 360 degrees, late; the modes that are not fitted leave a quarter of a degree.
+  EXPECT_NEAR(assessment.gate[1].value.value, 18, 0.5);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsTheWrongSignOfTheReferencesAmplitude) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_with("theory", elevation_of({.amplitude = -0.02})));
+  EXPECT_EQ(verdict_on(Metric::phase_lag, assessment), Verdict::violated);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsACandidateUnderAnotherGravity) {
+  const CaseAssessment assessment = assess_candidate(elevation_of({.gravity = 9.0}));
+  EXPECT_EQ(verdict_on(Metric::frequency_error, assessment), Verdict::violated);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsMillimetresForMetres) {
+  const CaseAssessment assessment = assess_candidate(scaled(elevation_of({}), 1000));
+  EXPECT_EQ(verdict_on(Metric::amplitude_error, assessment), Verdict::violated);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, ComparesNoSeriesWithANumberThatIsNone) {
+  TimeSeries broken = elevation_of({});
+  broken.value[500] = std::numeric_limits<double>::quiet_NaN();
+  const CaseAssessment assessment = assess_candidate(broken);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, ComparesNoSeriesThatEndsEarly) {
+  TimeSeries short_one = elevation_of({});
+  short_one.time.resize(900);  // 18 of 20 s
+  short_one.value.resize(900);
+  const CaseAssessment assessment = assess_candidate(short_one);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, ComparesNoSeriesWithTimesForValues) {
+  TimeSeries swapped = elevation_of({});
+  std::swap(swapped.time, swapped.value);
+  EXPECT_EQ(exit_status({assess_candidate(swapped)}), exit_not_compared);
+  TimeSeries doubled = elevation_of({});
+  doubled.value = doubled.time;
+  EXPECT_EQ(exit_status({assess_candidate(doubled)}), exit_violated);
+}
+
+TEST(CaseAssessment, ComparesNothingWithAReferenceThatIsMissing) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("theory", RunState::missing, "no such file"));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_NE(assessment.gate.front().message.find("no such file"), std::string::npos);
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, ComparesNothingWithAReferenceOutOfItsRange) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.11;
+  const CaseAssessment assessment = assess(surge_case(), runs);
+  EXPECT_EQ(assessment.runs.status.at("theory").state, RunState::out_of_range);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, TakesNoReferenceWhoseRangeIsNoNumber) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] =
+      std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(exit_status({assess(surge_case(), runs)}), exit_not_compared);
+}
+
+TEST(CaseAssessment, CountsAFailedRunThatNoGateRowNames) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("coarse_mesh", RunState::failed, "killed"));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({assessment}), exit_solver_failed);
+}
+
+TEST(CaseAssessment, CountsAMissingRunThatNoGateRowNames) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("coarse_mesh", RunState::missing, "no such file"));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, PassesNothingWhereNoRowWasSelected) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("particles", RunState::not_selected, ""));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_selected});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, PassesNothingWithoutCasesOrRows) {
+  EXPECT_EQ(exit_status(std::vector<CaseAssessment>{}), exit_not_compared);
+  CaseDefinition ungated = surge_case();
+  ungated.gate.clear();
+  EXPECT_EQ(exit_status({assess(ungated, surge_runs())}), exit_not_compared);
+}
+
+TEST(CaseAssessment, TakesTheWorstOfItsCases) {
+  const CaseAssessment good = assess(surge_case(), surge_runs());
+  const CaseAssessment high = assess_candidate(scaled(elevation_of({}), 1.1));
+  EXPECT_EQ(exit_status({good, high}), exit_violated);
+  EXPECT_EQ(exit_status({high, good}), exit_violated);
+}
+
+std::vector<std::string> compared(const CaseAssessment& assessment) {
+  std::vector<std::string> pairs;
+  for (const Comparison& one : assessment.comparisons)
+    pairs.push_back(one.candidate + " against " + one.reference);
+  return pairs;
+}
+
+TEST(Comparisons, SetParticlesAgainstTheoryAndTheFinestMeshAndMeshesAgainstTwoLayers) {
+  EXPECT_EQ(compared(assess(surge_case(), surge_runs())),
+            (std::vector<std::string>{"particles against theory", "particles against fine_mesh",
+                                      "coarse_mesh against theory_with_gas",
+                                      "fine_mesh against theory_with_gas"}));
+}
+
+TEST(Comparisons, TakeTheFinestMeshThatStands) {
+  const auto pairs =
+      compared(assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "diverged")));
+  EXPECT_EQ(pairs,
+            (std::vector<std::string>{"particles against theory", "particles against coarse_mesh",
+                                      "coarse_mesh against theory_with_gas"}));
+}
+
+TEST(Comparisons, SetMeshesAgainstOneLayerWhereNoOtherTheoryIsDeclared) {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs = surge_runs();
+  definition.runs.erase(definition.runs.begin() + 1);
+  runs.results.erase("theory_with_gas");
+  runs.status.erase("theory_with_gas");
+  const auto pairs = compared(assess(definition, runs));
+  EXPECT_EQ(pairs[2], "coarse_mesh against theory");
+}
+
+TEST(Comparisons, LeaveOutOnlyThePairThatCannotBeCompared) {
+  TimeSeries broken = elevation_of({});
+  broken.value[500] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(compared(assess(surge_case(), surge_runs_with("coarse_mesh", broken))),
+            (std::vector<std::string>{"particles against theory", "particles against fine_mesh",
+                                      "fine_mesh against theory_with_gas"}));
+}
+
+// omega_n of the antisymmetric modes n = 1, 3, 5 half waves, computed apart from this code from
+// omega^2 = g k tanh(k h), k = n pi / L, g = 9.81.
+TEST(FittedModes, AreTheForcingAndTheFirstModesThatSurgeExcites) {
+  CaseDefinition definition = surge_case();
+  definition.natural_modes = 3;
+  const auto modes = fitted_modes(definition);
+  ASSERT_EQ(modes.size(), 4u);
+  EXPECT_EQ(modes[0].name, "forced");
+  EXPECT_NEAR(modes[0].angular_frequency, 1.483464, 1e-9);
+  EXPECT_FALSE(modes[0].refine);
+  EXPECT_EQ(modes[1].name, "natural_1");
+  EXPECT_NEAR(modes[1].angular_frequency, 4.96646, 1e-5);
+  EXPECT_EQ(modes[2].name, "natural_2");
+  EXPECT_NEAR(modes[2].angular_frequency, 9.60235, 1e-5);
+  EXPECT_EQ(modes[3].name, "natural_3");
+  EXPECT_NEAR(modes[3].angular_frequency, 12.41330, 1e-5);
+  EXPECT_TRUE(modes[1].refine && modes[2].refine && modes[3].refine);
+}
+
+TEST(FittedModes, FollowTheTank) {
+  CaseDefinition definition = surge_case();
+  definition.tank.length = 0.9;
+  definition.liquid.fill_depth = 0.093;
+  EXPECT_NEAR(fitted_modes(definition)[1].angular_frequency, 3.27746, 1e-5);
+  definition.tank.length = 0.92;
+  definition.liquid.fill_depth = 0.465;
+  EXPECT_NEAR(fitted_modes(definition)[1].angular_frequency, 5.55095, 1e-5);
+}
+
+TEST(FittedModes, HaveNoForcingWhereAMotionHasNoFrequency) {
+  CaseDefinition definition = surge_case();
+  definition.motion = TableSurge{};
+  const auto modes = fitted_modes(definition);
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_EQ(modes[0].name, "natural_1");
+}
+
+}  // namespace
+}  // namespace slosh
