@@ -66,11 +66,13 @@ TEST(FreeSurfaceGauge, ErrsByLessThanFivePerCentOfASpacingUnderStrongerDisorder)
   }
 }
 
-// A wave of 8 cm from trough to crest and 0.67 m length: its columns are 11 % narrower under the
-// crest than at rest, and the window 1.2 % lower than the wave.
-TEST(FreeSurfaceGauge, ErrsByLessThanSevenPerCentOfASpacingOnASteepWave) {
-  const Wave wave{.mode = 3, .amplitude = 0.04};
-  EXPECT_LE(largest_error(waved_lattice(wave, 0.02, 0.02, 0), wave), 0.07 * 0.02);
+// Waves of 8 cm from trough to crest: the columns are 10 % narrower under a crest than at rest, so
+// that the window is no whole number of them wide.
+TEST(FreeSurfaceGauge, ErrsByLessThanFivePerCentOfASpacingOnSteepWaves) {
+  for (int mode : {1, 2, 3}) {
+    const Wave wave{.mode = mode, .amplitude = 0.04};
+    EXPECT_LE(largest_error(waved_lattice(wave, 0.02, 0.02, 0), wave), 0.05 * 0.02) << mode;
+  }
 }
 
 TEST(FreeSurfaceGauge, SeesASurfaceThatIsFivePerCentTooHigh) {

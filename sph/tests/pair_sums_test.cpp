@@ -184,7 +184,8 @@ TYPED_TEST(PairSums, AreThoseOverAllPairsInAMovingAndAcceleratingTank) {
   this->expect_the_sums_over_all_pairs(full_tank(moving_tank), moving_tank);
 }
 
-// A run of sources must end at the tank's side, not go on in the next row on the other side.
+// Few particles a row: the vectors that read a run of them reach far past its end, and the end of
+// one row stands beside the beginning of the next.
 TYPED_TEST(PairSums, AreThoseOverAllPairsInASplash) {
   this->expect_the_sums_over_all_pairs(splashed_tank(moving_tank), moving_tank);
 }

@@ -34,7 +34,7 @@ double error_of_the_surge(const std::string& scheme, double spacing) {
   return std::sqrt(error2 / theory2);
 }
 
-TEST(LowDissipationQuintic, ApproachesLinearTheoryAsTheParticlesGetSmaller) {
+TEST(LowDissipation, ApproachesLinearTheoryAsTheParticlesGetSmaller) {
   const double coarse = error_of_the_surge("low_dissipation", 0.025),
                fine = error_of_the_surge("low_dissipation", 0.0125);
   // Measured: 0.172 and 0.102. The wave is 0.4 and 0.7 of a particle spacing high.
@@ -102,7 +102,7 @@ double relative_frequency(const FreeOscillation& oscillation) {
 }
 
 // Measured: 0.9 % above linear theory, decay 0.012 1/s.
-TEST(LowDissipation, OscillatesAtTheNaturalFrequencyAndHardlyDecays) {
+TEST(LowDissipationWendland, OscillatesAtTheNaturalFrequencyAndHardlyDecays) {
   const FreeOscillation oscillation = free_oscillation("low_dissipation_wendland", 0.0125, 7);
   ASSERT_GE(zero_crossings(oscillation).size(), 10);
   EXPECT_NEAR(relative_frequency(oscillation), 1, 0.015);
@@ -110,7 +110,7 @@ TEST(LowDissipation, OscillatesAtTheNaturalFrequencyAndHardlyDecays) {
 }
 
 // Measured: 0.1 % below linear theory, decay 0.009 1/s.
-TEST(LowDissipationQuintic, OscillatesAtTheNaturalFrequencyAndHardlyDecays) {
+TEST(LowDissipation, OscillatesAtTheNaturalFrequencyAndHardlyDecays) {
   const FreeOscillation oscillation = free_oscillation("low_dissipation", 0.0125, 7);
   ASSERT_GE(zero_crossings(oscillation).size(), 10);
   EXPECT_NEAR(relative_frequency(oscillation), 1, 0.005);

@@ -94,16 +94,20 @@ const RunDefinition& run_named(const CaseDefinition& definition, const std::stri
   return *found;
 }
 
-std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes) {
   const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
                              definition.gravity, definition.liquid.density};
   std::vector<ToneRequest> modes;
   if (const double forcing = forcing_frequency(definition); forcing > 0)
     modes.push_back({"forced", forcing, false});
-  for (int n = 1; n <= definition.natural_modes; ++n)
+  for (int n = 1; n <= natural_modes; ++n)
     modes.push_back(
         {fmt::format("natural_{}", n), reference::natural_frequency(tank, 2 * n - 1), true});
   return modes;
+}
+
+std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
+  return modes_of(definition, definition.natural_modes);
 }
 
 CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {

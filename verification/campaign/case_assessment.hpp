@@ -29,8 +29,10 @@ struct CaseAssessment {
   std::vector<GateOutcome> gate;
 };
 
-// The modes that the case's comparisons fit: the forcing and the first natural modes that surge
-// excites.
+// The forcing, where the motion has one, and the first natural modes that surge excites.
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes);
+
+// Of these, the ones that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 
 // Marks references that have left their declared range, compares and gates.

@@ -95,11 +95,24 @@ double tolerated_residual(const CaseAssessment& assessment, const Comparison& co
   return 0;
 }
 
+// Of each candidate the comparison at the first gauge with its first reference that is in its
+// range: theory where there is one, else the finest interFoam.
+std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
+  std::vector<const Comparison*> judging;
+  std::set<std::string> counted;
+  for (const Comparison& comparison : assessment.comparisons)
+    if (comparison.quantity == first_quantity(assessment.definition) &&
+        assessment.runs.status.at(comparison.reference).state != RunState::out_of_range &&
+        counted.insert(comparison.candidate).second)
+      judging.push_back(&comparison);
+  return judging;
+}
+
 Figure residuals(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
   figure.id = definition.name + "-residual";
-  figure.title = "Residual against theory";
+  figure.title = "Residual against the reference";
   figure.caption =
       "Candidate minus its reference over the comparison window, for the finest run of each "
       "solver. A band is the rms "
@@ -107,12 +120,9 @@ Figure residuals(const CaseAssessment& assessment) {
   figure.x_label = "time [s]";
   figure.y_label = "residual [mm]";
   const auto finest = finest_runs(assessment);
-  for (const Comparison& comparison : assessment.comparisons) {
-    const bool shown =
-        std::find(finest.begin(), finest.end(), comparison.candidate) != finest.end();
-    const bool theory =
-        std::holds_alternative<LinearRun>(run_named(definition, comparison.reference).solver);
-    if (!shown || !theory || comparison.quantity != first_quantity(definition)) continue;
+  for (const Comparison* judging : judging_comparisons(assessment)) {
+    const Comparison& comparison = *judging;
+    if (std::find(finest.begin(), finest.end(), comparison.candidate) == finest.end()) continue;
     figure.curves.push_back({comparison.candidate + " - " + comparison.reference,
                              comparison.residual.time,
                              in_millimetres(comparison.residual.value),
@@ -142,18 +152,20 @@ Figure spectra(const CaseAssessment& assessment) {
   figure.y_label = "power [m2]";
   figure.log_y = true;
   double highest = 0, apart = 0;
-  for (const ToneRequest& mode : fitted_modes(definition)) {
+  constexpr int marked_natural_modes = 3;
+  for (const ToneRequest& mode : modes_of(definition, marked_natural_modes)) {
     const double frequency = mode.angular_frequency / (2 * std::numbers::pi);
     figure.markers.push_back({mode.name, frequency});
     highest = std::max(highest, frequency);
   }
-  figure.x_range = {0, 2 * highest};
+  const double shown = 1.3 * highest;
+  figure.x_range = {0, shown};
   for (const std::string& run : finest_runs(assessment)) {
     const auto spectrum = spectrum_of(assessment, run);
     if (!spectrum) continue;
     apart = spectrum->resolution;
     Curve curve{label(assessment, run), {}, {}, {}, {}};
-    for (std::size_t i = 0; i < spectrum->frequency.size() && spectrum->frequency[i] <= 2 * highest;
+    for (std::size_t i = 0; i < spectrum->frequency.size() && spectrum->frequency[i] <= shown;
          ++i) {
       curve.x.push_back(spectrum->frequency[i]);
       curve.y.push_back(spectrum->power[i]);
@@ -169,8 +181,7 @@ Figure spectra(const CaseAssessment& assessment) {
   return figure;
 }
 
-// One curve a family; the error of each run is that against the first reference of its comparisons,
-// which is theory where there is one.
+// One curve a family.
 Figure error_against_run_time(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
@@ -185,11 +196,8 @@ Figure error_against_run_time(const CaseAssessment& assessment) {
   figure.log_x = figure.log_y = true;
   std::map<std::string, std::map<double, std::pair<double, double>>> points;
   std::vector<std::string> families;
-  std::set<std::string> counted;
-  for (const Comparison& comparison : assessment.comparisons) {
-    if (comparison.quantity != first_quantity(definition) ||
-        !counted.insert(comparison.candidate).second)
-      continue;
+  for (const Comparison* judging : judging_comparisons(assessment)) {
+    const Comparison& comparison = *judging;
     const RunDefinition& run = run_named(definition, comparison.candidate);
     const RunCost& cost = assessment.runs.results.at(run.name).cost;
     const std::string name = family(run) + " against " + comparison.reference;

@@ -10,6 +10,11 @@ namespace {
 
 using reports::Table;
 
+std::string reference_name(const CaseAssessment& assessment, const Comparison& pair) {
+  const bool valid = assessment.runs.status.at(pair.reference).state != RunState::out_of_range;
+  return valid ? pair.reference : pair.reference + " (out of its range)";
+}
+
 std::string with_interval(const Estimate& estimate, double scale = 1) {
   return fmt::format("{:+.3g} ± {:.2g}", scale * estimate.value, scale * estimate.half_width);
 }
@@ -95,7 +100,8 @@ Table mode_table(const CaseAssessment& assessment) {
       {}};
   for (const Comparison& pair : assessment.comparisons)
     for (const ModeComparison& mode : pair.modes) {
-      std::vector<std::string> row{pair.candidate, pair.reference, pair.quantity, mode.mode};
+      std::vector<std::string> row{pair.candidate, reference_name(assessment, pair), pair.quantity,
+                                   mode.mode};
       const std::vector<std::string> measures = mode_measures(mode);
       row.insert(row.end(), measures.begin(), measures.end());
       table.rows.push_back(std::move(row));
@@ -112,7 +118,7 @@ Table history_table(const CaseAssessment& assessment) {
                "peaks of the candidate", "peaks of the reference"},
               {}};
   for (const Comparison& pair : assessment.comparisons)
-    table.rows.push_back({pair.candidate, pair.reference, pair.quantity,
+    table.rows.push_back({pair.candidate, reference_name(assessment, pair), pair.quantity,
                           fmt::format("{:.2f} %", 100 * pair.normalised_rms),
                           fmt::format("{:.3f} mm", 1000 * pair.maximum_residual),
                           peaks(pair.candidate_peaks), peaks(pair.reference_peaks)});

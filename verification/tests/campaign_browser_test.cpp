@@ -1,0 +1,45 @@
+// A campaign's report as a browser shows it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/tests/headless_browser.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+class CampaignInBrowser : public SmallCampaign {};
+
+std::size_t files_in(const std::filesystem::path& directory) {
+  return static_cast<std::size_t>(
+      std::distance(std::filesystem::directory_iterator(directory), {}));
+}
+
+TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
+  if (!reports::browser_is_installed()) GTEST_SKIP() << "chromium is not installed";
+  write_campaign(particles_case + with(gate_on("particles"), "limit = 0.3", "limit = 1e-9"));
+  ASSERT_EQ(campaign().status, 1);
+  const nlohmann::json results = nlohmann::json::parse(read(report() / "results.json"));
+  const reports::BrowserRun run =
+      reports::open_in_browser(directory(), "out/report/index.html", false);
+  EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
+  for (const nlohmann::json& page : {run.phone, run.desk}) {
+    SCOPED_TRACE(page.dump(2));
+    EXPECT_EQ(page.at("verdict_first"), true);
+    EXPECT_NE(page.at("verdict").get<std::string>().find("1 of 2 gate rows hold, 1 violated."),
+              std::string::npos);
+    EXPECT_EQ(page.at("table_rows").at("table-gate"), results.at("cases").at(0).at("gate").size());
+    EXPECT_EQ(page.at("table_rows").at("table-small-cost-table"), 2);  // theory and particles
+    EXPECT_EQ(page.at("drawings"), files_in(report() / "figures"));
+    EXPECT_EQ(page.at("drawings"), 4);  // history, residual, spectrum, error against run time
+    EXPECT_GE(page.at("smallest_drawing"), 100);
+    EXPECT_GE(page.at("drawn_curves"), 5);  // one point of error against run time may be none
+    EXPECT_LE(page.at("scroll_width"), page.at("width"));
+    EXPECT_EQ(page.at("repeated_ids"), 0);
+    EXPECT_EQ(page.at("broken_links"), 0);
+  }
+}
+
+}  // namespace
+}  // namespace slosh

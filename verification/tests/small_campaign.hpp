@@ -1,0 +1,164 @@
+// A campaign that takes seconds, in a directory whose name has a space and a letter beyond ASCII,
+// and the tool as a user starts it there.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <boost/process.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh {
+
+inline const std::string small_case = R"(schema_version = 1
+name = "small"
+title = "A small surge"
+source = "made for a test"
+tags = []
+gravity_m_s2 = 9.81
+[tank]
+length_m = 1.0
+height_m = 1.0
+[liquid]
+fill_depth_m = 0.35
+density_kg_m3 = 1000.0
+kinematic_viscosity_m2_s = 1e-6
+[gas]
+density_kg_m3 = 1.2
+kinematic_viscosity_m2_s = 1.5e-5
+[motion]
+type = "sine_surge"
+amplitude_m = 0.02
+angular_frequency_rad_s = 3.0
+[time]
+start = "tank"
+duration_s = 8.0
+sample_interval_s = 0.01
+[[gauge]]
+name = "right"
+x_m = 0.95
+[comparison]
+window_begin_s = 1.0
+window_end_s = 8.0
+natural_modes = 1
+[[run]]
+name = "theory"
+solver = "linear"
+modes = 500
+valid_elevation_over_depth = 0.2
+quick = true
+)";
+
+// The coarsest runs that still follow theory.
+inline const std::string particles_run = R"([[run]]
+name = "particles"
+solver = "sph"
+scheme = "low_dissipation"
+particle_spacing_m = 0.025
+)";
+inline const std::string mesh_run = R"([[run]]
+name = "mesh"
+solver = "interfoam"
+cells_x = 20
+cells_z = 20
+)";
+
+inline std::string gate_on(const std::string& candidate) {
+  return "[[gate]]\ncandidate = \"" + candidate + R"("
+reference = "theory"
+quantity = "elevation@right"
+mode = "forced"
+metric = "amplitude_error"
+unit = "1"
+limit = 0.3
+reason = "The runs are coarse."
+source = "made for a test"
+)";
+}
+
+inline const std::string particles_case = small_case + particles_run + gate_on("particles");
+inline const std::string mesh_case = small_case + mesh_run + gate_on("mesh");
+
+inline std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("no such text: " + from);
+  return text.replace(at, from.size(), to);
+}
+
+inline bool has_interfoam() { return !boost::process::search_path("interFoam").empty(); }
+
+struct Ended {
+  int status;  // the exit status, or minus the signal
+  std::string out, err;
+  double seconds;
+};
+
+class SmallCampaign : public ::testing::Test {
+ protected:
+  using Environment = std::map<std::string, std::string>;
+
+  SmallCampaign() { std::filesystem::create_directories(directory()); }
+
+  std::filesystem::path directory() const { return temporary_.path() / "a tänk"; }
+  std::filesystem::path result(const std::string& run) const {
+    return directory() / "out" / "runs" / "small" / (run + ".h5");
+  }
+  std::filesystem::path report() const { return directory() / "out" / "report"; }
+
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(directory() / file, std::ios::binary) << text;
+  }
+  void write_campaign(const std::string& case_text) const {
+    write("small.toml", case_text);
+    write("surges.toml",
+          "schema_version = 1\nname = \"surges\"\ntitle = \"Small surges\"\n"
+          "source = \"made for a test\"\ncases = [\"./small.toml\"]\n");
+  }
+  std::string read(const std::filesystem::path& file) const {
+    std::ifstream stream(directory() / file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  // Starts a program in the directory, its output in files there.
+  boost::process::child start(const std::string& program, const std::vector<std::string>& arguments,
+                              const Environment& more = {}) const {
+    namespace bp = boost::process;
+    bp::environment environment = boost::this_process::environment();
+    environment["OMP_NUM_THREADS"] = "1";
+    for (const auto& [name, value] : more) environment[name] = value;
+    const std::string out = (temporary_.path() / "out").string(),
+                      err = (temporary_.path() / "err").string();
+    for (const std::string& file : {out, err}) std::filesystem::remove(file);  // not truncated
+    return bp::child(bp::exe = program, bp::args = arguments, environment,
+                     bp::start_dir = directory().string(), bp::std_out > out, bp::std_err > err,
+                     bp::std_in < bp::null);
+  }
+  boost::process::child start_tool(const std::vector<std::string>& arguments) const {
+    return start(SLOSH_TOOL, arguments);
+  }
+  Ended end_of(boost::process::child child, std::chrono::steady_clock::time_point begin =
+                                                std::chrono::steady_clock::now()) const {
+    child.wait();
+    const int status = child.native_exit_code();
+    return {WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status),
+            read(temporary_.path() / "out"), read(temporary_.path() / "err"),
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
+  }
+  Ended tool(const std::vector<std::string>& arguments, const Environment& more = {}) const {
+    const auto begin = std::chrono::steady_clock::now();
+    return end_of(start(SLOSH_TOOL, arguments, more), begin);
+  }
+  Ended campaign() const { return tool({"campaign", "./surges.toml", "--output", "out"}); }
+
+ private:
+  TemporaryDirectory temporary_;
+};
+
+}  // namespace slosh

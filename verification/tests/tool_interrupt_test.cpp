@@ -1,0 +1,124 @@
+// What the tool leaves when it, or a solver under it, is ended.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <functional>
+#include <thread>
+
+#include "verification/runs/result_file.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Process {
+  int id;
+  std::string name;
+};
+
+// Those that work in the directory or are told of it on their command line.
+std::vector<Process> processes_of(const fs::path& directory) {
+  const auto content = [](const fs::path& file) {
+    std::ifstream stream(file);
+    return std::string{std::istreambuf_iterator<char>(stream), {}};
+  };
+  std::vector<Process> found;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (!std::all_of(name.begin(), name.end(), ::isdigit)) continue;
+    std::error_code gone;
+    const std::string place = fs::read_symlink(entry.path() / "cwd", gone).string();
+    if (!place.starts_with(directory.string()) &&
+        content(entry.path() / "cmdline").find(directory.string()) == std::string::npos)
+      continue;
+    std::string program = content(entry.path() / "comm");
+    if (!program.empty()) program.pop_back();
+    found.push_back({std::stoi(name), program});
+  }
+  return found;
+}
+
+bool comes_true(const std::function<bool()>& condition) {
+  const auto begin = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(30)) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+class ToolInterrupted : public SmallCampaign {
+ protected:
+  // The interFoam of this campaign, once it runs; 0 where it does not come.
+  int running_interfoam() const {
+    int id = 0;
+    comes_true([&] {
+      // Not the one that is asked for its version at the start.
+      for (const Process& one : processes_of(directory() / "out"))
+        if (one.name == "interFoam") id = one.id;
+      return id != 0;
+    });
+    return id;
+  }
+  boost::process::child start_campaign() const {
+    return start_tool({"campaign", "./surges.toml", "--output", "out", "--jobs", "2"});
+  }
+};
+
+TEST_F(ToolInterrupted, EndsItsRunsKeepsWhatIsFinishedAndGoesOnFromThere) {
+  write_campaign(with(particles_case, "duration_s = 8.0", "duration_s = 40.0"));
+  auto child = start_campaign();
+  const auto progress = result("particles").replace_extension(".progress");
+  ASSERT_TRUE(comes_true([&] { return fs::exists(result("theory")) && fs::exists(progress); }));
+  kill(child.id(), SIGINT);
+  const Ended interrupted = end_of(std::move(child));
+  EXPECT_EQ(interrupted.status, 130);
+  EXPECT_NE(interrupted.err.find("interrupted: finished runs are kept in "), std::string::npos)
+      << interrupted.err;
+  EXPECT_TRUE(processes_of(directory()).empty());
+  EXPECT_FALSE(fs::exists(result("particles")));
+  EXPECT_NO_THROW(read_result(result("theory")));
+  EXPECT_FALSE(fs::exists(report()));
+
+  const Ended again = campaign();
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(again.err.find("small/theory"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("finished small/particles"), std::string::npos) << again.err;
+}
+
+// Long enough not to end before it is ended.
+const std::string long_mesh_case = with(mesh_case, "duration_s = 8.0", "duration_s = 100.0");
+
+TEST_F(ToolInterrupted, EndsWhatItsRunsHaveStartedToo) {
+  if (!has_interfoam()) GTEST_SKIP() << "interFoam is not installed";
+  write_campaign(long_mesh_case);
+  auto child = start_campaign();
+  ASSERT_NE(running_interfoam(), 0);
+  kill(child.id(), SIGTERM);
+  EXPECT_EQ(end_of(std::move(child)).status, 130);
+  EXPECT_TRUE(processes_of(directory()).empty());
+}
+
+TEST_F(ToolInterrupted, SaysWhichSolverWasKilledAndByWhat) {
+  if (!has_interfoam()) GTEST_SKIP() << "interFoam is not installed";
+  write_campaign(long_mesh_case);
+  auto child = start_campaign();
+  const int interfoam = running_interfoam();
+  ASSERT_NE(interfoam, 0);
+  kill(interfoam, SIGKILL);
+  const Ended run = end_of(std::move(child));
+  EXPECT_EQ(run.status, 3);
+  EXPECT_NE(run.err.find("interFoam: killed by signal 9 (Killed)"), std::string::npos) << run.err;
+  EXPECT_NE(run.out.find("FAIL: 0 of 1 gate rows hold, 1 runs failed."), std::string::npos)
+      << run.out;
+  EXPECT_NE(read(report() / "report.md").find("killed by signal 9"), std::string::npos);
+  EXPECT_FALSE(fs::exists(result("mesh")));
+  EXPECT_NO_THROW(read_result(result("theory")));
+  EXPECT_TRUE(processes_of(directory()).empty());
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,237 @@
+// The tool as a user sees it: exit statuses, messages and files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "verification/runs/result_file.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AssertionFailure;
+using ::testing::AssertionResult;
+using ::testing::AssertionSuccess;
+
+AssertionResult holds(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return AssertionSuccess();
+  return AssertionFailure() << "no \"" << part << "\" in:\n" << text;
+}
+
+class Tool : public SmallCampaign {};
+
+std::vector<fs::path> half_written_files(const fs::path& directory) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    for (const char* mark : {".partial", ".tmp", ".writing-"})
+      if (name.find(mark) != std::string::npos) found.push_back(entry.path());
+  }
+  return found;
+}
+
+TEST_F(Tool, PassesACampaignAndComputesNothingTwice) {
+  const bool mesh = has_interfoam();
+  write_campaign(particles_case + (mesh ? mesh_run + gate_on("mesh") : ""));
+  const Ended first = campaign();
+  EXPECT_EQ(first.status, 0) << first.err << first.out;
+  EXPECT_TRUE(holds(first.out, mesh ? "PASS: 2 of 2 gate rows hold." : "PASS: 1 of 1 gate rows"));
+  EXPECT_TRUE(holds(first.out, "report: " + (report() / "index.html").string()));
+  EXPECT_TRUE(holds(first.err, "finished small/particles"));
+  EXPECT_EQ((first.out + first.err).find('\033'), std::string::npos) << "an escape code";
+  for (const char* file : {"index.html", "report.md", "results.json", "figures"})
+    EXPECT_TRUE(fs::exists(report() / file)) << file;
+  EXPECT_TRUE(half_written_files(directory()).empty());
+
+  const auto written = fs::last_write_time(result("particles"));
+  const Ended second = campaign();
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(second.err, "") << "a run was started";
+  EXPECT_EQ(fs::last_write_time(result("particles")), written);
+  EXPECT_EQ(second.out, first.out);
+  EXPECT_LT(second.seconds, 5);
+}
+
+TEST_F(Tool, EndsWithOneWhereALimitIsViolated) {
+  write_campaign(with(particles_case, "limit = 0.3", "limit = 1e-9"));
+  const Ended run = campaign();
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_TRUE(holds(run.out, "violated       small particles forced amplitude_error"));
+  EXPECT_TRUE(holds(run.out, "FAIL: 0 of 1 gate rows hold, 1 violated."));
+  EXPECT_TRUE(holds(read(report() / "results.json"), "\"exit_status\": 1"));
+}
+
+TEST_F(Tool, EndsWithFourWhereNothingWasCompared) {
+  write_campaign(particles_case);
+  const Ended run = tool({"campaign", "./surges.toml", "--quick", "--output", "out"});
+  EXPECT_EQ(run.status, 4) << run.err;
+  EXPECT_TRUE(holds(run.out, "FAIL: 0 of 0 gate rows hold, 1 left out of this quick form."));
+  EXPECT_FALSE(fs::exists(result("particles")));
+}
+
+TEST_F(Tool, EndsWithTwoAndAMessageWhereTheCommandLineIsWrong) {
+  write_campaign(particles_case);
+  const std::vector<std::vector<std::string>> wrong{
+      {},
+      {"campain"},
+      {"campaign"},
+      {"campaign", "./surges.toml", "--fast"},
+      {"campaign", "./surges.toml", "--jobs", "0"},
+      {"run", "./small.toml"},
+      {"run", "./small.toml", "theory", "--snapshots", "-1"}};
+  for (const auto& arguments : wrong) {
+    const Ended run = tool(arguments);
+    EXPECT_EQ(run.status, 2) << ::testing::PrintToString(arguments);
+    EXPECT_NE(run.err, "") << ::testing::PrintToString(arguments);
+  }
+}
+
+TEST_F(Tool, EndsWithTwoAndTheNearestNamesWhereThereIsNoSuchCaseCampaignOrRun) {
+  EXPECT_TRUE(holds(tool({"campaign", "smal_amplitude"}).err, "small_amplitude"));
+  EXPECT_EQ(tool({"campaign", "smal_amplitude"}).status, 2);
+  EXPECT_TRUE(
+      holds(tool({"run", "li2010_smal_amplitude", "linear"}).err, "li2010_small_amplitude"));
+  const Ended run = tool({"run", "li2010_small_amplitude", "liner"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(holds(run.err, "run = liner: expected one of linear, "));
+}
+
+TEST_F(Tool, RefusesAWrongCaseFileWithItsLineBeforeAnythingRuns) {
+  const std::vector<std::pair<std::string, std::string>> wrong_cases{
+      {with(particles_case, "gravity_m_s2", "gravity"), "small.toml:6: gravity = "},
+      {with(particles_case, "\"low_dissipation\"", "\"low_disipation\""),
+       "small.toml:38: run particles: scheme = \"low_disipation\": expected one of "}};
+  for (const auto& [text, message] : wrong_cases) {
+    write_campaign(text);
+    const Ended run = campaign();
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(holds(run.err, message));
+    EXPECT_FALSE(fs::exists(directory() / "out"));
+  }
+}
+
+TEST_F(Tool, EndsWithTwoWhereARunRefusesItsCase) {
+  write_campaign(with(particles_case, "0.025\n", "0.025\nsurface_particle_spacing_m = 0.0125\n"));
+  const Ended run = campaign();
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(holds(run.err, "small.toml:38: run particles: scheme low_dissipation takes one"));
+}
+
+TEST_F(Tool, RefusesTwoCasesOfOneName) {
+  write_campaign(particles_case);
+  write("twin.toml", particles_case);
+  write("surges.toml",
+        with(read("surges.toml"), "[\"./small.toml\"]", "[\"./small.toml\", \"./twin.toml\"]"));
+  const Ended run = campaign();
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(holds(run.err, "twin.toml: name = \"small\": expected a name other than that of "));
+}
+
+TEST_F(Tool, NeverPassesATruncatedResultAndComputesItAgain) {
+  write_campaign(particles_case);
+  ASSERT_EQ(campaign().status, 0);
+  fs::resize_file(result("particles"), fs::file_size(result("particles")) / 2);
+  const Ended report = tool({"report", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(report.status, 4);
+  EXPECT_TRUE(holds(report.err, result("particles").string()));
+  EXPECT_TRUE(holds(report.out, "FAIL: 0 of 1 gate rows hold, 1 not compared"));
+  const Ended again = campaign();
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_TRUE(holds(again.err, "it is computed again"));
+  EXPECT_NO_THROW(read_result(result("particles")));
+}
+
+TEST_F(Tool, ReportsOnlyResultsOfTheCaseAsItIsNow) {
+  write_campaign(particles_case);
+  ASSERT_EQ(campaign().status, 0);
+  write_campaign(with(particles_case, "gravity_m_s2 = 9.81", "gravity_m_s2 = 9.8"));
+  const Ended stale = tool({"report", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(stale.status, 4);
+  EXPECT_TRUE(holds(stale.err, "was made for another state of the case file"));
+  write_campaign(with(particles_case, "limit = 0.3", "limit = 0.29"));
+  const Ended regated = tool({"report", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(regated.status, 0) << regated.err;
+  EXPECT_EQ(tool({"report", "./surges.toml", "--output", "elsewhere"}).status, 4);
+}
+
+TEST_F(Tool, TellsTheGateEvenWhereTheReportCannotBeDrawn) {
+  write_campaign(particles_case);
+  const Ended run = tool({"campaign", "./surges.toml", "--output", "out"}, {{"PATH", "/nowhere"}});
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(holds(run.err, "gnuplot"));
+  EXPECT_TRUE(holds(run.out, "pass           small particles"));
+  EXPECT_FALSE(fs::exists(report()));
+}
+
+TEST_F(Tool, LeavesSnapshotsForParaView) {
+  write_campaign(particles_case);
+  const Ended run = tool({"run", "./small.toml", "particles", "--snapshots", "2"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(holds(run.out, "result: particles.h5"));
+  EXPECT_NO_THROW(read_result(directory() / "particles.h5"));
+  const fs::path work = directory() / "particles.work";
+  EXPECT_GT(fs::file_size(work / "particles.snapshots.h5"), 10000u);
+  EXPECT_TRUE(
+      holds(read(work / "particles.snapshots.xmf"), "particles.snapshots.h5:/snapshot_00004"));
+}
+
+TEST_F(Tool, RecordsTheCommandThatRepeatsARun) {
+  write_campaign(particles_case);
+  ASSERT_EQ(tool({"run", "./small.toml", "theory"}).status, 0);
+  EXPECT_EQ(
+      read_result(directory() / "theory.h5").provenance.at("command"),
+      "./slosh run '" + (directory() / "small.toml").string() + "' theory --output theory.h5");
+}
+
+std::vector<std::string> words(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+TEST_F(Tool, HelpsWithExitStatusesAndExamplesThatRun) {
+  const Ended help = tool({"--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* part : {"0 all gate rows hold", "1 a tolerance is violated", "2 usage",
+                           "3 a solver failed", "4 a reference is missing", "130 interrupted"})
+    EXPECT_TRUE(holds(help.out, part));
+  const Ended list = tool({"list"});
+  EXPECT_EQ(list.status, 0);
+  int examples = 0;
+  std::istringstream lines(help.out);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ./slosh ")) continue;
+    ++examples;
+    std::vector<std::string> arguments = words(line);
+    arguments.erase(arguments.begin());
+    if (arguments[0] == "campaign") {  // takes minutes: that there is one must do
+      EXPECT_TRUE(holds(list.out, "  " + arguments[1] + " "));
+    } else {
+      EXPECT_EQ(tool(arguments).status, 0) << line;
+    }
+  }
+  EXPECT_GE(examples, 2);
+}
+
+TEST_F(Tool, ColoursATerminalUnlessToldNotTo) {
+  const std::string script = boost::process::search_path("script").string();
+  if (script.empty()) GTEST_SKIP() << "script is not installed";
+  write_campaign(particles_case);
+  const auto on_terminal = [&](const std::string& output, const std::string& no_color) {
+    const std::string command = "'" SLOSH_TOOL "' campaign ./surges.toml --output " + output;
+    return end_of(
+        start(script, {"-qec", command, "/dev/null"}, {{"TERM", "xterm"}, {"NO_COLOR", no_color}}));
+  };
+  const Ended coloured = on_terminal("out", "");
+  EXPECT_EQ(coloured.status, 0);
+  EXPECT_TRUE(holds(coloured.out, "\033[32mfinished"));
+  EXPECT_TRUE(holds(coloured.out, "\033[1A"));
+  const Ended plain = on_terminal("out2", "1");
+  EXPECT_TRUE(holds(plain.out, "\033[1A"));
+  EXPECT_EQ(plain.out.find("\033[32m"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slosh
