@@ -49,8 +49,10 @@ void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
                   "A campaign of `slosh list`, or the path of a campaign file")
       ->required();
   command.add_flag("--quick", options.quick, "Only the runs that the cases mark as quick");
-  command.add_option("-o,--output", options.output,
-                     "Directory of the results and the report (default: build/campaigns/NAME)");
+  command.add_option(
+      "-o,--output", options.output,
+      "Directory of the results and the report (default: build/campaigns/NAME, with -quick "
+      "after the NAME of a quick form)");
 }
 
 void add_run_options(CLI::App& command, slosh::RunOptions& options) {

@@ -93,7 +93,7 @@ TEST(StabilityGuard, RefusesAFixedStepThatIsUnstableAtTheSurface) {
 
 // A spacing at which the fixed step's Courant number, 0.645, is just below the limit.
 TEST(StabilityGuard, LetsPassOnlyFixedStepsThatAreStable) {
-  Scene scene = surging_scene(0.2 / 38, 1.0, 0.002);
+  Scene scene = surging_scene(0.2 / 38, 0.6, 0.002);
   scene.tank_length = scene.tank_height = 0.2;
   scene.fill_depth = 20 * scene.particle_spacing;
   scene.gauges.clear();

