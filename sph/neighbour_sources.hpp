@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "sph/cell_grid.hpp"
@@ -20,11 +20,17 @@ namespace slosh::sph {
 class NeighbourSources {
  public:
   // `support` is the largest kernel radius in the scene [m]; `skin` the fraction of it by which
-  // cells are wider.
+  // cells are wider. Throws std::invalid_argument for a tank in which a particle would need images
+  // of images: narrower or lower than two reaches.
   NeighbourSources(const TankWalls& walls, double support, double skin)
       : reach_(support * (1 + skin)),
         slack_(0.5 * support * skin),
-        grid_(-reach_, walls.right - walls.left + reach_, -reach_, walls.roof + reach_, reach_) {}
+        grid_(-reach_, walls.right - walls.left + reach_, -reach_, walls.roof + reach_, reach_) {
+    const double narrowest = std::min(walls.right - walls.left, walls.roof - walls.bottom);
+    if (!(narrowest >= 2 * reach_))
+      throw std::invalid_argument(
+          "particle_spacing: expected one whose kernel reaches across at most half the tank");
+  }
 
   // Sorts the particles by cell and lists their images. False when a particle is not in the tank:
   // `stray()`.

@@ -28,7 +28,6 @@ struct Scene {
   double tank_length, tank_height, fill_depth;  // [m]
   double gravity;                               // [m/s2], downward
   double rest_density;                          // [kg/m3]
-  double kinematic_viscosity = 0;               // [m2/s]
   std::function<double(double)> displacement;   // X(t) of the tank [m]
   std::function<double(double)> velocity;       // X'(t) [m/s]
   std::function<double(double)> acceleration;   // X''(t) [m/s2]

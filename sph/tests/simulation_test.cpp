@@ -146,6 +146,13 @@ TEST(Simulation, RefusesASchemeThatItDoesNotHave) {
   }
 }
 
+TEST(Simulation, RefusesATankTooNarrowForTheKernel) {
+  Scene scene = still_scene(0.025, 0.1);
+  scene.tank_length = 0.1;
+  scene.gauges.clear();
+  EXPECT_THROW(run("low_dissipation", scene, {}), std::invalid_argument);
+}
+
 TEST(Simulation, RefusesTwoSpacingsWhereTheSchemeTakesOne) {
   Scene scene = still_scene(0.02, 0.1);
   scene.surface_particle_spacing = 0.01;

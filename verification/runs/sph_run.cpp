@@ -25,7 +25,6 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                    .fill_depth = definition.liquid.fill_depth,
                    .gravity = definition.gravity,
                    .rest_density = definition.liquid.density,
-                   .kinematic_viscosity = definition.liquid.kinematic_viscosity,
                    .displacement = motion.displacement,
                    .velocity = motion.velocity,
                    .acceleration = motion.acceleration,
