@@ -45,7 +45,8 @@ struct Figure {
 };
 
 // The cells "pass", "FAIL", "violated", "solver failed", "not compared", "no result", "not
-// selected", "out of range" (in any case) get a sign and a colour. Columns of numbers are aligned right.
+// selected", "out of range" (in any case) get a sign and a colour. Columns of numbers are aligned
+// right.
 struct Table {
   std::string id, title, caption;  // the anchor is "table-<id>"
   std::vector<std::string> header;

@@ -76,8 +76,8 @@ std::string markdown_text(const std::string& text) {
 }
 
 CellVerdict cell_verdict(const std::string& cell) {
-  static const std::set<std::string> bad{"fail", "failed", "violated", "solver failed",
-                                         "not compared", "no result"};
+  static const std::set<std::string> bad{"fail",          "failed",       "violated",
+                                         "solver failed", "not compared", "no result"};
   static const std::set<std::string> neutral{"not selected", "out of range", "skipped"};
   const std::string word = boost::to_lower_copy(boost::trim_copy(cell));
   if (word == "pass" || word == "passed") return CellVerdict::good;

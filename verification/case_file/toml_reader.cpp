@@ -104,7 +104,8 @@ T TomlTable::get(std::string_view key, const Rule<T>& rule) const {
   return *value;
 }
 
-template std::optional<std::string> TomlTable::find(std::string_view, const Rule<std::string>&) const;
+template std::optional<std::string> TomlTable::find(std::string_view,
+                                                    const Rule<std::string>&) const;
 template std::optional<double> TomlTable::find(std::string_view, const Rule<double>&) const;
 template std::optional<int> TomlTable::find(std::string_view, const Rule<int>&) const;
 template double TomlTable::get(std::string_view, const Rule<double>&) const;

@@ -39,9 +39,11 @@ TEST(CaseParser, ReadsThePapersSmallAmplitudeCase) {
   EXPECT_EQ(motion.ramp_periods, 0);
   EXPECT_EQ(definition.start, Start::earth);
   EXPECT_EQ(definition.gauges.at(0).x, 0.95);
-  EXPECT_EQ(definition.runs.size(), 10u);
-  EXPECT_EQ(definition.gate.size(), 14u);
+  EXPECT_EQ(std::get<LinearRun>(definition.runs.at(0).solver).two_layer, false);
   EXPECT_EQ(std::get<LinearRun>(definition.runs.at(1).solver).two_layer, true);
+  EXPECT_EQ(std::get<SphRun>(definition.runs.at(2).solver).particle_spacing, 0.025);
+  EXPECT_EQ(definition.gate.at(0).candidate, "interfoam_50x50");
+  EXPECT_EQ(definition.gate.at(0).reference, "linear_two_layer");
 }
 
 TEST(CaseParser, ReadsTheVariantsOfThePapersCases) {

@@ -143,12 +143,14 @@ TEST(RunOfACase, IsKnownBeforeItRuns) {
 
 TEST(RunOfACase, RefusesTwoSpacingsOfASchemeOfOneWithItsPlace) {
   try {
-    execute(sample_case(), sample_run(SphRun{"low_dissipation_wendland", 0.05, 0.025}), {}, no_progress);
+    execute(sample_case(), sample_run(SphRun{"low_dissipation_wendland", 0.05, 0.025}), {},
+            no_progress);
     FAIL() << "the spacings were taken";
   } catch (const CaseFileError& error) {
-    EXPECT_EQ(std::string(error.what())
-                  .find("small_surge.toml:42: run a_run: scheme low_dissipation_wendland takes one"),
-              0u)
+    EXPECT_EQ(
+        std::string(error.what())
+            .find("small_surge.toml:42: run a_run: scheme low_dissipation_wendland takes one"),
+        0u)
         << error.what();
   }
 }
