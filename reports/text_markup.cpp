@@ -4,6 +4,7 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <kainjow/mustache.hpp>
 #include <regex>
@@ -51,13 +52,18 @@ std::string backslashed(const std::string& text, std::string_view special) {
   return escaped;
 }
 
+// A long name may be broken after its underscores, so that it does not widen a table's column.
+std::string breakable(const std::string& html) {
+  return boost::replace_all_copy(html, "_", "_<wbr>");
+}
+
 }  // namespace
 
 std::string html_text(const std::string& text) {
   std::string html;
   for (const auto& [part, is_code] : pieces(text)) {
     const std::string escaped = kainjow::mustache::html_escape(part);
-    html += is_code ? fmt::format("<code>{}</code>", escaped) : escaped;
+    html += is_code ? fmt::format("<code>{}</code>", escaped) : breakable(escaped);
   }
   return html;
 }

@@ -5,6 +5,11 @@
 namespace slosh::reports {
 namespace {
 
+TEST(HtmlText, MayBreakALongNameAfterItsUnderscoresButNoCode) {
+  EXPECT_EQ(html_text("linear_two_layer"), "linear_<wbr>two_<wbr>layer");
+  EXPECT_EQ(html_text("`linear_two_layer`"), "<code>linear_two_layer</code>");
+}
+
 TEST(HtmlText, EscapesEverythingThatHtmlReads) {
   EXPECT_EQ(html_text("<script>a && b</script> \"'"),
             "&lt;script&gt;a &amp;&amp; b&lt;/script&gt; &quot;&apos;");
