@@ -62,8 +62,8 @@ struct Harvest {
 using Progress = std::function<void(double time, double steps)>;
 
 // Fills every file of the template directory into the same place of the case directory, which must
-// be absent or empty. Throws std::invalid_argument for a tank that cannot be, a directory with
-// something in it, or a template that names what nothing defines.
+// be absent or empty. Throws std::invalid_argument for a tank that cannot be or a directory with
+// something in it, RunError for a template that names what nothing defines.
 void write_case(const SurgingTank& tank, const std::filesystem::path& template_directory,
                 const std::filesystem::path& case_directory);
 

@@ -161,8 +161,7 @@ void fill_template(const fs::path& source, const fs::path& target, const data& v
   std::ifstream in(source);
   kainjow::mustache::mustache text(std::string(std::istreambuf_iterator<char>(in), {}));
   if (!in || !text.is_valid()) {
-    throw std::invalid_argument(
-        fmt::format("template {}: {}", source.string(), text.error_message()));
+    throw RunError(fmt::format("template {}: {}", source.string(), text.error_message()));
   }
   text.set_custom_escape([](const std::string& plain) { return plain; });
   StrictContext context(&values);
@@ -170,7 +169,7 @@ void fill_template(const fs::path& source, const fs::path& target, const data& v
   try {
     out << text.render(context);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("template {}: {}", source.string(), error.what()));
+    throw RunError(fmt::format("template {}: {}", source.string(), error.what()));
   }
   if (!out.flush()) throw std::runtime_error("cannot write " + target.string());
 }

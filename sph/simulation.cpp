@@ -96,6 +96,16 @@ void check_fixed_step(const Scene& scene, const Scheme& scheme) {
                     dt, std::min(scene.particle_spacing, scene.surface_particle_spacing), limit));
 }
 
+// How many samples a snapshot comes after the one before it.
+double samples_per_snapshot(const Scene& scene) {
+  const double ratio = scene.snapshot_interval / scene.sample_interval, whole = std::round(ratio);
+  if (!(whole >= 1 && std::abs(ratio - whole) <= 1e-9 * whole))
+    throw std::invalid_argument(
+        fmt::format("snapshot interval = {} s: expected a multiple of the sample interval of {} s",
+                    scene.snapshot_interval, scene.sample_interval));
+  return whole;
+}
+
 template <class Scheme>
 RunOutput run_scheme(const Scene& scene, const Progress& progress) {
   const Scheme scheme(scene);
@@ -105,7 +115,9 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
   Recorder<Scheme> recorder(scene, liquid);
   RunOutput& output = recorder.output;
   output.particles = liquid.particles.size();
-  double smallest_step = std::numeric_limits<double>::infinity(), next_snapshot = 0;
+  const bool snapshots = scene.snapshot_interval != 0;
+  const double stride = snapshots ? samples_per_snapshot(scene) : 0;
+  double smallest_step = std::numeric_limits<double>::infinity();
   auto last_report = std::chrono::steady_clock::now();
 
   const int samples = static_cast<int>(std::floor(scene.duration / scene.sample_interval + 1e-9));
@@ -125,10 +137,7 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
       output.steps += 1;
     }
     recorder.record(liquid);
-    if (scene.snapshot_interval > 0 && liquid.time >= next_snapshot - 1e-9) {
-      recorder.record_snapshot(liquid);
-      next_snapshot += scene.snapshot_interval;
-    }
+    if (snapshots && std::fmod(sample, stride) == 0) recorder.record_snapshot(liquid);
     if (progress &&
         std::chrono::steady_clock::now() - last_report > std::chrono::milliseconds(100)) {
       progress(liquid.time, output.steps);

@@ -37,7 +37,7 @@ struct Scene {
   double particle_spacing;                      // [m]
   double surface_particle_spacing;  // [m], equal to particle_spacing for a uniform lattice
   std::vector<Gauge> gauges;
-  double snapshot_interval = 0;                          // [s], 0: no snapshot
+  double snapshot_interval = 0;  // [s], a multiple of sample_interval; 0: no snapshot
   std::function<void(const Snapshot&)> record_snapshot;  // called every snapshot_interval
 };
 

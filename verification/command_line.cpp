@@ -1,6 +1,7 @@
 #include "verification/command_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +16,7 @@
 #include "verification/runs/progress_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
+#include "verification/runs/snapshots.hpp"
 
 namespace slosh {
 namespace {
@@ -36,6 +38,12 @@ void print(const CaseAssessment& assessment) {
     std::cout << gate_line(assessment, outcome) << "\n";
 }
 
+void require_window(const CaseDefinition& definition) try {
+  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
+} catch (const ComparisonError& error) {
+  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
+}
+
 // All that a campaign's cases get wrong is found before anything runs.
 std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign) {
   std::vector<CaseDefinition> cases;
@@ -45,7 +53,8 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign) {
       if (other.name == definition.name)
         throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
                                         file.string(), definition.name, other.file.string()));
-    for (const RunDefinition& run : definition.runs) require_known(definition, run);
+    require_window(definition);
+    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
     cases.push_back(std::move(definition));
   }
   return cases;
@@ -142,6 +151,8 @@ int run_one(const RunOptions& options, const Installation& installation) {
                        progress_writer(options.progress_file, definition.duration)),
                file);
   std::cout << "result: " << file.string() << "\n";
+  if (options.snapshot_interval != 0)
+    std::cout << "snapshots: " << snapshot_index(work, run->name).string() << "\n";
   return exit_pass;
 }
 
@@ -154,7 +165,10 @@ int list_definitions(const Installation& installation) {
   std::cout << "cases:\n";
   for (const fs::path& file : definitions_in(installation.cases)) {
     const CaseDefinition definition = read_case(file);
-    std::cout << fmt::format("  {:<36} {}\n", definition.name, definition.title);
+    std::cout << fmt::format("  {:<36} {}", definition.name, definition.title);
+    if (!definition.tags.empty())
+      std::cout << fmt::format(" [{}]", fmt::join(definition.tags, ", "));
+    std::cout << "\n";
     for (const RunDefinition& run : definition.runs) std::cout << "      " << run.name << "\n";
   }
   return exit_pass;

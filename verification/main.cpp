@@ -38,7 +38,7 @@ constexpr const char* closing_words =
     "installed).\n"
     "Exit status: 0 all gate rows hold; 1 a tolerance is violated; 2 usage or case-file error; 3 a "
     "solver failed;\n"
-    "4 a reference is missing or nothing was compared; 130 interrupted.\n"
+    "4 a reference is missing, a result is unusable or nothing was compared; 130 interrupted.\n"
     "Examples:\n"
     "  ./slosh campaign small_amplitude --quick\n"
     "  ./slosh run li2010_small_amplitude linear --output linear.h5";
@@ -62,8 +62,10 @@ void add_run_options(CLI::App& command, slosh::RunOptions& options) {
   command.add_option("run", options.run, "The run's name in the case")->required();
   command.add_option("-o,--output", options.output, "Result file (default: RUN.h5)");
   command
-      .add_option("--snapshots", options.snapshot_interval,
-                  "Interval of particle snapshots for ParaView [s]")
+      .add_option(
+          "--snapshots", options.snapshot_interval,
+          "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of the "
+          "case's sample_interval_s")
       ->check(CLI::PositiveNumber);
   command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
 }

@@ -133,8 +133,8 @@ TEST_F(WrittenCase, RefusesADirectoryWithAnEarlierRunInIt) {
 TEST_F(WrittenCase, RefusesATemplateThatNamesWhatNothingDefines) {
   TemporaryDirectory templates;
   std::ofstream(templates.path() / "dictionary") << "length {{lenght}};\n";
-  const std::string message = message_of<std::invalid_argument>(
-      [&] { write_case(small_tank(), templates.path(), directory_.path()); });
+  const std::string message =
+      message_of<RunError>([&] { write_case(small_tank(), templates.path(), directory_.path()); });
   EXPECT_NE(message.find("lenght"), std::string::npos) << message;
   EXPECT_NE(message.find("dictionary"), std::string::npos) << message;
 }

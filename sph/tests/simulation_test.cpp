@@ -146,6 +146,14 @@ TEST(Simulation, RefusesASchemeThatItDoesNotHave) {
   }
 }
 
+TEST(Simulation, RefusesSnapshotsBetweenSamples) {
+  for (const double interval : {0.015, 0.005, -0.01, double{NAN}, double{INFINITY}}) {
+    Scene scene = surging_scene(0.05, 0.02);
+    scene.snapshot_interval = interval;
+    EXPECT_THROW(run("low_dissipation", scene, {}), std::invalid_argument) << interval;
+  }
+}
+
 TEST(Simulation, RefusesATankTooNarrowForTheKernel) {
   Scene scene = still_scene(0.025, 0.1);
   scene.tank_length = 0.1;

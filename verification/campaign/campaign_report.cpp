@@ -29,6 +29,12 @@ int count(const std::vector<CaseAssessment>& cases, RunState state) {
   return n;
 }
 
+int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
+  int n = 0;
+  for (const CaseAssessment& one : cases) n += static_cast<int>(one.not_comparable.size());
+  return n;
+}
+
 std::string motion_text(const CaseDefinition& definition) {
   if (const auto* sine = std::get_if<SineSurge>(&definition.motion))
     return fmt::format(
@@ -55,6 +61,8 @@ Section case_section(const CaseAssessment& assessment) {
     if (status.state == RunState::out_of_range)
       section.paragraphs.push_back("The reference `" + run + "` " + status.message +
                                    ": it is drawn and never gates.");
+  for (const std::string& pair : assessment.not_comparable)
+    section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
   if (!assessment.comparisons.empty()) {
@@ -79,6 +87,7 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases) {
   };
   add(count(cases, Verdict::violated), "violated");
   add(count(cases, Verdict::not_compared), "not compared");
+  add(pairs_not_comparable(cases), "pairs not comparable");
   add(count(cases, RunState::failed), "runs failed");
   add(count(cases, RunState::missing), "runs without a result");
   add(count(cases, Verdict::not_selected), "left out of this quick form");

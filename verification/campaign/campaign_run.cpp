@@ -35,6 +35,8 @@ double expected_cost(const CaseDefinition& definition, const RunDefinition& run)
   return 0;
 }
 
+constexpr const char* other_build = "made by another build or version";
+
 // The result under the run's name. Throws ResultError where there is none that fits: what a solver
 // could compute must be of this very build, what is only read must be of this case and run.
 RunResult fitting_result(const CaseDefinition& definition, const RunDefinition& run,
@@ -45,9 +47,16 @@ RunResult fitting_result(const CaseDefinition& definition, const RunDefinition& 
       run_key(definition, run, settings.solver_build, settings.openfoam_templates);
   if (!asks_the_same(result.key, key))
     throw ResultError(file.string() + " was made for another state of the case file");
-  if (settings.solve && result.key != key)
-    throw ResultError(file.string() + " was made by another build or version");
+  if (settings.solve && result.key != key) throw ResultError(file.string() + " was " + other_build);
   return result;
+}
+
+// What the report says of a result that stands.
+RunStatus status_of(const RunResult& result, const CaseDefinition& definition,
+                    const RunDefinition& run, const CampaignSettings& settings) {
+  const std::string key =
+      run_key(definition, run, settings.solver_build, settings.openfoam_templates);
+  return {RunState::finished, result.key == key ? "" : other_build};
 }
 
 Job job_for(const CaseDefinition& definition, const RunDefinition& run,
@@ -96,8 +105,11 @@ std::vector<PendingRun> take_stock(const std::vector<CaseDefinition>& cases,
         continue;
       }
       try {
-        outcome[c].results[run.name] = fitting_result(cases[c], run, settings);
-        status = {RunState::finished, ""};
+        const RunResult& result = outcome[c].results[run.name] =
+            fitting_result(cases[c], run, settings);
+        status = status_of(result, cases[c], run, settings);
+        if (!status.message.empty())
+          std::cerr << cases[c].name << "/" << run.name << " was " << status.message << '\n';
       } catch (const ResultError& error) {
         status = {RunState::missing, error.what()};
         if (!settings.solve) continue;
@@ -120,7 +132,7 @@ void take_over(const JobState& state, const CaseDefinition& definition, const Ru
     return;
   }
   try {
-    runs.results[run.name] = read_result(result_file(settings, definition, run));
+    runs.results[run.name] = fitting_result(definition, run, settings);
     status = {RunState::finished, ""};
   } catch (const ResultError& error) {
     status = {RunState::missing, error.what()};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "reference/linear_surge.hpp"
@@ -24,7 +25,10 @@ void mark_references_out_of_range(const CaseDefinition& definition, CaseRuns& ru
   for (const auto& [name, result] : runs.results) {
     const LinearRun* linear = solver_as<LinearRun>(definition, name);
     if (!linear) continue;
-    const double ratio = result.diagnostics.at("highest_elevation_over_depth");
+    const auto recorded = result.diagnostics.find("highest_elevation_over_depth");
+    const double ratio = recorded == result.diagnostics.end()
+                             ? std::numeric_limits<double>::quiet_NaN()
+                             : recorded->second;
     if (!(ratio <= linear->valid_elevation_over_depth))
       runs.status[name] = {
           RunState::out_of_range,
@@ -112,7 +116,7 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
 
 CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
   mark_references_out_of_range(definition, runs);
-  CaseAssessment assessment{definition, std::move(runs), {}, {}};
+  CaseAssessment assessment{definition, std::move(runs), {}, {}, {}};
   const std::vector<ToneRequest> modes = fitted_modes(definition);
   std::map<std::string, Comparison> computed;
   const FindComparison find = [&](const std::string& candidate, const std::string& reference,
@@ -130,8 +134,8 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
       try {
         assessment.comparisons.push_back(find(pair.first, pair.second, "elevation@" + gauge.name));
       } catch (const ComparisonError& error) {
-        // Not comparable: a gate row that needs this pair says so; the report's tables leave it
-        // out.
+        assessment.not_comparable.push_back(
+            fmt::format("{} against {}: {}", pair.first, pair.second, error.what()));
       }
     }
   for (const GateRow& row : definition.gate)
@@ -141,16 +145,17 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
 
 int exit_status(const std::vector<CaseAssessment>& cases) {
   std::vector<GateOutcome> outcomes;
-  bool any_missing = false;
+  bool nothing_to_judge = false;
   for (const CaseAssessment& one : cases) {
     for (const auto& [run, status] : one.runs.status) {
       if (status.state == RunState::failed) return exit_solver_failed;
-      any_missing |= status.state == RunState::missing;
+      nothing_to_judge |= status.state == RunState::missing;
     }
+    nothing_to_judge |= one.comparisons.empty() && !one.not_comparable.empty();
     outcomes.insert(outcomes.end(), one.gate.begin(), one.gate.end());
   }
   const int gated = exit_status(outcomes);
-  return gated == exit_pass && any_missing ? exit_not_compared : gated;
+  return gated == exit_pass && nothing_to_judge ? exit_not_compared : gated;
 }
 
 }  // namespace slosh

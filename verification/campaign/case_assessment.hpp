@@ -26,6 +26,7 @@ struct CaseAssessment {
   // theory (SPH: one layer; interFoam: two layers where declared) and SPH against the finest
   // interFoam.
   std::vector<Comparison> comparisons;
+  std::vector<std::string> not_comparable;  // "CANDIDATE against REFERENCE: why"
   std::vector<GateOutcome> gate;
 };
 
@@ -42,7 +43,7 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs);
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
 
 // Exit status of the whole: a run that failed or has no result counts even where no gate row names
-// it.
+// it, and so does a case of which no pair could be compared.
 int exit_status(const std::vector<CaseAssessment>& cases);
 
 }  // namespace slosh

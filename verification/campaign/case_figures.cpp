@@ -86,7 +86,8 @@ Figure history(const CaseAssessment& assessment) {
 double tolerated_residual(const CaseAssessment& assessment, const Comparison& comparison) {
   for (const GateRow& row : assessment.definition.gate)
     if (row.metric == Metric::normalised_rms && row.limit &&
-        row.candidate == comparison.candidate && row.reference == comparison.reference) {
+        row.candidate == comparison.candidate && row.reference == comparison.reference &&
+        row.quantity == comparison.quantity) {
       double sum2 = 0;
       for (const double r : comparison.residual.value) sum2 += r * r;
       const double rms = std::sqrt(sum2 / static_cast<double>(comparison.residual.value.size()));
@@ -190,7 +191,7 @@ Figure error_against_run_time(const CaseAssessment& assessment) {
   figure.caption =
       "Normalised rms error over the comparison window against the processor time of the run (user "
       "and system, all "
-      "processes), each run on one core beside another.";
+      "processes), other runs beside it.";
   figure.x_label = "processor time [s]";
   figure.y_label = "normalised rms error [1]";
   figure.log_x = figure.log_y = true;

@@ -22,8 +22,7 @@ std::string with_interval(const Estimate& estimate, double scale = 1) {
 // Amplitude error, lag three times, frequency error, decay. A candidate's mode that cannot be told
 // from noise has none of them.
 std::vector<std::string> mode_measures(const ModeComparison& mode) {
-  if (!(mode.candidate.amplitude.half_width < mode.candidate.amplitude.value))
-    return {"not resolved", "", "", "", "", ""};
+  if (!mode.candidate.resolved) return {"not resolved", "", "", "", "", ""};
   const bool forced = mode.mode == "forced";  // of a given frequency and without decay
   return {with_interval(mode.amplitude_error, 100),
           with_interval(mode.phase_lag_degrees),
@@ -110,13 +109,14 @@ Table mode_table(const CaseAssessment& assessment) {
 }
 
 Table history_table(const CaseAssessment& assessment) {
-  Table table{assessment.definition.name + "-histories",
-              "Whole histories",
-              "Normalised rms: rms of the residual over rms of the reference. Peaks of the "
-              "spectrum, highest first.",
-              {"candidate", "reference", "quantity", "normalised rms", "largest residual",
-               "peaks of the candidate", "peaks of the reference"},
-              {}};
+  Table table{
+      assessment.definition.name + "-histories",
+      "Whole histories",
+      "Normalised rms: rms of the residual over rms of the reference about its mean. Peaks of the "
+      "spectrum, highest first.",
+      {"candidate", "reference", "quantity", "normalised rms", "largest residual",
+       "peaks of the candidate", "peaks of the reference"},
+      {}};
   for (const Comparison& pair : assessment.comparisons)
     table.rows.push_back({pair.candidate, reference_name(assessment, pair), pair.quantity,
                           fmt::format("{:.2f} %", 100 * pair.normalised_rms),

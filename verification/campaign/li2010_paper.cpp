@@ -72,8 +72,11 @@ Table printed_numbers(const std::vector<CaseAssessment>& cases) {
                        mode.phase_lag_degrees.half_width);
   };
   const auto damping = [](const ModeComparison& mode) {
-    return fmt::format("{:.2f} ± {:.2f} 1/s, frequency {:+.1f} %", mode.decay_rate.value,
-                       mode.decay_rate.half_width, 100 * mode.frequency_error.value);
+    return mode.resolved() ? fmt::format("{:.2f} ± {:.2f} 1/s, frequency {:+.1f} ± {:.1f} %",
+                                         mode.decay_rate.value, mode.decay_rate.half_width,
+                                         100 * mode.frequency_error.value,
+                                         100 * mode.frequency_error.half_width)
+                           : std::string("not resolved");
   };
   return {"li2010-numbers",
           "The paper's printed numbers beside ours",

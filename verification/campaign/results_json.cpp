@@ -42,6 +42,7 @@ Json comparison_entry(const Comparison& pair) {
   Json modes = Json::array();
   for (const ModeComparison& mode : pair.modes)
     modes.push_back({{"mode", mode.mode},
+                     {"resolved", mode.resolved()},
                      {"candidate_amplitude", estimate(mode.candidate.amplitude)},
                      {"reference_amplitude", estimate(mode.reference.amplitude)},
                      {"amplitude_error", estimate(mode.amplitude_error)},
@@ -110,8 +111,9 @@ std::string results_json(const std::string& campaign, bool quick,
     for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
     document["cases"].push_back(std::move(entry));
   }
-  // nlohmann writes a number that is not finite as null.
-  return document.dump(2);
+  // nlohmann writes a number that is not finite as null. A message may end in a solver's words, in
+  // whatever encoding.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace slosh

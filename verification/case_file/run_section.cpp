@@ -27,9 +27,12 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
 
 InterFoamRun read_interfoam(const TomlTable& run) {
   run.allow_only({"name", "solver", "quick", "cells_x", "cells_z", "processes"});
-  return {.cells_x = run.get("cells_x", at_least(1)),
-          .cells_z = run.get("cells_z", at_least(1)),
-          .processes = run.find("processes", at_least(1)).value_or(1)};
+  const int cells_x = run.get("cells_x", at_least(2));
+  const int cells_z = run.get("cells_z", at_least(2));
+  const auto processes =
+      run.find<int>("processes", {fmt::format("an integer from 1 to cells_x ({})", cells_x),
+                                  [cells_x](int value) { return value >= 1 && value <= cells_x; }});
+  return {.cells_x = cells_x, .cells_z = cells_z, .processes = processes.value_or(1)};
 }
 
 LinearRun read_linear(const TomlTable& run) {

@@ -32,6 +32,11 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
                                   [&](const ModeComparison& one) { return one.mode == mode; });
   if (found == comparison.modes.end())
     throw ComparisonError("the mode " + mode + " was not fitted");
+  for (const Tone* tone : {&found->candidate, &found->reference})
+    if (!tone->resolved)
+      throw ComparisonError(fmt::format("the {}'s mode {} cannot be told from the rest",
+                                        tone == &found->candidate ? "candidate" : "reference",
+                                        mode));
   return *found;
 }
 
@@ -64,6 +69,15 @@ Estimate measure(const GateRow& row, const std::string& candidate, const FindCom
   return metric_value(row.metric, row.mode, comparison);
 }
 
+// Nearer to zero by more than both intervals together, or by an interval that holds zero itself.
+bool improves(const Estimate& estimate, const Estimate& other) {
+  const double gain = std::abs(other.value) - std::abs(estimate.value);
+  const bool clearly = gain > std::hypot(estimate.half_width, other.half_width);
+  const bool to_zero = std::abs(estimate.value) <= estimate.half_width &&
+                       estimate.half_width < std::abs(other.value);
+  return gain > 0 && (clearly || to_zero);
+}
+
 struct Bound {
   bool holds;
   std::string text;
@@ -86,8 +100,8 @@ Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const FindC
   }
   const std::string& other = row.improves_on.value();
   const Estimate others = measure(row, other, find);
-  const bool holds = std::abs(value) < std::abs(others.value);
-  return {holds, fmt::format("|{}| {} |{}| of {}", shown, holds ? "<" : "is not <",
+  const bool holds = improves(estimate, others);
+  return {holds, fmt::format("|{}| {} |{}| of {}", shown, holds ? "<" : "is not clearly <",
                              with_interval(others, row.unit), other)};
 }
 

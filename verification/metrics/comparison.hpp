@@ -21,6 +21,7 @@ namespace slosh {
 struct ModeComparison {
   std::string mode;  // "forced", "natural_1", ...
   Tone candidate, reference;
+  bool resolved() const { return candidate.resolved && reference.resolved; }
   Estimate amplitude_error;  // A_c / A_r - 1
   Estimate phase_lag;        // [s], positive when the candidate is late; wrapped to half a period
   Estimate phase_lag_degrees;

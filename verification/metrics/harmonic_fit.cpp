@@ -28,31 +28,6 @@ constexpr double detection_level = 3.644;
 constexpr int windows_per_longest_lag = 8;
 constexpr double removed_by_fit = 30.0 / 26.0, student_quantile = 2.0555;
 
-void require_resolved(TimeWindow window, const std::vector<ToneRequest>& requests) {
-  const double length = window.end - window.begin;
-  const auto require_apart = [&](double difference, const std::string& which) {
-    const double needed = 2 * pi / std::abs(difference);
-    if (!(length > needed)) {
-      throw ComparisonError(
-          fmt::format("the window of {:.4g} s cannot resolve {}; needed: more than {:.4g} s",
-                      length, which, needed));
-    }
-  };
-  const auto describe = [](const ToneRequest& tone) {
-    return fmt::format("{} ({:.4g} Hz)", tone.name, tone.angular_frequency / (2 * pi));
-  };
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!(requests[i].angular_frequency > 0)) {
-      throw ComparisonError(describe(requests[i]) + ": expected a positive frequency");
-    }
-    require_apart(requests[i].angular_frequency, describe(requests[i]) + " from the mean");
-    for (std::size_t j = 0; j < i; ++j) {
-      require_apart(requests[i].angular_frequency - requests[j].angular_frequency,
-                    describe(requests[j]) + " from " + describe(requests[i]));
-    }
-  }
-}
-
 void require_sampling(const TimeSeries& series, const std::vector<ToneRequest>& requests) {
   double highest = 0;
   for (const ToneRequest& request : requests)
@@ -146,14 +121,16 @@ bool at_edge(double value, double low, double high) {
   return !(value > low + edge && value < high - edge);
 }
 
+bool detected(const Tone& tone) {
+  return tone.amplitude.value * normal_quantile > detection_level * tone.amplitude.half_width;
+}
+
 void widen_if_unresolved(Tone& tone, const ToneRange& range) {
   const auto& [low, high] = range;
-  const bool detected =
-      tone.amplitude.value * normal_quantile > detection_level * tone.amplitude.half_width;
-  if (detected && !at_edge(tone.decay_rate.value, low.decay_rate, high.decay_rate) &&
-      !at_edge(tone.angular_frequency.value, low.angular_frequency, high.angular_frequency)) {
-    return;
-  }
+  tone.resolved =
+      tone.resolved && !at_edge(tone.decay_rate.value, low.decay_rate, high.decay_rate) &&
+      !at_edge(tone.angular_frequency.value, low.angular_frequency, high.angular_frequency);
+  if (tone.resolved) return;
   tone.amplitude.half_width = std::max(tone.amplitude.half_width, tone.amplitude.value);
   tone.angular_frequency.half_width = high.angular_frequency - low.angular_frequency;
   tone.decay_rate.half_width = high.decay_rate - low.decay_rate;
@@ -178,15 +155,43 @@ Tone estimate_tone(const ToneRequest& request, const ToneShape& shape, const Vec
     return {.value = wrap_angle(phase_at_begin + shape.angular_frequency * time),
             .half_width = std::min(pi, half_width(b / square, -a / square, time, 0))};
   };
-  return {.name = request.name,
-          .angular_frequency = {shape.angular_frequency, half_width(0, 0, 1, 0)},
-          .decay_rate = {shape.decay_rate, half_width(0, 0, 0, 1)},
-          .amplitude = {amplitude, half_width(a / amplitude, b / amplitude, 0, 0)},
-          .phase = phase_after(-window.begin),
-          .phase_at_middle = phase_after(0.5 * (window.end - window.begin))};
+  Tone tone{.name = request.name,
+            .resolved = false,
+            .angular_frequency = {shape.angular_frequency, half_width(0, 0, 1, 0)},
+            .decay_rate = {shape.decay_rate, half_width(0, 0, 0, 1)},
+            .amplitude = {amplitude, half_width(a / amplitude, b / amplitude, 0, 0)},
+            .phase = phase_after(-window.begin),
+            .phase_at_middle = phase_after(0.5 * (window.end - window.begin))};
+  tone.resolved = detected(tone);
+  return tone;
 }
 
 }  // namespace
+
+void require_resolved(TimeWindow window, const std::vector<ToneRequest>& requests) {
+  const double length = window.end - window.begin;
+  const auto require_apart = [&](double difference, const std::string& which) {
+    const double needed = 2 * pi / std::abs(difference);
+    if (!(length > needed)) {
+      throw ComparisonError(
+          fmt::format("the window of {:.4g} s cannot resolve {}; needed: more than {:.4g} s",
+                      length, which, needed));
+    }
+  };
+  const auto describe = [](const ToneRequest& tone) {
+    return fmt::format("{} ({:.4g} Hz)", tone.name, tone.angular_frequency / (2 * pi));
+  };
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (!(requests[i].angular_frequency > 0)) {
+      throw ComparisonError(describe(requests[i]) + ": expected a positive frequency");
+    }
+    require_apart(requests[i].angular_frequency, describe(requests[i]) + " from the mean");
+    for (std::size_t j = 0; j < i; ++j) {
+      require_apart(requests[i].angular_frequency - requests[j].angular_frequency,
+                    describe(requests[j]) + " from " + describe(requests[i]));
+    }
+  }
+}
 
 double wrap_angle(double angle) { return std::remainder(angle, 2 * pi); }
 

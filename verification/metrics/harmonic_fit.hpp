@@ -29,12 +29,13 @@ struct ToneRequest {
   bool refine;
 };
 
-// A refined tone that cannot be told from noise (amplitude below 3.64 of its standard errors), or
-// whose search ended at an end of its range, is no error: its amplitude's interval reaches down to
-// zero, and its frequency, decay rate and phase have the whole range that was searched (phase: pi)
-// as half width.
+// A tone that cannot be told from noise (amplitude below 3.64 of its standard errors), or a refined
+// one whose search ended at an end of its range, is no error but not resolved. A refined one's
+// amplitude has an interval that then reaches down to zero, and its frequency, decay rate and phase
+// have the whole range that was searched (phase: pi) as half width.
 struct Tone {
   std::string name;
+  bool resolved;
   Estimate angular_frequency;  // [rad/s], within 10 % of the request
   Estimate decay_rate;         // [1/s], amplitude ~ exp(-decay_rate t)
   Estimate amplitude;          // at t = window.begin, in the series' unit
@@ -52,9 +53,12 @@ struct HarmonicFit {
   double residual_rms;
 };
 
-// Throws ComparisonError as cut_to_window() does, when the window cannot resolve the tones (naming
-// its length and the one needed), and when a sample interval inside it exceeds a tenth of the
-// shortest period.
+// Throws ComparisonError when the window cannot resolve the tones, naming its length and the one
+// needed.
+void require_resolved(TimeWindow window, const std::vector<ToneRequest>& requests);
+
+// Throws ComparisonError as require_resolved() and cut_to_window() do, and when a sample interval
+// inside it exceeds a tenth of the shortest period.
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests);
 

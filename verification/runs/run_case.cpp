@@ -55,6 +55,8 @@ RunResult run_chosen_solver(const RunRequest& request) try {
       std::visit([&](const auto& run) { return run_solver(run, request); }, request.run.solver);
   for (const TimeSeries& series : result.series) require_whole(series, request.definition);
   return result;
+} catch (const std::invalid_argument& error) {  // a case that the solver does not take
+  throw refused(request.run, error.what());
 } catch (const sph::SimulationError& error) {
   throw SolverError(error.what());
 } catch (const openfoam::RunError& error) {
@@ -65,14 +67,21 @@ RunResult run_chosen_solver(const RunRequest& request) try {
 
 }  // namespace
 
-void require_known(const CaseDefinition& definition, const RunDefinition& run) {
+CaseFileError refused(const RunDefinition& run, const std::string& why) {
+  return CaseFileError(
+      fmt::format("{}:{}: run {}: {}", run.where.file, run.where.line, run.name, why));
+}
+
+void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
   surge_motion(definition);  // refuses a roll
-  if (const auto* sph = std::get_if<SphRun>(&run.solver)) require_scheme(*sph, run);
+  if (const auto* sph = std::get_if<SphRun>(&run.solver)) require_scene(*sph, definition, run);
 }
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress) {
   const CostMeter meter;
+  if (settings.snapshot_interval != 0 && !std::holds_alternative<SphRun>(run.solver))
+    throw refused(run, "snapshots: expected a run of the solver sph, no other has particles");
   RunResult result = run_chosen_solver({definition, run, settings, progress});
   const RunCost counts = result.cost;
   result.cost = meter.cost();

@@ -23,20 +23,22 @@ struct SolverError : std::runtime_error {
 struct RunSettings {
   std::filesystem::path work_directory;  // for OpenFOAM's case and the snapshots; made if need be
   std::filesystem::path openfoam_templates;  // openfoam_cases/surging_tank
-  double snapshot_interval = 0;              // [s], of an SPH run; 0: no snapshots
-  std::string key;                           // run_key()'s, recorded
-  std::string command;                       // repeats this run, recorded
+  // [s], of an SPH run, a multiple of the sample interval; 0: no snapshots
+  double snapshot_interval = 0;
+  std::string key;      // run_key()'s, recorded
+  std::string command;  // repeats this run, recorded
 };
 
 // Called now and then with the simulated time [s] and the steps so far.
 using Progress = std::function<void(double time, double steps)>;
 
-// Throws CaseFileError (file:line) for a roll or an unknown scheme, which execute() would refuse
-// too: for whoever wants to know before anything runs.
-void require_known(const CaseDefinition& definition, const RunDefinition& run);
+// Throws CaseFileError (file:line) for what execute() would refuse of a case (a roll, an unknown
+// scheme, a spacing that does not fit the tank): for whoever wants to know before anything runs.
+void require_runnable(const CaseDefinition& definition, const RunDefinition& run);
 
-// Throws CaseFileError (file:line) for a roll, an unknown scheme or spacings that a scheme does not
-// take, SolverError, and ResultError where a snapshot cannot be written.
+// Throws CaseFileError (file:line) for a roll, an unknown scheme, anything else that the solver
+// does not take and snapshots that it cannot make, SolverError, and ResultError where a snapshot
+// cannot be written.
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress);
 

@@ -62,9 +62,12 @@ void write_group(const fs::path& data, const std::string& name, const sph::Snaps
 
 }  // namespace
 
+fs::path snapshot_index(const fs::path& directory, const std::string& run_name) {
+  return directory / (run_name + ".snapshots.xmf");
+}
+
 SnapshotWriter::SnapshotWriter(const fs::path& directory, const std::string& run_name) try
-    : data_(directory / (run_name + ".snapshots.h5")),
-      index_(directory / (run_name + ".snapshots.xmf")) {
+    : data_(directory / (run_name + ".snapshots.h5")), index_(snapshot_index(directory, run_name)) {
   const hdf5::QuietErrors quiet;
   fs::create_directories(directory);
   const hdf5::Handle file(H5Fcreate(data_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),

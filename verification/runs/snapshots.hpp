@@ -13,6 +13,10 @@
 
 namespace slosh {
 
+// The XDMF index of a run's snapshots in a directory.
+std::filesystem::path snapshot_index(const std::filesystem::path& directory,
+                                     const std::string& run_name);
+
 // Both files are whole after each snapshot, so that what led to a failure can be looked at. Throws
 // ResultError.
 class SnapshotWriter {

@@ -1,8 +1,9 @@
 // One run by each solver: what run_case.cpp chooses from. Each returns the result's series, active
 // terms, diagnostics, steps and elements, and what only it knows of the provenance; exceptions are
-// the leaf's own.
+// the leaf's own, std::invalid_argument for a case that it does not take.
 #pragma once
 
+#include "verification/case_file/case_file_error.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {
@@ -14,8 +15,11 @@ struct RunRequest {
   const Progress& progress;
 };
 
-// Throws CaseFileError (file:line) unless the scheme is one of sph/'s.
-void require_scheme(const SphRun& sph, const RunDefinition& run);
+// What a run says that does not take its case or settings.
+CaseFileError refused(const RunDefinition& run, const std::string& why);
+
+// Throws CaseFileError (file:line) unless the scheme is one of sph/'s and takes the case.
+void require_scene(const SphRun& sph, const CaseDefinition& definition, const RunDefinition& run);
 
 RunResult run_sph(const SphRun& sph, const RunRequest& request);
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request);

@@ -2,8 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <memory>
-#include <stdexcept>
+#include <optional>
 
 #include "sph/simulation.hpp"
 #include "verification/case_file/motion.hpp"
@@ -12,11 +11,6 @@
 
 namespace slosh {
 namespace {
-
-CaseFileError refused(const RunDefinition& run, const std::string& why) {
-  return CaseFileError(
-      fmt::format("{}:{}: run {}: {}", run.where.file, run.where.line, run.name, why));
-}
 
 sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
@@ -44,8 +38,6 @@ TimeSeries series(const std::string& name, const std::string& unit, sph::History
   return {name, unit, std::move(history.time), std::move(history.value)};
 }
 
-}  // namespace
-
 void require_scheme(const SphRun& sph, const RunDefinition& run) {
   const std::vector<std::string> known = sph::scheme_names();
   if (std::find(known.begin(), known.end(), sph.scheme) != known.end()) return;
@@ -53,15 +45,27 @@ void require_scheme(const SphRun& sph, const RunDefinition& run) {
       run, fmt::format("scheme = \"{}\": expected one of {}", sph.scheme, fmt::join(known, " | ")));
 }
 
-RunResult run_sph(const SphRun& sph, const RunRequest& request) try {
+}  // namespace
+
+void require_scene(const SphRun& sph, const CaseDefinition& definition,
+                   const RunDefinition& run) try {
+  require_scheme(sph, run);
+  sph::Scene scene = scene_of(sph, definition);
+  scene.duration = 0;  // lays the lattice and takes no step
+  sph::run(sph.scheme, scene, {});
+} catch (const std::invalid_argument& error) {
+  throw refused(run, error.what());
+}
+
+RunResult run_sph(const SphRun& sph, const RunRequest& request) {
   require_scheme(sph, request.run);
   sph::Scene scene = scene_of(sph, request.definition);
-  std::unique_ptr<SnapshotWriter> snapshots;
-  if (request.settings.snapshot_interval > 0) {
-    snapshots = std::make_unique<SnapshotWriter>(request.settings.work_directory, request.run.name);
-    scene.snapshot_interval = request.settings.snapshot_interval;
-    scene.record_snapshot = [&](const sph::Snapshot& snapshot) { snapshots->record(snapshot); };
-  }
+  std::optional<SnapshotWriter> snapshots;
+  scene.snapshot_interval = request.settings.snapshot_interval;
+  scene.record_snapshot = [&](const sph::Snapshot& snapshot) {
+    if (!snapshots) snapshots.emplace(request.settings.work_directory, request.run.name);
+    snapshots->record(snapshot);
+  };
   sph::RunOutput output = sph::run(sph.scheme, scene, request.progress);
 
   RunResult result;
@@ -77,8 +81,6 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) try {
   result.cost.steps = output.steps;
   result.cost.elements = static_cast<double>(output.particles);
   return result;
-} catch (const std::invalid_argument& error) {  // a scene that the scheme does not take
-  throw refused(request.run, error.what());
 }
 
 }  // namespace slosh

@@ -136,6 +136,21 @@ TEST(CampaignReport, StandsWithoutASingleResult) {
   EXPECT_FALSE(report.passed);
 }
 
+TEST(CampaignReport, DrawsTheToleratedResidualOfTheQuantityThatTheRowNames) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.1)};
+  TimeSeries high = elevation_of({});
+  for (double& value : high.value) value *= 1.05;
+  const auto bands = [&] {
+    const reports::Report report =
+        report_of(surge_campaign(), {assess(definition, surge_runs_with("particles", high))});
+    return report.sections[1].figures[1].bands.size();
+  };
+  EXPECT_EQ(bands(), 1u);
+  definition.gate[0].quantity = "elevation@left";
+  EXPECT_EQ(bands(), 0u);
+}
+
 nlohmann::json json_of(const std::vector<CaseAssessment>& cases) {
   return nlohmann::json::parse(results_json("surges", true, cases));
 }
@@ -182,6 +197,12 @@ TEST(ResultsJson, TellsHowARunWithoutAResultEnded) {
   EXPECT_EQ(run.at("state"), "solver failed");
   EXPECT_EQ(run.at("message"), "diverged");
   EXPECT_FALSE(run.contains("user_time_s"));
+}
+
+TEST(ResultsJson, StandsWithAMessageThatIsNotUtf8) {
+  const nlohmann::json document = json_of(
+      {assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "at 20 \xb0"))});
+  EXPECT_EQ(document.at("cases").at(0).at("runs").at(4).at("message"), "at 20 \xef\xbf\xbd");
 }
 
 }  // namespace

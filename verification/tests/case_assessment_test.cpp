@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -154,6 +155,19 @@ TEST(CaseAssessment, PassesNothingWithoutCasesOrRows) {
   CaseDefinition ungated = surge_case();
   ungated.gate.clear();
   EXPECT_EQ(exit_status({assess(ungated, surge_runs())}), exit_not_compared);
+}
+
+TEST(CaseAssessment, PassesNoUngatedCaseOfWhichNoPairCanBeCompared) {
+  CaseDefinition ungated = surge_case();
+  ungated.gate.clear();
+  const CaseAssessment good = assess(surge_case(), surge_runs());
+  EXPECT_EQ(exit_status({good, assess(ungated, surge_runs())}), exit_pass);
+  CaseRuns broken = surge_runs();
+  for (auto& [run, result] : broken.results) result.series[0].value[500] = std::nan("");
+  const CaseAssessment nothing = assess(ungated, broken);
+  ASSERT_FALSE(nothing.not_comparable.empty());
+  EXPECT_NE(nothing.not_comparable[0].find("particles against theory: "), std::string::npos);
+  EXPECT_EQ(exit_status({good, nothing}), exit_not_compared);
 }
 
 TEST(CaseAssessment, TakesTheWorstOfItsCases) {

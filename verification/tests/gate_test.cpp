@@ -52,6 +52,8 @@ Comparison comparison_of(double amplitude_error) {
   natural.frequency_error = {-0.002, 0.0001};
   natural.decay_rate = {0.02, 0.001};
   comparison.modes.push_back(natural);
+  for (ModeComparison& mode : comparison.modes)
+    mode.candidate.resolved = mode.reference.resolved = true;
   comparison.normalised_rms = 0.1;
   comparison.maximum_residual = 0.0004;
   return comparison;
@@ -99,6 +101,17 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
   EXPECT_EQ(value(Metric::maximum_residual, "whole", "m"), 0.0004);
 }
 
+TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
+  Comparison lost = comparison_of(0.01), lost_reference = lost;
+  lost.modes[0].candidate.resolved = false;
+  lost_reference.modes[0].reference.resolved = false;
+  EXPECT_EQ(judge(amplitude_row, lost).verdict, Verdict::not_compared);
+  EXPECT_EQ(judge(amplitude_row, lost).message,
+            "the candidate's mode forced cannot be told from the rest");
+  EXPECT_EQ(judge(amplitude_row, lost_reference).verdict, Verdict::not_compared);
+  EXPECT_EQ(judge(row_of(Metric::normalised_rms, "whole", "1", 0.2), lost).verdict, Verdict::pass);
+}
+
 TEST(Gate, HoldsAValueBetweenItsBounds) {
   GateRow row = row_of(Metric::decay_rate, "natural_1", "1/s", 0);
   row.limit.reset();
@@ -135,6 +148,13 @@ TEST_F(GateOnImprovement, ComparesMagnitudes) {
   EXPECT_EQ(verdict(0.01, -0.02), Verdict::pass);
   EXPECT_EQ(verdict(-0.02, 0.01), Verdict::violated);
   EXPECT_EQ(verdict(0.01, 0.01), Verdict::violated);
+}
+
+TEST_F(GateOnImprovement, NeedsMoreThanBothIntervalsUnlessItReachesZero) {
+  EXPECT_EQ(verdict(0.0100, 0.0113), Verdict::violated);  // each +- 0.001
+  EXPECT_EQ(verdict(0.0100, 0.0115), Verdict::pass);
+  EXPECT_EQ(verdict(0.0008, 0.0011), Verdict::pass);
+  EXPECT_EQ(verdict(0.0008, 0.0009), Verdict::violated);
 }
 
 TEST_F(GateOnImprovement, NeverPassesNaN) {

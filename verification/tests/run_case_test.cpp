@@ -120,7 +120,7 @@ TEST(RunOfACase, RefusesARoll) {
       SineRoll{.amplitude = 0.07, .angular_frequency = 2, .axis_x = 0.5, .axis_z = 0, .where = {}};
   EXPECT_THROW(execute(definition, linear, {}, no_progress), CaseFileError);
   EXPECT_THROW(execute(definition, coarse_sph, {}, no_progress), CaseFileError);
-  EXPECT_THROW(require_known(definition, linear), CaseFileError);
+  EXPECT_THROW(require_runnable(definition, linear), CaseFileError);
 }
 
 TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
@@ -135,10 +135,12 @@ TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
 }
 
 TEST(RunOfACase, IsKnownBeforeItRuns) {
-  EXPECT_NO_THROW(require_known(sample_case(), coarse_sph));
-  EXPECT_NO_THROW(require_known(sample_case(), linear));
-  EXPECT_THROW(require_known(sample_case(), sample_run(SphRun{"li2011", 0.05, 0.05})),
-               CaseFileError);
+  EXPECT_NO_THROW(require_runnable(sample_case(), coarse_sph));
+  EXPECT_NO_THROW(require_runnable(sample_case(), linear));
+  for (const SphRun& wrong :
+       {SphRun{"li2011", 0.05, 0.05}, SphRun{"low_dissipation", 0.05, 0.025},
+        SphRun{"low_dissipation", 0.3, 0.3}})
+    EXPECT_THROW(require_runnable(sample_case(), sample_run(wrong)), CaseFileError);
 }
 
 TEST(RunOfACase, RefusesTwoSpacingsOfASchemeOfOneWithItsPlace) {
@@ -153,6 +155,21 @@ TEST(RunOfACase, RefusesTwoSpacingsOfASchemeOfOneWithItsPlace) {
         0u)
         << error.what();
   }
+}
+
+TEST(RunOfACase, RefusesWhatInterFoamDoesNotTakeWithItsPlace) {
+  try {
+    execute(sample_case(), sample_run(InterFoamRun{1, 20, 1}), {}, no_progress);
+    FAIL() << "the cells were taken";
+  } catch (const CaseFileError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "small_surge.toml:42: run a_run: OpenFOAM tank: cells_x = 1: expected at least 2");
+  }
+}
+
+TEST(RunOfACase, RefusesWhatTheLinearReferenceDoesNotTake) {
+  EXPECT_THROW(execute(sample_case(), sample_run(LinearRun{0, false, 0.1}), {}, no_progress),
+               CaseFileError);
 }
 
 class SphRunOfACase : public ::testing::Test {
@@ -206,6 +223,12 @@ TEST_F(SphRunOfACase, SetsTheLiquidOffWithTheFrameThatItStartsIn) {
   const auto sine = std::get<SineSurge>(definition.motion);
   EXPECT_NEAR(initial_velocity(directory.path() / "a_run.snapshots.h5"),
               sine.amplitude * sine.angular_frequency, 1e-12);
+}
+
+TEST_F(SphRunOfACase, LeavesNoSnapshotsWhereTheyAreRefused) {
+  settings.snapshot_interval = 0.07;
+  EXPECT_THROW(execute(definition, coarse_sph, settings, no_progress), CaseFileError);
+  EXPECT_TRUE(fs::is_empty(directory.path()));
 }
 
 }  // namespace

@@ -16,15 +16,15 @@ class RunKey : public ::testing::Test {
  protected:
   RunKey() {
     std::filesystem::create_directories(templates / "system");
-    std::ofstream(executable) << "one build of the tool";
+    std::ofstream(solver_build) << "one build of the solvers";
     std::ofstream(templates / "system" / "fvSolution") << "nOuterCorrectors 1;";
   }
   std::string key(const CaseDefinition& definition, const RunDefinition& run) const {
-    return run_key(definition, run, executable, templates);
+    return run_key(definition, run, solver_build, templates);
   }
 
   TemporaryDirectory directory;
-  const std::filesystem::path executable = directory.path() / "slosh";
+  const std::filesystem::path solver_build = directory.path() / "slosh.solver";
   const std::filesystem::path templates = directory.path() / "templates";
   const RunDefinition sph = sample_run(SphRun{"li2010", 0.02, 0.02});
   const RunDefinition interfoam = sample_run(InterFoamRun{50, 50, 1});
@@ -98,9 +98,9 @@ TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
   EXPECT_EQ(key(definition, run), key(sample_case(), sph));
 }
 
-TEST_F(RunKey, ChangesWithTheExecutable) {
+TEST_F(RunKey, ChangesWithTheSolversBuild) {
   const std::string before = key(sample_case(), sph);
-  std::ofstream(executable) << "another build of it  ";
+  std::ofstream(solver_build) << "another build of it  ";
   EXPECT_NE(key(sample_case(), sph), before);
 }
 
@@ -110,7 +110,7 @@ TEST_F(RunKey, TellsAnotherBuildFromAnotherQuestion) {
   heavier.gravity = 9.9;
   EXPECT_FALSE(asks_the_same(key(heavier, sph), before));
   EXPECT_FALSE(asks_the_same(key(sample_case(), interfoam), before));
-  std::ofstream(executable) << "another build of it  ";
+  std::ofstream(solver_build) << "another build of it  ";
   EXPECT_TRUE(asks_the_same(key(sample_case(), sph), before));
 }
 
@@ -122,10 +122,10 @@ TEST_F(RunKey, ChangesWithTheTemplatesOfInterFoamAlone) {
   EXPECT_EQ(key(sample_case(), sph), sph_before);
 }
 
-TEST_F(RunKey, IsRefusedWithoutAnExecutableOrTemplates) {
+TEST_F(RunKey, IsRefusedWithoutTheSolversBuildOrTemplates) {
   EXPECT_THROW(run_key(sample_case(), sph, directory.path() / "absent", templates),
                std::filesystem::filesystem_error);
-  EXPECT_THROW(run_key(sample_case(), interfoam, executable, directory.path() / "absent"),
+  EXPECT_THROW(run_key(sample_case(), interfoam, solver_build, directory.path() / "absent"),
                std::filesystem::filesystem_error);
 }
 

@@ -2,7 +2,6 @@
 // translated wrongly shows.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "openfoam_cases/surging_tank.hpp"
@@ -26,31 +25,50 @@ RunResult run(const CaseDefinition& definition, const decltype(RunDefinition::so
   return execute(definition, sample_run(solver), settings, [](double, double) {});
 }
 
-double normalised_difference(const TimeSeries& a, const TimeSeries& b) {
+// The first samples see the impulse of an abrupt start, of which each solver makes what its time
+// step allows. [s]
+constexpr double impulse_end = 0.1;
+
+// `solver` lacks so many of the first samples.
+double normalised_difference(const TimeSeries& solver, const TimeSeries& exact,
+                             std::size_t lacking) {
+  EXPECT_EQ(solver.value.size() + lacking, exact.value.size()) << solver.name;
+  if (solver.value.size() + lacking != exact.value.size()) return INFINITY;
   double difference = 0, norm = 0;
-  const std::size_t count = std::min(a.value.size(), b.value.size());
-  for (std::size_t i = 5; i < count; ++i) {  // the first samples see the impulse of an abrupt start
-    EXPECT_NEAR(a.time[i], b.time[i], 5e-3);
-    difference += std::pow(a.value[i] - b.value[i], 2);
-    norm += std::pow(b.value[i], 2);
+  for (std::size_t i = 0; i < solver.value.size(); ++i) {
+    EXPECT_NEAR(solver.time[i], exact.time[i + lacking], 5e-3);
+    if (solver.time[i] < impulse_end) continue;
+    difference += std::pow(solver.value[i] - exact.value[i + lacking], 2);
+    norm += std::pow(exact.value[i + lacking], 2);
   }
   return std::sqrt(difference / norm);
 }
 
-void expect_linear_theory(Start start, const decltype(RunDefinition::solver)& solver) {
+enum class Force { compared, left_out };
+
+void expect_linear_theory(Start start, const decltype(RunDefinition::solver)& solver,
+                          Force force = Force::compared) {
   CaseDefinition definition = sample_case();
   definition.start = start;
   const RunResult exact =
       run(definition, LinearRun{.modes = 500, .valid_elevation_over_depth = 0.1});
   const RunResult result = run(definition, solver);
-  for (const char* name : {"elevation@left", "elevation@right"}) {
-    const double difference = normalised_difference(result.at(name), exact.at(name));
+  const auto expect_near = [&](const char* name, std::size_t lacking) {
+    const double difference = normalised_difference(result.at(name), exact.at(name), lacking);
     EXPECT_TRUE(difference <= allowed) << name << ": " << difference;
-  }
+  };
+  expect_near("elevation@left", 0);
+  expect_near("elevation@right", 0);
+  // No solver has a force before its first step.
+  if (force == Force::compared) expect_near("horizontal_force", 1);
 }
 
-TEST(SolverTranslation, SphFollowsLinearTheoryFromAStartInTheEarthsFrame) {
-  expect_linear_theory(Start::earth, SphRun{"low_dissipation_wendland", 0.025, 0.025});
+// A start in the earth's frame strikes the liquid with the walls, and it rings with sound (16 Hz
+// here): for two seconds three times the wave's force.
+TEST(SolverTranslation, SphFollowsLinearTheoryFromEitherStart) {
+  const SphRun sph{"low_dissipation_wendland", 0.025, 0.025};
+  expect_linear_theory(Start::earth, sph, Force::left_out);
+  expect_linear_theory(Start::tank, sph);
 }
 
 TEST(SolverTranslation, InterFoamFollowsLinearTheoryFromEitherStart) {

@@ -102,7 +102,11 @@ TEST_F(Tool, RefusesAWrongCaseFileWithItsLineBeforeAnythingRuns) {
   const std::vector<std::pair<std::string, std::string>> wrong_cases{
       {with(particles_case, "gravity_m_s2", "gravity"), "small.toml:6: gravity = "},
       {with(particles_case, "\"low_dissipation\"", "\"low_disipation\""),
-       "small.toml:38: run particles: scheme = \"low_disipation\": expected one of "}};
+       "small.toml:38: run particles: scheme = \"low_disipation\": expected one of "},
+      {with(particles_case, "0.025\n", "0.3\n"),
+       "small.toml:38: run particles: particle_spacing = 0.3 m: expected a whole number"},
+      {with(particles_case, "natural_modes = 1", "natural_modes = 9"),
+       "small.toml: comparison: the window of "}};
   for (const auto& [text, message] : wrong_cases) {
     write_campaign(text);
     const Ended run = campaign();
@@ -170,11 +174,35 @@ TEST_F(Tool, LeavesSnapshotsForParaView) {
   const Ended run = tool({"run", "./small.toml", "particles", "--snapshots", "2"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(holds(run.out, "result: particles.h5"));
+  EXPECT_TRUE(holds(run.out, "snapshots: particles.work/particles.snapshots.xmf\n"));
   EXPECT_NO_THROW(read_result(directory() / "particles.h5"));
   const fs::path work = directory() / "particles.work";
   EXPECT_GT(fs::file_size(work / "particles.snapshots.h5"), 10000u);
   EXPECT_TRUE(
       holds(read(work / "particles.snapshots.xmf"), "particles.snapshots.h5:/snapshot_00004"));
+}
+
+TEST_F(Tool, RefusesSnapshotsThatARunCannotMake) {
+  write_campaign(particles_case + mesh_run);
+  const std::vector<std::vector<std::string>> wrong{
+      {"theory", "2", "small.toml:32: run theory: snapshots: expected a run of the solver sph"},
+      {"mesh", "2", "small.toml:53: run mesh: snapshots: expected a run of the solver sph"},
+      {"particles", "0.015",
+       "small.toml:38: run particles: snapshot interval = 0.015 s: expected a multiple of the "
+       "sample interval of 0.01 s"}};
+  for (const auto& one : wrong) {
+    const Ended run = tool({"run", "./small.toml", one[0], "--snapshots", one[1]});
+    EXPECT_EQ(run.status, 2) << one[0];
+    EXPECT_TRUE(holds(run.err, one[2]));
+    EXPECT_FALSE(fs::exists(directory() / (one[0] + ".h5")));
+  }
+}
+
+TEST_F(Tool, ListsTheCasesWithTheirTags) {
+  EXPECT_TRUE(holds(tool({"list"}).out,
+                    "  li2010_small_amplitude               Small-amplitude surge, set off from "
+                    "rest in the frame of the earth [surge, small_amplitude, li2010]\n"
+                    "      linear\n"));
 }
 
 TEST_F(Tool, RecordsTheCommandThatRepeatsARun) {
