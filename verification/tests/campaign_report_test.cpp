@@ -48,7 +48,8 @@ TEST(VerdictSentence, NamesEveryKindOfTrouble) {
   for (double& value : high.value) value *= 1.1;
   EXPECT_EQ(verdict_sentence({assess(surge_case(), surge_runs_with("particles", high))}),
             "2 of 3 gate rows hold, 1 violated.");
-  EXPECT_EQ(verdict_sentence({good(), not_comparable()}), "3 of 6 gate rows hold, 3 not compared.");
+  EXPECT_EQ(verdict_sentence({good(), not_comparable()}),
+            "3 of 6 gate rows hold, 3 not compared, 2 pairs not comparable.");
   const auto without = [](RunState why) {
     return std::vector{assess(surge_case(), surge_runs_without("particles", why, "x"))};
   };

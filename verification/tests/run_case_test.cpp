@@ -137,9 +137,8 @@ TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
 TEST(RunOfACase, IsKnownBeforeItRuns) {
   EXPECT_NO_THROW(require_runnable(sample_case(), coarse_sph));
   EXPECT_NO_THROW(require_runnable(sample_case(), linear));
-  for (const SphRun& wrong :
-       {SphRun{"li2011", 0.05, 0.05}, SphRun{"low_dissipation", 0.05, 0.025},
-        SphRun{"low_dissipation", 0.3, 0.3}})
+  for (const SphRun& wrong : {SphRun{"li2011", 0.05, 0.05}, SphRun{"low_dissipation", 0.05, 0.025},
+                              SphRun{"low_dissipation", 0.3, 0.3}})
     EXPECT_THROW(require_runnable(sample_case(), sample_run(wrong)), CaseFileError);
 }
 

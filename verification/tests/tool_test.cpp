@@ -103,9 +103,9 @@ TEST_F(Tool, RefusesAWrongCaseFileWithItsLineBeforeAnythingRuns) {
       {with(particles_case, "gravity_m_s2", "gravity"), "small.toml:6: gravity = "},
       {with(particles_case, "\"low_dissipation\"", "\"low_disipation\""),
        "small.toml:38: run particles: scheme = \"low_disipation\": expected one of "},
-      {with(particles_case, "0.025\n", "0.3\n"),
-       "small.toml:38: run particles: particle_spacing = 0.3 m: expected a whole number"},
-      {with(particles_case, "natural_modes = 1", "natural_modes = 9"),
+      {with(particles_case, "0.025\n", "0.11\n"),
+       "small.toml:38: run particles: particle_spacing = 0.11 m: expected a whole number"},
+      {with(particles_case, "window_begin_s = 1.0", "window_begin_s = 7.0"),
        "small.toml: comparison: the window of "}};
   for (const auto& [text, message] : wrong_cases) {
     write_campaign(text);
