@@ -1,10 +1,9 @@
-// Cell-linked neighbour search. Cells are half as wide as the kernel's support plus a skin and
-// stored row by row, so a particle's neighbours are five runs of sources, one in each of the five
-// rows around it, five cells long: contiguous memory for the pair loops. The skin keeps a grid
-// valid until some particle has moved half of it against the tank.
+// Sorts points into flat cells: rows some particles high, columns a fraction of a particle wide. In
+// this order consecutive particles form compact clusters (cluster_lists.hpp), and the points within
+// a reach are one contiguous run in each of a few rows.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,18 +17,20 @@ struct IndexRange {
 
 class CellGrid {
  public:
-  static constexpr int reach_in_cells = 2;
-  static constexpr int runs = 2 * reach_in_cells + 1;
+  // Covers [min, max] in both directions, positions relative to the tank [m].
+  CellGrid(double min_x, double max_x, double min_z, double max_z, double cell_width,
+           double cell_height)
+      : min_x_(min_x),
+        min_z_(min_z),
+        columns_per_length_(1 / cell_width),
+        rows_per_length_(1 / cell_height),
+        columns_(static_cast<int>((max_x - min_x) * columns_per_length_) + 1),
+        rows_(static_cast<int>((max_z - min_z) * rows_per_length_) + 1),
+        begin_(static_cast<std::size_t>(columns_) * rows_ + 1) {}
 
-  // Covers [min, max] in both directions, positions relative to the tank [m]; `reach` is the
-  // kernel's support plus the skin [m].
-  CellGrid(double min_x, double max_x, double min_z, double max_z, double reach)
-      : min_x_(min_x), min_z_(min_z), inverse_width_(reach_in_cells / reach) {
-    columns_ = column(max_x) + 1 + reach_in_cells;
-    rows_ = row(max_z) + 1 + reach_in_cells;
-    begin_.resize(static_cast<std::size_t>(columns_) * rows_ + 1);
-  }
-
+  // A point outside counts to the nearest cell.
+  int column(double x) const { return clamped((x - min_x_) * columns_per_length_, columns_); }
+  int row(double z) const { return clamped((z - min_z_) * rows_per_length_, rows_); }
   std::uint32_t cell(double x, double z) const {
     return static_cast<std::uint32_t>(row(z) * columns_ + column(x));
   }
@@ -44,26 +45,20 @@ class CellGrid {
     for (std::uint32_t i = 0; i < keys.size(); ++i) order[cursor_[keys[i]]++] = i;
   }
 
-  // The runs of sources around a cell that is not on the margin.
-  std::array<IndexRange, runs> neighbourhood(std::uint32_t cell) const {
-    std::array<IndexRange, runs> ranges;
-    for (int r = 0; r < runs; ++r) {
-      const std::int64_t middle = static_cast<std::int64_t>(cell) + (r - reach_in_cells) * columns_;
-      ranges[r] = {begin_[middle - reach_in_cells], begin_[middle + reach_in_cells + 1]};
-    }
-    return ranges;
+  // What the last sort put into the columns `from` to `to` of a row.
+  IndexRange run(int row, int from, int to) const {
+    const std::uint32_t* cells = begin_.data() + static_cast<std::size_t>(row) * columns_;
+    return {cells[from], cells[to + 1]};
   }
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
 
  private:
-  // An empty margin surrounds the covered cells.
-  int column(double x) const {
-    return static_cast<int>(std::floor((x - min_x_) * inverse_width_)) + reach_in_cells;
-  }
-  int row(double z) const {
-    return static_cast<int>(std::floor((z - min_z_) * inverse_width_)) + reach_in_cells;
+  static int clamped(double cells, int count) {
+    return static_cast<int>(std::clamp(cells, 0.0, count - 1.0));
   }
 
-  double min_x_, min_z_, inverse_width_;
+  double min_x_, min_z_, columns_per_length_, rows_per_length_;
   int columns_, rows_;
   std::vector<std::uint32_t> begin_, cursor_;
 };

@@ -13,8 +13,8 @@ struct Tait {
 
   double stiffness() const { return rest_density * speed_of_sound * speed_of_sound / 7.0; }
 
-  double pressure(double density) const {
-    const double s = density / rest_density, s2 = s * s;
+  auto pressure(auto density) const {
+    const auto s = density / rest_density, s2 = s * s;
     return stiffness() * (s2 * s2 * s2 * s - 1.0);
   }
   // Inverse, for p > -B.

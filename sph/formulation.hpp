@@ -16,12 +16,22 @@ struct MassWeighted {
   static constexpr bool reads_density = true;
 
   double weight(double mass, double) const { return mass; }
-  double strength(double pressure, double density) const { return pressure / (density * density); }
-  double viscous_scale(double density_a, double density_b) const {
+  template <class Number>
+  Number strength(Number pressure, Number density) const {
+    return pressure / (density * density);
+  }
+  template <class Number>
+  Number viscous_scale(Number density_a, double density_b) const {
     return 2.0 / (density_a + density_b);
   }
-  double acceleration_factor(double) const { return 1.0; }
-  double continuity_factor(double) const { return 1.0; }
+  template <class Number>
+  double acceleration_factor(Number) const {
+    return 1.0;
+  }
+  template <class Number>
+  double continuity_factor(Number) const {
+    return 1.0;
+  }
 };
 
 // Volumes, consistent at a free surface (Colagrossi, Antuono & Le Touze 2009; Antuono et al. 2010,
@@ -34,10 +44,22 @@ struct VolumeWeighted {
   double rest_density;
 
   double weight(double mass, double density) const { return mass / density; }
-  double strength(double pressure, double) const { return pressure; }
-  double viscous_scale(double, double) const { return rest_density; }
-  double acceleration_factor(double density) const { return 1.0 / density; }
-  double continuity_factor(double density) const { return density; }
+  template <class Number>
+  Number strength(Number pressure, Number) const {
+    return pressure;
+  }
+  template <class Number>
+  double viscous_scale(Number, double) const {
+    return rest_density;
+  }
+  template <class Number>
+  Number acceleration_factor(Number density) const {
+    return 1.0 / density;
+  }
+  template <class Number>
+  Number continuity_factor(Number density) const {
+    return density;
+  }
 };
 
 }  // namespace slosh::sph

@@ -7,8 +7,9 @@
 //   gradient_shape(q)  (dW/dr) / r = normalisation / h^4 * gradient_shape(q), finite at q = 0
 #pragma once
 
-#include <algorithm>
 #include <numbers>
+
+#include "sph/lanes.hpp"
 
 namespace slosh::sph {
 
@@ -20,13 +21,14 @@ struct CubicSpline {
   static constexpr double normalisation = 10.0 / (7.0 * std::numbers::pi);
 
   static double shape(double q) {
-    const double outer = std::max(0.0, 2.0 - q), inner = std::max(0.0, 1.0 - q);
+    const double outer = at_least(0.0, 2.0 - q), inner = at_least(0.0, 1.0 - q);
     return 0.25 * outer * outer * outer - inner * inner * inner;
   }
-  static double gradient_shape(double q) {
-    const double outer = std::max(0.0, 2.0 - q), inner = std::max(0.0, 1.0 - q);
+  template <class Number>
+  static Number gradient_shape(Number q) {
+    const Number outer = at_least(0.0, 2.0 - q), inner = at_least(0.0, 1.0 - q);
     // The numerator vanishes at q = 0; the bound only keeps 0/0 away.
-    return (3.0 * inner * inner - 0.75 * outer * outer) / std::max(q, 1e-9);
+    return (3.0 * inner * inner - 0.75 * outer * outer) / at_least(1e-9, q);
   }
 };
 
@@ -36,11 +38,12 @@ struct WendlandC2 {
   static constexpr double normalisation = 7.0 / (4.0 * std::numbers::pi);
 
   static double shape(double q) {
-    const double s = std::max(0.0, 1.0 - 0.5 * q);
+    const double s = at_least(0.0, 1.0 - 0.5 * q);
     return s * s * s * s * (2.0 * q + 1.0);
   }
-  static double gradient_shape(double q) {
-    const double s = std::max(0.0, 1.0 - 0.5 * q);
+  template <class Number>
+  static Number gradient_shape(Number q) {
+    const Number s = at_least(0.0, 1.0 - 0.5 * q);
     return -5.0 * s * s * s;
   }
 };
@@ -55,19 +58,22 @@ struct QuinticSpline {
     const double s = 1.5 * q;
     return fifth(3.0 - s) - 6.0 * fifth(2.0 - s) + 15.0 * fifth(1.0 - s);
   }
-  static double gradient_shape(double q) {
-    const double s = 1.5 * q;
+  template <class Number>
+  static Number gradient_shape(Number q) {
+    const Number s = 1.5 * q;
     // The numerator vanishes at s = 0; the bound only keeps 0/0 away.
     return 2.25 * (30.0 * fourth(2.0 - s) - 5.0 * fourth(3.0 - s) - 75.0 * fourth(1.0 - s)) /
-           std::max(s, 1e-9);
+           at_least(1e-9, s);
   }
 
  private:
-  static double fourth(double a) {
-    const double b = std::max(0.0, a) * std::max(0.0, a);
-    return b * b;
+  // Of the positive part.
+  template <class Number>
+  static Number fourth(Number a) {
+    const Number positive = at_least(0.0, a), square = positive * positive;
+    return square * square;
   }
-  static double fifth(double a) { return fourth(a) * std::max(0.0, a); }
+  static double fifth(double a) { return fourth(a) * at_least(0.0, a); }
 };
 
 }  // namespace slosh::sph

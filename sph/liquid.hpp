@@ -26,7 +26,7 @@ class Liquid {
       : particles(std::move(initial)),
         scheme_(scheme),
         scene_(scene),
-        neighbours_(walls_at(0), largest_support(), Scheme::skin) {
+        neighbours_(walls_at(0), scene.particle_spacing, largest_support(), Scheme::skin) {
     renew_neighbours(0);
   }
 
@@ -47,20 +47,19 @@ class Liquid {
     if (!neighbours_.stale(particles, walls, dt)) return;
     if (!neighbours_.rebuild(particles, walls))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
-    neighbours_.template allocate<Scheme>();
     rates.resize(particles.size());
   }
 
   void accelerate(double t) {
     const TankWalls walls = walls_at(t);
-    neighbours_.refresh(scheme_, particles, walls);
-    sum_momentum(scheme_, neighbours_, particles, rates);
+    neighbours_.refresh_for_momentum(scheme_, particles, walls);
+    sum_momentum(scheme_, neighbours_, particles, rates, instructions_);
     scheme_.wall_contact.push(particles, walls, rates);
   }
 
   void compress(double t) {
-    neighbours_.refresh(scheme_, particles, walls_at(t));
-    sum_continuity(scheme_, neighbours_, particles, rates);
+    neighbours_.refresh_for_continuity(scheme_, particles, walls_at(t));
+    sum_continuity(scheme_, neighbours_, particles, rates, instructions_);
   }
 
   const Scheme& scheme() const { return scheme_; }
@@ -75,6 +74,7 @@ class Liquid {
   Scheme scheme_;
   const Scene& scene_;
   NeighbourSources neighbours_;
+  InstructionSet instructions_ = widest_instruction_set();
 };
 
 }  // namespace slosh::sph

@@ -1,6 +1,6 @@
 // The sources of the pair sums: the liquid and its mirror images, sorted by cell. `rebuild` sorts
-// the particles themselves and decides which images exist; `refresh` fills in the sources' state,
-// many times between rebuilds.
+// the particles themselves, decides which images exist and lists the sources of every cluster;
+// `refresh_for_...` fill in the sources' state, many times between rebuilds.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sph/cell_grid.hpp"
+#include "sph/cluster_lists.hpp"
 #include "sph/mirror_particles.hpp"
 #include "sph/particles.hpp"
 #include "sph/tank_walls.hpp"
@@ -19,13 +20,15 @@ namespace slosh::sph {
 
 class NeighbourSources {
  public:
-  // `support` is the largest kernel radius in the scene [m]; `skin` the fraction of it by which
-  // cells are wider. Throws std::invalid_argument for a tank in which a particle would need images
-  // of images: narrower or lower than two reaches.
-  NeighbourSources(const TankWalls& walls, double support, double skin)
+  // `spacing` of the particles [m], which shapes the cells; `support`, the largest kernel radius in
+  // the scene [m]; `skin`, the fraction of it by which the lists reach farther. Throws
+  // std::invalid_argument for a tank in which a particle would need images of images: narrower or
+  // lower than two reaches.
+  NeighbourSources(const TankWalls& walls, double spacing, double support, double skin)
       : reach_(support * (1 + skin)),
         slack_(0.5 * support * skin),
-        grid_(-reach_, walls.right - walls.left + reach_, -reach_, walls.roof + reach_, reach_) {
+        grid_(-reach_, walls.right - walls.left + reach_, -reach_, walls.roof + reach_,
+              cell_width * spacing, cell_height * spacing) {
     const double narrowest = std::min(walls.right - walls.left, walls.roof - walls.bottom);
     if (!(narrowest >= 2 * reach_))
       throw std::invalid_argument(
@@ -42,6 +45,7 @@ class NeighbourSources {
     if (stray_ != n) return false;
     sort_particles(particles, walls);
     list_sources(particles, walls);
+    clusters_.build(grid_, particle_cell_, built_x_, built_z_, sources_, reach_);
     return true;
   }
   std::size_t stray() const { return stray_; }
@@ -62,56 +66,53 @@ class NeighbourSources {
     return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
   }
 
-  // Fills in every source's position, velocity, strength and weight, and what else the scheme
-  // reads.
+  // Fills in what the momentum sum reads of every source.
   template <class Scheme>
-  void refresh(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
+  void refresh_for_momentum(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
     const auto maps = mirror_maps<typename Scheme::Mirror>(walls, scheme.gravity);
-    const double inverse_c2 = 1.0 / (scheme.state.speed_of_sound * scheme.state.speed_of_sound);
 #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < owner_.size(); ++k) {
       const std::size_t i = owner_[k];
       const MirrorMap& map = maps[reflection_[k]];
-      sources_.x[k] = map.scale_x * p.x[i] + map.offset_x;
-      sources_.z[k] = map.scale_z * p.z[i] + map.offset_z;
-      sources_.velocity_x[k] = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
-      sources_.velocity_z[k] = map.velocity_scale_z * p.velocity_z[i];
-      const double owner_pressure = scheme.state.pressure(p.density[i]);
-      const double pressure =
-          owner_pressure + p.density[i] * (map.gravity_x * (sources_.x[k] - p.x[i]) +
-                                           map.gravity_z * (sources_.z[k] - p.z[i]));
-      sources_.strength[k] = scheme.formulation.strength(pressure, p.density[i]);
-      sources_.weight[k] = scheme.formulation.weight(p.mass[i], p.density[i]);
-      if constexpr (Scheme::Formulation::reads_density) sources_.density[k] = p.density[i];
-      if constexpr (Scheme::DensityDiffusion::active)
-        sources_.dynamic_density[k] =
-            inverse_c2 * (owner_pressure - scheme.state.rest_density * scheme.gravity *
-                                               (scheme.fill_depth - p.z[i]));
-      if constexpr (Scheme::Smoothing::reads_spacing) sources_.spacing[k] = p.spacing[i];
+      Source& source = sources_[k];
+      move(source, p, i, map);
+      const double pressure = scheme.state.pressure(p.density[i]) +
+                              p.density[i] * (map.gravity_x * (source.x - p.x[i]) +
+                                              map.gravity_z * (source.z - p.z[i]));
+      source.strength = scheme.formulation.strength(pressure, p.density[i]);
+      source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
+      source.density = p.density[i];
+      source.spacing = p.spacing[i];
     }
   }
 
-  const Sources& sources() const { return sources_; }
-  // The runs of sources that hold every neighbour of particle i.
-  std::array<IndexRange, CellGrid::runs> neighbourhood(std::size_t i) const {
-    return grid_.neighbourhood(particle_cell_[i]);
-  }
-  // Where particle i stands among the sources.
-  std::size_t slot(std::size_t i) const { return slot_[i]; }
-
+  // Fills in what the continuity sum reads of every source.
   template <class Scheme>
-  void allocate() {
-    // A padded run may read past the last source.
-    const std::size_t n = owner_.size() + vector_length;
-    for (auto* field : {&sources_.x, &sources_.z, &sources_.velocity_x, &sources_.velocity_z,
-                        &sources_.strength, &sources_.weight})
-      field->resize(n);
-    if constexpr (Scheme::Formulation::reads_density) sources_.density.resize(n);
-    if constexpr (Scheme::DensityDiffusion::active) sources_.dynamic_density.resize(n);
-    if constexpr (Scheme::Smoothing::reads_spacing) sources_.spacing.resize(n);
+  void refresh_for_continuity(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
+    const auto maps = mirror_maps<typename Scheme::Mirror>(walls, scheme.gravity);
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < owner_.size(); ++k) {
+      const std::size_t i = owner_[k];
+      Source& source = sources_[k];
+      move(source, p, i, maps[reflection_[k]]);
+      source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
+      if constexpr (Scheme::DensityDiffusion::active)
+        source.density = scheme.density_diffusion.diffused(p.density[i], p.z[i]);
+      source.spacing = p.spacing[i];
+    }
   }
+
+  const Source* sources() const { return sources_.data(); }
+  const ClusterLists& clusters() const { return clusters_; }
 
  private:
+  static void move(Source& source, const Particles& p, std::size_t i, const MirrorMap& map) {
+    source.x = map.scale_x * p.x[i] + map.offset_x;
+    source.z = map.scale_z * p.z[i] + map.offset_z;
+    source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
+    source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
+  }
+
   // Comparisons that a NaN fails.
   static bool inside(double x, double z, const TankWalls& walls) {
     return x > walls.left && x < walls.right && z > walls.bottom && z < walls.roof;
@@ -155,7 +156,7 @@ class NeighbourSources {
       if (level) list_source(i, level, maps);
       if (side && level) list_source(i, side + level, maps);
     }
-    place_sources(particles.size());
+    place_sources(maps);
   }
 
   void list_source(std::size_t i, int bits, const std::array<MirrorMap, reflection_count>& maps) {
@@ -165,22 +166,28 @@ class NeighbourSources {
                                maps[bits].scale_z * built_z_[i] + maps[bits].offset_z));
   }
 
-  void place_sources(std::size_t particles) {
+  // In the order of the cells, at their places in the tank's frame for the clusters' lists.
+  void place_sources(const std::array<MirrorMap, reflection_count>& maps) {
     grid_.sort(keys_, order_);
     owner_.resize(order_.size());
     reflection_.resize(order_.size());
-    slot_.resize(particles);
+    sources_.resize(order_.size());
     for (std::uint32_t k = 0; k < order_.size(); ++k) {
-      owner_[k] = listed_owner_[order_[k]];
-      reflection_[k] = listed_reflection_[order_[k]];
-      if (reflection_[k] == in_none) slot_[owner_[k]] = k;
+      const std::size_t i = owner_[k] = listed_owner_[order_[k]];
+      const MirrorMap& map = maps[reflection_[k] = listed_reflection_[order_[k]]];
+      sources_[k].x = map.scale_x * built_x_[i] + map.offset_x;
+      sources_[k].z = map.scale_z * built_z_[i] + map.offset_z;
     }
   }
 
+  // In particle spacings: eight particles of a row make a cluster about as wide as it is high.
+  static constexpr double cell_height = 2.83, cell_width = 0.5;
+
   double reach_, slack_;
   CellGrid grid_;
-  Sources sources_;
-  std::vector<std::uint32_t> owner_, slot_, particle_cell_;
+  Array<Source> sources_;
+  ClusterLists clusters_;
+  std::vector<std::uint32_t> owner_, particle_cell_;
   std::vector<std::uint8_t> reflection_;
   Array<double> built_x_, built_z_, sorted_;
   std::vector<std::uint32_t> keys_, order_, listed_owner_;

@@ -1,34 +1,32 @@
-// The liquid's particles, and the sources that the pair loops read: each a structure of arrays,
-// aligned for vector loads. A source is a liquid particle or one of its mirror images
-// (mirror_particles.hpp); sources are sorted by cell, so that a particle's neighbours lie in a
-// few contiguous runs (cell_grid.hpp).
+// The liquid's particles as a structure of arrays, and the sources that the pair loops read. A
+// source is a liquid particle or one of its mirror images (mirror_particles.hpp).
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <new>
 #include <vector>
 
+#include "sph/lanes.hpp"
+
 namespace slosh::sph {
 
+// Aligned for vector loads, with room past the end for a vector that begins at the last element.
 template <class T>
-struct CacheLineAllocator {
+struct VectorAllocator {
   using value_type = T;
-  static constexpr std::align_val_t alignment{64};
-  CacheLineAllocator() = default;
+  static constexpr std::align_val_t alignment{sizeof(Lanes)};
+  VectorAllocator() = default;
   template <class U>
-  CacheLineAllocator(const CacheLineAllocator<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  VectorAllocator(const VectorAllocator<U>&) {}
+  T* allocate(std::size_t n) {
+    return static_cast<T*>(::operator new(n * sizeof(T) + sizeof(Lanes), alignment));
+  }
   void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
-  bool operator==(const CacheLineAllocator&) const { return true; }
+  bool operator==(const VectorAllocator&) const { return true; }
 };
 
 template <class T>
-using Array = std::vector<T, CacheLineAllocator<T>>;
-
-// The pair loops read sources in vectors of this many and give no weight to what lies past a run's
-// end, so that they need no remainder loop.
-inline constexpr std::size_t vector_length = 8;
+using Array = std::vector<T, VectorAllocator<T>>;
 
 // The state that is carried from step to step; positions and velocities in the earth's frame.
 struct Particles {
@@ -56,16 +54,14 @@ struct Rates {
   }
 };
 
-// What the pair loops read of each source. What `strength` and `weight` are is the formulation's
-// choice (formulation.hpp). The last three exist only where a scheme's policies read them.
-struct Sources {
-  Array<double> x, z, velocity_x, velocity_z;
-  Array<double> strength, weight;
-  Array<double> density;          // [kg/m3]
-  Array<double> dynamic_density;  // [kg/m3], density above the hydrostatic one
-  Array<double> spacing;          // [m]
-
-  std::size_t size() const { return x.size(); }
+// All that a pair loop reads of one source, in one cache line. What `strength` and `weight` are is
+// the formulation's choice (formulation.hpp).
+struct alignas(64) Source {
+  double x, z, velocity_x, velocity_z;
+  double weight;
+  double strength;
+  double density;  // [kg/m3]; in a scheme with density diffusion, that which diffuses
+  double spacing;  // [m]
 };
 
 }  // namespace slosh::sph

@@ -43,7 +43,7 @@ struct Li2010 {
   using WallContact = RepulsiveWall;
   using Integrator = PredictorCorrector;
   static constexpr double smoothing_ratio = 1.5;  // h = 1.5 dp, section 4.1
-  static constexpr double skin = 0.1;
+  static constexpr double skin = 0.05;
 
   double gravity, fill_depth;
   Tait state;
@@ -83,7 +83,7 @@ struct LowDissipation {
   using WallContact = ReflectingWall;
   using Integrator = StaggeredLeapfrog;
   static constexpr double smoothing_ratio = 1.5;
-  static constexpr double skin = 0.1;
+  static constexpr double skin = 0.05;
 
   double gravity, fill_depth;
   Tait state;
@@ -100,7 +100,7 @@ struct LowDissipation {
         smoothing(smoothing_ratio, scene.particle_spacing),
         formulation{scene.rest_density},
         viscosity{0.003, state.speed_of_sound},
-        density_diffusion{0.1, state.speed_of_sound} {}
+        density_diffusion{0.1, state, scene.gravity, scene.fill_depth} {}
 
   // dt = min(0.8 h / c0, 0.25 sqrt(h / |a|)): Courant and force criterion (Monaghan 1992,
   // section 10.3).

@@ -11,7 +11,10 @@ struct UniformSmoothing {
   double inverse_length;  // 1/h [1/m]
 
   UniformSmoothing(double ratio, double spacing) : inverse_length(1.0 / (ratio * spacing)) {}
-  double inverse(double, double) const { return inverse_length; }
+  template <class Number>
+  double inverse(Number, double) const {
+    return inverse_length;
+  }
 };
 
 // h_ab = ratio * (spacing_a + spacing_b) / 2 (Monaghan 1992, section 4).
@@ -21,7 +24,8 @@ struct PairSmoothing {
   double twice_inverse_ratio;
 
   PairSmoothing(double ratio, double) : twice_inverse_ratio(2.0 / ratio) {}
-  double inverse(double spacing_a, double spacing_b) const {
+  template <class Number>
+  Number inverse(Number spacing_a, double spacing_b) const {
     return twice_inverse_ratio / (spacing_a + spacing_b);
   }
 };

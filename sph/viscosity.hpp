@@ -3,12 +3,13 @@
 // smoothing length [m].
 #pragma once
 
+#include "sph/lanes.hpp"
+
 namespace slosh::sph {
 
 struct NoViscosity {
   static constexpr const char* name = "";
   static constexpr bool active = false;
-  double pair(double, double, double) const { return 0.0; }
 };
 
 // Monaghan's artificial viscosity for approaching pairs: -alpha c0 mu + beta mu^2 with
@@ -18,8 +19,9 @@ struct MonaghanViscosity {
   static constexpr bool active = true;
   double alpha, beta, speed_of_sound;
 
-  double pair(double approach, double distance2, double h) const {
-    const double mu = approach < 0.0 ? h * approach / (distance2 + 0.01 * h * h) : 0.0;
+  template <class Number, class Length>
+  Number pair(Number approach, Number distance2, Length h) const {
+    const Number mu = h * negative_part(approach) / (distance2 + 0.01 * h * h);
     return mu * (beta * mu - alpha * speed_of_sound);
   }
 };
@@ -31,7 +33,8 @@ struct LinearViscosity {
   static constexpr bool active = true;
   double alpha, speed_of_sound;
 
-  double pair(double approach, double distance2, double h) const {
+  template <class Number, class Length>
+  Number pair(Number approach, Number distance2, Length h) const {
     return -alpha * speed_of_sound * h * approach / (distance2 + 0.01 * h * h);
   }
 };

@@ -1,0 +1,59 @@
+// One source, several builds of its hot functions, chosen when the program runs: the vector
+// instructions of AVX-512, of AVX2, or those that every processor of the kind has.
+#pragma once
+
+namespace slosh::sph {
+
+enum class InstructionSet { plain, avx2, avx512 };
+
+#if defined(__x86_64__)
+inline bool has(InstructionSet set) {
+  __builtin_cpu_init();
+  if (set == InstructionSet::avx512)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+  if (set == InstructionSet::avx2)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return true;
+}
+
+// `flatten` draws everything that `function` calls into the build for the wider instructions.
+template <auto function, class... Arguments>
+[[gnu::target("arch=x86-64-v4"), gnu::flatten]] void call_avx512(Arguments... arguments) {
+  function(arguments...);
+}
+template <auto function, class... Arguments>
+[[gnu::target("arch=x86-64-v3"), gnu::flatten]] void call_avx2(Arguments... arguments) {
+  function(arguments...);
+}
+#else
+inline bool has(InstructionSet set) { return set == InstructionSet::plain; }
+template <auto function, class... Arguments>
+void call_avx512(Arguments... arguments) {
+  function(arguments...);
+}
+template <auto function, class... Arguments>
+void call_avx2(Arguments... arguments) {
+  function(arguments...);
+}
+#endif
+
+inline InstructionSet widest_instruction_set() {
+  if (has(InstructionSet::avx512)) return InstructionSet::avx512;
+  return has(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::plain;
+}
+
+// Calls function(arguments...) in its build for `set`, which the processor must have.
+template <auto function, class... Arguments>
+void call(InstructionSet set, Arguments... arguments) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return call_avx512<function>(arguments...);
+    case InstructionSet::avx2:
+      return call_avx2<function>(arguments...);
+    case InstructionSet::plain:
+      return function(arguments...);
+  }
+}
+
+}  // namespace slosh::sph
