@@ -26,7 +26,7 @@ class Liquid {
       : particles(std::move(initial)),
         scheme_(scheme),
         scene_(scene),
-        neighbours_(walls_at(0), scene.particle_spacing, largest_support(), Scheme::skin) {
+        neighbours_(walls_at(0), scene.particle_spacing, largest_support()) {
     renew_neighbours(0);
   }
 
@@ -45,7 +45,7 @@ class Liquid {
     const TankWalls walls = walls_at(time);
     scheme_.wall_contact.confine(particles, walls);
     if (!neighbours_.stale(particles, walls, dt)) return;
-    if (!neighbours_.rebuild(particles, walls))
+    if (!neighbours_.rebuild(particles, walls, dt))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
     rates.resize(particles.size());
   }

@@ -21,23 +21,24 @@ namespace slosh::sph {
 class NeighbourSources {
  public:
   // `spacing` of the particles [m], which shapes the cells; `support`, the largest kernel radius in
-  // the scene [m]; `skin`, the fraction of it by which the lists reach farther. Throws
+  // the scene [m]. Throws
   // std::invalid_argument for a tank in which a particle would need images of images: narrower or
   // lower than two reaches.
-  NeighbourSources(const TankWalls& walls, double spacing, double support, double skin)
-      : reach_(support * (1 + skin)),
-        slack_(0.5 * support * skin),
-        grid_(-reach_, walls.right - walls.left + reach_, -reach_, walls.roof + reach_,
+  NeighbourSources(const TankWalls& walls, double spacing, double support)
+      : support_(support),
+        grid_(-support, walls.right - walls.left + support, -support, walls.roof + support,
               cell_width * spacing, cell_height * spacing) {
     const double narrowest = std::min(walls.right - walls.left, walls.roof - walls.bottom);
-    if (!(narrowest >= 2 * reach_))
+    if (!(narrowest >= 2 * support * (1 + 2 * largest_slack)))
       throw std::invalid_argument(
           "particle_spacing: expected one whose kernel reaches across at most half the tank");
   }
 
-  // Sorts the particles by cell and lists their images. False when a particle is not in the tank:
-  // `stray()`.
-  bool rebuild(Particles& particles, const TankWalls& walls) {
+  // Sorts the particles by cell, lists their images and the sources of every cluster, for some steps
+  // of dt. False when a particle is not in the tank: `stray()`.
+  bool rebuild(Particles& particles, const TankWalls& walls, double dt) {
+    slack_ = slack_for(dt * fastest(particles, walls));
+    reach_ = support_ + 2 * slack_;
     const std::size_t n = particles.size();
     stray_ = n;
     for (std::size_t i = 0; i < n && stray_ == n; ++i)
@@ -50,21 +51,21 @@ class NeighbourSources {
   }
   std::size_t stray() const { return stray_; }
 
-  // Whether some particle may, by the end of a step of dt, have moved half the skin against the
-  // tank since the last rebuild.
+  // Whether some particle may, by the end of a step of dt, have moved farther against the tank than
+  // the lists of the last rebuild allow.
   bool stale(const Particles& particles, const TankWalls& walls, double dt) const {
     if (built_x_.size() != particles.size()) return true;
-    double farthest2 = 0, fastest2 = 0;
-#pragma omp parallel for simd reduction(max : farthest2, fastest2)
+    double farthest2 = 0;
+#pragma omp parallel for simd reduction(max : farthest2)
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const double dx = particles.x[i] - walls.left - built_x_[i],
                    dz = particles.z[i] - built_z_[i];
-      const double u = particles.velocity_x[i] - walls.velocity, w = particles.velocity_z[i];
       farthest2 = std::max(farthest2, dx * dx + dz * dz);
-      fastest2 = std::max(fastest2, u * u + w * w);
     }
-    return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
+    return !(std::sqrt(farthest2) + dt * fastest(particles, walls) < slack_);
   }
+  // How far a particle may move against the tank before the lists are stale [m].
+  double slack() const { return slack_; }
 
   // Fills in what the momentum sum reads of every source.
   template <class Scheme>
@@ -111,6 +112,24 @@ class NeighbourSources {
     source.z = map.scale_z * p.z[i] + map.offset_z;
     source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
     source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
+  }
+
+  // The largest speed against the tank [m/s].
+  static double fastest(const Particles& particles, const TankWalls& walls) {
+    double fastest2 = 0;
+#pragma omp parallel for simd reduction(max : fastest2)
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const double u = particles.velocity_x[i] - walls.velocity, w = particles.velocity_z[i];
+      fastest2 = std::max(fastest2, u * u + w * w);
+    }
+    return std::sqrt(fastest2);
+  }
+
+  // Enough for `steps_per_list` steps of this length, within the bounds that pay, and for one step
+  // in any case.
+  double slack_for(double step) const {
+    return std::max(1.01 * step, std::clamp(steps_per_list * step, smallest_slack * support_,
+                                            largest_slack * support_));
   }
 
   // Comparisons that a NaN fails.
@@ -180,10 +199,12 @@ class NeighbourSources {
     }
   }
 
+  // In kernel radii; measured on a calm and on a breaking surge.
+  static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 8;
   // In particle spacings: eight particles of a row make a cluster about as wide as it is high.
   static constexpr double cell_height = 2.83, cell_width = 0.5;
 
-  double reach_, slack_;
+  double support_, reach_ = 0, slack_ = 0;
   CellGrid grid_;
   Array<Source> sources_;
   ClusterLists clusters_;

@@ -43,7 +43,6 @@ struct Li2010 {
   using WallContact = RepulsiveWall;
   using Integrator = PredictorCorrector;
   static constexpr double smoothing_ratio = 1.5;  // h = 1.5 dp, section 4.1
-  static constexpr double skin = 0.05;
 
   double gravity, fill_depth;
   Tait state;
@@ -83,7 +82,6 @@ struct LowDissipation {
   using WallContact = ReflectingWall;
   using Integrator = StaggeredLeapfrog;
   static constexpr double smoothing_ratio = 1.5;
-  static constexpr double skin = 0.05;
 
   double gravity, fill_depth;
   Tait state;

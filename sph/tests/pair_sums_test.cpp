@@ -143,8 +143,8 @@ class PairSums : public testing::Test {
   const double support = kernel_support * Scheme::smoothing_ratio * spacing;
 
   void expect_the_sums_over_all_pairs(Particles particles, const TankWalls& walls) {
-    NeighbourSources neighbours(walls, spacing, support, Scheme::skin);
-    ASSERT_TRUE(neighbours.rebuild(particles, walls));
+    NeighbourSources neighbours(walls, spacing, support);
+    ASSERT_TRUE(neighbours.rebuild(particles, walls, 0));
     const Rates expected = by_all_pairs(scheme, particles, walls);
     for (const InstructionSet set :
          {InstructionSet::plain, InstructionSet::avx2, InstructionSet::avx512})
@@ -154,13 +154,13 @@ class PairSums : public testing::Test {
       }
   }
 
-  // By how much the sums of a search that was built before the particles moved differ from those
-  // over all pairs. Each particle moves by `distance` against the tank, in a direction of its own,
-  // while the tank itself moves on.
-  double disagreement_after_moving(double distance, double skin) {
+  // By how much the sums over lists that were made for steps of `dt`, before the particles moved,
+  // differ from those over all pairs. Each particle moves by `distance` against the tank, in a
+  // direction of its own, while the tank itself moves on.
+  double disagreement_after_moving(double distance, double dt) {
     Particles particles = full_tank(moving_tank);
-    NeighbourSources neighbours(moving_tank, spacing, support, skin);
-    neighbours.rebuild(particles, moving_tank);
+    NeighbourSources neighbours(moving_tank, spacing, support);
+    neighbours.rebuild(particles, moving_tank, dt);
     TankWalls walls = moving_tank;
     walls.left += 0.05;
     walls.right += 0.05;
@@ -168,9 +168,16 @@ class PairSums : public testing::Test {
       particles.x[i] += 0.05 + distance * std::cos(2.4 * static_cast<double>(i));
       particles.z[i] += distance * std::sin(2.4 * static_cast<double>(i));
     }
-    EXPECT_EQ(neighbours.stale(particles, walls, 0), !(distance < 0.5 * skin * support));
+    EXPECT_EQ(neighbours.stale(particles, walls, 0), !(distance < neighbours.slack()));
     const Rates rates = by_neighbours(scheme, neighbours, particles, walls);
     return disagreement(rates, by_all_pairs(scheme, particles, walls));
+  }
+
+  double slack_for_steps_of(double dt) {
+    Particles particles = full_tank(moving_tank);
+    NeighbourSources neighbours(moving_tank, spacing, support);
+    neighbours.rebuild(particles, moving_tank, dt);
+    return neighbours.slack();
   }
 };
 
@@ -198,26 +205,34 @@ TYPED_TEST(PairSums, AreThoseOverAllPairsForOneParticleAlone) {
   this->expect_the_sums_over_all_pairs(liquid.particles, moving_tank);
 }
 
-TYPED_TEST(PairSums, HoldWithoutARebuildUntilAParticleHasMovedHalfTheSkin) {
-  const double half_skin = 0.5 * TypeParam::skin * this->support;
-  EXPECT_LE(this->disagreement_after_moving(0.99 * half_skin, TypeParam::skin), round_off);
+TYPED_TEST(PairSums, HoldWithoutARebuildUntilAParticleHasMovedByTheSlack) {
+  for (const double dt : {0.0, 2e-4, 1e-3})
+    EXPECT_LE(this->disagreement_after_moving(0.99 * this->slack_for_steps_of(dt), dt), round_off)
+        << dt;
 }
 
-// Shows that the test above can fail: the same motion without a skin loses neighbours.
-TYPED_TEST(PairSums, LoseNeighboursWhenTheSearchHasNoSkin) {
-  const double half_skin = 0.5 * TypeParam::skin * this->support;
-  EXPECT_GT(this->disagreement_after_moving(0.99 * half_skin, 0), 1e-9);
+// Shows that the test above can fail: the same motion over lists made for shorter steps.
+TYPED_TEST(PairSums, LoseNeighboursOfParticlesThatMovedFartherThanTheSlack) {
+  EXPECT_GT(this->disagreement_after_moving(0.99 * this->slack_for_steps_of(1e-3), 0), 1e-9);
 }
 
-TYPED_TEST(PairSums, AskForARebuildBeforeAFastParticleLeavesItsSkin) {
+TYPED_TEST(PairSums, HaveSlackForOneStepHoweverLong) {
   Particles particles = full_tank(tank_at_rest);
-  NeighbourSources neighbours(tank_at_rest, spacing, this->support, TypeParam::skin);
+  particles.velocity_z[5] = -20;
+  NeighbourSources neighbours(tank_at_rest, spacing, this->support);
+  neighbours.rebuild(particles, tank_at_rest, 1e-3);
+  EXPECT_FALSE(neighbours.stale(particles, tank_at_rest, 1e-3));
+}
+
+TYPED_TEST(PairSums, AskForARebuildBeforeAFastParticleLeavesItsSlack) {
+  Particles particles = full_tank(tank_at_rest);
+  NeighbourSources neighbours(tank_at_rest, spacing, this->support);
   EXPECT_TRUE(neighbours.stale(particles, tank_at_rest, 0));
-  neighbours.rebuild(particles, tank_at_rest);
+  neighbours.rebuild(particles, tank_at_rest, 1e-3);
   std::fill(particles.velocity_x.begin(), particles.velocity_x.end(), 0.0);
   std::fill(particles.velocity_z.begin(), particles.velocity_z.end(), 0.0);
   EXPECT_FALSE(neighbours.stale(particles, tank_at_rest, 1e-3));
-  particles.velocity_z[5] = 0.6 * TypeParam::skin * this->support / 1e-3;
+  particles.velocity_z[5] = 1.01 * neighbours.slack() / 1e-3;
   EXPECT_TRUE(neighbours.stale(particles, tank_at_rest, 1e-3));
 }
 
@@ -226,16 +241,15 @@ TEST(PairSumsOfTwoSpacings, AreThoseOverAllPairs) {
   const Scheme scheme(small_scene(spacing / 2));
   for (const TankWalls& walls : {tank_at_rest, moving_tank}) {
     Particles particles = full_tank_of_two_spacings(walls);
-    NeighbourSources neighbours(walls, spacing, kernel_support * Scheme::smoothing_ratio * spacing,
-                                Scheme::skin);
-    ASSERT_TRUE(neighbours.rebuild(particles, walls));
+    NeighbourSources neighbours(walls, spacing, kernel_support * Scheme::smoothing_ratio * spacing);
+    ASSERT_TRUE(neighbours.rebuild(particles, walls, 0));
     const Rates rates = by_neighbours(scheme, neighbours, particles, walls);
     EXPECT_LE(disagreement(rates, by_all_pairs(scheme, particles, walls)), round_off);
   }
 }
 
 // Where columns are narrower than the particle spacing the kernel's support is still the spacing's.
-TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedHalfTheSkin) {
+TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
   using Scheme = LowDissipation<QuinticSpline>;
   Scene scene = small_scene(spacing);
   scene.tank_length = 0.15;
@@ -243,9 +257,11 @@ TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedHalfTheSkin) {
   const Scheme scheme(scene);
   Liquid<Scheme> liquid(scene, scheme, initial_lattice(scene, scheme.state));
   ASSERT_NEAR(liquid.particles.spacing[0], 0.01, 1e-14);
-  const double distance = 0.49 * Scheme::skin * kernel_support * Scheme::smoothing_ratio * 0.0103;
+  const double distance = 0.99 * liquid.neighbours().slack();
   Particles& p = liquid.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
+    p.velocity_x[i] = std::sin(1.7 * static_cast<double>(i));
+    p.velocity_z[i] = std::cos(1.7 * static_cast<double>(i));
     p.x[i] += distance * std::cos(2.4 * static_cast<double>(i));
     p.z[i] += distance * std::sin(2.4 * static_cast<double>(i));
   }
@@ -262,8 +278,8 @@ TEST(NeighbourSources, NameTheParticleThatIsNotInTheTank) {
   for (double x : {0.137, 0.1, 0.4, std::nan("")}) {
     Particles particles = full_tank(moving_tank);
     particles.x[42] = x;
-    NeighbourSources neighbours(moving_tank, spacing, 0.03, 0.1);
-    EXPECT_FALSE(neighbours.rebuild(particles, moving_tank)) << x;
+    NeighbourSources neighbours(moving_tank, spacing, 0.03);
+    EXPECT_FALSE(neighbours.rebuild(particles, moving_tank, 0)) << x;
     EXPECT_EQ(neighbours.stray(), 42);
   }
 }

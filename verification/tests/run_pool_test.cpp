@@ -104,7 +104,7 @@ TEST_F(RunPool, EndsAJobAtItsTimeLimit) {
   slow.time_limit = 0.2;
   const auto begin = Clock::now();
   const auto states = run({slow, job("fine", {"/bin/true"})}, 1);
-  EXPECT_LT(seconds_since(begin), 2);
+  EXPECT_LT(seconds_since(begin), 30);
   EXPECT_EQ(states[0].phase, JobPhase::timed_out);
   EXPECT_TRUE(has_succeeded(states[1]));
   EXPECT_EQ(processes_with("60.1234"), 0);
@@ -124,10 +124,11 @@ TEST_F(RunPool, LeavesNoProcessAfterAnInterrupt) {
     stop = true;
   });
   EXPECT_EQ(seen, 3) << "two sleeps and timeout should have been running";
-  for (const JobState& state : states)
+  for (const JobState& state : states) {
     EXPECT_EQ(state.phase, JobPhase::interrupted) << state.job.name;
+    EXPECT_NE(state.status, SIGKILL) << "nobody refused SIGTERM";
+  }
   EXPECT_EQ(processes_with("61.4321"), 0);
-  EXPECT_LT(seconds_since(begin), 3) << "nobody refused SIGTERM";
 }
 
 TEST_F(RunPool, KillsWhatDoesNotHeedTermination) {
@@ -152,7 +153,7 @@ TEST_F(RunPool, LeavesNoProcessWhenTheObserverThrows) {
 }
 
 TEST_F(RunPool, TellsTheObserverOfTheProgressThatARunWrites) {
-  const Job one = job("a", {"/bin/sleep", "0.7"});
+  const Job one = job("a", {"/bin/sleep", "2"});
   write_progress({.time = 99, .end_time = 100, .steps = 1},
                  one.progress_file);  // stale: must not be seen
   std::vector<double> times;
@@ -165,7 +166,7 @@ TEST_F(RunPool, TellsTheObserverOfTheProgressThatARunWrites) {
   ASSERT_FALSE(times.empty());
   EXPECT_EQ(std::count(times.begin(), times.end(), 3.0), static_cast<std::ptrdiff_t>(times.size()));
   EXPECT_GE(times.size(), 3u);
-  EXPECT_LE(times.size(), 6u);
+  EXPECT_LE(times.size(), 11u);
 }
 
 TEST_F(RunPool, OfNoJobsEndsAtOnceAndOfNoPlacesIsRefused) {

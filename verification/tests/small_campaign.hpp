@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <boost/process.hpp>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -97,7 +96,6 @@ inline bool has_interfoam() { return !boost::process::search_path("interFoam").e
 struct Ended {
   int status;  // the exit status, or minus the signal
   std::string out, err;
-  double seconds;
 };
 
 class SmallCampaign : public ::testing::Test {
@@ -143,17 +141,14 @@ class SmallCampaign : public ::testing::Test {
   boost::process::child start_tool(const std::vector<std::string>& arguments) const {
     return start(SLOSH_TOOL, arguments);
   }
-  Ended end_of(boost::process::child child, std::chrono::steady_clock::time_point begin =
-                                                std::chrono::steady_clock::now()) const {
+  Ended end_of(boost::process::child child) const {
     child.wait();
     const int status = child.native_exit_code();
     return {WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status),
-            read(temporary_.path() / "out"), read(temporary_.path() / "err"),
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
+            read(temporary_.path() / "out"), read(temporary_.path() / "err")};
   }
   Ended tool(const std::vector<std::string>& arguments, const Environment& more = {}) const {
-    const auto begin = std::chrono::steady_clock::now();
-    return end_of(start(SLOSH_TOOL, arguments, more), begin);
+    return end_of(start(SLOSH_TOOL, arguments, more));
   }
   Ended campaign() const { return tool({"campaign", "./surges.toml", "--output", "out"}); }
 

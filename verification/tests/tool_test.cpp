@@ -51,7 +51,6 @@ TEST_F(Tool, PassesACampaignAndComputesNothingTwice) {
   EXPECT_EQ(second.err, "") << "a run was started";
   EXPECT_EQ(fs::last_write_time(result("particles")), written);
   EXPECT_EQ(second.out, first.out);
-  EXPECT_LT(second.seconds, 5);
 }
 
 TEST_F(Tool, EndsWithOneWhereALimitIsViolated) {
