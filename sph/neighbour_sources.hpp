@@ -34,8 +34,8 @@ class NeighbourSources {
           "particle_spacing: expected one whose kernel reaches across at most half the tank");
   }
 
-  // Sorts the particles by cell, lists their images and the sources of every cluster, for some steps
-  // of dt. False when a particle is not in the tank: `stray()`.
+  // Sorts the particles by cell, lists their images and the sources of every cluster, for some
+  // steps of dt. False when a particle is not in the tank: `stray()`.
   bool rebuild(Particles& particles, const TankWalls& walls, double dt) {
     slack_ = slack_for(dt * fastest(particles, walls));
     reach_ = support_ + 2 * slack_;

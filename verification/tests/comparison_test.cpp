@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "verification/metrics/cross_correlation.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
