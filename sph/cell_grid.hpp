@@ -50,7 +50,6 @@ class CellGrid {
     const std::uint32_t* cells = begin_.data() + static_cast<std::size_t>(row) * columns_;
     return {cells[from], cells[to + 1]};
   }
-  int rows() const { return rows_; }
   int columns() const { return columns_; }
 
  private:

@@ -21,9 +21,8 @@ namespace slosh::sph {
 class NeighbourSources {
  public:
   // `spacing` of the particles [m], which shapes the cells; `support`, the largest kernel radius in
-  // the scene [m]. Throws
-  // std::invalid_argument for a tank in which a particle would need images of images: narrower or
-  // lower than two reaches.
+  // the scene [m]. Throws std::invalid_argument for a tank in which a particle would need images of
+  // images: narrower or lower than two reaches.
   NeighbourSources(const TankWalls& walls, double spacing, double support)
       : support_(support),
         grid_(-support, walls.right - walls.left + support, -support, walls.roof + support,
@@ -70,48 +69,46 @@ class NeighbourSources {
   // Fills in what the momentum sum reads of every source.
   template <class Scheme>
   void refresh_for_momentum(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
-    const auto maps = mirror_maps<typename Scheme::Mirror>(walls, scheme.gravity);
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < owner_.size(); ++k) {
-      const std::size_t i = owner_[k];
-      const MirrorMap& map = maps[reflection_[k]];
-      Source& source = sources_[k];
-      move(source, p, i, map);
+    refresh(scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
       const double pressure = scheme.state.pressure(p.density[i]) +
                               p.density[i] * (map.gravity_x * (source.x - p.x[i]) +
                                               map.gravity_z * (source.z - p.z[i]));
       source.strength = scheme.formulation.strength(pressure, p.density[i]);
-      source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
       source.density = p.density[i];
-      source.spacing = p.spacing[i];
-    }
+    });
   }
 
   // Fills in what the continuity sum reads of every source.
   template <class Scheme>
   void refresh_for_continuity(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
-    const auto maps = mirror_maps<typename Scheme::Mirror>(walls, scheme.gravity);
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < owner_.size(); ++k) {
-      const std::size_t i = owner_[k];
-      Source& source = sources_[k];
-      move(source, p, i, maps[reflection_[k]]);
-      source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
+    refresh(scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap&) {
       if constexpr (Scheme::DensityDiffusion::active)
         source.density = scheme.density_diffusion.diffused(p.density[i], p.z[i]);
-      source.spacing = p.spacing[i];
-    }
+    });
   }
 
   const Source* sources() const { return sources_.data(); }
   const ClusterLists& clusters() const { return clusters_; }
 
  private:
-  static void move(Source& source, const Particles& p, std::size_t i, const MirrorMap& map) {
-    source.x = map.scale_x * p.x[i] + map.offset_x;
-    source.z = map.scale_z * p.z[i] + map.offset_z;
-    source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
-    source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
+  // Fills in what both sums read of every source; complete(source, owner, map) does the rest.
+  template <class Scheme, class Complete>
+  void refresh(const Scheme& scheme, const Particles& p, const TankWalls& walls,
+               const Complete& complete) {
+    const auto maps = mirror_maps<typename Scheme::Mirror>(walls, scheme.gravity);
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < owner_.size(); ++k) {
+      const std::size_t i = owner_[k];
+      const MirrorMap& map = maps[reflection_[k]];
+      Source& source = sources_[k];
+      source.x = map.scale_x * p.x[i] + map.offset_x;
+      source.z = map.scale_z * p.z[i] + map.offset_z;
+      source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
+      source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
+      source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
+      source.spacing = p.spacing[i];
+      complete(source, i, map);
+    }
   }
 
   // The largest speed against the tank [m/s].

@@ -77,22 +77,25 @@ void continuity_of_cluster(const Scheme* scheme, const Cluster* cluster, const S
         scheme->formulation.continuity_factor(rho) * divergence + diffusion, cluster->size);
 }
 
+// Calls one of the two above for every cluster, in its build for `set`.
+template <auto of_cluster, class Scheme>
+void for_each_cluster(const Scheme& scheme, const NeighbourSources& neighbours,
+                      const Particles& particles, Rates& rates, InstructionSet set) {
+  neighbours.clusters().for_each([&](const Cluster& cluster) {
+    call<of_cluster>(set, &scheme, &cluster, neighbours.sources(), &particles, &rates);
+  });
+}
+
 template <class Scheme>
 void sum_momentum(const Scheme& scheme, const NeighbourSources& neighbours,
                   const Particles& particles, Rates& rates, InstructionSet set) {
-  neighbours.clusters().for_each([&](const Cluster& cluster) {
-    call<&momentum_of_cluster<Scheme>>(set, &scheme, &cluster, neighbours.sources(), &particles,
-                                       &rates);
-  });
+  for_each_cluster<&momentum_of_cluster<Scheme>>(scheme, neighbours, particles, rates, set);
 }
 
 template <class Scheme>
 void sum_continuity(const Scheme& scheme, const NeighbourSources& neighbours,
                     const Particles& particles, Rates& rates, InstructionSet set) {
-  neighbours.clusters().for_each([&](const Cluster& cluster) {
-    call<&continuity_of_cluster<Scheme>>(set, &scheme, &cluster, neighbours.sources(), &particles,
-                                         &rates);
-  });
+  for_each_cluster<&continuity_of_cluster<Scheme>>(scheme, neighbours, particles, rates, set);
 }
 
 }  // namespace slosh::sph

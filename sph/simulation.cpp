@@ -168,7 +168,7 @@ RunOutput run(const std::string& scheme, const Scene& scene, const Progress& pro
   if (scheme == "low_dissipation_wendland")
     return run_scheme<LowDissipation<WendlandC2>>(scene, progress);
   throw std::invalid_argument(
-      fmt::format("scheme = {}: expected one of {}", scheme, fmt::join(scheme_names(), ", ")));
+      fmt::format("scheme = \"{}\": expected one of {}", scheme, fmt::join(scheme_names(), " | ")));
 }
 
 }  // namespace slosh::sph

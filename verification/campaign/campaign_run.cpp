@@ -37,26 +37,20 @@ double expected_cost(const CaseDefinition& definition, const RunDefinition& run)
 
 constexpr const char* other_build = "made by another build or version";
 
-// The result under the run's name. Throws ResultError where there is none that fits: what a solver
-// could compute must be of this very build, what is only read must be of this case and run.
-RunResult fitting_result(const CaseDefinition& definition, const RunDefinition& run,
-                         const CampaignSettings& settings) {
+// Enters the result under the run's name. Throws ResultError where there is none that fits: what a
+// solver could compute must be of this very build, what is only read must be of this case and run.
+void take_result(const CaseDefinition& definition, const RunDefinition& run,
+                 const CampaignSettings& settings, CaseRuns& runs) {
   const fs::path file = result_file(settings, definition, run);
   RunResult result = read_result(file);
   const std::string key =
       run_key(definition, run, settings.solver_build, settings.openfoam_templates);
   if (!asks_the_same(result.key, key))
     throw ResultError(file.string() + " was made for another state of the case file");
-  if (settings.solve && result.key != key) throw ResultError(file.string() + " was " + other_build);
-  return result;
-}
-
-// What the report says of a result that stands.
-RunStatus status_of(const RunResult& result, const CaseDefinition& definition,
-                    const RunDefinition& run, const CampaignSettings& settings) {
-  const std::string key =
-      run_key(definition, run, settings.solver_build, settings.openfoam_templates);
-  return {RunState::finished, result.key == key ? "" : other_build};
+  const bool of_this_build = result.key == key;
+  if (settings.solve && !of_this_build) throw ResultError(file.string() + " was " + other_build);
+  runs.status[run.name] = {RunState::finished, of_this_build ? "" : other_build};
+  runs.results[run.name] = std::move(result);
 }
 
 Job job_for(const CaseDefinition& definition, const RunDefinition& run,
@@ -105,9 +99,7 @@ std::vector<PendingRun> take_stock(const std::vector<CaseDefinition>& cases,
         continue;
       }
       try {
-        const RunResult& result = outcome[c].results[run.name] =
-            fitting_result(cases[c], run, settings);
-        status = status_of(result, cases[c], run, settings);
+        take_result(cases[c], run, settings, outcome[c]);
         if (!status.message.empty())
           std::cerr << cases[c].name << "/" << run.name << " was " << status.message << '\n';
       } catch (const ResultError& error) {
@@ -132,8 +124,7 @@ void take_over(const JobState& state, const CaseDefinition& definition, const Ru
     return;
   }
   try {
-    runs.results[run.name] = fitting_result(definition, run, settings);
-    status = {RunState::finished, ""};
+    take_result(definition, run, settings, runs);
   } catch (const ResultError& error) {
     status = {RunState::missing, error.what()};
   }

@@ -121,8 +121,8 @@ bool at_edge(double value, double low, double high) {
   return !(value > low + edge && value < high - edge);
 }
 
-bool detected(const Tone& tone) {
-  return tone.amplitude.value * normal_quantile > detection_level * tone.amplitude.half_width;
+bool detected(const Estimate& amplitude) {
+  return amplitude.value * normal_quantile > detection_level * amplitude.half_width;
 }
 
 void widen_if_unresolved(Tone& tone, const ToneRange& range) {
@@ -155,15 +155,14 @@ Tone estimate_tone(const ToneRequest& request, const ToneShape& shape, const Vec
     return {.value = wrap_angle(phase_at_begin + shape.angular_frequency * time),
             .half_width = std::min(pi, half_width(b / square, -a / square, time, 0))};
   };
-  Tone tone{.name = request.name,
-            .resolved = false,
-            .angular_frequency = {shape.angular_frequency, half_width(0, 0, 1, 0)},
-            .decay_rate = {shape.decay_rate, half_width(0, 0, 0, 1)},
-            .amplitude = {amplitude, half_width(a / amplitude, b / amplitude, 0, 0)},
-            .phase = phase_after(-window.begin),
-            .phase_at_middle = phase_after(0.5 * (window.end - window.begin))};
-  tone.resolved = detected(tone);
-  return tone;
+  const Estimate at_begin{amplitude, half_width(a / amplitude, b / amplitude, 0, 0)};
+  return {.name = request.name,
+          .resolved = detected(at_begin),
+          .angular_frequency = {shape.angular_frequency, half_width(0, 0, 1, 0)},
+          .decay_rate = {shape.decay_rate, half_width(0, 0, 0, 1)},
+          .amplitude = at_begin,
+          .phase = phase_after(-window.begin),
+          .phase_at_middle = phase_after(0.5 * (window.end - window.begin))};
 }
 
 }  // namespace
