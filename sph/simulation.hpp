@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +25,20 @@ struct Snapshot {
   std::vector<double> x, z, velocity_x, velocity_z, pressure, density;
 };
 
+// A rectangle in the tank, from its left wall and its bottom [m].
+struct Rectangle {
+  double left, right, bottom, top;
+};
+
+// What a run changes of its scheme's own numbers; empty: as the scheme has it.
+struct SchemeNumbers {
+  std::optional<double> smoothing_length_ratio;  // h / particle spacing
+  std::optional<double> sound_speed_ratio;       // c0 / largest expected speed of the liquid
+  std::optional<double> courant_number;          // dt c0 / h
+  std::optional<double> artificial_viscosity;    // alpha
+  std::optional<double> density_diffusion;       // delta
+};
+
 struct Scene {
   double tank_length, tank_height, fill_depth;  // [m]
   double gravity;                               // [m/s2], downward
@@ -36,6 +51,12 @@ struct Scene {
   double sample_interval;                       // [s]
   double particle_spacing;                      // [m]
   double surface_particle_spacing;  // [m], equal to particle_spacing for a uniform lattice
+  // A dam about to break: the liquid stands from the left wall to here [m], and fills the tank's
+  // length otherwise.
+  std::optional<double> column_width = {};
+  std::vector<Rectangle> obstacles = {};  // carried by the tank
+  std::string variant = {};               // of the scheme: one thing changed; empty: none
+  SchemeNumbers numbers = {};
   std::vector<Gauge> gauges;
   double snapshot_interval = 0;  // [s], a multiple of sample_interval; 0: no snapshot
   std::function<void(const Snapshot&)> record_snapshot;  // called every snapshot_interval
@@ -47,6 +68,7 @@ struct History {
 
 struct RunOutput {
   std::map<std::string, History> elevation;  // by gauge name [m] above the still level
+  History front_position;                    // of a breaking dam, from the left wall [m]
   History horizontal_force;                  // of the liquid on the tank, per metre of width [N/m]
   History kinetic_energy;                    // of the liquid, in the earth's frame [J/m]
   History potential_energy;                  // of the liquid [J/m], relative to the initial state
