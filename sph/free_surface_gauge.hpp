@@ -9,7 +9,7 @@
 // as a column integral of VOF does.
 #pragma once
 
-#include "sph/particles.hpp"
+#include "sph/neighbours/particles.hpp"
 
 namespace slosh::sph {
 

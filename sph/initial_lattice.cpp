@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
+
+#include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph {
 namespace {
@@ -19,17 +22,26 @@ int lattice_count(double length, double spacing, const char* what) {
   return static_cast<int>(count);
 }
 
-void lay_block(const Scene& scene, const Tait& state, double bottom, double top, double spacing,
-               Particles& p) {
-  const int columns = lattice_count(scene.tank_length, spacing, "tank's length");
+using DensityAt = std::function<double(double)>;
+
+void lay_block(const Scene& scene, const DensityAt& density_at, double bottom, double top,
+               double spacing, Particles& p) {
+  const double length = scene.column_width.value_or(scene.tank_length);
+  const int columns =
+      lattice_count(length, spacing, scene.column_width ? "column's width" : "tank's length");
   const int rows = lattice_count(top - bottom, spacing, "liquid's depth");
-  const double dx = scene.tank_length / columns, dz = (top - bottom) / rows;
+  const double dx = length / columns, dz = (top - bottom) / rows;
+  const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, 0);
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const double z = bottom + (row + 0.5) * dz;
+      const double x = (column + 0.5) * dx;
+      if (std::any_of(obstacles.begin(), obstacles.end(),
+                      [=](const Rectangle& obstacle) { return holds(obstacle, x, z); }))
+        continue;
       const double density =
-          state.density(scene.rest_density * scene.gravity * (scene.fill_depth - z));
-      p.x.push_back(scene.displacement(0) + (column + 0.5) * dx);
+          density_at(scene.rest_density * scene.gravity * (scene.fill_depth - z));
+      p.x.push_back(scene.displacement(0) + x);
       p.z.push_back(z);
       p.velocity_x.push_back(scene.initial_velocity);
       p.velocity_z.push_back(0);
@@ -41,11 +53,11 @@ void lay_block(const Scene& scene, const Tait& state, double bottom, double top,
 
 }  // namespace
 
-Particles initial_lattice(const Scene& scene, const Tait& state) {
+Particles initial_lattice(const Scene& scene, const DensityAt& density_at) {
   Particles particles;
   const double coarse = scene.particle_spacing, fine = scene.surface_particle_spacing;
   if (fine == coarse) {
-    lay_block(scene, state, 0, scene.fill_depth, coarse, particles);
+    lay_block(scene, density_at, 0, scene.fill_depth, coarse, particles);
     return particles;
   }
   // The coarse block is a whole number of its own layers; the fine one takes the rest.
@@ -56,16 +68,16 @@ Particles initial_lattice(const Scene& scene, const Tait& state) {
         fmt::format("surface_particle_spacing = {} m: expected a value below the particle spacing "
                     "{} m that leaves room for {} layers",
                     fine, coarse, fine_layers));
-  lay_block(scene, state, 0, interface, coarse, particles);
-  lay_block(scene, state, interface, scene.fill_depth, fine, particles);
+  lay_block(scene, density_at, 0, interface, coarse, particles);
+  lay_block(scene, density_at, interface, scene.fill_depth, fine, particles);
   return particles;
 }
 
-double flattest_cell(const Particles& lattice) {
+double flattest_cell(const Scene& scene) {
+  const Particles lattice = initial_lattice(scene, [](double) { return 1.0; });
   double ratio = 1;
   for (std::size_t i = 0; i < lattice.size(); ++i)
-    ratio = std::min(
-        ratio, lattice.mass[i] / lattice.density[i] / (lattice.spacing[i] * lattice.spacing[i]));
+    ratio = std::min(ratio, lattice.mass[i] / (lattice.spacing[i] * lattice.spacing[i]));
   return ratio;
 }
 

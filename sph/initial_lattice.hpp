@@ -1,12 +1,14 @@
-// The liquid at rest: a lattice half a cell off the walls and the still surface, with the density
-// of the hydrostatic pressure (Li et al. 2010, eq. 15) and the mass that fills the lattice cell at
-// that density. The cells are squares of the particle spacing, stretched a little where that does
-// not divide the tank's length or the depth: Li's 2 cm in 0.35 m of water makes 18 rows, and the
-// paper's 900 particles.
+// The liquid at rest, filling the tank's length or standing as a column at its left wall, but for
+// what obstacles take of it: a lattice half a cell off the walls and the still surface, with the
+// density of the hydrostatic pressure (Li et al. 2010, eq. 15) and the mass that fills the lattice
+// cell at that density. The cells are squares of the particle spacing, stretched a little where
+// that does not divide the tank's length or the depth: Li's 2 cm in 0.35 m of water makes 18 rows,
+// and the paper's 900 particles.
 #pragma once
 
-#include "sph/equation_of_state.hpp"
-#include "sph/particles.hpp"
+#include <functional>
+
+#include "sph/neighbours/particles.hpp"
 #include "sph/simulation.hpp"
 
 namespace slosh::sph {
@@ -19,9 +21,10 @@ inline constexpr double largest_stretch = 0.05;
 
 // Throws std::invalid_argument where the lattice cell would be stretched by more than
 // largest_stretch, or where the two spacings leave no room for a layer of each.
-Particles initial_lattice(const Scene& scene, const Tait& state);
+// `density_at` is the equation of state: density [kg/m3] at a pressure [Pa].
+Particles initial_lattice(const Scene& scene, const std::function<double(double)>& density_at);
 
 // Height over width of the lattice's flattest cell, at most 1.
-double flattest_cell(const Particles& lattice);
+double flattest_cell(const Scene& scene);
 
 }  // namespace slosh::sph

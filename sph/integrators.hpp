@@ -1,10 +1,13 @@
 // Time integration. An integrator advances a Liquid (liquid.hpp) by dt through its two right-hand
 // sides: liquid.accelerate(t) and liquid.compress(t) evaluate dv/dt and drho/dt with the walls of
-// time t. The neighbour search is renewed, and the particles thereby reordered, only at the start
-// of a step.
+// time t. liquid.kick, drift and densify add dt times the rates to velocities, positions and
+// densities. The neighbour search is renewed, and the particles thereby reordered, only at the
+// start of a step.
 #pragma once
 
-#include "sph/particles.hpp"
+#include <cstddef>
+
+#include "sph/neighbours/particles.hpp"
 
 namespace slosh::sph {
 
@@ -23,56 +26,99 @@ struct StaggeredLeapfrog {
 
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
-    Particles& p = liquid.particles;
-    const Rates& rates = liquid.rates;
     liquid.renew_neighbours(dt);
     liquid.accelerate(liquid.time);
-    const double kick = 0.5 * (previous_dt + dt);
-    add_scaled(p.velocity_x, kick, rates.acceleration_x);
-    add_scaled(p.velocity_z, kick, rates.acceleration_z);
-    add_scaled(p.x, 0.5 * dt, p.velocity_x);
-    add_scaled(p.z, 0.5 * dt, p.velocity_z);
+    liquid.kick(0.5 * (previous_dt + dt));
+    liquid.drift(0.5 * dt);
     liquid.compress(liquid.time + 0.5 * dt);
-    add_scaled(p.density, dt, rates.density_rate);
-    add_scaled(p.x, 0.5 * dt, p.velocity_x);
-    add_scaled(p.z, 0.5 * dt, p.velocity_z);
+    liquid.densify(dt);
+    liquid.drift(0.5 * dt);
     previous_dt = dt;
   }
 };
 
-// Predictor-corrector by the midpoint (Monaghan 1989; Li et al. 2010): the rates at the middle of
-// the step, reached by an Euler half step, carry the whole step.
+// Goes to the middle of the step by an Euler half step, and leaves there the rates that carry the
+// whole step from the saved start.
+template <class Liquid>
+void evaluate_midpoint(Liquid& liquid, double dt) {
+  liquid.renew_neighbours(dt);
+  liquid.save();
+  liquid.accelerate(liquid.time);
+  liquid.compress(liquid.time);
+  liquid.drift(0.5 * dt);
+  liquid.kick(0.5 * dt);
+  liquid.densify(0.5 * dt);
+  liquid.accelerate(liquid.time + 0.5 * dt);
+  liquid.compress(liquid.time + 0.5 * dt);
+}
+
+// Predictor-corrector by the midpoint (Monaghan 1989; Li et al. 2010): positions by the mean of the
+// old and the new velocity.
 struct PredictorCorrector {
   static constexpr const char* name = "predictor-corrector";
 
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
-    Particles& p = liquid.particles;
-    const Rates& rates = liquid.rates;
+    evaluate_midpoint(liquid, dt);
+    liquid.restore();
+    liquid.drift(0.5 * dt);
+    liquid.kick(dt);
+    liquid.drift(0.5 * dt);
+    liquid.densify(dt);
+  }
+};
+
+// Symplectic, position Verlet with a midpoint predictor (Leimkuhler & Matthews 2015; Dominguez et
+// al. 2022, eqs 24 to 27): as the predictor-corrector, but with a density that cannot turn
+// negative, rho_new = rho (2 + e) / (2 - e), e = dt drho/dt / rho at the middle.
+struct Symplectic {
+  static constexpr const char* name = "symplectic, two evaluations";
+
+  template <class Liquid>
+  void advance(Liquid& liquid, double dt) {
+    evaluate_midpoint(liquid, dt);
+    Array<double>&density = liquid.particles.density, &rate = liquid.rates.density_rate;
+    for (std::size_t i = 0; i < rate.size(); ++i) rate[i] /= density[i];
+    liquid.restore();
+    liquid.drift(0.5 * dt);
+    liquid.kick(dt);
+    liquid.drift(0.5 * dt);
+    for (std::size_t i = 0; i < rate.size(); ++i)
+      density[i] *= (2 + dt * rate[i]) / (2 - dt * rate[i]);
+  }
+};
+
+// Verlet's two-step scheme (Verlet 1967; Dominguez et al. 2022, eqs 20 to 23): velocity and density
+// from those before the last step, with an Euler step every 40 to keep the two families together.
+struct Verlet {
+  static constexpr const char* name = "Verlet, one evaluation";
+  double previous_dt = 0;
+  int since_euler = 0;
+
+  template <class Liquid>
+  void advance(Liquid& liquid, double dt) {
     liquid.renew_neighbours(dt);
-    start_ = p;
     liquid.accelerate(liquid.time);
     liquid.compress(liquid.time);
-    add_scaled(p.x, 0.5 * dt, start_.velocity_x);
-    add_scaled(p.z, 0.5 * dt, start_.velocity_z);
-    add_scaled(p.velocity_x, 0.5 * dt, rates.acceleration_x);
-    add_scaled(p.velocity_z, 0.5 * dt, rates.acceleration_z);
-    add_scaled(p.density, 0.5 * dt, rates.density_rate);
-    liquid.accelerate(liquid.time + 0.5 * dt);
-    liquid.compress(liquid.time + 0.5 * dt);
-    p = start_;
-    // x + dt (v + v_new) / 2 = x + dt v + dt^2 / 2 a
-    add_scaled(p.x, dt, start_.velocity_x);
-    add_scaled(p.z, dt, start_.velocity_z);
-    add_scaled(p.x, 0.5 * dt * dt, rates.acceleration_x);
-    add_scaled(p.z, 0.5 * dt * dt, rates.acceleration_z);
-    add_scaled(p.velocity_x, dt, rates.acceleration_x);
-    add_scaled(p.velocity_z, dt, rates.acceleration_z);
-    add_scaled(p.density, dt, rates.density_rate);
+    Particles& p = liquid.particles;
+    const bool euler = since_euler == 0;
+    if (euler) {
+      p.earlier_velocity_x = p.velocity_x;
+      p.earlier_velocity_z = p.velocity_z;
+      p.earlier_density = p.density;
+    }
+    liquid.drift(dt);
+    add_scaled(p.x, 0.5 * dt * dt, liquid.rates.acceleration_x);
+    add_scaled(p.z, 0.5 * dt * dt, liquid.rates.acceleration_z);
+    p.velocity_x.swap(p.earlier_velocity_x);
+    p.velocity_z.swap(p.earlier_velocity_z);
+    p.density.swap(p.earlier_density);
+    const double whole = euler ? dt : previous_dt + dt;
+    liquid.kick(whole);
+    liquid.densify(whole);
+    since_euler = (since_euler + 1) % 40;
+    previous_dt = dt;
   }
-
- private:
-  Particles start_;
 };
 
 }  // namespace slosh::sph

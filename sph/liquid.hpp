@@ -3,15 +3,18 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "sph/kernels.hpp"
-#include "sph/neighbour_sources.hpp"
-#include "sph/pair_sums.hpp"
-#include "sph/particles.hpp"
+#include "sph/integrators.hpp"
+#include "sph/neighbours/density_gradient.hpp"
+#include "sph/neighbours/neighbour_sources.hpp"
+#include "sph/neighbours/pair_sums.hpp"
+#include "sph/neighbours/particles.hpp"
 #include "sph/simulation.hpp"
 #include "sph/stability_guard.hpp"
-#include "sph/tank_walls.hpp"
+#include "sph/terms/kernels.hpp"
+#include "sph/terms/particle_shifting.hpp"
+#include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
@@ -26,7 +29,11 @@ class Liquid {
       : particles(std::move(initial)),
         scheme_(scheme),
         scene_(scene),
-        neighbours_(walls_at(0), scene.particle_spacing, largest_support()) {
+        neighbours_(walls_at(0), scene.particle_spacing, largest_support()),
+        solids_(scene, !Scheme::Mirror::exists, largest_support()),
+        obstacles_(obstacles_on_lattice(scene, largest_support())) {
+    neighbours_.add_solids(solids_.places(), obstacles_);
+    if constexpr (Scheme::Solids::has_density) solids_.initialise(scheme_);
     renew_neighbours(0);
   }
 
@@ -44,8 +51,9 @@ class Liquid {
   void renew_neighbours(double dt) {
     const TankWalls walls = walls_at(time);
     scheme_.wall_contact.confine(particles, walls);
+    for (const Rectangle& obstacle : obstacles_) expel(particles, walls, obstacle);
     if (!neighbours_.stale(particles, walls, dt)) return;
-    if (!neighbours_.rebuild(particles, walls, dt))
+    if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, walls, dt))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
     rates.resize(particles.size());
   }
@@ -53,13 +61,52 @@ class Liquid {
   void accelerate(double t) {
     const TankWalls walls = walls_at(t);
     neighbours_.refresh_for_momentum(scheme_, particles, walls);
-    sum_momentum(scheme_, neighbours_, particles, rates, instructions_);
+    solids_.refresh_for_momentum(scheme_, neighbours_, walls, instructions_);
+    sum_momentum(scheme_, neighbours_.clusters(), neighbours_.sources(), particles, rates,
+                 instructions_);
     scheme_.wall_contact.push(particles, walls, rates);
   }
 
   void compress(double t) {
-    neighbours_.refresh_for_continuity(scheme_, particles, walls_at(t));
-    sum_continuity(scheme_, neighbours_, particles, rates, instructions_);
+    const TankWalls walls = walls_at(t);
+    neighbours_.refresh_for_continuity(scheme_, particles, walls);
+    solids_.refresh_for_continuity(scheme_, neighbours_, walls, instructions_);
+    if constexpr (Scheme::DensityDiffusion::reads_gradient)
+      sum_density_gradient(scheme_, neighbours_, particles, walls, gradient_, instructions_);
+    sum_continuity(scheme_, neighbours_.clusters(), neighbours_.sources(), gradient_, particles,
+                   rates, instructions_);
+  }
+
+  void kick(double dt) {
+    add_scaled(particles.velocity_x, dt, rates.acceleration_x);
+    add_scaled(particles.velocity_z, dt, rates.acceleration_z);
+  }
+  void drift(double dt) {
+    add_scaled(particles.x, dt, particles.velocity_x);
+    add_scaled(particles.z, dt, particles.velocity_z);
+  }
+  void densify(double dt) {
+    add_scaled(particles.density, dt, rates.density_rate);
+    if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, dt);
+  }
+
+  // For integrators that return to the start of a step.
+  void save() {
+    saved_ = particles;
+    if constexpr (Scheme::Solids::has_density) saved_solid_density_ = solids_.density();
+  }
+  void restore() {
+    particles = saved_;
+    if constexpr (Scheme::Solids::has_density) solids_.set_density(saved_solid_density_);
+  }
+
+  // Evens out the particles' spread, at the end of a step.
+  void shift() {
+    const TankWalls walls = walls_at(time);
+    neighbours_.refresh_for_continuity(scheme_, particles, walls);
+    sum_shifts(scheme_, neighbours_, particles, walls, shifts_, instructions_);
+    add_scaled(particles.x, 1, shifts_.x);
+    add_scaled(particles.z, 1, shifts_.z);
   }
 
   const Scheme& scheme() const { return scheme_; }
@@ -74,6 +121,12 @@ class Liquid {
   Scheme scheme_;
   const Scene& scene_;
   NeighbourSources neighbours_;
+  typename Scheme::Solids solids_;
+  std::vector<Rectangle> obstacles_;
+  DensityGradient gradient_;
+  Shifts shifts_;
+  Particles saved_;
+  Array<double> saved_solid_density_;
   InstructionSet instructions_ = widest_instruction_set();
 };
 

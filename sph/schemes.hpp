@@ -1,123 +1,194 @@
-// The named schemes: each a closed choice of one policy per physical term, with the constants that
-// go with it. A term that a scheme leaves out is its "No..." policy and costs nothing.
+// The closed list of schemes. Each is a choice of one policy per term with the numbers that go with
+// it; scheme.hpp makes it for a scene. A variant of `recommended` changes one thing.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "sph/density_diffusion.hpp"
-#include "sph/equation_of_state.hpp"
-#include "sph/formulation.hpp"
-#include "sph/initial_lattice.hpp"
 #include "sph/integrators.hpp"
-#include "sph/kernels.hpp"
-#include "sph/mirror_particles.hpp"
+#include "sph/neighbours/lanes.hpp"
 #include "sph/simulation.hpp"
-#include "sph/smoothing.hpp"
-#include "sph/viscosity.hpp"
-#include "sph/wall_contact.hpp"
+#include "sph/terms/density_diffusion.hpp"
+#include "sph/terms/equation_of_state.hpp"
+#include "sph/terms/formulation.hpp"
+#include "sph/terms/kernels.hpp"
+#include "sph/terms/particle_shifting.hpp"
+#include "sph/terms/smoothing.hpp"
+#include "sph/terms/time_step.hpp"
+#include "sph/terms/viscosity.hpp"
+#include "sph/walls/mirror_particles.hpp"
+#include "sph/walls/solids.hpp"
+#include "sph/walls/wall_contact.hpp"
 
 namespace slosh::sph {
 
-// The largest speed that the liquid is expected to reach: that of a long wave, sqrt(g h), over the
-// tank's own.
-inline double expected_speed(const Scene& scene) {
-  double tank_speed = 0;
-  for (double t = 0; t <= scene.duration; t += scene.sample_interval)
-    tank_speed = std::max(tank_speed, std::abs(scene.velocity(t)));
-  return std::sqrt(scene.gravity * scene.fill_depth) + tank_speed;
-}
-
 // Li et al. 2010, as printed, but for its errata: gravity and the artificial viscosity stand in the
 // momentum equation, and a mirror particle of a moving wall has the velocity 2 v_wall - v.
-template <class SmoothingPolicy>
 struct Li2010 {
   using Kernel = CubicSpline;
-  using Smoothing = SmoothingPolicy;
+  using Smoothing = UniformSmoothing;
   using Formulation = MassWeighted;
+  using EquationOfState = Tait;
   using Viscosity = MonaghanViscosity;
   using DensityDiffusion = NoDensityDiffusion;
+  using Shifting = NoShifting;
   using Mirror = NoSlipMirror;
+  using Solids = NoSolids;
   using WallContact = RepulsiveWall;
   using Integrator = PredictorCorrector;
-  static constexpr double smoothing_ratio = 1.5;  // h = 1.5 dp, section 4.1
-
-  double gravity, fill_depth;
-  Tait state;
-  Smoothing smoothing;
-  Formulation formulation{};
-  Viscosity viscosity;
-  DensityDiffusion density_diffusion{};
-  WallContact wall_contact;
-
-  explicit Li2010(const Scene& scene)
-      : gravity(scene.gravity),
-        fill_depth(scene.fill_depth),
-        state{scene.rest_density, 10 * expected_speed(scene)},  // c0 = 10 V_max
-        smoothing(smoothing_ratio, scene.particle_spacing),
-        viscosity{1.0, 1.0, state.speed_of_sound},          // alpha = beta = 1
-        wall_contact{5 * scene.gravity * scene.fill_depth,  // D = 5 g h, Monaghan 1994
-                     0.5 * flattest_cell(initial_lattice(scene, state))} {}
-
-  // The paper's 0.5 ms, whatever the spacing.
-  static double time_step(const Scene&, double) { return 5e-4; }
-  static constexpr bool fixed_step = true;
-  // Courant number dt c0 / h. Measured with alpha = 1 on a surge: the same motion up to 1.1, noise
-  // from 1.2, divergence at 1.4. The limit keeps a margin to that.
-  static constexpr double stable_courant_number = 0.65;
+  using TimeStep = FixedStep;
+  static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 1.5,  // section 4.1
+                                         .sound_speed_ratio = 10,        // c0 = 10 V_max
+                                         .courant_number = {},
+                                         .artificial_viscosity = 1,  // alpha = beta = 1
+                                         .density_diffusion = {}};
 };
 
-// What a practitioner would use today on a smooth free surface: delta-SPH's consistent operators,
-// density diffusion, slip walls, next to no viscosity, and a step near the limit of stability.
-template <class KernelPolicy>
-struct LowDissipation {
-  using Kernel = KernelPolicy;
+// With two spacings.
+struct Li2010TwoSpacings : Li2010 {
+  using Smoothing = PairSmoothing;
+};
+
+// Chosen by measurement on sloshing tanks, term by term (./slosh campaign schemes): delta-SPH's
+// consistent operators, a kernel whose sums hardly resist the lattice's strain, next to no
+// viscosity, diffusion that leaves still liquid alone, free-slip mirror walls, and a step near the
+// limit of stability.
+struct Recommended {
+  using Kernel = QuinticSpline;
   using Smoothing = UniformSmoothing;
   using Formulation = VolumeWeighted;
+  using EquationOfState = Tait;
   using Viscosity = LinearViscosity;
   using DensityDiffusion = DynamicDensityDiffusion;
+  using Shifting = NoShifting;
   using Mirror = FreeSlipMirror;
+  using Solids = GhostSolids<Slip::free>;
   using WallContact = ReflectingWall;
   using Integrator = StaggeredLeapfrog;
-  static constexpr double smoothing_ratio = 1.5;
-
-  double gravity, fill_depth;
-  Tait state;
-  Smoothing smoothing;
-  Formulation formulation;
-  Viscosity viscosity;
-  DensityDiffusion density_diffusion;
-  WallContact wall_contact{};
-
-  explicit LowDissipation(const Scene& scene)
-      : gravity(scene.gravity),
-        fill_depth(scene.fill_depth),
-        state{scene.rest_density, 10 * expected_speed(scene)},
-        smoothing(smoothing_ratio, scene.particle_spacing),
-        formulation{scene.rest_density},
-        viscosity{0.003, state.speed_of_sound},
-        density_diffusion{0.1, state, scene.gravity, scene.fill_depth} {}
-
-  // dt = min(0.8 h / c0, 0.25 sqrt(h / |a|)): Courant and force criterion (Monaghan 1992,
-  // section 10.3).
-  double time_step(const Scene&, double largest_acceleration) const {
-    const double h = 1.0 / smoothing.inverse_length;
-    return std::min(0.8 * h / state.speed_of_sound, 0.25 * std::sqrt(h / largest_acceleration));
-  }
-  static constexpr bool fixed_step = false;
+  using TimeStep = AdaptiveStep;
+  static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 1.5,
+                                         .sound_speed_ratio = 10,
+                                         .courant_number = 0.8,
+                                         .artificial_viscosity = 0.003,
+                                         .density_diffusion = 0.1};
 };
 
-template <class Scheme>
-std::vector<std::string> active_terms() {
-  std::vector<std::string> terms;
-  for (const char* name :
-       {Scheme::Kernel::name, Scheme::Smoothing::name, Scheme::Formulation::name,
-        Scheme::Viscosity::name, Scheme::DensityDiffusion::name, Tait::name, Scheme::Mirror::name,
-        Scheme::WallContact::name, Scheme::Integrator::name})
-    if (*name) terms.push_back(name);
-  return terms;
+// delta-SPH as published (Antuono et al. 2010; Marrone et al. 2011): Wendland C2 at h = 2 dp, the
+// linear equation of state, alpha = 0.02, delta = 0.1 on renormalised gradients, fixed ghost
+// particles, free slip.
+struct DeltaSph : Recommended {
+  using Kernel = WendlandC2;
+  using EquationOfState = LinearState;
+  using DensityDiffusion = AntuonoDiffusion;
+  using Mirror = NoMirror;
+  using Integrator = Symplectic;
+  static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 2,
+                                         .sound_speed_ratio = 10,
+                                         .courant_number = 0.4,
+                                         .artificial_viscosity = 0.02,
+                                         .density_diffusion = 0.1};
+};
+
+// The recommended numbers at another Courant number, for integrators that are stable to less.
+constexpr SchemeNumbers recommended_at(double courant_number) {
+  SchemeNumbers numbers = Recommended::numbers;
+  numbers.courant_number = courant_number;
+  return numbers;
 }
+constexpr SchemeNumbers recommended_without_viscosity() {
+  SchemeNumbers numbers = Recommended::numbers;
+  numbers.artificial_viscosity.reset();
+  return numbers;
+}
+constexpr SchemeNumbers recommended_without_diffusion() {
+  SchemeNumbers numbers = Recommended::numbers;
+  numbers.density_diffusion.reset();
+  return numbers;
+}
+
+struct WithCubicSpline : Recommended {
+  static constexpr const char* variant = "cubic_spline";
+  using Kernel = CubicSpline;
+};
+struct WithWendlandC2 : Recommended {
+  static constexpr const char* variant = "wendland_c2";
+  using Kernel = WendlandC2;
+};
+struct WithWendlandC4 : Recommended {
+  static constexpr const char* variant = "wendland_c4";
+  using Kernel = WendlandC4;
+};
+struct WithSymmetricPressure : Recommended {
+  static constexpr const char* variant = "symmetric_pressure";
+  using Formulation = MassWeighted;
+};
+struct WithLinearState : Recommended {
+  static constexpr const char* variant = "linear_state";
+  using EquationOfState = LinearState;
+};
+struct WithoutViscosity : Recommended {
+  static constexpr const char* variant = "no_viscosity";
+  using Viscosity = NoViscosity;
+  static constexpr SchemeNumbers numbers = recommended_without_viscosity();
+};
+struct WithMonaghanViscosity : Recommended {
+  static constexpr const char* variant = "monaghan_viscosity";
+  using Viscosity = MonaghanViscosity;
+};
+struct WithLaminarViscosity : Recommended {
+  static constexpr const char* variant = "laminar_viscosity";
+  using Viscosity = LaminarViscosity;
+  static constexpr SchemeNumbers numbers = recommended_without_viscosity();
+};
+struct WithoutDiffusion : Recommended {
+  static constexpr const char* variant = "no_diffusion";
+  using DensityDiffusion = NoDensityDiffusion;
+  static constexpr SchemeNumbers numbers = recommended_without_diffusion();
+};
+struct WithMolteniColagrossi : Recommended {
+  static constexpr const char* variant = "molteni_colagrossi";
+  using DensityDiffusion = MolteniColagrossiDiffusion;
+};
+struct WithAntuono : Recommended {
+  static constexpr const char* variant = "antuono";
+  using DensityDiffusion = AntuonoDiffusion;
+};
+struct WithShifting : Recommended {
+  static constexpr const char* variant = "shifting";
+  using Shifting = ParticleShifting;
+};
+struct WithStickingWalls : Recommended {
+  static constexpr const char* variant = "no_slip_mirror";
+  using Mirror = StickingMirror;
+};
+struct WithRepulsiveWalls : Recommended {
+  static constexpr const char* variant = "repulsive_mirror";
+  using Mirror = NoSlipMirror;
+  using WallContact = RepulsiveWall;
+};
+struct WithGhostWalls : Recommended {
+  static constexpr const char* variant = "ghost_walls";
+  using Mirror = NoMirror;
+};
+struct WithStickingGhostWalls : WithGhostWalls {
+  static constexpr const char* variant = "no_slip_ghost_walls";
+  using Solids = GhostSolids<Slip::none>;
+};
+struct WithDynamicWalls : WithGhostWalls {
+  static constexpr const char* variant = "dynamic_walls";
+  using Solids = DynamicSolids;
+};
+struct WithPredictorCorrector : Recommended {
+  static constexpr const char* variant = "predictor_corrector";
+  using Integrator = PredictorCorrector;
+  static constexpr SchemeNumbers numbers = recommended_at(0.4);
+};
+struct WithSymplectic : Recommended {
+  static constexpr const char* variant = "symplectic";
+  using Integrator = Symplectic;
+  static constexpr SchemeNumbers numbers = recommended_at(0.4);
+};
+struct WithVerlet : Recommended {
+  static constexpr const char* variant = "verlet";
+  using Integrator = Verlet;
+  static constexpr SchemeNumbers numbers = recommended_at(0.15);
+};
 
 }  // namespace slosh::sph

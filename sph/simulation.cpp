@@ -1,174 +1,72 @@
 #include "sph/simulation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <chrono>
-#include <cmath>
-#include <limits>
+#include <map>
+#include <stdexcept>
 
-#include "sph/free_surface_gauge.hpp"
-#include "sph/initial_lattice.hpp"
-#include "sph/liquid.hpp"
-#include "sph/schemes.hpp"
-#include "sph/stability_guard.hpp"
+#include "sph/scheme_runs.hpp"
 
 namespace slosh::sph {
 namespace {
 
-// Records what the scene asks for, at its sample times.
-template <class Scheme>
-class Recorder {
- public:
-  Recorder(const Scene& scene, const Liquid<Scheme>& liquid)
-      : scene_(scene), initial_potential_(potential(liquid)) {}
+using Run = RunOutput (*)(const Scene&, const Progress&);
 
-  void record(const Liquid<Scheme>& liquid) {
-    const Particles& p = liquid.particles;
-    check_state(p, scene_.rest_density, liquid.time);
-    const double wall = scene_.displacement(liquid.time);
-    for (const Gauge& gauge : scene_.gauges)
-      push(output.elevation[gauge.name], liquid.time,
-           surface_elevation(p, wall, scene_.tank_length, scene_.fill_depth, gauge.x));
-    double kinetic = 0, force = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      kinetic +=
-          0.5 * p.mass[i] * (p.velocity_x[i] * p.velocity_x[i] + p.velocity_z[i] * p.velocity_z[i]);
-      force -= p.mass[i] * liquid.rates.acceleration_x[i];
-    }
-    push(output.kinetic_energy, liquid.time, kinetic);
-    push(output.potential_energy, liquid.time, potential(liquid) - initial_potential_);
-    // The walls' is the only horizontal force on the liquid, so its reaction is minus the
-    // momentum's rate. Before the first step there is none.
-    if (output.steps > 0) push(output.horizontal_force, liquid.time, force);
-  }
-
-  void record_snapshot(const Liquid<Scheme>& liquid) const {
-    const Particles& p = liquid.particles;
-    const double wall = scene_.displacement(liquid.time);
-    Snapshot snapshot{liquid.time, {}, {}, {}, {}, {}, {}};
-    snapshot.z.assign(p.z.begin(), p.z.end());
-    snapshot.velocity_x.assign(p.velocity_x.begin(), p.velocity_x.end());
-    snapshot.velocity_z.assign(p.velocity_z.begin(), p.velocity_z.end());
-    snapshot.density.assign(p.density.begin(), p.density.end());
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      snapshot.x.push_back(p.x[i] - wall);
-      snapshot.pressure.push_back(liquid.scheme().state.pressure(p.density[i]));
-    }
-    scene_.record_snapshot(snapshot);
-  }
-
-  RunOutput output;
-
- private:
-  static void push(History& history, double time, double value) {
-    history.time.push_back(time);
-    history.value.push_back(value);
-  }
-  static double potential(const Liquid<Scheme>& liquid) {
-    double sum = 0;
-    for (std::size_t i = 0; i < liquid.particles.size(); ++i)
-      sum += liquid.particles.mass[i] * liquid.scheme().gravity * liquid.particles.z[i];
-    return sum;
-  }
-
-  const Scene& scene_;
-  double initial_potential_;
-};
-
-double largest_acceleration(const Rates& rates, double gravity) {
-  double largest2 = gravity * gravity;
-  for (std::size_t i = 0; i < rates.acceleration_x.size(); ++i)
-    largest2 = std::max(largest2, rates.acceleration_x[i] * rates.acceleration_x[i] +
-                                      rates.acceleration_z[i] * rates.acceleration_z[i]);
-  return std::sqrt(largest2);
+template <class... Choices>
+std::map<std::string, Run> runs_of(ChoiceList<Choices...>) {
+  return {{Choices::variant, &run_scheme<Choices>}...};
 }
 
-template <class Scheme>
-void check_fixed_step(const Scene& scene, const Scheme& scheme) {
-  const double h =
-      Scheme::smoothing_ratio * std::min(scene.particle_spacing, scene.surface_particle_spacing);
-  const double dt = scheme.time_step(scene, 0),
-               limit = Scheme::stable_courant_number * h / scheme.state.speed_of_sound;
-  if (!(dt <= limit))
-    throw SimulationError(
-        fmt::format("the scheme's fixed time step {} s is unstable at particle spacing {} m: "
-                    "expected at most {:.3g} s",
-                    dt, std::min(scene.particle_spacing, scene.surface_particle_spacing), limit));
+template <class Value>
+std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : table) names.push_back(name);
+  return names;
 }
 
-// How many samples a snapshot comes after the one before it.
-double samples_per_snapshot(const Scene& scene) {
-  const double ratio = scene.snapshot_interval / scene.sample_interval, whole = std::round(ratio);
-  if (!(whole >= 1 && std::abs(ratio - whole) <= 1e-9 * whole))
-    throw std::invalid_argument(
-        fmt::format("snapshot interval = {} s: expected a multiple of the sample interval of {} s",
-                    scene.snapshot_interval, scene.sample_interval));
-  return whole;
+const std::map<std::string, Run>& schemes() {
+  static const std::map<std::string, Run> table{{"li2010", &run_scheme<Li2010>},
+                                                {"delta_sph", &run_scheme<DeltaSph>},
+                                                {"recommended", &run_scheme<Recommended>}};
+  return table;
 }
 
-template <class Scheme>
-RunOutput run_scheme(const Scene& scene, const Progress& progress) {
-  const Scheme scheme(scene);
-  if constexpr (Scheme::fixed_step) check_fixed_step(scene, scheme);
-  Liquid<Scheme> liquid(scene, scheme, initial_lattice(scene, scheme.state));
-  typename Scheme::Integrator integrator;
-  Recorder<Scheme> recorder(scene, liquid);
-  RunOutput& output = recorder.output;
-  output.particles = liquid.particles.size();
-  const bool snapshots = scene.snapshot_interval != 0;
-  const double stride = snapshots ? samples_per_snapshot(scene) : 0;
-  double smallest_step = std::numeric_limits<double>::infinity();
-  auto last_report = std::chrono::steady_clock::now();
+const std::map<std::string, Run>& variants() {
+  static const std::map<std::string, Run> table = runs_of(Variants{});
+  return table;
+}
 
-  const int samples = static_cast<int>(std::floor(scene.duration / scene.sample_interval + 1e-9));
-  for (int sample = 0; sample <= samples; ++sample) {
-    const double target = sample * scene.sample_interval;
-    while (liquid.time < target) {
-      // Equal steps up to the sample, each at most the stable one; the last one lands on it
-      // exactly.
-      const double left = target - liquid.time;
-      const double stable =
-          scheme.time_step(scene, largest_acceleration(liquid.rates, scene.gravity));
-      const double count = std::ceil(left / stable - 1e-9);
-      const double dt = left / count;
-      integrator.advance(liquid, dt);
-      liquid.time = count <= 1 ? target : liquid.time + dt;
-      smallest_step = std::min(smallest_step, dt);
-      output.steps += 1;
-    }
-    recorder.record(liquid);
-    if (snapshots && std::fmod(sample, stride) == 0) recorder.record_snapshot(liquid);
-    if (progress &&
-        std::chrono::steady_clock::now() - last_report > std::chrono::milliseconds(100)) {
-      progress(liquid.time, output.steps);
-      last_report = std::chrono::steady_clock::now();
-    }
-  }
-  output.active_terms = active_terms<Scheme>();
-  output.diagnostics["speed_of_sound_m_s"] = scheme.state.speed_of_sound;
-  output.diagnostics["smallest_time_step_s"] = smallest_step;
-  return std::move(output);
+Run named(const std::map<std::string, Run>& table, const char* what, const std::string& name) {
+  const auto found = table.find(name);
+  if (found == table.end())
+    throw std::invalid_argument(fmt::format("{} = \"{}\": expected one of {}", what, name,
+                                            fmt::join(names_of(table), " | ")));
+  return found->second;
+}
+
+Run chosen(const std::string& scheme, const Scene& scene) {
+  const Run run = named(schemes(), "scheme", scheme);
+  const bool uniform = scene.surface_particle_spacing == scene.particle_spacing;
+  if (scheme == "li2010" && !uniform) return &run_scheme<Li2010TwoSpacings>;
+  if (!uniform)
+    throw std::invalid_argument("surface_particle_spacing: expected that of the rest, the scheme " +
+                                scheme + " takes one particle spacing");
+  if (scene.variant.empty()) return run;
+  if (scheme != "recommended")
+    throw std::invalid_argument(fmt::format(
+        "variant = \"{}\": expected none, only recommended has variants", scene.variant));
+  return named(variants(), "variant", scene.variant);
 }
 
 }  // namespace
 
-std::vector<std::string> scheme_names() {
-  return {"li2010", "low_dissipation", "low_dissipation_wendland"};
-}
+std::vector<std::string> scheme_names() { return names_of(schemes()); }
+
+std::vector<std::string> variant_names() { return names_of(variants()); }
 
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress) {
-  const bool uniform = scene.surface_particle_spacing == scene.particle_spacing;
-  if (scheme == "li2010" && uniform) return run_scheme<Li2010<UniformSmoothing>>(scene, progress);
-  if (scheme == "li2010") return run_scheme<Li2010<PairSmoothing>>(scene, progress);
-  if (!uniform && scheme.starts_with("low_dissipation"))
-    throw std::invalid_argument("scheme " + scheme +
-                                " takes one particle spacing: surface_particle_spacing differs");
-  if (scheme == "low_dissipation")
-    return run_scheme<LowDissipation<QuinticSpline>>(scene, progress);
-  if (scheme == "low_dissipation_wendland")
-    return run_scheme<LowDissipation<WendlandC2>>(scene, progress);
-  throw std::invalid_argument(
-      fmt::format("scheme = \"{}\": expected one of {}", scheme, fmt::join(scheme_names(), " | ")));
+  return chosen(scheme, scene)(scene, progress);
 }
 
 }  // namespace slosh::sph

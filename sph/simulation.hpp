@@ -43,6 +43,7 @@ struct Scene {
   double tank_length, tank_height, fill_depth;  // [m]
   double gravity;                               // [m/s2], downward
   double rest_density;                          // [kg/m3]
+  double kinematic_viscosity = 0;               // of the liquid [m2/s]
   std::function<double(double)> displacement;   // X(t) of the tank [m]
   std::function<double(double)> velocity;       // X'(t) [m/s]
   std::function<double(double)> acceleration;   // X''(t) [m/s2]
@@ -58,12 +59,18 @@ struct Scene {
   std::string variant = {};               // of the scheme: one thing changed; empty: none
   SchemeNumbers numbers = {};
   std::vector<Gauge> gauges;
-  double snapshot_interval = 0;  // [s], a multiple of sample_interval; 0: no snapshot
+  bool record_still_water = false;  // how far the liquid is from rest (still_water.hpp)
+  double snapshot_interval = 0;     // [s], a multiple of sample_interval; 0: no snapshot
   std::function<void(const Snapshot&)> record_snapshot;  // called every snapshot_interval
 };
 
 struct History {
   std::vector<double> time, value;
+};
+
+struct RecordedSeries {
+  std::string name, unit;
+  History history;
 };
 
 struct RunOutput {
@@ -72,6 +79,7 @@ struct RunOutput {
   History horizontal_force;                  // of the liquid on the tank, per metre of width [N/m]
   History kinetic_energy;                    // of the liquid, in the earth's frame [J/m]
   History potential_energy;                  // of the liquid [J/m], relative to the initial state
+  std::vector<RecordedSeries> still_water;   // where the scene asks for it
   double steps = 0;
   std::size_t particles = 0;                  // of the liquid
   std::vector<std::string> active_terms;      // the physics compiled into the scheme
@@ -88,8 +96,11 @@ struct SimulationError : std::runtime_error {
 using Progress = std::function<void(double time, double steps)>;
 
 std::vector<std::string> scheme_names();
+// Of the scheme `recommended`: each changes one thing.
+std::vector<std::string> variant_names();
 
-// Throws std::invalid_argument for an unknown scheme or a scene that the scheme does not take.
+// Throws std::invalid_argument for an unknown scheme or variant, or a scene that the scheme does
+// not take.
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress);
 
 }  // namespace slosh::sph

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "sph/particles.hpp"
+#include "sph/neighbours/particles.hpp"
 
 namespace slosh::sph {
 

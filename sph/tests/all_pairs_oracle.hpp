@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "sph/particles.hpp"
-#include "sph/tank_walls.hpp"
+#include "sph/neighbours/particles.hpp"
+#include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
@@ -45,8 +45,6 @@ struct PairSource {
   double x, z, u, w, density, mass, pressure, spacing;
   double dynamic_density;  // [kg/m3] above the hydrostatic one
 };
-
-enum class Slip { free, none };
 
 inline PairSource reflected_sideways(PairSource s, double wall_x, const TankWalls& walls,
                                      Slip slip) {
@@ -143,8 +141,8 @@ inline Rates li2010_by_all_pairs(const Particles& p, const TankWalls& walls, con
 
 // Antuono et al. 2010, eq. 1, with alpha = 0.003, delta = 0.1, and the diffusion of Molteni &
 // Colagrossi 2009 acting on the dynamic density (Fourtakas et al. 2019, eq. 13).
-inline Rates low_dissipation_by_all_pairs(const Particles& p, const TankWalls& walls,
-                                          const Medium& medium, const KernelSlope& slope) {
+inline Rates recommended_by_all_pairs(const Particles& p, const TankWalls& walls,
+                                      const Medium& medium, const KernelSlope& slope) {
   const auto sources = with_all_images(p, walls, medium, Slip::free);
   Rates rates = still_rates(p.size(), medium.gravity);
   const double c0 = medium.speed_of_sound;

@@ -1,4 +1,4 @@
-#include "sph/equation_of_state.hpp"
+#include "sph/terms/equation_of_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace slosh::sph {
 namespace {
 
-const Tait water{.rest_density = 1000, .speed_of_sound = 20};
+const Tait water(1000, 20);
 
 TEST(Tait, HasNoPressureAtTheRestDensity) {
   EXPECT_EQ(water.pressure(1000), 0);

@@ -1,4 +1,4 @@
-#include "sph/pair_sums.hpp"
+#include "sph/neighbours/pair_sums.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "sph/initial_lattice.hpp"
 #include "sph/liquid.hpp"
+#include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
 #include "sph/tests/all_pairs_oracle.hpp"
 #include "sph/tests/surging_scene.hpp"
@@ -93,12 +94,13 @@ Particles splashed_tank(const TankWalls& walls) {
 
 template <class Scheme>
 Rates by_all_pairs(const Scheme& scheme, const Particles& particles, const TankWalls& walls) {
-  const Medium medium{scheme.gravity, scheme.fill_depth, 1000, scheme.state.speed_of_sound};
+  const Medium medium{scheme.setting.gravity, scheme.setting.fill_depth, 1000,
+                      scheme.state.speed_of_sound};
   using Kernel = typename Scheme::Kernel;
   if constexpr (std::is_same_v<Kernel, CubicSpline>)
     return li2010_by_all_pairs(particles, walls, medium);
   else
-    return low_dissipation_by_all_pairs(
+    return recommended_by_all_pairs(
         particles, walls, medium,
         std::is_same_v<Kernel, WendlandC2> ? wendland_slope : quintic_slope);
 }
@@ -109,9 +111,9 @@ Rates by_neighbours(const Scheme& scheme, NeighbourSources& neighbours, const Pa
   Rates rates;
   rates.resize(particles.size());
   neighbours.refresh_for_momentum(scheme, particles, walls);
-  sum_momentum(scheme, neighbours, particles, rates, set);
+  sum_momentum(scheme, neighbours.clusters(), neighbours.sources(), particles, rates, set);
   neighbours.refresh_for_continuity(scheme, particles, walls);
-  sum_continuity(scheme, neighbours, particles, rates, set);
+  sum_continuity(scheme, neighbours.clusters(), neighbours.sources(), {}, particles, rates, set);
   return rates;
 }
 
@@ -140,7 +142,7 @@ class PairSums : public testing::Test {
   static constexpr double surface_spacing =
       Scheme::Smoothing::reads_spacing ? spacing / 2 : spacing;
   const Scheme scheme{small_scene(surface_spacing)};
-  const double support = kernel_support * Scheme::smoothing_ratio * spacing;
+  const double support = kernel_support * *Scheme::numbers.smoothing_length_ratio * spacing;
 
   void expect_the_sums_over_all_pairs(Particles particles, const TankWalls& walls) {
     NeighbourSources neighbours(walls, spacing, support);
@@ -181,8 +183,8 @@ class PairSums : public testing::Test {
   }
 };
 
-using Schemes = testing::Types<Li2010<UniformSmoothing>, Li2010<PairSmoothing>,
-                               LowDissipation<WendlandC2>, LowDissipation<QuinticSpline>>;
+using Schemes = testing::Types<Scheme<Li2010>, Scheme<Li2010TwoSpacings>, Scheme<WithWendlandC2>,
+                               Scheme<Recommended>>;
 TYPED_TEST_SUITE(PairSums, Schemes);
 
 TYPED_TEST(PairSums, AreThoseOverAllPairsInATankAtRest) {
@@ -237,11 +239,12 @@ TYPED_TEST(PairSums, AskForARebuildBeforeAFastParticleLeavesItsSlack) {
 }
 
 TEST(PairSumsOfTwoSpacings, AreThoseOverAllPairs) {
-  using Scheme = Li2010<PairSmoothing>;
+  using Scheme = slosh::sph::Scheme<Li2010TwoSpacings>;
   const Scheme scheme(small_scene(spacing / 2));
   for (const TankWalls& walls : {tank_at_rest, moving_tank}) {
     Particles particles = full_tank_of_two_spacings(walls);
-    NeighbourSources neighbours(walls, spacing, kernel_support * Scheme::smoothing_ratio * spacing);
+    NeighbourSources neighbours(walls, spacing,
+                                kernel_support * *Scheme::numbers.smoothing_length_ratio * spacing);
     ASSERT_TRUE(neighbours.rebuild(particles, walls, 0));
     const Rates rates = by_neighbours(scheme, neighbours, particles, walls);
     EXPECT_LE(disagreement(rates, by_all_pairs(scheme, particles, walls)), round_off);
@@ -250,12 +253,14 @@ TEST(PairSumsOfTwoSpacings, AreThoseOverAllPairs) {
 
 // Where columns are narrower than the particle spacing the kernel's support is still the spacing's.
 TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
-  using Scheme = LowDissipation<QuinticSpline>;
+  using Scheme = slosh::sph::Scheme<Recommended>;
   Scene scene = small_scene(spacing);
   scene.tank_length = 0.15;
   scene.particle_spacing = scene.surface_particle_spacing = 0.0103;
   const Scheme scheme(scene);
-  Liquid<Scheme> liquid(scene, scheme, initial_lattice(scene, scheme.state));
+  Liquid<Scheme> liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
+                          return scheme.state.density(pressure);
+                        }));
   ASSERT_NEAR(liquid.particles.spacing[0], 0.01, 1e-14);
   const double distance = 0.99 * liquid.neighbours().slack();
   Particles& p = liquid.particles;

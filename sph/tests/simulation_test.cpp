@@ -123,10 +123,10 @@ TEST_P(EveryScheme, GivesTheForceThatChangesTheLiquidsMomentum) {
 }
 
 // Nothing in the flow depends on how fast the tank and the liquid travel together.
-TEST(LowDissipation, StaysStillInStillAndInCarriedTanks) {
+TEST(Recommended, StaysStillInStillAndInCarriedTanks) {
   for (double speed : {0.0, 0.5}) {
     const double spacing = 0.025;
-    const RunOutput output = run("low_dissipation", carried_scene(spacing, 2.0, speed), {});
+    const RunOutput output = run("recommended", carried_scene(spacing, 2.0, speed), {});
     EXPECT_LE(largest(output.elevation.at("left").value), 0.01 * spacing) << speed;
     EXPECT_LE(largest(output.elevation.at("right").value), 0.01 * spacing) << speed;
     const double carried = 0.5 * 1000 * 0.35 * speed * speed;  // but for the compression, 0.5 %
@@ -138,10 +138,10 @@ TEST(LowDissipation, StaysStillInStillAndInCarriedTanks) {
 
 TEST(Simulation, RefusesASchemeThatItDoesNotHave) {
   try {
-    run("low_dissipation_cubic", still_scene(0.05, 0.1), {});
+    run("recomended", still_scene(0.05, 0.1), {});
     FAIL() << "an unknown scheme was let pass";
   } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("low_dissipation_cubic"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("recomended"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("li2010"), std::string::npos);
   }
 }
@@ -150,7 +150,7 @@ TEST(Simulation, RefusesSnapshotsBetweenSamples) {
   for (const double interval : {0.015, 0.005, -0.01, double{NAN}, double{INFINITY}}) {
     Scene scene = surging_scene(0.05, 0.02);
     scene.snapshot_interval = interval;
-    EXPECT_THROW(run("low_dissipation", scene, {}), std::invalid_argument) << interval;
+    EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument) << interval;
   }
 }
 
@@ -158,14 +158,14 @@ TEST(Simulation, RefusesATankTooNarrowForTheKernel) {
   Scene scene = still_scene(0.025, 0.1);
   scene.tank_length = 0.1;
   scene.gauges.clear();
-  EXPECT_THROW(run("low_dissipation", scene, {}), std::invalid_argument);
+  EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
 }
 
 TEST(Simulation, RefusesTwoSpacingsWhereTheSchemeTakesOne) {
   Scene scene = still_scene(0.02, 0.1);
   scene.surface_particle_spacing = 0.01;
-  EXPECT_THROW(run("low_dissipation", scene, {}), std::invalid_argument);
-  EXPECT_THROW(run("low_dissipation_wendland", scene, {}), std::invalid_argument);
+  EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
+  EXPECT_THROW(run("delta_sph", scene, {}), std::invalid_argument);
 }
 
 TEST(Simulation, RunsLisSchemeWithTwoSpacings) {
@@ -178,7 +178,7 @@ TEST(Simulation, RunsLisSchemeWithTwoSpacings) {
 }
 
 TEST(Simulation, RefusesALatticeThatDoesNotFitTheTank) {
-  EXPECT_THROW(run("low_dissipation", still_scene(0.08, 0.1), {}), std::invalid_argument);
+  EXPECT_THROW(run("recommended", still_scene(0.08, 0.1), {}), std::invalid_argument);
 }
 
 }  // namespace

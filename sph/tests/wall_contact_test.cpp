@@ -1,10 +1,11 @@
-#include "sph/wall_contact.hpp"
+#include "sph/walls/wall_contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "sph/initial_lattice.hpp"
+#include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
 
@@ -27,7 +28,7 @@ Particles one_particle(double x, double z, double velocity_x, double velocity_z)
 }
 
 void expect_confined(Particles p, double x, double z, double velocity_x, double velocity_z) {
-  ReflectingWall{}.confine(p, moving_tank);
+  ReflectingWall(Setting{}).confine(p, moving_tank);
   EXPECT_NEAR(p.x[0], x, 1e-15);
   EXPECT_NEAR(p.z[0], z, 1e-15);
   EXPECT_NEAR(p.velocity_x[0], velocity_x, 1e-15);
@@ -55,7 +56,11 @@ TEST(ReflectingWall, ReflectsTwiceInACorner) {
 Rates pushed(const Particles& particles, const TankWalls& walls) {
   Rates rates;
   rates.resize(particles.size());
-  RepulsiveWall{.strength = 17, .range = 0.5}.push(particles, walls, rates);
+  Setting setting{};
+  setting.gravity = 3.4;
+  setting.fill_depth = 1;
+  setting.flattest_cell = 1;
+  RepulsiveWall(setting).push(particles, walls, rates);
   return rates;
 }
 
@@ -63,8 +68,9 @@ Rates pushed(const Particles& particles, const TankWalls& walls) {
 TEST(RepulsiveWall, IsNotFeltByTheStillLatticeOfLisScheme) {
   for (double spacing : {0.025, 0.02, 0.0103, 0.01}) {
     const Scene scene = still_scene(spacing, 0);
-    const Li2010<UniformSmoothing> scheme(scene);
-    const Particles particles = initial_lattice(scene, scheme.state);
+    const Scheme<Li2010> scheme(scene);
+    const Particles particles =
+        initial_lattice(scene, [&](double pressure) { return scheme.state.density(pressure); });
     Rates rates;
     rates.resize(particles.size());
     scheme.wall_contact.push(particles, {0, 1, 0, 1, 0, 0}, rates);
@@ -88,7 +94,8 @@ TEST(RepulsiveWall, PushesInwardsWhatComesNearer) {
   EXPECT_EQ(push(0.206, 0.006).acceleration_x[0], 0);
 }
 
-// Right above a wall particle, the others being out of range: D ((r0/r)^12 - (r0/r)^4) / r.
+// Right above a wall particle, the others being out of range, D = 5 g h: D ((r0/r)^12 - (r0/r)^4) /
+// r.
 TEST(RepulsiveWall, HasMonaghansForceFromTheNearestWallParticle) {
   const double r = 0.004, ratio = 0.005 / r;
   const double expected = 17 * (std::pow(ratio, 12) - std::pow(ratio, 4)) / r;

@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "sph/initial_lattice.hpp"
-#include "sph/particles.hpp"
+#include "sph/neighbours/particles.hpp"
+#include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph {
@@ -108,7 +109,8 @@ inline Particles waved_lattice(const Wave& wave, double spacing, double surface_
                                double disorder_rms) {
   Scene scene = still_scene(spacing, 0);
   scene.surface_particle_spacing = surface_spacing;
-  Particles particles = initial_lattice(scene, Tait{scene.rest_density, 18.8});
+  Particles particles = initial_lattice(
+      scene, [&](double pressure) { return Tait(scene.rest_density, 18.8).density(pressure); });
   const Disorder disorder(wave, spacing, disorder_rms);
   for (std::size_t i = 0; i < particles.size(); ++i) {
     Place place = wave_flow(wave, {particles.x[i], particles.z[i]});

@@ -6,7 +6,7 @@
 #include <new>
 #include <vector>
 
-#include "sph/lanes.hpp"
+#include "sph/neighbours/lanes.hpp"
 
 namespace slosh::sph {
 
@@ -35,12 +35,16 @@ struct Particles {
   Array<double> density;                 // [kg/m3]
   Array<double> mass;                    // [kg/m]
   Array<double> spacing;                 // [m], the width of the lattice cell that it was laid in
+  // A step earlier; empty but for an integrator that carries them.
+  Array<double> earlier_velocity_x, earlier_velocity_z, earlier_density;
 
   std::size_t size() const { return x.size(); }
 
   template <class Visit>
   void for_each_field(const Visit& visit) {
-    for (auto* field : {&x, &z, &velocity_x, &velocity_z, &density, &mass, &spacing}) visit(*field);
+    for (auto* field : {&x, &z, &velocity_x, &velocity_z, &density, &mass, &spacing,
+                        &earlier_velocity_x, &earlier_velocity_z, &earlier_density})
+      if (!field->empty()) visit(*field);
   }
 };
 

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sph/cell_grid.hpp"
-#include "sph/particles.hpp"
+#include "sph/neighbours/cell_grid.hpp"
+#include "sph/neighbours/particles.hpp"
 
 namespace slosh::sph {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "sph/tank_walls.hpp"
+#include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
@@ -35,7 +35,7 @@ struct MirrorMap {
 struct FreeSlipMirror {
   static constexpr const char* name =
       "mirror particles, free slip, pressure gradient of the accelerated wall";
-  static constexpr bool no_slip = false;
+  static constexpr bool exists = true, no_slip = false;
   static constexpr bool hydrostatic = true;
 };
 
@@ -43,7 +43,22 @@ struct FreeSlipMirror {
 // density and pressure are the owner's.
 struct NoSlipMirror {
   static constexpr const char* name = "mirror particles, velocity 2 v_wall - v, owner's pressure";
-  static constexpr bool no_slip = true;
+  static constexpr bool exists = true, no_slip = true;
+  static constexpr bool hydrostatic = false;
+};
+
+// As free slip, but for the tangential velocity, which is turned too: the walls hold the liquid.
+struct StickingMirror {
+  static constexpr const char* name =
+      "mirror particles, no slip, pressure gradient of the accelerated wall";
+  static constexpr bool exists = true, no_slip = true;
+  static constexpr bool hydrostatic = true;
+};
+
+// The tank's walls are made of solid particles.
+struct NoMirror {
+  static constexpr const char* name = "";
+  static constexpr bool exists = false, no_slip = false;
   static constexpr bool hydrostatic = false;
 };
 

@@ -2,24 +2,16 @@
 // sources b,
 //   dv_a/dt   = -A_a sum_b w_b (s_a + s_b + viscous_ab) grad_a W_ab          (plus gravity)
 //   drho_a/dt =  C_a sum_b w_b (v_a - v_b) . grad_a W_ab + sum_b V_b diffusion_ab (dW/dr)/r
-// with the factors of formulation.hpp.
+// with the factors of terms/formulation.hpp.
 #pragma once
 
-#include "sph/cluster_lists.hpp"
-#include "sph/instruction_sets.hpp"
-#include "sph/lanes.hpp"
-#include "sph/neighbour_sources.hpp"
-#include "sph/particles.hpp"
+#include "sph/neighbours/cluster_lists.hpp"
+#include "sph/neighbours/density_gradient.hpp"
+#include "sph/neighbours/instruction_sets.hpp"
+#include "sph/neighbours/lanes.hpp"
+#include "sph/neighbours/particles.hpp"
 
 namespace slosh::sph {
-
-// (dW/dr)/r of a pair [1/m4]; `inverse_h` [1/m].
-template <class Kernel, class Length>
-inline Lanes gradient_over_distance(Lanes distance2, Length inverse_h) {
-  const Length inverse_h2 = inverse_h * inverse_h;
-  return Kernel::normalisation * inverse_h2 * inverse_h2 *
-         Kernel::gradient_shape(square_root(distance2) * inverse_h);
-}
 
 template <class Scheme>
 void momentum_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
@@ -49,20 +41,26 @@ void momentum_of_cluster(const Scheme* scheme, const Cluster* cluster, const Sou
   }
   const auto factor = scheme->formulation.acceleration_factor(rho);
   store(&rates->acceleration_x[i], -factor * sum_x, cluster->size);
-  store(&rates->acceleration_z[i], -factor * sum_z - scheme->gravity, cluster->size);
+  store(&rates->acceleration_z[i], -factor * sum_z - scheme->setting.gravity, cluster->size);
 }
 
 template <class Scheme>
 void continuity_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
-                           const Particles* particles, Rates* rates) {
+                           const DensityGradient* gradient, const Particles* particles,
+                           Rates* rates) {
   using Diffusion = typename Scheme::DensityDiffusion;
   const Particles& p = *particles;
   const std::size_t i = cluster->first;
   const Lanes x = load(&p.x[i]), z = load(&p.z[i]), u = load(&p.velocity_x[i]),
               w = load(&p.velocity_z[i]), rho = load(&p.density[i]);
   const Lanes spacing = Scheme::Smoothing::reads_spacing ? load(&p.spacing[i]) : Lanes{};
-  Lanes own{}, divergence{}, diffusion{};
-  if constexpr (Diffusion::active) own = scheme->density_diffusion.diffused(rho, z);
+  Lanes own{}, gradient_x{}, gradient_z{}, divergence{}, diffusion{};
+  if constexpr (Diffusion::active)
+    own = scheme->density_diffusion.diffused(scheme->state.pressure(rho), rho, z);
+  if constexpr (Diffusion::reads_gradient) {
+    gradient_x = load(&gradient->x[i]);
+    gradient_z = load(&gradient->z[i]);
+  }
   for (std::size_t k = 0; k < cluster->source_count; ++k) {
     const Source& b = sources[cluster->sources[k]];
     const Lanes dx = x - b.x, dz = z - b.z;
@@ -70,32 +68,38 @@ void continuity_of_cluster(const Scheme* scheme, const Cluster* cluster, const S
     const Lanes f =
         b.weight * gradient_over_distance<typename Scheme::Kernel>(dx * dx + dz * dz, inverse_h);
     divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
-    if constexpr (Diffusion::active)
-      diffusion += f * scheme->density_diffusion.pair(own - b.density, 1.0 / inverse_h);
+    if constexpr (Diffusion::active) {
+      Lanes difference = own - b.density;
+      if constexpr (Diffusion::reads_gradient) {
+        const SourceGradient& of_b = gradient->of_sources[cluster->sources[k]];
+        difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
+      }
+      diffusion += f * scheme->density_diffusion.pair(difference, 1.0 / inverse_h);
+    }
   }
   store(&rates->density_rate[i],
-        scheme->formulation.continuity_factor(rho) * divergence + diffusion, cluster->size);
+        scheme->formulation.continuity_factor(rho) * divergence +
+            scheme->formulation.volume_of_weight * diffusion,
+        cluster->size);
 }
 
-// Calls one of the two above for every cluster, in its build for `set`.
-template <auto of_cluster, class Scheme>
-void for_each_cluster(const Scheme& scheme, const NeighbourSources& neighbours,
-                      const Particles& particles, Rates& rates, InstructionSet set) {
-  neighbours.clusters().for_each([&](const Cluster& cluster) {
-    call<of_cluster>(set, &scheme, &cluster, neighbours.sources(), &particles, &rates);
+template <class Scheme>
+void sum_momentum(const Scheme& scheme, const ClusterLists& clusters, const Source* sources,
+                  const Particles& particles, Rates& rates, InstructionSet set) {
+  clusters.for_each([&](const Cluster& cluster) {
+    call<&momentum_of_cluster<Scheme>>(set, &scheme, &cluster, sources, &particles, &rates);
   });
 }
 
+// `gradient` is read by a scheme whose density diffusion asks for it, and may else be empty.
 template <class Scheme>
-void sum_momentum(const Scheme& scheme, const NeighbourSources& neighbours,
-                  const Particles& particles, Rates& rates, InstructionSet set) {
-  for_each_cluster<&momentum_of_cluster<Scheme>>(scheme, neighbours, particles, rates, set);
-}
-
-template <class Scheme>
-void sum_continuity(const Scheme& scheme, const NeighbourSources& neighbours,
-                    const Particles& particles, Rates& rates, InstructionSet set) {
-  for_each_cluster<&continuity_of_cluster<Scheme>>(scheme, neighbours, particles, rates, set);
+void sum_continuity(const Scheme& scheme, const ClusterLists& clusters, const Source* sources,
+                    const DensityGradient& gradient, const Particles& particles, Rates& rates,
+                    InstructionSet set) {
+  clusters.for_each([&](const Cluster& cluster) {
+    call<&continuity_of_cluster<Scheme>>(set, &scheme, &cluster, sources, &gradient, &particles,
+                                         &rates);
+  });
 }
 
 }  // namespace slosh::sph

@@ -2,8 +2,11 @@
 //   dv_a/dt   = -A_a sum_b weight_b (strength_a + strength_b + viscous_ab) grad_a W_ab
 //   drho_a/dt =  C_a sum_b weight_b (v_a - v_b) . grad_a W_ab
 // with A the acceleration factor and C the continuity factor. In each formulation the two sums are
-// adjoint, so that pressure work and compression energy balance.
+// adjoint, so that pressure work and compression energy balance. A source's volume is nearly
+// volume_of_weight times its weight.
 #pragma once
+
+#include "sph/setting.hpp"
 
 namespace slosh::sph {
 
@@ -13,7 +16,9 @@ namespace slosh::sph {
 struct MassWeighted {
   static constexpr const char* name =
       "momentum with p_a/rho_a^2 + p_b/rho_b^2, continuity with masses";
-  static constexpr bool reads_density = true;
+  double volume_of_weight;  // [m3/kg]
+
+  explicit MassWeighted(const Setting& s) : volume_of_weight(1.0 / s.rest_density) {}
 
   double weight(double mass, double) const { return mass; }
   template <class Number>
@@ -40,8 +45,10 @@ struct MassWeighted {
 //   drho_a/dt =  rho_a sum_b V_b v_ab . grad_a W_ab
 struct VolumeWeighted {
   static constexpr const char* name = "momentum with p_a + p_b, continuity with volumes";
-  static constexpr bool reads_density = false;
+  static constexpr double volume_of_weight = 1.0;
   double rest_density;
+
+  explicit VolumeWeighted(const Setting& s) : rest_density(s.rest_density) {}
 
   double weight(double mass, double density) const { return mass / density; }
   template <class Number>

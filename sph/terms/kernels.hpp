@@ -9,7 +9,7 @@
 
 #include <numbers>
 
-#include "sph/lanes.hpp"
+#include "sph/neighbours/lanes.hpp"
 
 namespace slosh::sph {
 
@@ -20,8 +20,9 @@ struct CubicSpline {
   static constexpr const char* name = "cubic B-spline kernel";
   static constexpr double normalisation = 10.0 / (7.0 * std::numbers::pi);
 
-  static double shape(double q) {
-    const double outer = at_least(0.0, 2.0 - q), inner = at_least(0.0, 1.0 - q);
+  template <class Number>
+  static Number shape(Number q) {
+    const Number outer = at_least(0.0, 2.0 - q), inner = at_least(0.0, 1.0 - q);
     return 0.25 * outer * outer * outer - inner * inner * inner;
   }
   template <class Number>
@@ -37,8 +38,9 @@ struct WendlandC2 {
   static constexpr const char* name = "Wendland C2 kernel";
   static constexpr double normalisation = 7.0 / (4.0 * std::numbers::pi);
 
-  static double shape(double q) {
-    const double s = at_least(0.0, 1.0 - 0.5 * q);
+  template <class Number>
+  static Number shape(Number q) {
+    const Number s = at_least(0.0, 1.0 - 0.5 * q);
     return s * s * s * s * (2.0 * q + 1.0);
   }
   template <class Number>
@@ -48,14 +50,32 @@ struct WendlandC2 {
   }
 };
 
+// Wendland C4 (Wendland 1995; Dehnen & Aly 2012, table 1).
+struct WendlandC4 {
+  static constexpr const char* name = "Wendland C4 kernel";
+  static constexpr double normalisation = 9.0 / (4.0 * std::numbers::pi);
+
+  template <class Number>
+  static Number shape(Number q) {
+    const Number u = 0.5 * q, s = at_least(0.0, 1.0 - u), s2 = s * s;
+    return s2 * s2 * s2 * (1.0 + 6.0 * u + 35.0 / 3.0 * u * u);
+  }
+  template <class Number>
+  static Number gradient_shape(Number q) {
+    const Number u = 0.5 * q, s = at_least(0.0, 1.0 - u), s2 = s * s;
+    return -14.0 / 3.0 * s2 * s2 * s * (1.0 + 5.0 * u);
+  }
+};
+
 // Quintic B-spline (Morris, Fox & Zhu 1997, eq. 24), its three knot spans stretched over the
 // support 2 h: with s = 3 q / 2, W ~ (3 - s)^5 - 6 (2 - s)^5 + 15 (1 - s)^5.
 struct QuinticSpline {
   static constexpr const char* name = "quintic B-spline kernel";
   static constexpr double normalisation = 7.0 / (478.0 * std::numbers::pi) * 2.25;
 
-  static double shape(double q) {
-    const double s = 1.5 * q;
+  template <class Number>
+  static Number shape(Number q) {
+    const Number s = 1.5 * q;
     return fifth(3.0 - s) - 6.0 * fifth(2.0 - s) + 15.0 * fifth(1.0 - s);
   }
   template <class Number>
@@ -73,7 +93,10 @@ struct QuinticSpline {
     const Number positive = at_least(0.0, a), square = positive * positive;
     return square * square;
   }
-  static double fifth(double a) { return fourth(a) * at_least(0.0, a); }
+  template <class Number>
+  static Number fifth(Number a) {
+    return fourth(a) * at_least(0.0, a);
+  }
 };
 
 }  // namespace slosh::sph

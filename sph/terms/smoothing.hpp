@@ -2,6 +2,8 @@
 // differ.
 #pragma once
 
+#include "sph/setting.hpp"
+
 namespace slosh::sph {
 
 // h = ratio * spacing, one for the whole scene.
@@ -10,7 +12,7 @@ struct UniformSmoothing {
   static constexpr bool reads_spacing = false;
   double inverse_length;  // 1/h [1/m]
 
-  UniformSmoothing(double ratio, double spacing) : inverse_length(1.0 / (ratio * spacing)) {}
+  explicit UniformSmoothing(const Setting& s) : inverse_length(1.0 / s.smoothing_length()) {}
   template <class Number>
   double inverse(Number, double) const {
     return inverse_length;
@@ -23,7 +25,7 @@ struct PairSmoothing {
   static constexpr bool reads_spacing = true;
   double twice_inverse_ratio;
 
-  PairSmoothing(double ratio, double) : twice_inverse_ratio(2.0 / ratio) {}
+  explicit PairSmoothing(const Setting& s) : twice_inverse_ratio(2.0 / s.smoothing_length_ratio) {}
   template <class Number>
   Number inverse(Number spacing_a, double spacing_b) const {
     return twice_inverse_ratio / (spacing_a + spacing_b);

@@ -4,6 +4,9 @@
 
 namespace slosh::sph {
 
+// Whether the liquid slides along a wall or sticks to it.
+enum class Slip { free, none };
+
 struct TankWalls {
   double left, right;   // [m], at this moment
   double bottom, roof;  // [m]

@@ -3,26 +3,33 @@
 // smoothing length [m].
 #pragma once
 
-#include "sph/lanes.hpp"
+#include "sph/neighbours/lanes.hpp"
+#include "sph/setting.hpp"
 
 namespace slosh::sph {
 
 struct NoViscosity {
   static constexpr const char* name = "";
   static constexpr bool active = false;
+
+  explicit NoViscosity(const Setting&) {}
 };
 
 // Monaghan's artificial viscosity for approaching pairs: -alpha c0 mu + beta mu^2 with
-// mu = h v_ab . r_ab / (r^2 + 0.01 h^2) (Monaghan 1992, eq. 4.1; the 0.01 is his).
+// mu = h v_ab . r_ab / (r^2 + 0.01 h^2) (Monaghan 1992, eq. 4.1; the 0.01 is his) and beta = alpha,
+// as in Li et al. 2010.
 struct MonaghanViscosity {
   static constexpr const char* name = "Monaghan artificial viscosity, approaching pairs";
   static constexpr bool active = true;
-  double alpha, beta, speed_of_sound;
+  double alpha, speed_of_sound;
+
+  explicit MonaghanViscosity(const Setting& s)
+      : alpha(s.artificial_viscosity), speed_of_sound(s.speed_of_sound) {}
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
     const Number mu = h * negative_part(approach) / (distance2 + 0.01 * h * h);
-    return mu * (beta * mu - alpha * speed_of_sound);
+    return alpha * mu * (mu - speed_of_sound);
   }
 };
 
@@ -33,9 +40,27 @@ struct LinearViscosity {
   static constexpr bool active = true;
   double alpha, speed_of_sound;
 
+  explicit LinearViscosity(const Setting& s)
+      : alpha(s.artificial_viscosity), speed_of_sound(s.speed_of_sound) {}
+
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
     return -alpha * speed_of_sound * h * approach / (distance2 + 0.01 * h * h);
+  }
+};
+
+// The liquid's own viscosity in the form of Monaghan, Cleary and Gingold: -8 nu v_ab . r_ab / r^2
+// in two dimensions (Monaghan 2005, section 8.5, eq. 8.5).
+struct LaminarViscosity {
+  static constexpr const char* name = "laminar viscosity, Monaghan-Cleary-Gingold";
+  static constexpr bool active = true;
+  double kinematic_viscosity;
+
+  explicit LaminarViscosity(const Setting& s) : kinematic_viscosity(s.kinematic_viscosity) {}
+
+  template <class Number, class Length>
+  Number pair(Number approach, Number distance2, Length h) const {
+    return -8.0 * kinematic_viscosity * approach / (distance2 + 0.01 * h * h);
   }
 };
 

@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include "sph/particles.hpp"
-#include "sph/tank_walls.hpp"
+#include "sph/neighbours/particles.hpp"
+#include "sph/setting.hpp"
+#include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
@@ -16,6 +17,8 @@ namespace slosh::sph {
 struct ReflectingWall {
   static constexpr const char* name =
       "particles that cross a wall exchanged with their mirror image";
+
+  explicit ReflectingWall(const Setting&) {}
 
   void push(const Particles&, const TankWalls&, Rates&) const {}
 
@@ -44,6 +47,10 @@ struct RepulsiveWall {
   static constexpr const char* name = "repulsive wall particles, 12-4";
   double strength;  // D [m2/s2]
   double range;     // r0 over the particle's spacing
+
+  explicit RepulsiveWall(const Setting& s)
+      : strength(5 * s.gravity * s.fill_depth),  // Monaghan 1994
+        range(0.5 * s.flattest_cell) {}
 
   void confine(Particles&, const TankWalls&) const {}
 

@@ -1,6 +1,7 @@
-// The sources of the pair sums: the liquid and its mirror images, sorted by cell. `rebuild` sorts
-// the particles themselves, decides which images exist and lists the sources of every cluster;
-// `refresh_for_...` fill in the sources' state, many times between rebuilds.
+// The sources of the pair sums: the liquid, its mirror images and the particles of solids, sorted
+// by cell. `rebuild` sorts the particles themselves, decides which images exist and lists the
+// sources of every cluster; `refresh_for_...` fill in the state of the liquid and its images, many
+// times between rebuilds, and the solids (walls/solids.hpp) that of their own.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +9,15 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "sph/cell_grid.hpp"
-#include "sph/cluster_lists.hpp"
-#include "sph/mirror_particles.hpp"
-#include "sph/particles.hpp"
-#include "sph/tank_walls.hpp"
+#include "sph/neighbours/cell_grid.hpp"
+#include "sph/neighbours/cluster_lists.hpp"
+#include "sph/neighbours/particles.hpp"
+#include "sph/walls/mirror_particles.hpp"
+#include "sph/walls/solid_particles.hpp"
+#include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
@@ -33,8 +36,25 @@ class NeighbourSources {
           "particle_spacing: expected one whose kernel reaches across at most half the tank");
   }
 
+  // Where the solids' particles stand and where the sums for them are taken, in the tank [m]. Sorts
+  // `places` by cell, which must then stay as they are. Images that fall into an obstacle are left
+  // out.
+  void add_solids(std::vector<SolidPlace>& places, std::vector<Rectangle> obstacles) {
+    std::sort(places.begin(), places.end(), [&](const SolidPlace& a, const SolidPlace& b) {
+      return grid_.cell(a.node_x, a.node_z) < grid_.cell(b.node_x, b.node_z);
+    });
+    solids_ = places;
+    obstacles_ = std::move(obstacles);
+    for (const SolidPlace& place : places) {
+      solid_cell_.push_back(grid_.cell(place.node_x, place.node_z));
+      node_x_.push_back(place.node_x);
+      node_z_.push_back(place.node_z);
+    }
+  }
+
   // Sorts the particles by cell, lists their images and the sources of every cluster, for some
   // steps of dt. False when a particle is not in the tank: `stray()`.
+  template <class Mirror = FreeSlipMirror>
   bool rebuild(Particles& particles, const TankWalls& walls, double dt) {
     slack_ = slack_for(dt * fastest(particles, walls));
     reach_ = support_ + 2 * slack_;
@@ -44,8 +64,10 @@ class NeighbourSources {
       if (!inside(particles.x[i], particles.z[i], walls)) stray_ = i;
     if (stray_ != n) return false;
     sort_particles(particles, walls);
-    list_sources(particles, walls);
+    list_sources<Mirror>(particles, walls);
     clusters_.build(grid_, particle_cell_, built_x_, built_z_, sources_, reach_);
+    if (!solids_.empty())
+      solid_clusters_.build(grid_, solid_cell_, node_x_, node_z_, sources_, reach_);
     return true;
   }
   std::size_t stray() const { return stray_; }
@@ -70,9 +92,8 @@ class NeighbourSources {
   template <class Scheme>
   void refresh_for_momentum(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
     refresh(scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
-      const double pressure = scheme.state.pressure(p.density[i]) +
-                              p.density[i] * (map.gravity_x * (source.x - p.x[i]) +
-                                              map.gravity_z * (source.z - p.z[i]));
+      const double pressure =
+          scheme.state.pressure(p.density[i]) + pressure_rise(source, p, i, map);
       source.strength = scheme.formulation.strength(pressure, p.density[i]);
       source.density = p.density[i];
     });
@@ -81,34 +102,66 @@ class NeighbourSources {
   // Fills in what the continuity sum reads of every source.
   template <class Scheme>
   void refresh_for_continuity(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
-    refresh(scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap&) {
-      if constexpr (Scheme::DensityDiffusion::active)
-        source.density = scheme.density_diffusion.diffused(p.density[i], p.z[i]);
+    refresh(scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
+      using Diffusion = typename Scheme::DensityDiffusion;
+      if constexpr (Diffusion::active)
+        source.density = scheme.density_diffusion.diffused(scheme.state.pressure(p.density[i]),
+                                                           p.density[i], p.z[i]);
+      if constexpr (Diffusion::of_whole_density) {
+        const double sound = scheme.state.speed_of_sound;
+        source.density += pressure_rise(source, p, i, map) / (sound * sound);
+      }
     });
   }
 
+  // Calls visit(source, solid) for the sources that are particles of solids, `solid` an index of
+  // their places.
+  template <class Visit>
+  void for_each_solid_source(const Visit& visit) {
+    for (const auto& [k, solid] : solid_sources_) visit(sources_[k], solid);
+  }
+  const std::vector<std::pair<std::size_t, std::size_t>>& solid_sources() const {
+    return solid_sources_;
+  }
+
+  // Calls visit(k, i, map) for every source k: the image of particle i by the map, or i itself. For
+  // the sources that are particles of solids i is any particle.
+  template <class Mirror, class Visit>
+  void for_each_image(double gravity, const TankWalls& walls, const Visit& visit) const {
+    const auto maps = mirror_maps<Mirror>(walls, gravity);
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < owner_.size(); ++k) visit(k, owner_[k], maps[reflection_[k]]);
+  }
+
   const Source* sources() const { return sources_.data(); }
+  std::size_t source_count() const { return sources_.size(); }
   const ClusterLists& clusters() const { return clusters_; }
+  // Of the solids' nodes.
+  const ClusterLists& solid_clusters() const { return solid_clusters_; }
 
  private:
   // Fills in what both sums read of every source; complete(source, owner, map) does the rest.
   template <class Scheme, class Complete>
   void refresh(const Scheme& scheme, const Particles& p, const TankWalls& walls,
                const Complete& complete) {
-    const auto maps = mirror_maps<typename Scheme::Mirror>(walls, scheme.gravity);
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < owner_.size(); ++k) {
-      const std::size_t i = owner_[k];
-      const MirrorMap& map = maps[reflection_[k]];
-      Source& source = sources_[k];
-      source.x = map.scale_x * p.x[i] + map.offset_x;
-      source.z = map.scale_z * p.z[i] + map.offset_z;
-      source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
-      source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
-      source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
-      source.spacing = p.spacing[i];
-      complete(source, i, map);
-    }
+    for_each_image<typename Scheme::Mirror>(
+        scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap& map) {
+          Source& source = sources_[k];
+          source.x = map.scale_x * p.x[i] + map.offset_x;
+          source.z = map.scale_z * p.z[i] + map.offset_z;
+          source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
+          source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
+          source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
+          source.spacing = p.spacing[i];
+          complete(source, i, map);
+        });
+  }
+
+  // From the owner to its image [Pa].
+  static double pressure_rise(const Source& source, const Particles& p, std::size_t i,
+                              const MirrorMap& map) {
+    return p.density[i] *
+           (map.gravity_x * (source.x - p.x[i]) + map.gravity_z * (source.z - p.z[i]));
   }
 
   // The largest speed against the tank [m/s].
@@ -155,6 +208,7 @@ class NeighbourSources {
     }
   }
 
+  template <class Mirror>
   void list_sources(const Particles& particles, const TankWalls& walls) {
     listed_owner_.clear();
     listed_reflection_.clear();
@@ -168,18 +222,27 @@ class NeighbourSources {
                         : z > walls.roof - reach_ ? in_roof
                                                   : in_none;
       list_source(i, in_none, maps);
+      if constexpr (!Mirror::exists) continue;
       if (side) list_source(i, side, maps);
       if (level) list_source(i, level, maps);
       if (side && level) list_source(i, side + level, maps);
+    }
+    for (std::size_t i = 0; i < solids_.size(); ++i) {
+      listed_owner_.push_back(static_cast<std::uint32_t>(i));
+      listed_reflection_.push_back(of_solid);
+      keys_.push_back(grid_.cell(solids_[i].x, solids_[i].z));
     }
     place_sources(maps);
   }
 
   void list_source(std::size_t i, int bits, const std::array<MirrorMap, reflection_count>& maps) {
+    const double x = maps[bits].scale_x * built_x_[i] + maps[bits].offset_x,
+                 z = maps[bits].scale_z * built_z_[i] + maps[bits].offset_z;
+    for (const Rectangle& obstacle : obstacles_)
+      if (bits != in_none && holds(obstacle, x, z)) return;
     listed_owner_.push_back(static_cast<std::uint32_t>(i));
     listed_reflection_.push_back(static_cast<std::uint8_t>(bits));
-    keys_.push_back(grid_.cell(maps[bits].scale_x * built_x_[i] + maps[bits].offset_x,
-                               maps[bits].scale_z * built_z_[i] + maps[bits].offset_z));
+    keys_.push_back(grid_.cell(x, z));
   }
 
   // In the order of the cells, at their places in the tank's frame for the clusters' lists.
@@ -188,14 +251,26 @@ class NeighbourSources {
     owner_.resize(order_.size());
     reflection_.resize(order_.size());
     sources_.resize(order_.size());
+    solid_sources_.clear();
     for (std::uint32_t k = 0; k < order_.size(); ++k) {
       const std::size_t i = owner_[k] = listed_owner_[order_[k]];
+      if (listed_reflection_[order_[k]] == of_solid) {
+        solid_sources_.push_back({k, i});
+        sources_[k].x = solids_[i].x;
+        sources_[k].z = solids_[i].z;
+        // A refresh fills in some particle here, and the solids then overwrite it.
+        owner_[k] = 0;
+        reflection_[k] = in_none;
+        continue;
+      }
       const MirrorMap& map = maps[reflection_[k] = listed_reflection_[order_[k]]];
       sources_[k].x = map.scale_x * built_x_[i] + map.offset_x;
       sources_[k].z = map.scale_z * built_z_[i] + map.offset_z;
     }
   }
 
+  // Marks a listed source that is a particle of a solid, not a reflection.
+  static constexpr std::uint8_t of_solid = reflection_count;
   // In kernel radii; measured on a calm and on a breaking surge.
   static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 8;
   // In particle spacings: eight particles of a row make a cluster about as wide as it is high.
@@ -204,7 +279,12 @@ class NeighbourSources {
   double support_, reach_ = 0, slack_ = 0;
   CellGrid grid_;
   Array<Source> sources_;
-  ClusterLists clusters_;
+  ClusterLists clusters_, solid_clusters_;
+  std::vector<SolidPlace> solids_;
+  std::vector<Rectangle> obstacles_;
+  std::vector<std::uint32_t> solid_cell_;
+  Array<double> node_x_, node_z_;
+  std::vector<std::pair<std::size_t, std::size_t>> solid_sources_;  // source, solid
   std::vector<std::uint32_t> owner_, particle_cell_;
   std::vector<std::uint8_t> reflection_;
   Array<double> built_x_, built_z_, sorted_;

@@ -1,0 +1,88 @@
+// The renormalised density gradient of Antuono et al. 2010, eq. 3:
+//   grad rho_a = L_a sum_b V_b (rho_b - rho_a) grad_a W_ab,
+//   L_a = [ sum_b V_b (r_b - r_a) (x) grad_a W_ab ]^-1,
+// exact for a linear density. An image's is its owner's, reflected, about the hydrostatic gradient
+// that the walls continue; that gradient itself stands at the particles of solids.
+#pragma once
+
+#include <vector>
+
+#include "sph/neighbours/cluster_lists.hpp"
+#include "sph/neighbours/instruction_sets.hpp"
+#include "sph/neighbours/lanes.hpp"
+#include "sph/neighbours/neighbour_sources.hpp"
+#include "sph/neighbours/particles.hpp"
+
+namespace slosh::sph {
+
+struct SourceGradient {
+  double x, z;  // [kg/m4]
+};
+
+struct DensityGradient {
+  Array<double> x, z;                      // of the particles [kg/m4]
+  std::vector<SourceGradient> of_sources;  // in their order
+};
+
+// (dW/dr)/r of a pair [1/m4]; `inverse_h` [1/m].
+template <class Kernel, class Length>
+inline Lanes gradient_over_distance(Lanes distance2, Length inverse_h) {
+  const Length inverse_h2 = inverse_h * inverse_h;
+  return Kernel::normalisation * inverse_h2 * inverse_h2 *
+         Kernel::gradient_shape(square_root(distance2) * inverse_h);
+}
+
+template <class Scheme>
+void density_gradient_of_cluster(const Scheme* scheme, const Cluster* cluster,
+                                 const Source* sources, const Particles* particles,
+                                 DensityGradient* gradient) {
+  const Particles& p = *particles;
+  const std::size_t i = cluster->first;
+  const Lanes x = load(&p.x[i]), z = load(&p.z[i]), rho = load(&p.density[i]);
+  Lanes xx{}, xz{}, zz{}, sum_x{}, sum_z{};
+  for (std::size_t k = 0; k < cluster->source_count; ++k) {
+    const Source& b = sources[cluster->sources[k]];
+    const Lanes dx = x - b.x, dz = z - b.z;
+    const Lanes f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
+                                   dx * dx + dz * dz, scheme->smoothing.inverse_length);
+    xx -= f * dx * dx;
+    xz -= f * dx * dz;
+    zz -= f * dz * dz;
+    sum_x += f * (b.density - rho) * dx;
+    sum_z += f * (b.density - rho) * dz;
+  }
+  for (std::size_t lane = 0; lane < cluster->size; ++lane) {
+    const double determinant = xx[lane] * zz[lane] - xz[lane] * xz[lane];
+    // 1 inside the liquid; a drop of a few particles cannot carry a gradient.
+    constexpr double least = 0.01;
+    const double scale = determinant > least ? 1.0 / determinant : 0.0;
+    gradient->x[i + lane] = scale * (zz[lane] * sum_x[lane] - xz[lane] * sum_z[lane]);
+    gradient->z[i + lane] = scale * (xx[lane] * sum_z[lane] - xz[lane] * sum_x[lane]);
+  }
+}
+
+template <class Scheme>
+void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbours,
+                          const Particles& particles, const TankWalls& walls,
+                          DensityGradient& gradient, InstructionSet set) {
+  gradient.x.resize(particles.size());
+  gradient.z.resize(particles.size());
+  neighbours.clusters().for_each([&](const Cluster& cluster) {
+    call<&density_gradient_of_cluster<Scheme>>(set, &scheme, &cluster, neighbours.sources(),
+                                               &particles, &gradient);
+  });
+  const double sound = scheme.state.speed_of_sound;
+  const double compressibility = scheme.setting.rest_density / (sound * sound);  // d rho / d(p/rho)
+  gradient.of_sources.resize(neighbours.source_count());
+  neighbours.for_each_image<typename Scheme::Mirror>(
+      scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap& map) {
+        gradient.of_sources[k] = {
+            map.scale_x * gradient.x[i] + (1 - map.scale_x) * compressibility * map.gravity_x,
+            map.scale_z * gradient.z[i] + (1 - map.scale_z) * compressibility * map.gravity_z};
+      });
+  for (const auto& [k, solid] : neighbours.solid_sources())
+    gradient.of_sources[k] = {-compressibility * walls.acceleration,
+                              -compressibility * scheme.setting.gravity};
+}
+
+}  // namespace slosh::sph

@@ -1,0 +1,98 @@
+// The run of one scheme: the main loop.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "sph/initial_lattice.hpp"
+#include "sph/liquid.hpp"
+#include "sph/recorder.hpp"
+#include "sph/scheme.hpp"
+#include "sph/simulation.hpp"
+
+namespace slosh::sph {
+
+inline double largest_acceleration(const Rates& rates, double gravity) {
+  double largest2 = gravity * gravity;
+  for (std::size_t i = 0; i < rates.acceleration_x.size(); ++i)
+    largest2 = std::max(largest2, rates.acceleration_x[i] * rates.acceleration_x[i] +
+                                      rates.acceleration_z[i] * rates.acceleration_z[i]);
+  return std::sqrt(largest2);
+}
+
+template <class Scheme>
+void check_fixed_step(const Scene& scene, const Scheme& scheme) {
+  const double finest = std::min(scene.particle_spacing, scene.surface_particle_spacing);
+  const double h = scheme.setting.smoothing_length_ratio * finest;
+  const double dt = Scheme::TimeStep::step,
+               limit = Scheme::TimeStep::stable_courant_number * h / scheme.setting.speed_of_sound;
+  if (!(dt <= limit))
+    throw SimulationError(
+        fmt::format("the scheme's fixed time step {} s is unstable at particle spacing {} m: "
+                    "expected at most {:.3g} s",
+                    dt, finest, limit));
+}
+
+// How many samples a snapshot comes after the one before it.
+inline double samples_per_snapshot(const Scene& scene) {
+  const double ratio = scene.snapshot_interval / scene.sample_interval, whole = std::round(ratio);
+  if (!(whole >= 1 && std::abs(ratio - whole) <= 1e-9 * whole))
+    throw std::invalid_argument(
+        fmt::format("snapshot interval = {} s: expected a multiple of the sample interval of {} s",
+                    scene.snapshot_interval, scene.sample_interval));
+  return whole;
+}
+
+template <class Choice>
+RunOutput run_scheme(const Scene& scene, const Progress& progress) {
+  const Scheme<Choice> scheme(scene);
+  if constexpr (!Choice::TimeStep::adapts) check_fixed_step(scene, scheme);
+  Liquid<Scheme<Choice>> liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
+                                  return scheme.state.density(pressure);
+                                }));
+  typename Choice::Integrator integrator;
+  Recorder<Scheme<Choice>> recorder(scene, liquid);
+  RunOutput& output = recorder.output;
+  output.particles = liquid.particles.size();
+  const bool snapshots = scene.snapshot_interval != 0;
+  const double stride = snapshots ? samples_per_snapshot(scene) : 0;
+  double smallest_step = std::numeric_limits<double>::infinity();
+  auto last_report = std::chrono::steady_clock::now();
+
+  const int samples = static_cast<int>(std::floor(scene.duration / scene.sample_interval + 1e-9));
+  for (int sample = 0; sample <= samples; ++sample) {
+    const double target = sample * scene.sample_interval;
+    while (liquid.time < target) {
+      // Equal steps up to the sample, each at most the stable one; the last one lands on it
+      // exactly.
+      const double left = target - liquid.time;
+      const double stable = scheme.time_step(largest_acceleration(liquid.rates, scene.gravity));
+      const double count = std::ceil(left / stable - 1e-9);
+      const double dt = left / count;
+      integrator.advance(liquid, dt);
+      liquid.time = count <= 1 ? target : liquid.time + dt;
+      if constexpr (Choice::Shifting::active) liquid.shift();
+      smallest_step = std::min(smallest_step, dt);
+      output.steps += 1;
+    }
+    recorder.record(liquid);
+    if (snapshots && std::fmod(sample, stride) == 0) recorder.record_snapshot(liquid);
+    if (progress &&
+        std::chrono::steady_clock::now() - last_report > std::chrono::milliseconds(100)) {
+      progress(liquid.time, output.steps);
+      last_report = std::chrono::steady_clock::now();
+    }
+  }
+  output.active_terms = Scheme<Choice>::active_terms();
+  output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
+  output.diagnostics["smallest_time_step_s"] = smallest_step;
+  return std::move(output);
+}
+
+}  // namespace slosh::sph

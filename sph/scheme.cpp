@@ -1,0 +1,46 @@
+#include "sph/scheme.hpp"
+
+#include <algorithm>
+
+namespace slosh::sph {
+namespace {
+
+double chosen(const std::optional<double>& changed, const std::optional<double>& own,
+              const char* name) {
+  if (changed && !own)
+    throw std::invalid_argument(
+        fmt::format("{} = {}: expected none, the scheme has no such number", name, *changed));
+  return changed.value_or(own.value_or(0));
+}
+
+}  // namespace
+
+double expected_speed(const Scene& scene) {
+  double tank_speed = 0;
+  for (double t = 0; t <= scene.duration; t += scene.sample_interval)
+    tank_speed = std::max(tank_speed, std::abs(scene.velocity(t)));
+  const double wave_speed = std::sqrt(scene.gravity * scene.fill_depth);
+  return (scene.column_width ? 2 : 1) * wave_speed + tank_speed;
+}
+
+Setting setting_of(const Scene& scene, const SchemeNumbers& own) {
+  const SchemeNumbers& run = scene.numbers;
+  return {
+      .gravity = scene.gravity,
+      .fill_depth = scene.fill_depth,
+      .rest_density = scene.rest_density,
+      .kinematic_viscosity = scene.kinematic_viscosity,
+      .particle_spacing = scene.particle_spacing,
+      .flattest_cell = flattest_cell(scene),
+      .smoothing_length_ratio =
+          chosen(run.smoothing_length_ratio, own.smoothing_length_ratio, "smoothing_length_ratio"),
+      .speed_of_sound = chosen(run.sound_speed_ratio, own.sound_speed_ratio, "sound_speed_ratio") *
+                        expected_speed(scene),
+      .courant_number = chosen(run.courant_number, own.courant_number, "courant_number"),
+      .artificial_viscosity =
+          chosen(run.artificial_viscosity, own.artificial_viscosity, "artificial_viscosity"),
+      .density_diffusion =
+          chosen(run.density_diffusion, own.density_diffusion, "density_diffusion")};
+}
+
+}  // namespace slosh::sph

@@ -1,0 +1,60 @@
+// A scheme: one policy per physical term, as a choice (schemes.hpp) names them, made for a scene. A
+// term that the choice leaves out is its "No..." policy and costs nothing.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sph/initial_lattice.hpp"
+#include "sph/setting.hpp"
+#include "sph/simulation.hpp"
+
+namespace slosh::sph {
+
+// The largest speed that the liquid is expected to reach: that of a long wave, sqrt(g h), twice
+// that where a dam breaks (Ritter 1892), over the tank's own.
+double expected_speed(const Scene& scene);
+
+// The scheme's own numbers, changed as the scene says. Throws std::invalid_argument for a number
+// that the scheme does not have.
+Setting setting_of(const Scene& scene, const SchemeNumbers& own);
+
+template <class Choice>
+struct Scheme : Choice {
+  Setting setting;
+  typename Choice::EquationOfState state;
+  typename Choice::Smoothing smoothing;
+  typename Choice::Formulation formulation;
+  typename Choice::Viscosity viscosity;
+  typename Choice::DensityDiffusion density_diffusion;
+  typename Choice::WallContact wall_contact;
+  typename Choice::TimeStep time_step;
+
+  explicit Scheme(const Scene& scene)
+      : setting(setting_of(scene, Choice::numbers)),
+        state(setting),
+        smoothing(setting),
+        formulation(setting),
+        viscosity(setting),
+        density_diffusion(setting),
+        wall_contact(setting),
+        time_step(setting) {}
+
+  static std::vector<std::string> active_terms() {
+    std::vector<std::string> terms;
+    for (const char* name :
+         {Choice::Kernel::name, Choice::Smoothing::name, Choice::Formulation::name,
+          Choice::Viscosity::name, Choice::DensityDiffusion::name, Choice::EquationOfState::name,
+          Choice::Shifting::name, Choice::Mirror::name, Choice::Solids::name,
+          Choice::WallContact::name, Choice::Integrator::name})
+      if (*name) terms.push_back(name);
+    return terms;
+  }
+};
+
+}  // namespace slosh::sph

@@ -1,0 +1,12 @@
+#include "sph/run_scheme.hpp"
+#include "sph/scheme_runs.hpp"
+
+namespace slosh::sph {
+
+template RunOutput run_scheme<WithStickingWalls>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithRepulsiveWalls>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithGhostWalls>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithStickingGhostWalls>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithDynamicWalls>(const Scene&, const Progress&);
+
+}  // namespace slosh::sph

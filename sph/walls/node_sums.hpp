@@ -1,0 +1,95 @@
+// The liquid's state at the nodes of solid particles, by a linear least-squares fit over the
+// kernel's support (moving least squares, as in Marrone et al. 2011, eq. 12): with the moments
+// sum_b V_b W_ab (1, dx, dz)(1, dx, dz)^T over liquid and images the fit's value at the node. Where
+// the support does not carry a linear fit (a splash), the plain weighted mean; where it is empty,
+// nothing.
+#pragma once
+
+#include <vector>
+
+#include "sph/neighbours/instruction_sets.hpp"
+#include "sph/neighbours/lanes.hpp"
+#include "sph/neighbours/neighbour_sources.hpp"
+#include "sph/walls/solid_particles.hpp"
+#include "sph/walls/tank_walls.hpp"
+
+namespace slosh::sph {
+
+struct NodeSum {
+  bool found = false;  // any liquid within the support
+  double value = 0, velocity_x = 0, velocity_z = 0;
+};
+
+struct NodeMoments {
+  Lanes m{}, x{}, z{}, xx{}, xz{}, zz{};
+};
+struct NodeProjection {
+  Lanes f{}, x{}, z{};
+
+  void add(Lanes weight, Lanes dx, Lanes dz, double value) {
+    f += weight * value;
+    x += weight * dx * value;
+    z += weight * dz * value;
+  }
+  // The fit's value at the node.
+  double value(const NodeMoments& s, std::size_t i) const {
+    // Cofactors of the moments' first row; the determinant relative to its scale decides.
+    const double a = s.xx[i] * s.zz[i] - s.xz[i] * s.xz[i], b = s.xz[i] * s.z[i] - s.x[i] * s.zz[i],
+                 c = s.x[i] * s.xz[i] - s.xx[i] * s.z[i];
+    const double determinant = s.m[i] * a + s.x[i] * b + s.z[i] * c;
+    const double m = s.m[i];
+    // A full support has about 0.01 m^3 in units of the smoothing length.
+    constexpr double least = 1e-3;
+    if (determinant > least * m * m * m) return (f[i] * a + x[i] * b + z[i] * c) / determinant;
+    return f[i] / m;
+  }
+};
+
+template <class Scheme, double Source::*value>
+void sum_at_nodes_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+                             const SolidPlace* places, const TankWalls* walls, NodeSum* nodes) {
+  Lanes node_x{}, node_z{};
+  for (std::size_t i = 0; i < cluster->size; ++i) {
+    node_x[i] = walls->left + places[cluster->first + i].node_x;
+    node_z[i] = walls->bottom + places[cluster->first + i].node_z;
+  }
+  const double inverse_h = 1.0 / scheme->setting.smoothing_length();
+  NodeMoments moments;
+  NodeProjection field, u, w;
+  for (std::size_t k = 0; k < cluster->source_count; ++k) {
+    const Source& b = sources[cluster->sources[k]];
+    const Lanes dx = (b.x - node_x) * inverse_h, dz = (b.z - node_z) * inverse_h;
+    const Lanes weight = b.weight * Scheme::Kernel::shape(square_root(dx * dx + dz * dz));
+    moments.m += weight;
+    moments.x += weight * dx;
+    moments.z += weight * dz;
+    moments.xx += weight * dx * dx;
+    moments.xz += weight * dx * dz;
+    moments.zz += weight * dz * dz;
+    field.add(weight, dx, dz, b.*value);
+    u.add(weight, dx, dz, b.velocity_x);
+    w.add(weight, dx, dz, b.velocity_z);
+  }
+  for (std::size_t i = 0; i < cluster->size; ++i) {
+    NodeSum& node = nodes[cluster->first + i];
+    node = {};
+    node.found = moments.m[i] > 0;
+    if (!node.found) continue;
+    node.value = field.value(moments, i);
+    node.velocity_x = u.value(moments, i);
+    node.velocity_z = w.value(moments, i);
+  }
+}
+
+// `value`: which of the sources' fields is looked up beside the velocity.
+template <double Source::*value, class Scheme>
+void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours,
+                  const std::vector<SolidPlace>& places, const TankWalls& walls,
+                  std::vector<NodeSum>& nodes, InstructionSet set) {
+  neighbours.solid_clusters().for_each([&](const Cluster& cluster) {
+    call<&sum_at_nodes_of_cluster<Scheme, value>>(set, &scheme, &cluster, neighbours.sources(),
+                                                  places.data(), &walls, nodes.data());
+  });
+}
+
+}  // namespace slosh::sph

@@ -1,0 +1,210 @@
+// The solid's side of a scheme: how the particles of obstacles, and of the tank's walls where no
+// mirror particles stand for them, answer the liquid.
+//   NoSolids       the scheme takes no obstacles
+//   GhostSolids    fixed ghost particles with pressure and velocity extrapolated from the liquid
+//   DynamicSolids  dynamic boundary particles: their density follows the continuity equation
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sph/neighbours/neighbour_sources.hpp"
+#include "sph/neighbours/pair_sums.hpp"
+#include "sph/walls/node_sums.hpp"
+#include "sph/walls/solid_particles.hpp"
+
+namespace slosh::sph {
+
+class NoSolids {
+ public:
+  static constexpr const char* name = "";
+  static constexpr bool has_density = false;
+
+  NoSolids(const Scene& scene, bool, double) {
+    if (!scene.obstacles.empty())
+      throw std::invalid_argument("obstacle: expected none, this scheme's walls take no obstacles");
+  }
+  std::vector<SolidPlace>& places() { return places_; }
+  template <class... Arguments>
+  void refresh_for_momentum(const Arguments&...) {}
+  template <class... Arguments>
+  void refresh_for_continuity(const Arguments&...) {}
+
+ private:
+  std::vector<SolidPlace> places_;
+};
+
+// The liquid's pressure and velocity at a particle's node (node_sums.hpp), carried to the particle:
+// the pressure grows by rho_0 (g - a_wall) . (r - r_node), the velocity is reflected,
+// 2 v_wall - v, in its normal component, and with no slip in the tangential one too.
+template <Slip slip>
+class GhostSolids {
+ public:
+  static constexpr const char* name =
+      slip == Slip::free ? "fixed ghost particles, extrapolated pressure, free slip"
+                         : "fixed ghost particles, extrapolated pressure, no slip";
+  static constexpr bool has_density = false;
+
+  GhostSolids(const Scene& scene, bool tank_walls, double depth)
+      : places_(solid_places(scene, tank_walls, depth)), nodes_(places_.size()) {}
+  std::vector<SolidPlace>& places() { return places_; }
+
+  template <class Scheme>
+  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours,
+                            const TankWalls& walls, InstructionSet set) {
+    look_up<&Source::strength>(scheme, neighbours, walls, set);
+    const double rho = scheme.setting.rest_density;
+    neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
+      place(scheme, source, i, walls);
+      const double rise = pressure_rise(scheme, i, walls);
+      source.strength =
+          nodes_[i].found ? nodes_[i].value + scheme.formulation.strength(rise, rho) : 0.0;
+      source.density = rho;
+    });
+  }
+
+  template <class Scheme>
+  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours,
+                              const TankWalls& walls, InstructionSet set) {
+    look_up<&Source::density>(scheme, neighbours, walls, set);
+    neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
+      place(scheme, source, i, walls);
+      source.density = nodes_[i].value;
+      if constexpr (Scheme::DensityDiffusion::of_whole_density) {
+        const double sound = scheme.state.speed_of_sound;
+        source.density += pressure_rise(scheme, i, walls) / (sound * sound);
+      }
+    });
+  }
+
+ private:
+  // From the node to the particle [Pa].
+  template <class Scheme>
+  double pressure_rise(const Scheme& scheme, std::size_t i, const TankWalls& walls) const {
+    const SolidPlace& at = places_[i];
+    return -scheme.setting.rest_density *
+           (walls.acceleration * (at.x - at.node_x) + scheme.setting.gravity * (at.z - at.node_z));
+  }
+
+  template <double Source::*value, class Scheme>
+  void look_up(const Scheme& scheme, NeighbourSources& neighbours, const TankWalls& walls,
+               InstructionSet set) {
+    neighbours.for_each_solid_source([](Source& source, std::size_t) { source.weight = 0; });
+    sum_at_nodes<value>(scheme, neighbours, places_, walls, nodes_, set);
+  }
+
+  template <class Scheme>
+  void place(const Scheme& scheme, Source& source, std::size_t i, const TankWalls& walls) const {
+    const SolidPlace& at = places_[i];
+    const NodeSum& node = nodes_[i];
+    const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
+    const bool all = slip == Slip::none;
+    source.x = walls.left + at.x;
+    source.z = walls.bottom + at.z;
+    source.velocity_x =
+        !node.found ? walls.velocity
+                    : (at.turns_x || all ? 2 * walls.velocity - node.velocity_x : node.velocity_x);
+    source.velocity_z = at.turns_z || all ? -node.velocity_z : node.velocity_z;
+    source.weight = scheme.formulation.weight(rho * dp * dp, rho);
+    source.spacing = dp;
+  }
+
+  std::vector<SolidPlace> places_;
+  std::vector<NodeSum> nodes_;
+};
+
+// Dynamic boundary particles (Crespo, Gomez-Gesteira & Dalrymple 2007; Zhao et al. 2021, section
+// 2.3): they move with the wall, their density follows the continuity equation over the liquid, and
+// their pressure the equation of state. A density below the rest density is raised to it, or the
+// wall would hold the liquid back.
+class DynamicSolids {
+ public:
+  static constexpr const char* name = "dynamic boundary particles";
+  static constexpr bool has_density = true;
+
+  DynamicSolids(const Scene& scene, bool tank_walls, double depth)
+      : places_(solid_places(scene, tank_walls, depth)) {
+    for (SolidPlace& place : places_) {  // their own sums are taken where they stand
+      place.node_x = place.x;
+      place.node_z = place.z;
+    }
+  }
+  std::vector<SolidPlace>& places() { return places_; }
+
+  // Density at rest, after the places have their final order.
+  template <class Scheme>
+  void initialise(const Scheme& scheme) {
+    const std::size_t n = places_.size();
+    for (auto* field :
+         {&particles_.x, &particles_.z, &particles_.velocity_x, &particles_.velocity_z,
+          &particles_.density, &particles_.mass, &particles_.spacing})
+      field->assign(n, 0.0);
+    rates_.resize(n);
+    const Setting& s = scheme.setting;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double depth = std::max(0.0, s.fill_depth - places_[i].z);
+      particles_.density[i] = scheme.state.density(s.rest_density * s.gravity * depth);
+      particles_.spacing[i] = s.particle_spacing;
+    }
+  }
+
+  template <class Scheme>
+  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours,
+                            const TankWalls& walls, InstructionSet) {
+    neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
+      place(scheme, source, i, walls);
+      const double rho = particles_.density[i];
+      source.strength = scheme.formulation.strength(scheme.state.pressure(rho), rho);
+      source.density = rho;
+    });
+  }
+
+  // Also its own rate of density.
+  template <class Scheme>
+  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours,
+                              const TankWalls& walls, InstructionSet set) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      particles_.x[i] = walls.left + places_[i].x;
+      particles_.z[i] = walls.bottom + places_[i].z;
+      particles_.velocity_x[i] = walls.velocity;
+    }
+    neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
+      place(scheme, source, i, walls);
+      if constexpr (Scheme::DensityDiffusion::active) {
+        const double rho = particles_.density[i];
+        source.density =
+            scheme.density_diffusion.diffused(scheme.state.pressure(rho), rho, particles_.z[i]);
+      }
+    });
+    sum_continuity(scheme, neighbours.solid_clusters(), neighbours.sources(), {}, particles_,
+                   rates_, set);
+  }
+
+  template <class Scheme>
+  void advance_density(const Scheme& scheme, double dt) {
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      particles_.density[i] = std::max(scheme.setting.rest_density,
+                                       particles_.density[i] + dt * rates_.density_rate[i]);
+  }
+  const Array<double>& density() const { return particles_.density; }
+  void set_density(const Array<double>& density) { particles_.density = density; }
+
+ private:
+  template <class Scheme>
+  void place(const Scheme& scheme, Source& source, std::size_t i, const TankWalls& walls) const {
+    const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
+    source.x = walls.left + places_[i].x;
+    source.z = walls.bottom + places_[i].z;
+    source.velocity_x = walls.velocity;
+    source.velocity_z = 0;
+    source.weight = scheme.formulation.weight(rho * dp * dp, particles_.density[i]);
+    source.spacing = dp;
+  }
+
+  std::vector<SolidPlace> places_;
+  Particles particles_;
+  Rates rates_;
+};
+
+}  // namespace slosh::sph
