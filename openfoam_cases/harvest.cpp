@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
 #include "openfoam_cases/gauge_columns.hpp"
 #include "openfoam_cases/read_log.hpp"
+#include "openfoam_cases/read_series.hpp"
 #include "openfoam_cases/surging_tank.hpp"
 
 namespace slosh::openfoam {
@@ -18,69 +18,6 @@ namespace fs = std::filesystem;
 // The scheme conserves the volume to 1e-12 over 20 s, breaking waves included; 1e-4 of the depth
 // would be a visible part of a small wave.
 constexpr double volume_tolerance = 1e-4;
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
-  throw RunError(fmt::format("interFoam: {}: {}", file.string(), what));
-}
-
-// The numbers of a row, vectors' parentheses left out; empty where anything else stands in it.
-std::vector<double> numbers_in(std::string row) {
-  std::replace_if(
-      row.begin(), row.end(), [](char c) { return c == '(' || c == ')' || c == '\t'; }, ' ');
-  std::vector<double> numbers;
-  for (const char *at = row.data(), *end = at + row.size();;) {
-    while (at != end && *at == ' ') ++at;
-    if (at == end) return numbers;
-    double value = 0;
-    const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc{}) return {};
-    numbers.push_back(value);
-    at = next;
-  }
-}
-
-// Samples must come at every interval up to the end.
-void check_times(const SurgingTank& tank, const History& history, const fs::path& file) {
-  const double interval = tank.sample_interval;
-  double previous = 0;
-  for (const double time : history.time) {
-    if (!(time > previous && time - previous < 1.5 * interval)) {
-      refuse(file, fmt::format("a sample at {} s follows one at {} s, expected one every {} s",
-                               time, previous, interval));
-    }
-    previous = time;
-  }
-  const double last = std::floor(tank.duration / interval * (1 + 1e-9)) * interval;
-  if (!(std::abs(previous - last) < 0.5 * interval)) {
-    refuse(file, fmt::format("ends at {} s, expected {} s", previous, last));
-  }
-}
-
-// Column 0 is the time, column 1 the value, of `columns`.
-History read_series(const SurgingTank& tank, const fs::path& file, std::size_t columns) {
-  std::ifstream in(file);
-  if (!in) refuse(file, "missing: a function object has not run");
-  History history;
-  int line_number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++line_number;
-    if (line.starts_with('#')) continue;
-    const std::vector<double> numbers = numbers_in(line);
-    if (numbers.size() != columns || !std::isfinite(numbers[0]) || !std::isfinite(numbers[1])) {
-      refuse(file, fmt::format("line {}: \"{}\": expected {} finite numbers", line_number, line,
-                               columns));
-    }
-    history.time.push_back(numbers[0]);
-    history.value.push_back(numbers[1]);
-  }
-  check_times(tank, history, file);
-  return history;
-}
-
-fs::path series_file(const fs::path& case_directory, const std::string& function_object,
-                     const char* name) {
-  return case_directory / "postProcessing" / function_object / "0" / name;
-}
 
 // A zone that caught no cell, or a neighbouring column's too, averages something else in silence.
 void check_cell_count(const fs::path& file, int expected) {
