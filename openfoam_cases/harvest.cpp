@@ -5,7 +5,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "openfoam_cases/gauge_columns.hpp"
+#include "openfoam_cases/geometry/front_position.hpp"
+#include "openfoam_cases/geometry/gauge_columns.hpp"
+#include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/read_log.hpp"
 #include "openfoam_cases/read_series.hpp"
 #include "openfoam_cases/surging_tank.hpp"
@@ -31,30 +33,52 @@ void check_cell_count(const fs::path& file, int expected) {
   refuse(file, "the number of cells is not given");
 }
 
-History column_filling(const SurgingTank& tank, const fs::path& case_directory, int column) {
+// The height of the surface in a column of cells, from the start on.
+History column_level(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                     int column) {
   const fs::path file = series_file(case_directory, column_name(column), "volFieldValue.dat");
-  History filling = read_series(tank, file, 2);
-  check_cell_count(file, tank.cells_z);
-  return filling;
+  const History filling = read_series(tank, file, 2);
+  const int cells = mesh.free_cells(column);
+  check_cell_count(file, cells);
+  History level{{0}, {surface_level(mesh, column, initial_depth(tank, mesh, column))}};
+  for (std::size_t i = 0; i < filling.time.size(); ++i) {
+    level.time.push_back(filling.time[i]);
+    level.value.push_back(
+        surface_level(mesh, column, filling.value[i] * cells * mesh.cell_height()));
+  }
+  return level;
 }
 
-History elevation(const SurgingTank& tank, const fs::path& case_directory, const Gauge& gauge) {
-  const GaugeColumns columns = gauge_columns(tank, gauge.x);
-  const History left = column_filling(tank, case_directory, columns.left);
-  const History right = column_filling(tank, case_directory, columns.left + 1);
-  History history{{0}, {0}};  // the still surface that the case was written with
-  for (std::size_t i = 0; i < left.time.size(); ++i) {
-    const double filling = std::lerp(left.value[i], right.value[i], columns.right_weight);
-    history.time.push_back(left.time[i]);
-    history.value.push_back(filling * tank.height - tank.fill_depth);
+History elevation(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                  const Gauge& gauge) {
+  const GaugeColumns columns = gauge_columns(mesh, gauge.x);
+  History history = column_level(tank, mesh, case_directory, columns.left);
+  const History right = column_level(tank, mesh, case_directory, columns.right);
+  for (std::size_t i = 0; i < history.time.size(); ++i) {
+    history.value[i] =
+        std::lerp(history.value[i], right.value[i], columns.right_weight) - tank.fill_depth;
   }
   return history;
 }
 
-History liquid_volume(const SurgingTank& tank, const fs::path& case_directory) {
+History front(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory) {
+  const Rows rows = read_rows(tank, series_file(case_directory, "bottom_row", "alpha.liquid"),
+                              1 + bottom_columns(mesh).size());
+  std::vector<double> at_start;
+  for (const int column : bottom_columns(mesh)) at_start.push_back(liquid_share(tank, {column, 0}));
+  History history{{0}, {front_position(mesh, at_start)}};
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    history.time.push_back(rows.time[i]);
+    history.value.push_back(front_position(mesh, rows.values[i]));
+  }
+  return history;
+}
+
+History liquid_volume(const SurgingTank& tank, const TankMesh& mesh,
+                      const fs::path& case_directory) {
   const fs::path file = series_file(case_directory, "liquid_volume", "volFieldValue.dat");
   History volume = read_series(tank, file, 2);
-  const double filled = tank.length * tank.fill_depth;
+  const double filled = initial_volume(tank, mesh);
   for (std::size_t i = 0; i < volume.time.size(); ++i) {
     const double change = volume.value[i] / filled - 1;
     if (!(std::abs(change) <= volume_tolerance)) {
@@ -90,12 +114,15 @@ Harvest harvest(const SurgingTank& tank, const fs::path& case_directory) {
   if (const std::string failure = log.failure(); !failure.empty()) {
     refuse(log_file, failure + "\n" + log.meaningful_lines());
   }
+  const TankMesh mesh(tank);
   Harvest harvest;
+  harvest.cells = mesh.free_cells();
   for (const Gauge& gauge : tank.gauges) {
-    harvest.elevation[gauge.name] = elevation(tank, case_directory, gauge);
+    harvest.elevation[gauge.name] = elevation(tank, mesh, case_directory, gauge);
   }
   harvest.horizontal_force = horizontal_force(tank, case_directory, log);
-  harvest.liquid_volume = liquid_volume(tank, case_directory);
+  if (tank.column_width) harvest.front_position = front(tank, mesh, case_directory);
+  harvest.liquid_volume = liquid_volume(tank, mesh, case_directory);
   const std::vector<double>& volume = harvest.liquid_volume.value;
   harvest.relative_mass_loss = (volume.front() - volume.back()) / volume.front();
   harvest.steps = log.steps();
