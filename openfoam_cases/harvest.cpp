@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 
-#include "openfoam_cases/gauge_columns.hpp"
+#include "openfoam_cases/geometry/front_position.hpp"
+#include "openfoam_cases/geometry/gauge_columns.hpp"
+#include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/read_log.hpp"
+#include "openfoam_cases/read_series.hpp"
 #include "openfoam_cases/surging_tank.hpp"
 
 namespace slosh::openfoam {
@@ -18,69 +20,6 @@ namespace fs = std::filesystem;
 // The scheme conserves the volume to 1e-12 over 20 s, breaking waves included; 1e-4 of the depth
 // would be a visible part of a small wave.
 constexpr double volume_tolerance = 1e-4;
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
-  throw RunError(fmt::format("interFoam: {}: {}", file.string(), what));
-}
-
-// The numbers of a row, vectors' parentheses left out; empty where anything else stands in it.
-std::vector<double> numbers_in(std::string row) {
-  std::replace_if(
-      row.begin(), row.end(), [](char c) { return c == '(' || c == ')' || c == '\t'; }, ' ');
-  std::vector<double> numbers;
-  for (const char *at = row.data(), *end = at + row.size();;) {
-    while (at != end && *at == ' ') ++at;
-    if (at == end) return numbers;
-    double value = 0;
-    const auto [next, error] = std::from_chars(at, end, value);
-    if (error != std::errc{}) return {};
-    numbers.push_back(value);
-    at = next;
-  }
-}
-
-// Samples must come at every interval up to the end.
-void check_times(const SurgingTank& tank, const History& history, const fs::path& file) {
-  const double interval = tank.sample_interval;
-  double previous = 0;
-  for (const double time : history.time) {
-    if (!(time > previous && time - previous < 1.5 * interval)) {
-      refuse(file, fmt::format("a sample at {} s follows one at {} s, expected one every {} s",
-                               time, previous, interval));
-    }
-    previous = time;
-  }
-  const double last = std::floor(tank.duration / interval * (1 + 1e-9)) * interval;
-  if (!(std::abs(previous - last) < 0.5 * interval)) {
-    refuse(file, fmt::format("ends at {} s, expected {} s", previous, last));
-  }
-}
-
-// Column 0 is the time, column 1 the value, of `columns`.
-History read_series(const SurgingTank& tank, const fs::path& file, std::size_t columns) {
-  std::ifstream in(file);
-  if (!in) refuse(file, "missing: a function object has not run");
-  History history;
-  int line_number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++line_number;
-    if (line.starts_with('#')) continue;
-    const std::vector<double> numbers = numbers_in(line);
-    if (numbers.size() != columns || !std::isfinite(numbers[0]) || !std::isfinite(numbers[1])) {
-      refuse(file, fmt::format("line {}: \"{}\": expected {} finite numbers", line_number, line,
-                               columns));
-    }
-    history.time.push_back(numbers[0]);
-    history.value.push_back(numbers[1]);
-  }
-  check_times(tank, history, file);
-  return history;
-}
-
-fs::path series_file(const fs::path& case_directory, const std::string& function_object,
-                     const char* name) {
-  return case_directory / "postProcessing" / function_object / "0" / name;
-}
 
 // A zone that caught no cell, or a neighbouring column's too, averages something else in silence.
 void check_cell_count(const fs::path& file, int expected) {
@@ -94,30 +33,52 @@ void check_cell_count(const fs::path& file, int expected) {
   refuse(file, "the number of cells is not given");
 }
 
-History column_filling(const SurgingTank& tank, const fs::path& case_directory, int column) {
+// The height of the surface in a column of cells, from the start on.
+History column_level(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                     int column) {
   const fs::path file = series_file(case_directory, column_name(column), "volFieldValue.dat");
-  History filling = read_series(tank, file, 2);
-  check_cell_count(file, tank.cells_z);
-  return filling;
+  const History filling = read_series(tank, file, 2);
+  const int cells = mesh.free_cells(column);
+  check_cell_count(file, cells);
+  History level{{0}, {surface_level(mesh, column, initial_depth(tank, mesh, column))}};
+  for (std::size_t i = 0; i < filling.time.size(); ++i) {
+    level.time.push_back(filling.time[i]);
+    level.value.push_back(
+        surface_level(mesh, column, filling.value[i] * cells * mesh.cell_height()));
+  }
+  return level;
 }
 
-History elevation(const SurgingTank& tank, const fs::path& case_directory, const Gauge& gauge) {
-  const GaugeColumns columns = gauge_columns(tank, gauge.x);
-  const History left = column_filling(tank, case_directory, columns.left);
-  const History right = column_filling(tank, case_directory, columns.left + 1);
-  History history{{0}, {0}};  // the still surface that the case was written with
-  for (std::size_t i = 0; i < left.time.size(); ++i) {
-    const double filling = std::lerp(left.value[i], right.value[i], columns.right_weight);
-    history.time.push_back(left.time[i]);
-    history.value.push_back(filling * tank.height - tank.fill_depth);
+History elevation(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                  const Gauge& gauge) {
+  const GaugeColumns columns = gauge_columns(mesh, gauge.x);
+  History history = column_level(tank, mesh, case_directory, columns.left);
+  const History right = column_level(tank, mesh, case_directory, columns.right);
+  for (std::size_t i = 0; i < history.time.size(); ++i) {
+    history.value[i] =
+        std::lerp(history.value[i], right.value[i], columns.right_weight) - tank.fill_depth;
   }
   return history;
 }
 
-History liquid_volume(const SurgingTank& tank, const fs::path& case_directory) {
+History front(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory) {
+  const Rows rows = read_rows(tank, series_file(case_directory, "bottom_row", "alpha.liquid"),
+                              1 + bottom_columns(mesh).size());
+  std::vector<double> at_start;
+  for (const int column : bottom_columns(mesh)) at_start.push_back(liquid_share(tank, {column, 0}));
+  History history{{0}, {front_position(mesh, at_start)}};
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    history.time.push_back(rows.time[i]);
+    history.value.push_back(front_position(mesh, rows.values[i]));
+  }
+  return history;
+}
+
+History liquid_volume(const SurgingTank& tank, const TankMesh& mesh,
+                      const fs::path& case_directory) {
   const fs::path file = series_file(case_directory, "liquid_volume", "volFieldValue.dat");
   History volume = read_series(tank, file, 2);
-  const double filled = tank.length * tank.fill_depth;
+  const double filled = initial_volume(tank, mesh);
   for (std::size_t i = 0; i < volume.time.size(); ++i) {
     const double change = volume.value[i] / filled - 1;
     if (!(std::abs(change) <= volume_tolerance)) {
@@ -153,12 +114,15 @@ Harvest harvest(const SurgingTank& tank, const fs::path& case_directory) {
   if (const std::string failure = log.failure(); !failure.empty()) {
     refuse(log_file, failure + "\n" + log.meaningful_lines());
   }
+  const TankMesh mesh(tank);
   Harvest harvest;
+  harvest.cells = mesh.free_cells();
   for (const Gauge& gauge : tank.gauges) {
-    harvest.elevation[gauge.name] = elevation(tank, case_directory, gauge);
+    harvest.elevation[gauge.name] = elevation(tank, mesh, case_directory, gauge);
   }
   harvest.horizontal_force = horizontal_force(tank, case_directory, log);
-  harvest.liquid_volume = liquid_volume(tank, case_directory);
+  if (tank.column_width) harvest.front_position = front(tank, mesh, case_directory);
+  harvest.liquid_volume = liquid_volume(tank, mesh, case_directory);
   const std::vector<double>& volume = harvest.liquid_volume.value;
   harvest.relative_mass_loss = (volume.front() - volume.back()) / volume.front();
   harvest.steps = log.steps();

@@ -1,11 +1,13 @@
 // interFoam (VOF) in a surging rectangular tank: the case's input, its directory, its run and its
 // harvest. Solved in the tank's frame on a static mesh with a tabulated acceleration, slip walls; x
-// from the left wall, z up from the bottom.
+// from the left wall, z up from the bottom. The liquid stands level or as a dam about to break, and
+// the tank may carry obstacles.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,9 +24,19 @@ struct Gauge {
   double x;  // [m] from the left wall
 };
 
+// A rectangle that the tank carries, its walls like the tank's own [m]. May touch the tank's walls
+// and other obstacles. Its edges lie on faces of the uniform cells, to a hundredth of a cell.
+struct Obstacle {
+  double left, right;  // from the left wall
+  double bottom, top;  // from the tank's bottom
+};
+
 struct SurgingTank {
   double length, height, fill_depth;  // [m]
-  double gravity;                     // [m/s2], downward
+  // The liquid stands from the left wall to here [m], and from wall to wall where this is empty.
+  std::optional<double> column_width = {};
+  std::vector<Obstacle> obstacles = {};
+  double gravity;  // [m/s2], downward
   Fluid liquid, gas;
   std::function<double(double)> acceleration;  // X''(t) of the tank [m/s2]
   double initial_relative_velocity;  // of liquid and gas against the tank [m/s]: -X'(0) for a start
@@ -48,9 +60,15 @@ struct History {
 };
 
 struct Harvest {
-  std::map<std::string, History> elevation;  // by gauge name [m] above the still level
-  History horizontal_force;  // of the liquid and gas on the tank, per metre of width [N/m]
+  // By gauge name: the liquid's surface [m] above the fill depth (gauge_columns.hpp).
+  std::map<std::string, History> elevation;
+  // Of a liquid that stood as a column: x of the furthest liquid along the bottom [m]
+  // (front_position.hpp); empty for any other.
+  History front_position;
+  History horizontal_force;  // of the liquid and gas on the tank and its obstacles, per metre of
+                             // width [N/m]
   History liquid_volume;     // per metre of width [m2]
+  double cells = 0;          // of the mesh, the obstacles' left out
   double steps = 0;
   double max_courant_number = 0;
   double mean_pressure_iterations = 0;  // per time step

@@ -10,9 +10,12 @@
 #include <iterator>
 #include <kainjow/mustache.hpp>
 #include <numbers>
-#include <set>
 
-#include "openfoam_cases/gauge_columns.hpp"
+#include "openfoam_cases/check_tank.hpp"
+#include "openfoam_cases/geometry/block_mesh.hpp"
+#include "openfoam_cases/geometry/front_position.hpp"
+#include "openfoam_cases/geometry/gauge_columns.hpp"
+#include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/surging_tank.hpp"
 
 namespace slosh::openfoam {
@@ -20,50 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
-
-void require(bool condition, const char* key, double value, const std::string& expected) {
-  if (!condition) {
-    throw std::invalid_argument(
-        fmt::format("OpenFOAM tank: {} = {}: expected {}", key, value, expected));
-  }
-}
-
-void require_positive(const char* key, double value, const char* unit) {
-  require(value > 0 && std::isfinite(value), key, value,
-          fmt::format("a positive number of {}", unit));
-}
-
-void validate(const SurgingTank& tank) {
-  require_positive("length", tank.length, "m");
-  require_positive("height", tank.height, "m");
-  require_positive("fill_depth", tank.fill_depth, "m");
-  require(tank.fill_depth < tank.height, "fill_depth", tank.fill_depth,
-          fmt::format("less than the height of {} m", tank.height));
-  require_positive("gravity", tank.gravity, "m/s2");
-  for (const Fluid& fluid : {tank.liquid, tank.gas}) {
-    require_positive("density", fluid.density, "kg/m3");
-    require(fluid.kinematic_viscosity >= 0 && std::isfinite(fluid.kinematic_viscosity),
-            "kinematic_viscosity", fluid.kinematic_viscosity, "m2/s, zero or above");
-  }
-  require(std::isfinite(tank.initial_relative_velocity), "initial_relative_velocity",
-          tank.initial_relative_velocity, "a finite velocity in m/s");
-  require_positive("duration", tank.duration, "s");
-  require_positive("sample_interval", tank.sample_interval, "s");
-  require(tank.sample_interval <= tank.duration, "sample_interval", tank.sample_interval,
-          fmt::format("at most the duration of {} s", tank.duration));
-  require(tank.cells_x >= 2, "cells_x", tank.cells_x, "at least 2");
-  require(tank.cells_z >= 2, "cells_z", tank.cells_z, "at least 2");
-  require(tank.processes >= 1 && tank.processes <= tank.cells_x, "processes", tank.processes,
-          "between 1 and cells_x");
-  std::set<std::string> names;
-  for (const Gauge& gauge : tank.gauges) {
-    require(gauge.x >= 0 && gauge.x <= tank.length, "gauge x", gauge.x,
-            fmt::format("between the walls, 0 and {} m", tank.length));
-    if (!names.insert(gauge.name).second) {
-      throw std::invalid_argument("OpenFOAM tank: two gauges are named \"" + gauge.name + "\"");
-    }
-  }
-}
 
 std::string number(double value) { return fmt::format("{}", value); }
 
@@ -77,13 +36,10 @@ double max_time_step(const SurgingTank& tank) {
   return 0.01 / omega_1;
 }
 
-// The liquid's share of each cell below a level surface, row by row from the bottom.
-std::string liquid_fractions(const SurgingTank& tank) {
+// The liquid's share of each cell, in OpenFOAM's order.
+std::string liquid_fractions(const SurgingTank& tank, const TankMesh& mesh) {
   std::vector<double> fractions;
-  for (int row = 0; row < tank.cells_z; ++row) {
-    const double rows_filled = tank.fill_depth / tank.height * tank.cells_z;
-    fractions.insert(fractions.end(), tank.cells_x, std::clamp(rows_filled - row, 0.0, 1.0));
-  }
+  for (const Cell cell : mesh.cells()) fractions.push_back(liquid_share(tank, cell));
   return fmt::format("{}", fmt::join(fractions, "\n"));
 }
 
@@ -105,10 +61,10 @@ data acceleration_table(const SurgingTank& tank) {
 }
 
 // Boxes around the columns' cell centres; their faces stay off every centre.
-data column_boxes(const SurgingTank& tank) {
+data column_boxes(const SurgingTank& tank, const TankMesh& mesh) {
   const double width = tank.length / tank.cells_x;
   data columns(data::type::list);
-  for (const int index : columns_read(tank)) {
+  for (const int index : columns_read(tank, mesh)) {
     data column;
     column.set("name", column_name(index));
     column.set("x_min", number((index + 0.25) * width));
@@ -118,14 +74,45 @@ data column_boxes(const SurgingTank& tank) {
   return columns;
 }
 
+data blocks(const std::vector<BlockMesh::Hexahedron>& hexahedra) {
+  data list(data::type::list);
+  for (const BlockMesh::Hexahedron& hexahedron : hexahedra) {
+    data block;
+    block.set("corners", hexahedron.corners);
+    block.set("block_cells_x", number(hexahedron.cells_x));
+    block.set("block_cells_z", number(hexahedron.cells_z));
+    list << block;
+  }
+  return list;
+}
+
+// The centres of the lowest row of cells; false, which leaves its section out, without a front.
+data bottom_row(const SurgingTank& tank, const TankMesh& mesh) {
+  if (!tank.column_width) return data(false);
+  data places(data::type::list);
+  for (const int column : bottom_columns(mesh)) {
+    data place;
+    place.set("x", number((column + 0.5) * mesh.cell_width()));
+    place.set("z", number(0.5 * mesh.cell_height()));
+    places << place;
+  }
+  data row;
+  row.set("places", places);
+  return row;
+}
+
 data template_values(const SurgingTank& tank) {
+  const TankMesh mesh(tank);
+  const BlockMesh block_mesh = openfoam::block_mesh(mesh);
+  const Cell reference = mesh.reference_cell();
   data values;
   const auto set = [&values](const char* name, double value) { values.set(name, number(value)); };
-  set("length", tank.length);
   set("height", tank.height);
-  set("cells_x", tank.cells_x);
-  set("cells_z", tank.cells_z);
-  set("cell_count", tank.cells_x * tank.cells_z);
+  values.set("vertices", block_mesh.vertices);
+  values.set("blocks", blocks(block_mesh.hexahedra));
+  values.set("wall_faces", block_mesh.wall_faces);
+  values.set("front_and_back_faces", block_mesh.front_and_back_faces);
+  set("cell_count", mesh.free_cells());
   set("gravity", tank.gravity);
   set("liquid_density", tank.liquid.density);
   set("liquid_kinematic_viscosity", tank.liquid.kinematic_viscosity);
@@ -136,13 +123,14 @@ data template_values(const SurgingTank& tank) {
   set("sample_interval", tank.sample_interval);
   set("max_time_step", max_time_step(tank));
   set("processes", tank.processes);
-  set("reference_x", (tank.cells_x / 2 + 0.5) * tank.length / tank.cells_x);
-  set("reference_z", (tank.cells_z - 0.5) * tank.height / tank.cells_z);
-  values.set("liquid_fractions", liquid_fractions(tank));
+  set("reference_x", (reference.column + 0.5) * tank.length / tank.cells_x);
+  set("reference_z", (reference.row + 0.5) * tank.height / tank.cells_z);
+  values.set("liquid_fractions", liquid_fractions(tank, mesh));
   const data table = acceleration_table(tank);
   set("acceleration_count", table.list_value().size());
   values.set("acceleration", table);
-  values.set("columns", column_boxes(tank));
+  values.set("columns", column_boxes(tank, mesh));
+  values.set("bottom_row", bottom_row(tank, mesh));
   return values;
 }
 
@@ -178,7 +166,7 @@ void fill_template(const fs::path& source, const fs::path& target, const data& v
 
 void write_case(const SurgingTank& tank, const fs::path& template_directory,
                 const fs::path& case_directory) {
-  validate(tank);
+  check_tank(tank);
   // An earlier run's series would be taken for this one's.
   if (fs::exists(case_directory) && !fs::is_empty(case_directory)) {
     throw std::invalid_argument("case directory " + case_directory.string() + " is not empty");

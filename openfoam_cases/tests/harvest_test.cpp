@@ -1,6 +1,7 @@
 // Case directories as interFoam leaves them, written by hand, and then spoilt.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "openfoam_cases/surging_tank.hpp"
@@ -90,6 +91,59 @@ TEST_F(Harvested, DropsTheForceOfTheFirstThreeSteps) {
   EXPECT_NEAR(force.time.front(), 0.02, 1e-12);
   EXPECT_EQ(force.value.front(), 20);
   EXPECT_EQ(force.value.back(), 1000);
+}
+
+// A column whose front runs a cell every ten samples.
+class HarvestedColumn : public Harvested {
+ protected:
+  void SetUp() override {
+    Harvested::SetUp();
+    write("liquid_volume", "volFieldValue.dat", "", [](int) { return 0.1 * 0.35; });
+    write_bottom_row(20);
+  }
+
+  void write_bottom_row(int cells) {
+    fs::create_directories(series("bottom_row").parent_path());
+    std::ofstream out(series("bottom_row", "alpha.liquid"));
+    out << "# Probe 0 (0.025 0.5 0.05)\n#       Time\n";
+    for (int i = 1; i <= 100; ++i) {
+      out << 0.01 * i;
+      for (int cell = 0; cell < cells; ++cell) {
+        out << " " << std::clamp(2 + 0.1 * i - cell, 0.0, 1.0);
+      }
+      out << "\n";
+    }
+  }
+
+  Harvest harvest_column() {
+    SurgingTank tank = tank_with_one_gauge();
+    tank.column_width = 0.1;
+    return harvest(tank, directory_.path());
+  }
+};
+
+TEST_F(HarvestedColumn, GivesTheFrontFromTheColumnsEdgeOn) {
+  const History front = harvest_column().front_position;
+  ASSERT_EQ(front.time.size(), 101u);
+  EXPECT_NEAR(front.value[0], 0.1, 1e-14);
+  EXPECT_NEAR(front.value[50], 0.35, 1e-12);
+  EXPECT_NEAR(front.value[100], 0.6, 1e-12);
+}
+
+TEST_F(HarvestedColumn, StartsWithADryGaugeBeyondTheColumn) {
+  EXPECT_EQ(harvest_column().elevation.at("gauge").value[0], -0.35);
+}
+
+TEST_F(HarvestedColumn, IsRefusedWithoutItsBottomRow) {
+  write_bottom_row(19);
+  EXPECT_NE(message_of<RunError>([this] { harvest_column(); }).find("expected 21 finite numbers"),
+            std::string::npos);
+  fs::remove(series("bottom_row", "alpha.liquid"));
+  EXPECT_NE(message_of<RunError>([this] { harvest_column(); }).find("missing"), std::string::npos);
+}
+
+TEST_F(Harvested, GivesNoFrontOfALiquidThatFillsTheTank) {
+  EXPECT_TRUE(harvest(tank_with_one_gauge(), directory_.path()).front_position.time.empty());
 }
 
 TEST_F(Harvested, RefusesANumberThatIsNone) {

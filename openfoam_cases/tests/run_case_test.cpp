@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "openfoam_cases/surging_tank.hpp"
-#include "openfoam_cases/tests/small_tank.hpp"
+#include "openfoam_cases/tests/run_fixture.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -38,21 +38,6 @@ double linear_elevation(const SurgingTank& tank, double time, double gauge_x) {
   }
   return elevation;
 }
-
-class RunCase : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (installed_version().empty()) GTEST_SKIP() << "interFoam is not installed";
-  }
-
-  Harvest run(const SurgingTank& tank) {
-    write_case(tank, template_directory, directory_.path());
-    run_case(tank, directory_.path(), {});
-    return harvest(tank, directory_.path());
-  }
-
-  TemporaryDirectory directory_;
-};
 
 TEST_F(RunCase, GivesAWholeRecordOfAWaveAndKeepsTheLiquid) {
   const SurgingTank tank = small_tank();
@@ -97,9 +82,7 @@ TEST_F(RunCase, GivesTheSameOnTwoProcessesAsOnOne) {
   const Harvest serial = run(tank);
   tank.processes = 2;
   TemporaryDirectory parallel_directory;
-  write_case(tank, template_directory, parallel_directory.path());
-  run_case(tank, parallel_directory.path(), {});
-  const Harvest parallel = harvest(tank, parallel_directory.path());
+  const Harvest parallel = run_in(parallel_directory, tank);
   for (const char* gauge : {"left", "right"}) {
     const History& one = serial.elevation.at(gauge);
     const History& two = parallel.elevation.at(gauge);

@@ -37,6 +37,14 @@ inline SurgingTank small_tank() {
           .cells_z = 10};
 }
 
+// The same at rest.
+inline SurgingTank still_tank() {
+  SurgingTank tank = small_tank();
+  tank.acceleration = [](double) { return 0.0; };
+  tank.initial_relative_velocity = 0;
+  return tank;
+}
+
 inline std::string contents(const std::filesystem::path& file) {
   std::ifstream in(file);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -102,6 +102,33 @@ TEST_F(WrittenCase, AveragesEachColumnThatAGaugeReads) {
   EXPECT_EQ(control.find("column_2\n"), std::string::npos);
 }
 
+// The order of the cells is the mesh's: below the step's top 18 cells a row, then 2 and 18.
+TEST_F(WrittenCase, NumbersTheLiquidsCellsBlockByBlock) {
+  SurgingTank tank = small_tank();
+  tank.gauges = {};
+  tank.obstacles = {{0, 0.11, 0, 0.26}};
+  write(tank);
+  const std::vector<double> fractions = list_after(file("0/alpha.liquid"), "nonuniform");
+  ASSERT_EQ(fractions.size(), 196u);
+  const double level = 0.357 / 0.13 - 2;
+  for (int cell = 0; cell < 36; ++cell) EXPECT_EQ(fractions[cell], 1);
+  for (int cell = 36; cell < 38; ++cell) EXPECT_NEAR(fractions[cell], level, 1e-14);
+  for (int cell = 38; cell < 52; ++cell) EXPECT_EQ(fractions[cell], 0);
+  for (int cell = 52; cell < 70; ++cell) EXPECT_NEAR(fractions[cell], level, 1e-14);
+}
+
+TEST_F(WrittenCase, ProbesTheLowestRowForTheFrontOfAColumn) {
+  SurgingTank tank = small_tank();
+  tank.column_width = 0.4;
+  tank.obstacles = {{0.55, 0.66, 0, 0.13}};
+  write(tank);
+  const std::vector<double> places = list_after(file("system/controlDict"), "probeLocations");
+  ASSERT_EQ(places.size(), 3 * 18u);
+  EXPECT_NEAR(places[3], 0.0825, 1e-15);
+  EXPECT_EQ(places[4], 0.5);
+  EXPECT_EQ(places[5], 0.065);
+}
+
 TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   const auto refused = [this](auto change) {
     SurgingTank tank = small_tank();
@@ -120,6 +147,24 @@ TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   EXPECT_NE(refused([](SurgingTank& t) {
               t.acceleration = [](double time) { return time > 0.5 ? NAN : 0; };
             }).find("acceleration"),
+            std::string::npos);
+  EXPECT_NE(refused([](SurgingTank& t) { t.column_width = 1.1; }).find("column_width = 1.1"),
+            std::string::npos);
+  EXPECT_NE(refused([](SurgingTank& t) {
+              t.obstacles = {{0.1, 0.22, 0, 0.13}};
+            }).find("obstacle left = 0.1"),
+            std::string::npos);
+  EXPECT_NE(refused([](SurgingTank& t) {
+              t.obstacles = {{0.99, 1.1, 0, 1.3}};
+            }).find("gauge x = 1.05: expected a place where the obstacles leave room"),
+            std::string::npos);
+  EXPECT_NE(refused([](SurgingTank& t) {
+              t.column_width = 0.11, t.obstacles = {{0, 0.22, 0, 0.52}};
+            }).find("liquid volume"),
+            std::string::npos);
+  EXPECT_NE(refused([](SurgingTank& t) {
+              t.column_width = 0.5, t.obstacles = {{0, 1.1, 0, 0.13}};
+            }).find("column_width = 0.5: expected a bottom"),
             std::string::npos);
   EXPECT_TRUE(fs::is_empty(directory_.path())) << "a refused tank leaves nothing behind";
 }

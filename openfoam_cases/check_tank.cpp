@@ -1,0 +1,88 @@
+#include "openfoam_cases/check_tank.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "openfoam_cases/geometry/front_position.hpp"
+#include "openfoam_cases/geometry/gauge_columns.hpp"
+#include "openfoam_cases/geometry/initial_liquid.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+void require_positive(const char* key, double value, const char* unit) {
+  require(value > 0 && std::isfinite(value), key, value,
+          fmt::format("a positive number of {}", unit));
+}
+
+void check_numbers(const SurgingTank& tank) {
+  require_positive("length", tank.length, "m");
+  require_positive("height", tank.height, "m");
+  require_positive("fill_depth", tank.fill_depth, "m");
+  require(tank.fill_depth < tank.height, "fill_depth", tank.fill_depth,
+          fmt::format("less than the height of {} m", tank.height));
+  require_positive("gravity", tank.gravity, "m/s2");
+  for (const Fluid& fluid : {tank.liquid, tank.gas}) {
+    require_positive("density", fluid.density, "kg/m3");
+    require(fluid.kinematic_viscosity >= 0 && std::isfinite(fluid.kinematic_viscosity),
+            "kinematic_viscosity", fluid.kinematic_viscosity, "m2/s, zero or above");
+  }
+  require(std::isfinite(tank.initial_relative_velocity), "initial_relative_velocity",
+          tank.initial_relative_velocity, "a finite velocity in m/s");
+  require_positive("duration", tank.duration, "s");
+  require_positive("sample_interval", tank.sample_interval, "s");
+  require(tank.sample_interval <= tank.duration, "sample_interval", tank.sample_interval,
+          fmt::format("at most the duration of {} s", tank.duration));
+  require(tank.cells_x >= 2, "cells_x", tank.cells_x, "at least 2");
+  require(tank.cells_z >= 2, "cells_z", tank.cells_z, "at least 2");
+  require(tank.processes >= 1 && tank.processes <= tank.cells_x, "processes", tank.processes,
+          "between 1 and cells_x");
+}
+
+void check_gauges(const SurgingTank& tank, const TankMesh& mesh) {
+  std::set<std::string> names;
+  for (const Gauge& gauge : tank.gauges) {
+    require(gauge.x >= 0 && gauge.x <= tank.length, "gauge x", gauge.x,
+            fmt::format("between the walls, 0 and {} m", tank.length));
+    if (!names.insert(gauge.name).second) {
+      throw std::invalid_argument("OpenFOAM tank: two gauges are named \"" + gauge.name + "\"");
+    }
+    const GaugeColumns columns = gauge_columns(mesh, gauge.x);
+    require(mesh.free_cells(columns.left) > 0 && mesh.free_cells(columns.right) > 0, "gauge x",
+            gauge.x, "a place where the obstacles leave room for the liquid");
+  }
+}
+
+void check_liquid(const SurgingTank& tank, const TankMesh& mesh) {
+  if (tank.column_width) {
+    require(*tank.column_width > 0 && *tank.column_width < tank.length, "column_width",
+            *tank.column_width, fmt::format("between the walls, 0 and {} m", tank.length));
+    require(!bottom_columns(mesh).empty(), "column_width", *tank.column_width,
+            "a bottom that the obstacles do not cover, for the front to run along");
+  }
+  const double volume = initial_volume(tank, mesh);
+  const double room = mesh.free_cells() * mesh.cell_width() * mesh.cell_height();
+  // A share of a cell that round-off alone would give.
+  require(volume > 1e-9 * room && volume < (1 - 1e-9) * room, "liquid volume per metre", volume,
+          fmt::format("between nothing and the {} m2 that the obstacles leave", room));
+}
+
+}  // namespace
+
+void require(bool condition, const char* key, double value, const std::string& expected) {
+  if (!condition) {
+    throw std::invalid_argument(
+        fmt::format("OpenFOAM tank: {} = {}: expected {}", key, value, expected));
+  }
+}
+
+void check_tank(const SurgingTank& tank) {
+  check_numbers(tank);
+  const TankMesh mesh(tank);
+  check_gauges(tank, mesh);
+  check_liquid(tank, mesh);
+}
+
+}  // namespace slosh::openfoam

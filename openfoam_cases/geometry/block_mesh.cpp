@@ -1,0 +1,89 @@
+#include "openfoam_cases/geometry/block_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+namespace slosh::openfoam {
+namespace {
+
+void append(std::string& list, const std::string& separator, const std::string& item) {
+  if (!list.empty()) list += separator;
+  list += item;
+}
+
+// Numbers the blocks' corners as they are first met; blocks that touch share them, and none is left
+// over inside an obstacle.
+class Vertices {
+ public:
+  explicit Vertices(const TankMesh& mesh) : mesh_(mesh) {}
+
+  int number(int column, int y, int row) {
+    const auto [at, is_new] =
+        numbers_.try_emplace({column, y, row}, static_cast<int>(numbers_.size()));
+    if (is_new) {
+      append(text_, at->second % 4 == 0 ? "\n    " : " ",
+             fmt::format("({} {} {})", mesh_.face_x(column), y, mesh_.face_z(row)));
+    }
+    return at->second;
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  const TankMesh& mesh_;
+  std::map<std::array<int, 3>, int> numbers_;
+  std::string text_;
+};
+
+// OpenFOAM's corners of a hexahedron: round the lower face, then round the upper one.
+std::array<int, 8> corners(const Block& block, Vertices& vertices) {
+  std::array<int, 8> numbers;
+  std::size_t next = 0;
+  for (const int row : {block.row_begin, block.row_end}) {
+    numbers[next++] = vertices.number(block.column_begin, 0, row);
+    numbers[next++] = vertices.number(block.column_end, 0, row);
+    numbers[next++] = vertices.number(block.column_end, 1, row);
+    numbers[next++] = vertices.number(block.column_begin, 1, row);
+  }
+  return numbers;
+}
+
+using Face = std::array<std::size_t, 4>;  // which of a hexahedron's corners, normal outward
+
+std::string face(const std::array<int, 8>& corners, const Face& which) {
+  return fmt::format("({} {} {} {})", corners[which[0]], corners[which[1]], corners[which[2]],
+                     corners[which[3]]);
+}
+
+struct Side {
+  Face face;
+  Cell beyond;  // one of the cells that the face would lead to
+};
+
+}  // namespace
+
+BlockMesh block_mesh(const TankMesh& mesh) {
+  BlockMesh result;
+  Vertices vertices(mesh);
+  for (const Block& block : mesh.blocks()) {
+    const std::array<int, 8> c = corners(block, vertices);
+    result.hexahedra.push_back(
+        {fmt::format("{} {} {} {} {} {} {} {}", c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]),
+         block.column_end - block.column_begin, block.row_end - block.row_begin});
+    const std::array<Side, 4> sides{{{{0, 4, 7, 3}, {block.column_begin - 1, block.row_begin}},
+                                     {{1, 2, 6, 5}, {block.column_end, block.row_begin}},
+                                     {{0, 3, 2, 1}, {block.column_begin, block.row_begin - 1}},
+                                     {{4, 5, 6, 7}, {block.column_begin, block.row_end}}}};
+    for (const Side& side : sides) {
+      if (!mesh.is_free(side.beyond)) append(result.wall_faces, " ", face(c, side.face));
+    }
+    append(result.front_and_back_faces, " ", face(c, {0, 1, 5, 4}));
+    append(result.front_and_back_faces, " ", face(c, {3, 7, 6, 2}));
+  }
+  result.vertices = vertices.text();
+  return result;
+}
+
+}  // namespace slosh::openfoam

@@ -1,0 +1,157 @@
+#include "openfoam_cases/geometry/tank_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "openfoam_cases/check_tank.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+// How far from a cell's face an obstacle's edge may lie, in cells: enough for a length that was
+// rounded when it was written down, and below what a run can tell.
+constexpr double snap_tolerance = 0.01;
+
+// The number of the face that the edge lies on.
+int face_of(const char* key, double edge, double tank_size, int cells) {
+  const double cell = tank_size / cells;
+  const double nearest = std::round(edge / cell);
+  require(nearest >= 0 && nearest <= cells, key, edge,
+          fmt::format("between the tank's walls, 0 and {} m", tank_size));
+  require(
+      std::abs(edge / cell - nearest) <= snap_tolerance, key, edge,
+      fmt::format("a multiple of the cells' {:.6g} m, to {} of a cell (the nearest is {:.6g} m)",
+                  cell, snap_tolerance, nearest * cell));
+  return static_cast<int>(nearest);
+}
+
+void insert_sorted(std::vector<int>& breaks, int value) {
+  const auto at = std::lower_bound(breaks.begin(), breaks.end(), value);
+  if (at == breaks.end() || *at != value) breaks.insert(at, value);
+}
+
+}  // namespace
+
+TankMesh::TankMesh(const SurgingTank& tank)
+    : columns_(tank.cells_x),
+      rows_(tank.cells_z),
+      length_(tank.length),
+      height_(tank.height),
+      filled_(static_cast<std::size_t>(columns_) * rows_, false),
+      column_breaks_{0, columns_},
+      row_breaks_{0, rows_} {
+  for (const Obstacle& obstacle : tank.obstacles) leave_out(obstacle);
+  if (!tank.obstacles.empty()) check_rooms();
+}
+
+void TankMesh::leave_out(const Obstacle& obstacle) {
+  const int left = face_of("obstacle left", obstacle.left, length_, columns_);
+  const int right = face_of("obstacle right", obstacle.right, length_, columns_);
+  const int bottom = face_of("obstacle bottom", obstacle.bottom, height_, rows_);
+  const int top = face_of("obstacle top", obstacle.top, height_, rows_);
+  require(left < right, "obstacle right", obstacle.right,
+          fmt::format("a cell or more beyond the left edge at {} m", obstacle.left));
+  require(bottom < top, "obstacle top", obstacle.top,
+          fmt::format("a cell or more above the lower edge at {} m", obstacle.bottom));
+  for (int row = bottom; row < top; ++row) {
+    for (int column = left; column < right; ++column) filled_[index({column, row})] = true;
+  }
+  for (const int face : {left, right}) insert_sorted(column_breaks_, face);
+  for (const int face : {bottom, top}) insert_sorted(row_breaks_, face);
+}
+
+// Two rooms would need two reference pressures, and a liquid in each.
+void TankMesh::check_rooms() const {
+  const auto first = std::find(filled_.begin(), filled_.end(), false);
+  if (first == filled_.end()) {
+    throw std::invalid_argument("OpenFOAM tank: the obstacles fill the tank");
+  }
+  std::vector<bool> reached = filled_;
+  const int start = static_cast<int>(first - filled_.begin());
+  std::vector<Cell> open{{start % columns_, start / columns_}};
+  reached[index(open.back())] = true;
+  while (!open.empty()) {
+    const Cell cell = open.back();
+    open.pop_back();
+    for (const Cell next : {Cell{cell.column - 1, cell.row}, Cell{cell.column + 1, cell.row},
+                            Cell{cell.column, cell.row - 1}, Cell{cell.column, cell.row + 1}}) {
+      if (!is_free(next) || reached[index(next)]) continue;
+      reached[index(next)] = true;
+      open.push_back(next);
+    }
+  }
+  if (std::find(reached.begin(), reached.end(), false) != reached.end()) {
+    throw std::invalid_argument(
+        "OpenFOAM tank: the obstacles cut the tank into rooms without a connection, expected one");
+  }
+}
+
+// The walls come out as they were given, to the last bit.
+double TankMesh::face_x(int column) const {
+  return length_ * (static_cast<double>(column) / columns_);
+}
+
+double TankMesh::face_z(int row) const { return height_ * (static_cast<double>(row) / rows_); }
+
+bool TankMesh::is_free(Cell cell) const {
+  return cell.column >= 0 && cell.column < columns_ && cell.row >= 0 && cell.row < rows_ &&
+         !filled_[index(cell)];
+}
+
+bool TankMesh::are_alike(int column, int other) const {
+  for (int row = 0; row < rows_; ++row) {
+    if (is_free({column, row}) != is_free({other, row})) return false;
+  }
+  return true;
+}
+
+int TankMesh::free_cells(int column) const {
+  int count = 0;
+  for (int row = 0; row < rows_; ++row) count += is_free({column, row});
+  return count;
+}
+
+int TankMesh::free_cells() const {
+  return static_cast<int>(std::count(filled_.begin(), filled_.end(), false));
+}
+
+std::vector<Block> TankMesh::blocks() const {
+  std::vector<Block> blocks;
+  for (std::size_t k = 0; k + 1 < row_breaks_.size(); ++k) {
+    for (std::size_t i = 0; i + 1 < column_breaks_.size(); ++i) {
+      if (!is_free({column_breaks_[i], row_breaks_[k]})) continue;
+      blocks.push_back(
+          {column_breaks_[i], column_breaks_[i + 1], row_breaks_[k], row_breaks_[k + 1]});
+    }
+  }
+  return blocks;
+}
+
+std::vector<Cell> TankMesh::cells() const {
+  std::vector<Cell> cells;
+  for (const Block& block : blocks()) {
+    for (int row = block.row_begin; row < block.row_end; ++row) {
+      for (int column = block.column_begin; column < block.column_end; ++column) {
+        cells.push_back({column, row});
+      }
+    }
+  }
+  return cells;
+}
+
+Cell TankMesh::reference_cell() const {
+  for (int row = rows_ - 1; row >= 0; --row) {
+    const int middle = columns_ / 2;
+    for (int offset = 0; offset < columns_; ++offset) {
+      for (const Cell cell : {Cell{middle + offset, row}, Cell{middle - offset, row}}) {
+        if (is_free(cell)) return cell;
+      }
+    }
+  }
+  throw std::invalid_argument("OpenFOAM tank: the obstacles fill the tank");
+}
+
+}  // namespace slosh::openfoam
