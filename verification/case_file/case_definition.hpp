@@ -27,6 +27,15 @@ struct LiquidDefinition {
   double fill_depth;           // [m], still water
   double density;              // [kg/m3]
   double kinematic_viscosity;  // [m2/s]
+  // A dam about to break: the liquid stands from the left wall to here [m], and fills the tank's
+  // length otherwise.
+  std::optional<double> column_width = {};
+};
+
+// A rectangle that the tank carries, from its left wall and its bottom [m].
+struct ObstacleDefinition {
+  std::string name;
+  double left, right, bottom, top;
 };
 
 // What fills the tank above the liquid; seen by interFoam and by the two-layer linear theory.
@@ -48,6 +57,9 @@ struct TableSurge {
   std::vector<double> time, displacement;
 };
 
+// The tank stands.
+struct Still {};
+
 // theta(t) = amplitude sin(omega t) about an axis; declared here, not solved yet.
 struct SineRoll {
   double amplitude;          // [rad] (the file gives degrees)
@@ -56,7 +68,7 @@ struct SineRoll {
   SourceLocation where;
 };
 
-using MotionDefinition = std::variant<SineSurge, TableSurge, SineRoll>;
+using MotionDefinition = std::variant<SineSurge, TableSurge, SineRoll, Still>;
 
 // At rest in the earth's frame (the tank is set off with X'(0)), or at rest relative to the tank.
 enum class Start { earth, tank };
@@ -127,6 +139,7 @@ struct CaseDefinition {
   TankDefinition tank;
   LiquidDefinition liquid;
   GasDefinition gas;
+  std::vector<ObstacleDefinition> obstacles;
   MotionDefinition motion;
   Start start;
   double duration;         // [s]

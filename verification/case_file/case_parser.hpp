@@ -5,15 +5,18 @@
 //
 //   schema_version = 1, name, title, source, tags = [...], gravity_m_s2
 //   [tank]        length_m, height_m
-//   [liquid]      fill_depth_m, density_kg_m3, kinematic_viscosity_m2_s
+//   [liquid]      fill_depth_m, density_kg_m3, kinematic_viscosity_m2_s, column_width_m? (of a dam
+//                 about to break: the liquid stands from the left wall to there)
 //   [gas]         density_kg_m3, kinematic_viscosity_m2_s
-//   [motion]      type = "sine_surge": amplitude_m, angular_frequency_rad_s, ramp_periods?
+//   [[obstacle]]? name, left_m, right_m (from the left wall), bottom_m, top_m (from the bottom)
+//   [motion]      type = "still"
+//                 type = "sine_surge": amplitude_m, angular_frequency_rad_s, ramp_periods?
 //                 type = "table_surge": file (CSV: time_s,displacement_m; relative to the case
 //                 file) type = "sine_roll": amplitude_deg, angular_frequency_rad_s, axis_x_m,
 //                 axis_z_m
 //   [time]        start = "earth" | "tank", duration_s, sample_interval_s
 //   [[gauge]]     name, x_m (from the left wall)
-//   [comparison]  window_begin_s, window_end_s, natural_modes
+//   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m)
 //   [[run]]       name, quick?, and
 //                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?
 //                 solver = "interfoam": cells_x, cells_z, processes?

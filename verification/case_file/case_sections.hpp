@@ -13,6 +13,13 @@ namespace slosh {
 MotionDefinition read_motion(const TomlTable& motion, const std::filesystem::path& case_file,
                              double duration);
 
+// [[obstacle]], of a case whose tank, liquid and gauges have been read.
+ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
+
+// No two of the obstacles, read from these tables, may overlap: they may touch.
+void refuse_overlaps(const std::vector<TomlTable>& tables,
+                     const std::vector<ObstacleDefinition>& obstacles);
+
 // [[run]]
 RunDefinition read_run(const TomlTable& run, const LiquidDefinition& liquid);
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/motion.hpp"
 
 namespace slosh {
 namespace {
@@ -40,7 +41,7 @@ const MetricEntry& read_metric(const TomlTable& row) {
 std::vector<std::string> modes_of(const MetricEntry& metric, const CaseDefinition& definition) {
   if (metric.measured_on == MeasuredOn::whole_window) return {"whole"};
   std::vector<std::string> modes;
-  const bool is_forced = !std::holds_alternative<TableSurge>(definition.motion);
+  const bool is_forced = forcing_frequency(definition) > 0;
   if (is_forced && metric.measured_on == MeasuredOn::any_mode) modes.push_back("forced");
   for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
   return modes;

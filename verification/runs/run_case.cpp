@@ -74,7 +74,7 @@ CaseFileError refused(const RunDefinition& run, const std::string& why) {
 
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
   surge_motion(definition);  // refuses a roll
-  if (const auto* sph = std::get_if<SphRun>(&run.solver)) require_scene(*sph, definition, run);
+  std::visit([&](const auto& solver) { require_scene(solver, definition, run); }, run.solver);
 }
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,

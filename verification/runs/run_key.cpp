@@ -11,6 +11,10 @@ namespace {
 
 using nlohmann::json;  // its objects are sorted and its numbers written in full: one text per value
 
+json number_or_null(const std::optional<double>& number) {
+  return number ? json(*number) : json(nullptr);
+}
+
 json description(const SineSurge& motion) {
   return {{"sine_surge", {motion.amplitude, motion.angular_frequency, motion.ramp_periods}}};
 }
@@ -21,6 +25,8 @@ json description(const SineRoll& motion) {
   return {
       {"sine_roll", {motion.amplitude, motion.angular_frequency, motion.axis_x, motion.axis_z}}};
 }
+
+json description(const Still&) { return "still"; }
 
 json description(const SphRun& run) {
   return {{"sph", {run.scheme, run.particle_spacing, run.surface_particle_spacing}}};
@@ -38,10 +44,15 @@ json description(const std::variant<Types...>& choice) {
 json physics(const CaseDefinition& definition) {
   json gauges = json::array();
   for (const GaugeDefinition& gauge : definition.gauges) gauges.push_back({gauge.name, gauge.x});
+  json obstacles = json::array();
+  for (const ObstacleDefinition& one : definition.obstacles)
+    obstacles.push_back({one.left, one.right, one.bottom, one.top});
   const LiquidDefinition& liquid = definition.liquid;
   return {{"gravity", definition.gravity},
           {"tank", {definition.tank.length, definition.tank.height}},
           {"liquid", {liquid.fill_depth, liquid.density, liquid.kinematic_viscosity}},
+          {"column_width", number_or_null(liquid.column_width)},
+          {"obstacles", obstacles},
           {"gas", {definition.gas.density, definition.gas.kinematic_viscosity}},
           {"motion", description(definition.motion)},
           {"start", definition.start == Start::earth ? "earth" : "tank"},

@@ -104,6 +104,47 @@ TEST(CaseParser, ReadsARollAlthoughNothingSolvesItYet) {
   EXPECT_EQ(roll.where.line, 17);
 }
 
+TEST(CaseParser, ReadsATankThatStands) {
+  std::string text =
+      edited({"type = \"sine_surge\"\namplitude_m = 0.02\n"
+              "angular_frequency_rad_s = 1.5\n",
+              "type = \"still\"\n"});
+  text = text.substr(0, text.find("[[gate]]"));
+  EXPECT_TRUE(std::holds_alternative<Still>(read_text(text).motion));
+  const std::string earth = "start = \"earth\"";
+  text.replace(text.find(earth), earth.size(), "start = \"tank\"");
+  EXPECT_TRUE(std::holds_alternative<Still>(read_text(text).motion));
+}
+
+TEST(CaseParser, KnowsNoForcedModeOfATankThatStands) {
+  const std::string message =
+      complaint_about({"type = \"sine_surge\"\namplitude_m = 0.02\nangular_frequency_rad_s = 1.5\n",
+                       "type = \"still\"\n"});
+  EXPECT_TRUE(message.starts_with("trial.toml:54: gate.mode = \"forced\": expected")) << message;
+}
+
+TEST(CaseParser, ReadsADamAboutToBreak) {
+  std::string text =
+      edited({"viscosity_m2_s = 1e-6", "viscosity_m2_s = 1e-6\ncolumn_width_m = 0.25"});
+  const std::string modes = "natural_modes = 2";
+  text.replace(text.find(modes), modes.size(), "natural_modes = 0");
+  EXPECT_EQ(read_text(text).liquid.column_width, 0.25);
+  EXPECT_FALSE(read_text(valid_text).liquid.column_width);
+}
+
+TEST(CaseParser, ReadsObstaclesThatTouchWallsAndOneAnother) {
+  const auto definition =
+      read_text(edited({"[comparison]",
+                        "[[obstacle]]\nname = \"step\"\nleft_m = 0\nright_m = 0.5\nbottom_m = 0\n"
+                        "top_m = 0.3\n[[obstacle]]\nname = \"lid\"\nleft_m = 0.5\nright_m = 2\n"
+                        "bottom_m = 0.8\ntop_m = 1\n[comparison]"}));
+  ASSERT_EQ(definition.obstacles.size(), 2u);
+  EXPECT_EQ(definition.obstacles[0].name, "step");
+  EXPECT_EQ(definition.obstacles[0].right, 0.5);
+  EXPECT_EQ(definition.obstacles[1].bottom, 0.8);
+  EXPECT_TRUE(read_text(valid_text).obstacles.empty());
+}
+
 TEST(CaseParser, RefusesACaseWithoutRunsOrGauges) {
   const std::size_t runs = valid_text.find("[[run]]"), gauges = valid_text.find("[[gauge]]");
   const std::size_t comparison = valid_text.find("[comparison]");

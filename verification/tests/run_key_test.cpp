@@ -43,6 +43,11 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       [](auto& c) { c.tank.height = 0.9; },
       [](auto& c) { c.liquid.fill_depth = 0.36; },
       [](auto& c) { c.liquid.density = 999; },
+      [](auto& c) { c.liquid.column_width = 0.3; },
+      [](auto& c) {
+        c.obstacles.push_back({"baffle", 0.4, 0.5, 0, 0.2});
+      },
+      [](auto& c) { c.motion = Still{}; },
       [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
       [](auto& c) { c.gas.density = 1.3; },
       [](auto& c) { std::get<SineSurge>(c.motion).amplitude += 1e-15; },
