@@ -79,11 +79,31 @@ struct GaugeDefinition {
   double x;  // [m] from the left wall
 };
 
+// What a run changes of its scheme's own numbers, none of which has a unit; absent: as the scheme
+// has it.
+struct SphNumbers {
+  std::optional<double> smoothing_length_ratio;  // h / particle spacing
+  std::optional<double> sound_speed_ratio;       // c0 / largest expected speed of the liquid
+  std::optional<double> courant_number;          // dt c0 / h
+  std::optional<double> artificial_viscosity;    // alpha
+  std::optional<double> density_diffusion;       // delta
+};
+
+// Their names in case files and results: one list for whoever reads, hashes or shows them.
+inline constexpr std::pair<const char*, std::optional<double> SphNumbers::*> sph_number_names[] = {
+    {"smoothing_length_ratio", &SphNumbers::smoothing_length_ratio},
+    {"sound_speed_ratio", &SphNumbers::sound_speed_ratio},
+    {"courant_number", &SphNumbers::courant_number},
+    {"artificial_viscosity", &SphNumbers::artificial_viscosity},
+    {"density_diffusion", &SphNumbers::density_diffusion}};
+
 struct SphRun {
   std::string scheme;               // a name of sph/schemes.hpp's closed list
   double particle_spacing;          // [m], inside the liquid
   double surface_particle_spacing;  // [m], near the free surface; equal to particle_spacing unless
                                     // given
+  std::string variant = {};         // of the scheme, one thing changed; empty: none
+  SphNumbers numbers = {};
 };
 
 struct InterFoamRun {

@@ -18,13 +18,16 @@
 //   [[gauge]]     name, x_m (from the left wall)
 //   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m)
 //   [[run]]       name, quick?, and
-//                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?
+//                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
+//                 variant?, and what it changes of the scheme's numbers: smoothing_length_ratio?,
+//                 sound_speed_ratio?, courant_number?, artificial_viscosity?, density_diffusion?
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
 //   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>", mode, metric, unit,
 //                 one of limit | lower with upper | improves_on, reason, source
 //
-// The names of SPH schemes are not known here: whoever starts a run checks its own.
+// The names of SPH schemes and their variants are not known here: whoever starts a run checks its
+// own.
 #pragma once
 
 #include <filesystem>

@@ -29,7 +29,11 @@ json description(const SineRoll& motion) {
 json description(const Still&) { return "still"; }
 
 json description(const SphRun& run) {
-  return {{"sph", {run.scheme, run.particle_spacing, run.surface_particle_spacing}}};
+  json numbers = json::object();
+  for (const auto& [name, number] : sph_number_names)
+    numbers[name] = number_or_null(run.numbers.*number);
+  return {{"sph",
+           {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant, numbers}}};
 }
 json description(const InterFoamRun& run) {
   return {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};

@@ -24,6 +24,12 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                    .particle_spacing = sph.particle_spacing,
                    .surface_particle_spacing = sph.surface_particle_spacing,
                    .column_width = definition.liquid.column_width,
+                   .variant = sph.variant,
+                   .numbers = {.smoothing_length_ratio = sph.numbers.smoothing_length_ratio,
+                               .sound_speed_ratio = sph.numbers.sound_speed_ratio,
+                               .courant_number = sph.numbers.courant_number,
+                               .artificial_viscosity = sph.numbers.artificial_viscosity,
+                               .density_diffusion = sph.numbers.density_diffusion},
                    .gauges = {},
                    .record_snapshot = {}};
   for (const GaugeDefinition& gauge : definition.gauges)

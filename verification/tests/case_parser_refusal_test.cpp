@@ -285,6 +285,32 @@ INSTANTIATE_TEST_SUITE_P(
                 {"spacing_m = 0.01", "spacing_m = 0.03"},
                 "trial.toml:45: run.surface_particle_spacing_m = 0.03: expected a number > 0 and "
                 "<= particle_spacing_m (0.02), in m"},
+        Mistake{"EmptyVariant",
+                {"quick = true", "variant = \"\""},
+                "trial.toml:46: run.variant = \"\": expected a text that is not empty"},
+        Mistake{"NoSmoothingLength",
+                {"quick = true", "smoothing_length_ratio = 0"},
+                "trial.toml:46: run.smoothing_length_ratio = 0: expected a number > 0, without "
+                "unit"},
+        Mistake{
+            "NoSound",
+            {"quick = true", "sound_speed_ratio = -10.0"},
+            "trial.toml:46: run.sound_speed_ratio = -10.0: expected a number > 0, without unit"},
+        Mistake{"NoTimeStep",
+                {"quick = true", "courant_number = 0"},
+                "trial.toml:46: run.courant_number = 0: expected a number > 0, without unit"},
+        Mistake{"NegativeAlpha",
+                {"quick = true", "artificial_viscosity = -0.1"},
+                "trial.toml:46: run.artificial_viscosity = -0.1: expected a number >= 0, without "
+                "unit"},
+        Mistake{"NegativeDelta",
+                {"quick = true", "density_diffusion = -0.1"},
+                "trial.toml:46: run.density_diffusion = -0.1: expected a number >= 0, without "
+                "unit"},
+        Mistake{"VariantOfAMesh",
+                {"cells_x = 50", "cells_x = 50\nvariant = \"a\""},
+                "trial.toml:51: run.variant = \"a\": expected only these keys here: name, solver, "
+                "quick, cells_x"},
         Mistake{"OneCellAlong",
                 {"cells_x = 50", "cells_x = 1"},
                 "trial.toml:50: run.cells_x = 1: expected an integer >= 2"},

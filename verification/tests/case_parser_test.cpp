@@ -82,6 +82,26 @@ TEST(CaseParser, TakesTheInnerSpacingAtTheSurfaceUnlessTold) {
   EXPECT_EQ(std::get<SphRun>(definition.runs.at(1).solver).surface_particle_spacing, 0.02);
 }
 
+TEST(CaseParser, ReadsWhatARunChangesOfItsScheme) {
+  const auto definition =
+      read_text(edited({"quick = true",
+                        "variant = \"no_shifting\"\nsmoothing_length_ratio = 2\n"
+                        "sound_speed_ratio = 20.0\ncourant_number = 0.4\n"
+                        "artificial_viscosity = 0\ndensity_diffusion = 0.1"}));
+  const auto& changed = std::get<SphRun>(definition.runs.at(1).solver);
+  EXPECT_EQ(changed.variant, "no_shifting");
+  EXPECT_EQ(changed.numbers.smoothing_length_ratio, 2);
+  EXPECT_EQ(changed.numbers.sound_speed_ratio, 20);
+  EXPECT_EQ(changed.numbers.courant_number, 0.4);
+  EXPECT_EQ(changed.numbers.artificial_viscosity, 0);
+  EXPECT_EQ(changed.numbers.density_diffusion, 0.1);
+  const CaseDefinition plain = read_text(valid_text);
+  const auto& unchanged = std::get<SphRun>(plain.runs.at(1).solver);
+  EXPECT_EQ(unchanged.variant, "");
+  for (const auto& [name, number] : sph_number_names)
+    EXPECT_FALSE(unchanged.numbers.*number) << name;
+}
+
 TEST(CaseParser, AcceptsACaseWithoutGateRows) {
   const std::string text = valid_text.substr(0, valid_text.find("[[gate]]"));
   EXPECT_TRUE(read_text(text).gate.empty());

@@ -80,6 +80,7 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
                                         sample_run(SphRun{"low_dissipation_wendland", 0.02, 0.02}),
                                         sample_run(SphRun{"li2010", 0.01, 0.01}),
                                         sample_run(SphRun{"li2010", 0.02, 0.01}),
+                                        sample_run(SphRun{"li2010", 0.02, 0.02, "a_variant"}),
                                         interfoam,
                                         sample_run(InterFoamRun{50, 100, 1}),
                                         sample_run(InterFoamRun{50, 50, 2}),
@@ -88,7 +89,13 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
                                         sample_run(LinearRun{600, false, 0.1})};
   std::set<std::string> keys;
   for (const RunDefinition& run : runs) keys.insert(key(definition, run));
-  EXPECT_EQ(keys.size(), runs.size());
+  for (const auto& [name, number] : sph_number_names)
+    for (const double value : {0.0, 1.0}) {
+      SphRun changed{"li2010", 0.02, 0.02};
+      changed.numbers.*number = value;
+      keys.insert(key(definition, sample_run(changed)));
+    }
+  EXPECT_EQ(keys.size(), runs.size() + 2 * std::size(sph_number_names));
 }
 
 TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
