@@ -76,7 +76,7 @@ Section case_section(const CaseAssessment& assessment) {
   section.figures = case_figures(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
   if (!assessment.comparisons.empty()) {
-    section.tables.push_back(mode_table(assessment));
+    if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));
     section.tables.push_back(history_table(assessment));
   }
   section.tables.push_back(cost_table(assessment));

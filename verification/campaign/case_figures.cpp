@@ -7,8 +7,8 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 
+#include "verification/case_file/quantities.hpp"
 #include "verification/metrics/spectrum.hpp"
 
 namespace slosh {
@@ -18,7 +18,15 @@ using reports::Curve;
 using reports::Figure;
 
 std::string first_quantity(const CaseDefinition& definition) {
-  return "elevation@" + definition.gauges.front().name;
+  return compared_quantities(definition).front();
+}
+
+bool follows_a_front(const CaseDefinition& definition) {
+  return first_quantity(definition) == "front_position";
+}
+
+const char* quantity_word(const CaseDefinition& definition) {
+  return follows_a_front(definition) ? "front position" : "elevation";
 }
 
 // SPH by its scheme, the others by their kind: the runs of a family differ in resolution alone.
@@ -41,7 +49,9 @@ std::vector<std::string> finest_runs(const CaseAssessment& assessment) {
   std::vector<std::string> families;
   std::map<std::string, const RunDefinition*> finest;
   for (const RunDefinition& run : assessment.definition.runs) {
-    if (!assessment.runs.results.contains(run.name)) continue;
+    if (!assessment.runs.results.contains(run.name) ||
+        !has_series(assessment.runs, run.name, first_quantity(assessment.definition)))
+      continue;
     const RunDefinition*& best = finest[family(run)];
     if (!best) families.push_back(family(run));
     if (!best || resolution(run) > resolution(*best)) best = &run;
@@ -62,22 +72,35 @@ std::string label(const CaseAssessment& assessment, const std::string& run) {
              : run;
 }
 
+// A record as points with its uncertainty, anything else as a line.
+Curve history_curve(const CaseAssessment& assessment, const std::string& run) {
+  const CaseDefinition& definition = assessment.definition;
+  const TimeSeries& series = assessment.runs.results.at(run).at(first_quantity(definition));
+  Curve curve{label(assessment, run), series.time, in_millimetres(series.value), {}, {}};
+  if (const auto* record = std::get_if<RecordRun>(&run_named(definition, run).solver)) {
+    curve.style = Curve::Style::points;
+    if (record->uncertainty) curve.y_error.assign(curve.y.size(), 1000 * *record->uncertainty);
+  }
+  return curve;
+}
+
 Figure history(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  const GaugeDefinition& gauge = definition.gauges.front();
   Figure figure;
   figure.id = definition.name + "-history";
-  figure.title = "Surface elevation " + fmt::format("{:.3g} m from the left wall", gauge.x);
-  figure.caption = "Time history at the gauge: theory and the finest run of each solver. " +
-                   definition.source + ".";
+  figure.title = follows_a_front(definition)
+                     ? "Front of the breaking dam, from the left wall"
+                     : fmt::format("Surface elevation {:.3g} m from the left wall",
+                                   definition.gauges.front().x);
+  figure.caption =
+      "Time history: the references and the finest run of each solver; bars are a record's 95 % "
+      "interval. " +
+      definition.source + ".";
   figure.x_label = "time [s]";
-  figure.y_label = "elevation [mm]";
+  figure.y_label = fmt::format("{} [mm]", quantity_word(definition));
   figure.x_range = {0, definition.duration};
-  for (const std::string& run : finest_runs(assessment)) {
-    const TimeSeries& series = assessment.runs.results.at(run).at(first_quantity(definition));
-    figure.curves.push_back(
-        {label(assessment, run), series.time, in_millimetres(series.value), {}, {}});
-  }
+  for (const std::string& run : finest_runs(assessment))
+    figure.curves.push_back(history_curve(assessment, run));
   return figure;
 }
 
@@ -94,19 +117,6 @@ double tolerated_residual(const CaseAssessment& assessment, const Comparison& co
       return *row.limit * rms / comparison.normalised_rms;
     }
   return 0;
-}
-
-// Of each candidate the comparison at the first gauge with its first reference that is in its
-// range: theory where there is one, else the finest interFoam.
-std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
-  std::vector<const Comparison*> judging;
-  std::set<std::string> counted;
-  for (const Comparison& comparison : assessment.comparisons)
-    if (comparison.quantity == first_quantity(assessment.definition) &&
-        assessment.runs.status.at(comparison.reference).state != RunState::out_of_range &&
-        counted.insert(comparison.candidate).second)
-      judging.push_back(&comparison);
-  return judging;
 }
 
 Figure residuals(const CaseAssessment& assessment) {
@@ -147,6 +157,8 @@ std::optional<Spectrum> spectrum_of(const CaseAssessment& assessment, const std:
 Figure spectra(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
+  // A tank that stands, a dam that breaks: there is no tone to look for.
+  if (fitted_modes(definition).empty()) return figure;
   figure.id = definition.name + "-spectrum";
   figure.title = "Spectrum of the elevation";
   figure.x_label = "frequency [Hz]";

@@ -119,9 +119,18 @@ struct LinearRun {
   double valid_elevation_over_depth;
 };
 
+// A published record of one quantity, from a CSV file (path relative to the case file); it may
+// gate.
+struct RecordRun {
+  std::filesystem::path file;
+  std::string quantity, unit;
+  std::vector<double> time, value;    // [s], unit
+  std::optional<double> uncertainty;  // half width of the values' 95 % interval, in the unit
+};
+
 struct RunDefinition {
   std::string name;
-  std::variant<SphRun, InterFoamRun, LinearRun> solver;
+  std::variant<SphRun, InterFoamRun, LinearRun, RecordRun> solver;
   bool quick = false;  // part of the campaign's --quick form
   SourceLocation where;
 };
@@ -140,7 +149,7 @@ enum class Metric {
 // given.
 struct GateRow {
   std::string candidate, reference;  // run names
-  std::string quantity;              // "elevation@<gauge>"
+  std::string quantity;              // "elevation@<gauge>", "front_position"
   // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first), "whole"
   std::string mode;
   Metric metric;

@@ -134,7 +134,7 @@ CaseDefinition read_case(const std::filesystem::path& file) {
   refuse_overlaps(root.tables("obstacle"), definition.obstacles);
   read_comparison(root.table("comparison"), definition);
   definition.runs = read_some_named<RunDefinition>(
-      root, "run", [&](const TomlTable& run) { return read_run(run, definition.liquid); });
+      root, "run", [&](const TomlTable& run) { return read_run(run, definition); });
   for (const TomlTable& row : root.tables("gate")) {
     definition.gate.push_back(read_gate_row(row, definition));
   }

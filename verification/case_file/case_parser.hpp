@@ -23,8 +23,12 @@
 //                 sound_speed_ratio?, courant_number?, artificial_viscosity?, density_diffusion?
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
-//   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>", mode, metric, unit,
-//                 one of limit | lower with upper | improves_on, reason, source
+//                 solver = "record": file (CSV: time_s and front_position_m or elevation@<gauge>_m;
+//                 relative to the case file), uncertainty? (half width of its 95 % interval, in the
+//                 record's unit)
+//   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>" | "front_position" (of a
+//                 breaking dam), mode, metric, unit, one of limit | lower with upper | improves_on,
+//                 reason, source
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.

@@ -20,8 +20,9 @@ ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition
 void refuse_overlaps(const std::vector<TomlTable>& tables,
                      const std::vector<ObstacleDefinition>& obstacles);
 
-// [[run]]
-RunDefinition read_run(const TomlTable& run, const LiquidDefinition& liquid);
+// [[run]], of a case whose liquid and gauges have been read; the files of records are relative to
+// the case file.
+RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition);
 
 // [[gate]], of a case whose motion, gauges, comparison and runs have been read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);

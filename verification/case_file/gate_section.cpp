@@ -6,6 +6,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/case_file/quantities.hpp"
 
 namespace slosh {
 namespace {
@@ -38,13 +39,29 @@ const MetricEntry& read_metric(const TomlTable& row) {
                        [&](const MetricEntry& entry) { return entry.name == name; });
 }
 
-std::vector<std::string> modes_of(const MetricEntry& metric, const CaseDefinition& definition) {
+std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& quantity,
+                                  const CaseDefinition& definition) {
   if (metric.measured_on == MeasuredOn::whole_window) return {"whole"};
+  if (!has_modes(quantity)) return {};
   std::vector<std::string> modes;
   const bool is_forced = forcing_frequency(definition) > 0;
   if (is_forced && metric.measured_on == MeasuredOn::any_mode) modes.push_back("forced");
   for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
   return modes;
+}
+
+const RecordRun* as_record(const CaseDefinition& definition, const std::string& run) {
+  for (const RunDefinition& one : definition.runs)
+    if (one.name == run) return std::get_if<RecordRun>(&one.solver);
+  return nullptr;
+}
+
+// A published record is a reference and never a candidate.
+std::vector<std::string> candidates(const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs)
+    if (!std::holds_alternative<RecordRun>(run.solver)) names.push_back(run.name);
+  return names;
 }
 
 std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
@@ -87,19 +104,18 @@ void read_bound(const TomlTable& row, const CaseDefinition& definition, GateRow&
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   row.allow_only({"candidate", "reference", "quantity", "mode", "metric", "unit", "limit", "lower",
                   "upper", "improves_on", "reason", "source"});
-  std::vector<std::string> quantities;
-  for (const GaugeDefinition& gauge : definition.gauges) {
-    quantities.push_back("elevation@" + gauge.name);
-  }
   GateRow gate_row{};
-  gate_row.candidate = row.choice("candidate", "a run", runs_besides({}, definition));
+  gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   gate_row.reference = row.choice("reference", "a run other than the candidate",
                                   runs_besides({gate_row.candidate}, definition));
-  gate_row.quantity = row.choice("quantity", "a quantity at a gauge", quantities);
+  const RecordRun* record = as_record(definition, gate_row.reference);
+  gate_row.quantity =
+      record ? row.choice("quantity", "the record's quantity", {record->quantity})
+             : row.choice("quantity", "a compared quantity", compared_quantities(definition));
   const MetricEntry& metric = read_metric(row);
   gate_row.metric = metric.metric;
   gate_row.mode = row.choice("mode", fmt::format("what {} is measured on", metric.name),
-                             modes_of(metric, definition));
+                             modes_of(metric, gate_row.quantity, definition));
   gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
   read_bound(row, definition, gate_row);
   gate_row.reason = row.get("reason", any_text());

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/case_file/time_table.hpp"
 
 namespace slosh {
 namespace {
@@ -15,6 +17,7 @@ const std::vector<std::string> keys_of_sph{
     "courant_number", "artificial_viscosity",   "density_diffusion"};
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
+const std::vector<std::string> keys_of_record{"file", "uncertainty"};
 
 std::vector<std::string> together(const std::vector<std::vector<std::string>>& lists) {
   std::vector<std::string> all;
@@ -67,19 +70,40 @@ LinearRun read_linear(const TomlTable& run) {
       .valid_elevation_over_depth = run.get("valid_elevation_over_depth", positive("fill depths"))};
 }
 
+RecordRun read_record(const TomlTable& run, const CaseDefinition& definition) {
+  run.allow_only(together({keys_of_all, keys_of_record}));
+  const std::filesystem::path file = definition.file.parent_path() / run.get("file", any_text());
+  if (!std::filesystem::is_regular_file(file)) {
+    run.refuse("file", "a CSV file's path relative to the case file; there is no " + file.string());
+  }
+  const std::string unit = compared_unit, ending = "_" + unit;
+  std::vector<std::string> columns = compared_quantities(definition);
+  for (std::string& column : columns) column += ending;
+  TimeTable table = read_time_table(file, columns);
+  return {.file = file,
+          .quantity = table.column.substr(0, table.column.size() - ending.size()),
+          .unit = unit,
+          .time = std::move(table.time),
+          .value = std::move(table.value),
+          .uncertainty = run.find("uncertainty", positive(unit))};
+}
+
 }  // namespace
 
-RunDefinition read_run(const TomlTable& run, const LiquidDefinition& liquid) {
-  run.allow_only(together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear}));
-  RunDefinition definition{.name = run.get("name", file_safe_name()),
-                           .solver = {},
-                           .quick = run.flag("quick"),
-                           .where = run.where()};
-  const std::string solver = run.choice("solver", "a solver", {"sph", "interfoam", "linear"});
-  if (solver == "sph") definition.solver = read_sph(run, liquid);
-  if (solver == "interfoam") definition.solver = read_interfoam(run);
-  if (solver == "linear") definition.solver = read_linear(run);
-  return definition;
+RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition) {
+  run.allow_only(
+      together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_record}));
+  RunDefinition read{.name = run.get("name", file_safe_name()),
+                     .solver = {},
+                     .quick = run.flag("quick"),
+                     .where = run.where()};
+  const std::string solver =
+      run.choice("solver", "a solver", {"sph", "interfoam", "linear", "record"});
+  if (solver == "sph") read.solver = read_sph(run, definition.liquid);
+  if (solver == "interfoam") read.solver = read_interfoam(run);
+  if (solver == "linear") read.solver = read_linear(run);
+  if (solver == "record") read.solver = read_record(run, definition);
+  return read;
 }
 
 }  // namespace slosh

@@ -2,7 +2,8 @@
 // what it gives into a result. Series: "elevation@<gauge>" [m] above the still level;
 // of SPH with a column of liquid "front_position" [m];
 // "horizontal_force" [N/m] on the tank; of SPH also "kinetic_energy", "potential_energy" [J/m]; of
-// interFoam also "liquid_volume" [m2]. Gauges and tank as in the case file, x from the left wall.
+// interFoam also "liquid_volume" [m2]; of a
+// record its own quantity alone. Gauges and tank as in the case file, x from the left wall.
 #pragma once
 
 #include <filesystem>

@@ -40,6 +40,11 @@ json description(const InterFoamRun& run) {
 }
 json description(const LinearRun& run) { return {{"linear", {run.modes, run.two_layer}}}; }
 
+json description(const RecordRun& run) {
+  return {
+      {"record", {run.quantity, run.unit, run.time, run.value, number_or_null(run.uncertainty)}}};
+}
+
 template <class... Types>
 json description(const std::variant<Types...>& choice) {
   return std::visit([](const auto& chosen) { return description(chosen); }, choice);

@@ -269,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownSolver",
                 {"\"interfoam\"", "\"interFoam\""},
                 "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
-                "interfoam, linear; nearest: interfoam"},
+                "interfoam, linear, record; nearest: interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
                 "trial.toml:38: run.modes = 0: expected an integer >= 1"},
@@ -341,8 +341,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "candidate, one of theory, mesh"},
         Mistake{"UnknownGauge",
                 {"elevation@right", "elevation@rigth"},
-                "trial.toml:55: gate.quantity = \"elevation@rigth\": expected a quantity at a "
-                "gauge, one of elevation@right, elevation@left; nearest: elevation@right"},
+                "trial.toml:55: gate.quantity = \"elevation@rigth\": expected a compared "
+                "quantity, one of elevation@right, elevation@left; nearest: elevation@right"},
         Mistake{"UnknownQuantity",
                 {"elevation@right", "pressure@right"},
                 "trial.toml:55: gate.quantity = \"pressure@right\": expected"},

@@ -160,6 +160,17 @@ TEST(RunOfACase, RefusesLinearTheoryOfATankThatStands) {
   EXPECT_EQ(refusal(still, coarse_sph), "");
 }
 
+TEST(RecordRunOfACase, GivesTheRecordAsItIs) {
+  const RecordRun record{"a.csv", "elevation@left", "m", {0.5, 0.7, 1.0, 1.1}, {1, 2, 3, 4}, 0.25};
+  const RunResult result = execute(sample_case(), sample_run(record), {}, no_progress);
+  EXPECT_EQ(result.solver, "record");
+  ASSERT_EQ(result.series.size(), 1u);
+  EXPECT_EQ(result.at("elevation@left").time, record.time);
+  EXPECT_EQ(result.at("elevation@left").value, record.value);
+  EXPECT_EQ(result.at("elevation@left").unit, "m");
+  EXPECT_EQ(result.diagnostics.at("uncertainty_m"), 0.25);
+}
+
 TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
   try {
     execute(sample_case(), sample_run(SphRun{"li2011", 0.05, 0.05}), {}, no_progress);

@@ -76,6 +76,10 @@ TEST_F(RunKey, ChangesWithTheContentOfAMotionTable) {
 
 TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
   const CaseDefinition definition = sample_case();
+  const RecordRun record{"a.csv", "elevation@left", "m", {0, 1, 2, 3}, {0, 1, 2, 3}, {}};
+  RecordRun later = record, surer = record;
+  later.time[3] = 4;
+  surer.uncertainty = 0.1;
   const std::vector<RunDefinition> runs{sph,
                                         sample_run(SphRun{"low_dissipation_wendland", 0.02, 0.02}),
                                         sample_run(SphRun{"li2010", 0.01, 0.01}),
@@ -86,7 +90,10 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
                                         sample_run(InterFoamRun{50, 50, 2}),
                                         sample_run(LinearRun{500, false, 0.1}),
                                         sample_run(LinearRun{500, true, 0.1}),
-                                        sample_run(LinearRun{600, false, 0.1})};
+                                        sample_run(LinearRun{600, false, 0.1}),
+                                        sample_run(record),
+                                        sample_run(later),
+                                        sample_run(surer)};
   std::set<std::string> keys;
   for (const RunDefinition& run : runs) keys.insert(key(definition, run));
   for (const auto& [name, number] : sph_number_names)
