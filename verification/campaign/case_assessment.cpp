@@ -10,6 +10,7 @@
 #include "reference/linear_surge.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
 namespace {
@@ -185,8 +186,12 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
             fmt::format("{} against {}: {}", pair.first, pair.second, error.what()));
       }
     }
+  const FindSeries find_series = [&](const std::string& run, const std::string& quantity) {
+    return cut_to_window(assessment.runs.results.at(run).at(quantity),
+                         {definition.window_begin, definition.window_end});
+  };
   for (const GateRow& row : definition.gate)
-    assessment.gate.push_back(evaluate(row, assessment.runs.status, find));
+    assessment.gate.push_back(evaluate(row, assessment.runs.status, {find, find_series}));
   return assessment;
 }
 

@@ -71,7 +71,7 @@ Json gate_entry(const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
   Json entry{{"verdict", verdict_name(outcome.verdict)},
              {"candidate", row.candidate},
-             {"reference", row.reference},
+             {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
              {"quantity", row.quantity},
              {"mode", row.mode},
              {"metric", metric_name(row.metric)},

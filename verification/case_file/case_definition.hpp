@@ -136,20 +136,22 @@ struct RunDefinition {
 };
 
 enum class Metric {
-  amplitude_error,  // 1
-  phase_lag,        // deg
-  frequency_error,  // 1
-  decay_rate,       // 1/s, of the candidate
-  normalised_rms,   // 1, whole window
-  maximum_residual  // the quantity's unit, whole window
+  amplitude_error,   // 1
+  phase_lag,         // deg
+  frequency_error,   // 1
+  decay_rate,        // 1/s, of the candidate
+  normalised_rms,    // 1, whole window
+  maximum_residual,  // the quantity's unit, whole window
+  largest_magnitude  // the quantity's unit, whole window; of the candidate alone
 };
 
 // One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or
 // when |value| is below that of the run `improves_on` for the same row: exactly one of the three is
 // given.
 struct GateRow {
-  std::string candidate, reference;  // run names
-  std::string quantity;              // "elevation@<gauge>", "front_position"
+  std::string candidate, reference;  // run names; no reference where the metric needs none
+  // "elevation@<gauge>", "front_position"; of the candidate alone any series of its result.
+  std::string quantity;
   // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first), "whole"
   std::string mode;
   Metric metric;

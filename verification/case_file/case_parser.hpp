@@ -28,7 +28,8 @@
 //                 record's unit)
 //   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>" | "front_position" (of a
 //                 breaking dam), mode, metric, unit, one of limit | lower with upper | improves_on,
-//                 reason, source
+//                 reason, source; with metric = "largest_magnitude", which is measured on the
+//                 candidate alone: no reference, quantity = any series of its result, its unit
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.

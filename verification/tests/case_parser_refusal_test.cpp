@@ -366,7 +366,21 @@ INSTANTIATE_TEST_SUITE_P(
                 {"amplitude_error", "amplitude_eror"},
                 "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
                 "amplitude_error, phase_lag, frequency_error, decay_rate, normalised_rms, "
-                "maximum_residual; nearest: amplitude_error"},
+                "maximum_residual, largest_magnitude; nearest: amplitude_error"},
+        Mistake{"ReferenceOfItsOwnSeries",
+                {"amplitude_error", "largest_magnitude"},
+                "trial.toml:54: gate.reference = \"theory\": expected no reference: "
+                "largest_magnitude is measured on the candidate alone"},
+        Mistake{"ModeOfItsOwnSeries",
+                {"reference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\n"
+                 "metric = \"amplitude_error\"",
+                 "quantity = \"wall_gap\"\nmode = \"forced\"\nmetric = \"largest_magnitude\""},
+                "trial.toml:55: gate.mode = \"forced\": expected what largest_magnitude is "
+                "measured on, which is whole"},
+        Mistake{
+            "NoReference",
+            {"reference = \"theory\"\n", ""},
+            "trial.toml:52: gate.reference is missing: expected a run other than the candidate"},
         Mistake{
             "WrongUnit",
             {"unit = \"1\"", "unit = \"%\""},

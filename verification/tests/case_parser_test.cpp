@@ -115,6 +115,19 @@ TEST(CaseParser, ReadsTheOtherBoundsOfAGateRow) {
   EXPECT_FALSE(improves.gate.at(0).limit);
 }
 
+TEST(CaseParser, ReadsAGateRowOnARunsOwnSeries) {
+  const auto definition = read_text(
+      edited({"reference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\n"
+              "metric = \"amplitude_error\"\nunit = \"1\"",
+              "quantity = \"liquid_volume\"\nmode = \"whole\"\nmetric = \"largest_magnitude\"\n"
+              "unit = \"m2\""}));
+  const GateRow& row = definition.gate.at(0);
+  EXPECT_EQ(row.reference, "");
+  EXPECT_EQ(row.quantity, "liquid_volume");
+  EXPECT_EQ(row.metric, Metric::largest_magnitude);
+  EXPECT_EQ(row.unit, "m2");
+}
+
 TEST(CaseParser, ReadsARollAlthoughNothingSolvesItYet) {
   const auto definition =
       read_text(edited({"type = \"sine_surge\"\namplitude_m = 0.02",
