@@ -138,6 +138,14 @@ std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessm
   return judging;
 }
 
+const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run) {
+  for (const Comparison* judging : judging_comparisons(assessment))
+    if (judging->candidate == run &&
+        !solver_as<InterFoamRun>(assessment.definition, judging->reference))
+      return judging;
+  return nullptr;
+}
+
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name) {
   const auto found = std::find_if(definition.runs.begin(), definition.runs.end(),
                                   [&](const RunDefinition& run) { return run.name == name; });

@@ -43,6 +43,9 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs);
 // reference that is in its range: theory or a record where there is one, else the finest interFoam.
 std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment);
 
+// Of a run the judging comparison with theory or a record; null where there is none.
+const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run);
+
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
 // The run's definition by its name; the case has one.

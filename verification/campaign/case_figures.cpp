@@ -7,7 +7,9 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 
+#include "verification/campaign/choice_table.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/metrics/spectrum.hpp"
 
@@ -44,7 +46,14 @@ double resolution(const RunDefinition& run) {
   return 0;
 }
 
-// The finest run of each family that stands, in the order of the case file.
+// Whether an SPH run has something of its scheme changed.
+bool is_changed(const RunDefinition& run) {
+  const auto* sph = std::get_if<SphRun>(&run.solver);
+  return sph && !changes_of(*sph).empty();
+}
+
+// The finest run of each family that stands, in the order of the case file; one that changes
+// something of its scheme only where the family has no other.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment) {
   std::vector<std::string> families;
   std::map<std::string, const RunDefinition*> finest;
@@ -54,7 +63,10 @@ std::vector<std::string> finest_runs(const CaseAssessment& assessment) {
       continue;
     const RunDefinition*& best = finest[family(run)];
     if (!best) families.push_back(family(run));
-    if (!best || resolution(run) > resolution(*best)) best = &run;
+    const auto preference = [](const RunDefinition& one) {
+      return std::pair{!is_changed(one), resolution(one)};
+    };
+    if (!best || preference(run) > preference(*best)) best = &run;
   }
   std::vector<std::string> names;
   for (const std::string& one : families) names.push_back(finest[one]->name);
@@ -194,7 +206,27 @@ Figure spectra(const CaseAssessment& assessment) {
   return figure;
 }
 
-// One curve a family.
+// More changes than the figures have colours do not make a legend that one can read.
+constexpr std::size_t most_changes_named = 6;
+
+std::size_t count_changes(const CaseAssessment& assessment) {
+  std::set<std::string> changes;
+  for (const Comparison* judging : judging_comparisons(assessment)) {
+    const RunDefinition& run = run_named(assessment.definition, judging->candidate);
+    if (is_changed(run)) changes.insert(family(run) + changes_of(std::get<SphRun>(run.solver)));
+  }
+  return changes.size();
+}
+
+// Under which label a run is a point: an unchanged one with its family, a changed one with what it
+// changes, or with all that change anything of its scheme.
+std::string cost_label(const RunDefinition& run, bool name_changes) {
+  if (!is_changed(run)) return family(run);
+  return family(run) + ", " +
+         (name_changes ? changes_of(std::get<SphRun>(run.solver)) : "one choice changed");
+}
+
+// Each family a curve, each change of one points of its own.
 Figure error_against_run_time(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
@@ -207,18 +239,22 @@ Figure error_against_run_time(const CaseAssessment& assessment) {
   figure.x_label = "processor time [s]";
   figure.y_label = "normalised rms error [1]";
   figure.log_x = figure.log_y = true;
-  std::map<std::string, std::map<double, std::pair<double, double>>> points;
-  std::vector<std::string> families;
+  const bool name_changes = count_changes(assessment) <= most_changes_named;
+  std::map<std::string, std::multimap<double, std::pair<double, double>>> points;
+  std::map<std::string, Curve::Style> styles;
+  std::vector<std::string> labels;
   for (const Comparison* judging : judging_comparisons(assessment)) {
     const Comparison& comparison = *judging;
     const RunDefinition& run = run_named(definition, comparison.candidate);
     const RunCost& cost = assessment.runs.results.at(run.name).cost;
-    const std::string name = family(run) + " against " + comparison.reference;
-    if (!points.contains(name)) families.push_back(name);
-    points[name][resolution(run)] = {cost.user_time + cost.system_time, comparison.normalised_rms};
+    const std::string name = cost_label(run, name_changes) + " against " + comparison.reference;
+    if (!points.contains(name)) labels.push_back(name);
+    points[name].insert(
+        {resolution(run), {cost.user_time + cost.system_time, comparison.normalised_rms}});
+    styles[name] = is_changed(run) ? Curve::Style::points : Curve::Style::line_points;
   }
-  for (const std::string& name : families) {
-    Curve curve{name, {}, {}, {}, Curve::Style::line_points};
+  for (const std::string& name : labels) {
+    Curve curve{name, {}, {}, {}, styles[name]};
     for (const auto& [fineness, point] : points[name]) {
       curve.x.push_back(point.first);
       curve.y.push_back(point.second);
