@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 
@@ -54,6 +55,19 @@ TEST(CaseParser, ReadsTheVariantsOfThePapersCases) {
   EXPECT_DOUBLE_EQ(std::get<SineSurge>(resonant.motion).angular_frequency,
                    2 * std::numbers::pi / 1.3);
   EXPECT_EQ(std::get<SineSurge>(resonant.motion).amplitude, 0.025);
+}
+
+TEST(CaseParser, ReadsTheBreakingDamWithItsRecord) {
+  const CaseDefinition definition = read_case(cases / "dam_break_martin_moyce.toml");
+  const auto& record = std::get<RecordRun>(definition.runs.at(0).solver);
+  EXPECT_EQ(record.quantity, "front_position");
+  ASSERT_EQ(record.time.size(), 15u);
+  // Table 2: Z = 1.44 at T = 1.19, a = 2.25 in; the file has five decimals.
+  const double base = 2.25 * 0.0254, per_second = std::sqrt(2 * 9.81 / base);
+  EXPECT_EQ(definition.liquid.column_width, base);
+  EXPECT_NEAR(record.time[2] * per_second, 1.19, 1e-5 * per_second);
+  EXPECT_NEAR(record.value[2] / base, 1.44, 1e-5 / base);
+  EXPECT_LT(record.time.back(), definition.window_end);
 }
 
 TEST(CaseParser, FillsInTheWholeDefinition) {
