@@ -108,11 +108,25 @@ TimeWindow window_of(const CaseDefinition& definition, const std::string& refere
   return window;
 }
 
+// A record may be too short or too sparse for the modes: then the histories alone are compared.
+Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& record,
+                               TimeWindow window, const std::vector<ToneRequest>& modes) {
+  try {
+    return compare(candidate, record, window, modes);
+  } catch (const ComparisonError&) {
+    return compare(candidate, record, window, {});
+  }
+}
+
 Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs, const Pair& pair,
-                        const std::string& quantity, const std::vector<ToneRequest>& modes) {
-  Comparison comparison = compare(
-      runs.results.at(pair.first).at(quantity), runs.results.at(pair.second).at(quantity),
-      window_of(definition, pair.second), has_modes(quantity) ? modes : std::vector<ToneRequest>{});
+                        const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
+  const TimeSeries& candidate = runs.results.at(pair.first).at(quantity);
+  const TimeSeries& reference = runs.results.at(pair.second).at(quantity);
+  const TimeWindow window = window_of(definition, pair.second);
+  const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
+  Comparison comparison = solver_as<RecordRun>(definition, pair.second)
+                              ? compare_with_record(candidate, reference, window, modes)
+                              : compare(candidate, reference, window, modes);
   comparison.candidate = pair.first;
   comparison.reference = pair.second;
   return comparison;

@@ -60,9 +60,13 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
   throw std::logic_error("a metric without a value");
 }
 
+// No number where a value is none or where there is no value at all.
 double largest_magnitude(const TimeSeries& series) {
-  double largest = 0;
-  for (const double value : series.value) largest = std::max(largest, std::abs(value));
+  double largest = series.value.empty() ? no_value.value : 0;
+  for (const double value : series.value) {
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, std::abs(value));
+  }
   return largest;
 }
 

@@ -356,6 +356,17 @@ TEST_F(GateOnOwnSeries, DoesNotJudgeATruncatedSeriesNorOneWithNaNOrInfinity) {
     EXPECT_EQ(judge_series(series).verdict, Verdict::not_compared);
 }
 
+TEST_F(GateOnOwnSeries, NeverPassesNaNNorNothingWhateverItIsHanded) {
+  TimeSeries poisoned = gap(), empty = gap();
+  poisoned.value[500] = nan;
+  empty.value.clear();
+  for (const TimeSeries& series : {poisoned, empty}) {
+    const GateOutcome outcome = evaluate(row, {{"sph", {RunState::finished, ""}}},
+                                         {{}, [&](const auto&, const auto&) { return series; }});
+    EXPECT_EQ(outcome.verdict, Verdict::violated);
+  }
+}
+
 TEST_F(GateOnOwnSeries, DoesNotJudgeALimitInAnotherUnit) {
   row.unit = "m";
   EXPECT_EQ(judge_series(gap()).verdict, Verdict::not_compared);

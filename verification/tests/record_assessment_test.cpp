@@ -153,6 +153,32 @@ TEST(RecordAssessment, SetsTwoSolversSideBySideOnFrontAndElevation) {
                           "particles mesh elevation@right", "mesh published front_position"}));
 }
 
+// An elevation of the surge at a few times: enough to judge the history, too few to fit a mode.
+TEST(RecordAssessment, ComparesTheHistoriesAloneWhereTheRecordIsTooSparseForModes) {
+  RecordRun sparse{"elevation.csv", surge_quantity, "m", {}, {}, {}};
+  const TimeSeries truth = elevation_of({});
+  for (std::size_t i = 100; i < 900; i += 77) {
+    sparse.time.push_back(truth.time[i]);
+    sparse.value.push_back(truth.value[i]);
+  }
+  CaseDefinition definition = surge_case();
+  RunDefinition published = sample_run(sparse);
+  published.name = "published";
+  definition.runs = {definition.runs.at(2), published};
+  definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.01),
+                     surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  for (GateRow& row : definition.gate) row.reference = "published";
+  CaseRuns runs;
+  runs.results["particles"] = result_of("particles", truth);
+  runs.results["published"] =
+      result_of("published", {surge_quantity, "m", sparse.time, sparse.value});
+  for (const char* run : {"published", "particles"}) runs.status[run] = {RunState::finished, ""};
+  const CaseAssessment assessment = assess(definition, runs);
+  EXPECT_EQ(assessment.gate[0].verdict, Verdict::pass) << assessment.gate[0].message;
+  EXPECT_EQ(assessment.gate[1].verdict, Verdict::not_compared);
+  EXPECT_EQ(assessment.gate[1].message, "the mode forced was not fitted");
+}
+
 TEST(RecordReport, DrawsTheRecordAsPointsWithItsUncertainty) {
   const CampaignDefinition campaign{"dams", "Dams", "none", "", {}, "", "dams.toml"};
   const reports::Report report =
