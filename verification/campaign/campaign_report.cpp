@@ -6,7 +6,9 @@
 
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
+#include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/li2010_paper.hpp"
+#include "verification/campaign/order_table.hpp"
 #include "verification/campaign/results_json.hpp"
 #include "verification/runs/provenance.hpp"
 
@@ -42,7 +44,17 @@ std::string motion_text(const CaseDefinition& definition) {
         sine->ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine->ramp_periods) : "");
   if (const auto* table = std::get_if<TableSurge>(&definition.motion))
     return "surge after the table " + table->file.filename().string();
-  return "roll";
+  return std::holds_alternative<Still>(definition.motion) ? "at rest" : "roll";
+}
+
+std::string liquid_text(const CaseDefinition& definition) {
+  std::string text = fmt::format("liquid {} m deep", definition.liquid.fill_depth);
+  if (definition.liquid.column_width)
+    text += fmt::format(" and {} m wide, about to break", *definition.liquid.column_width);
+  for (const ObstacleDefinition& one : definition.obstacles)
+    text += fmt::format(", obstacle {} from {} to {} m along and {} to {} m up", one.name, one.left,
+                        one.right, one.bottom, one.top);
+  return text;
 }
 
 Section case_section(const CaseAssessment& assessment) {
@@ -51,10 +63,10 @@ Section case_section(const CaseAssessment& assessment) {
   section.id = definition.name;
   section.title = definition.title;
   section.paragraphs = {
-      fmt::format("{}. Tank {} m x {} m, liquid {} m deep; {}; {} s from rest in the {}'s frame. "
+      fmt::format("{}. Tank {} m x {} m, {}; {}; {} s from rest in the {}'s frame. "
                   "Comparison from {} to {} s.",
                   definition.source, definition.tank.length, definition.tank.height,
-                  definition.liquid.fill_depth, motion_text(definition), definition.duration,
+                  liquid_text(definition), motion_text(definition), definition.duration,
                   definition.start == Start::earth ? "earth" : "tank", definition.window_begin,
                   definition.window_end)};
   for (const auto& [run, status] : assessment.runs.status)
@@ -66,9 +78,11 @@ Section case_section(const CaseAssessment& assessment) {
   section.figures = case_figures(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
   if (!assessment.comparisons.empty()) {
-    section.tables.push_back(mode_table(assessment));
+    if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));
     section.tables.push_back(history_table(assessment));
   }
+  if (auto choices = choice_table(assessment)) section.tables.push_back(std::move(*choices));
+  if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
   section.tables.push_back(cost_table(assessment));
   section.tables.push_back(terms_table(assessment));
   section.tables.push_back(provenance_table(assessment));

@@ -27,7 +27,8 @@ struct PendingRun {
 // Orders the queue, longest first, so that no long run is left alone at the end. Core-seconds per
 // simulated second as measured on two-core machines; only their order of size matters.
 double expected_cost(const CaseDefinition& definition, const RunDefinition& run) {
-  const double area = definition.tank.length * definition.liquid.fill_depth;
+  const double area = definition.liquid.column_width.value_or(definition.tank.length) *
+                      definition.liquid.fill_depth;
   if (const auto* sph = std::get_if<SphRun>(&run.solver))
     return definition.duration * 2e-6 * area / std::pow(sph->particle_spacing, 3);
   if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "reference/linear_surge.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
 namespace {
@@ -65,12 +68,15 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   const bool two_layers = has_two_layer_theory(definition);
   std::vector<Pair> pairs;
   for (const RunDefinition& candidate : definition.runs) {
-    if (!stands(runs, candidate.name) || std::holds_alternative<LinearRun>(candidate.solver))
+    if (!stands(runs, candidate.name) || std::holds_alternative<LinearRun>(candidate.solver) ||
+        std::holds_alternative<RecordRun>(candidate.solver))
       continue;
     const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
     for (const RunDefinition& reference : definition.runs) {
+      if (!stands(runs, reference.name)) continue;
       const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
-      if (linear && stands(runs, reference.name) && linear->two_layer == (sees_gas && two_layers))
+      const bool is_theory = linear && linear->two_layer == (sees_gas && two_layers);
+      if (is_theory || std::holds_alternative<RecordRun>(reference.solver))
         pairs.push_back({candidate.name, reference.name});
     }
     if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
@@ -78,17 +84,81 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   return pairs;
 }
 
+// A record is compared on what it recorded; any two solvers on the elevations, and on a front where
+// both follow one.
+std::vector<std::string> quantities_of(const CaseDefinition& definition, const CaseRuns& runs,
+                                       const Pair& pair) {
+  if (const RecordRun* record = solver_as<RecordRun>(definition, pair.second))
+    return {record->quantity};
+  std::vector<std::string> quantities = compared_quantities(definition);
+  std::erase_if(quantities, [&](const std::string& quantity) {
+    return !has_modes(quantity) &&
+           !(has_series(runs, pair.first, quantity) && has_series(runs, pair.second, quantity));
+  });
+  return quantities;
+}
+
+// The case's, or what a record covers of it: a candidate must cover it all.
+TimeWindow window_of(const CaseDefinition& definition, const std::string& reference) {
+  TimeWindow window{definition.window_begin, definition.window_end};
+  if (const RecordRun* record = solver_as<RecordRun>(definition, reference)) {
+    window.begin = std::max(window.begin, record->time.front());
+    window.end = std::min(window.end, record->time.back());
+  }
+  return window;
+}
+
+// A record may be too short or too sparse for the modes: then the histories alone are compared.
+Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& record,
+                               TimeWindow window, const std::vector<ToneRequest>& modes) {
+  try {
+    return compare(candidate, record, window, modes);
+  } catch (const ComparisonError&) {
+    return compare(candidate, record, window, {});
+  }
+}
+
 Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs, const Pair& pair,
-                        const std::string& quantity, const std::vector<ToneRequest>& modes) {
-  Comparison comparison =
-      compare(runs.results.at(pair.first).at(quantity), runs.results.at(pair.second).at(quantity),
-              {definition.window_begin, definition.window_end}, modes);
+                        const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
+  const TimeSeries& candidate = runs.results.at(pair.first).at(quantity);
+  const TimeSeries& reference = runs.results.at(pair.second).at(quantity);
+  const TimeWindow window = window_of(definition, pair.second);
+  const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
+  Comparison comparison = solver_as<RecordRun>(definition, pair.second)
+                              ? compare_with_record(candidate, reference, window, modes)
+                              : compare(candidate, reference, window, modes);
   comparison.candidate = pair.first;
   comparison.reference = pair.second;
   return comparison;
 }
 
 }  // namespace
+
+bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity) {
+  const auto& series = runs.results.at(run).series;
+  return std::any_of(series.begin(), series.end(),
+                     [&](const TimeSeries& one) { return one.name == quantity; });
+}
+
+std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
+  const std::string quantity = compared_quantities(assessment.definition).front();
+  std::vector<const Comparison*> judging;
+  std::set<std::string> counted;
+  for (const Comparison& comparison : assessment.comparisons)
+    if (comparison.quantity == quantity &&
+        assessment.runs.status.at(comparison.reference).state != RunState::out_of_range &&
+        counted.insert(comparison.candidate).second)
+      judging.push_back(&comparison);
+  return judging;
+}
+
+const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run) {
+  for (const Comparison* judging : judging_comparisons(assessment))
+    if (judging->candidate == run &&
+        !solver_as<InterFoamRun>(assessment.definition, judging->reference))
+      return judging;
+  return nullptr;
+}
 
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name) {
   const auto found = std::find_if(definition.runs.begin(), definition.runs.end(),
@@ -130,16 +200,20 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
         .first->second;
   };
   for (const Pair& pair : compared_pairs(definition, assessment.runs))
-    for (const GaugeDefinition& gauge : definition.gauges) {
+    for (const std::string& quantity : quantities_of(definition, assessment.runs, pair)) {
       try {
-        assessment.comparisons.push_back(find(pair.first, pair.second, "elevation@" + gauge.name));
-      } catch (const ComparisonError& error) {
+        assessment.comparisons.push_back(find(pair.first, pair.second, quantity));
+      } catch (const std::runtime_error& error) {  // ComparisonError and ResultError
         assessment.not_comparable.push_back(
             fmt::format("{} against {}: {}", pair.first, pair.second, error.what()));
       }
     }
+  const FindSeries find_series = [&](const std::string& run, const std::string& quantity) {
+    return cut_to_window(assessment.runs.results.at(run).at(quantity),
+                         {definition.window_begin, definition.window_end});
+  };
   for (const GateRow& row : definition.gate)
-    assessment.gate.push_back(evaluate(row, assessment.runs.status, find));
+    assessment.gate.push_back(evaluate(row, assessment.runs.status, {find, find_series}));
   return assessment;
 }
 

@@ -23,8 +23,8 @@ struct CaseAssessment {
   CaseDefinition definition;
   CaseRuns runs;
   // By candidate, reference and quantity: every solver against every reference of its kind of
-  // theory (SPH: one layer; interFoam: two layers where declared) and SPH against the finest
-  // interFoam.
+  // theory (SPH: one layer; interFoam: two layers where declared), against every published record
+  // over the record's part of the window, and SPH against the finest interFoam.
   std::vector<Comparison> comparisons;
   std::vector<std::string> not_comparable;  // "CANDIDATE against REFERENCE: why"
   std::vector<GateOutcome> gate;
@@ -38,6 +38,15 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 
 // Marks references that have left their declared range, compares and gates.
 CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs);
+
+// Of each candidate the comparison on the case's first quantity (quantities.hpp) with its first
+// reference that is in its range: theory or a record where there is one, else the finest interFoam.
+std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment);
+
+// Of a run the judging comparison with theory or a record; null where there is none.
+const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run);
+
+bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
 // The run's definition by its name; the case has one.
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);

@@ -9,6 +9,8 @@
 #include <optional>
 #include <set>
 
+#include "verification/campaign/choice_table.hpp"
+#include "verification/case_file/quantities.hpp"
 #include "verification/metrics/spectrum.hpp"
 
 namespace slosh {
@@ -18,7 +20,15 @@ using reports::Curve;
 using reports::Figure;
 
 std::string first_quantity(const CaseDefinition& definition) {
-  return "elevation@" + definition.gauges.front().name;
+  return compared_quantities(definition).front();
+}
+
+bool follows_a_front(const CaseDefinition& definition) {
+  return first_quantity(definition) == "front_position";
+}
+
+const char* quantity_word(const CaseDefinition& definition) {
+  return follows_a_front(definition) ? "front position" : "elevation";
 }
 
 // SPH by its scheme, the others by their kind: the runs of a family differ in resolution alone.
@@ -36,15 +46,27 @@ double resolution(const RunDefinition& run) {
   return 0;
 }
 
-// The finest run of each family that stands, in the order of the case file.
+// Whether an SPH run has something of its scheme changed.
+bool is_changed(const RunDefinition& run) {
+  const auto* sph = std::get_if<SphRun>(&run.solver);
+  return sph && !changes_of(*sph).empty();
+}
+
+// The finest run of each family that stands, in the order of the case file; one that changes
+// something of its scheme only where the family has no other.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment) {
   std::vector<std::string> families;
   std::map<std::string, const RunDefinition*> finest;
   for (const RunDefinition& run : assessment.definition.runs) {
-    if (!assessment.runs.results.contains(run.name)) continue;
+    if (!assessment.runs.results.contains(run.name) ||
+        !has_series(assessment.runs, run.name, first_quantity(assessment.definition)))
+      continue;
     const RunDefinition*& best = finest[family(run)];
     if (!best) families.push_back(family(run));
-    if (!best || resolution(run) > resolution(*best)) best = &run;
+    const auto preference = [](const RunDefinition& one) {
+      return std::pair{!is_changed(one), resolution(one)};
+    };
+    if (!best || preference(run) > preference(*best)) best = &run;
   }
   std::vector<std::string> names;
   for (const std::string& one : families) names.push_back(finest[one]->name);
@@ -62,22 +84,35 @@ std::string label(const CaseAssessment& assessment, const std::string& run) {
              : run;
 }
 
+// A record as points with its uncertainty, anything else as a line.
+Curve history_curve(const CaseAssessment& assessment, const std::string& run) {
+  const CaseDefinition& definition = assessment.definition;
+  const TimeSeries& series = assessment.runs.results.at(run).at(first_quantity(definition));
+  Curve curve{label(assessment, run), series.time, in_millimetres(series.value), {}, {}};
+  if (const auto* record = std::get_if<RecordRun>(&run_named(definition, run).solver)) {
+    curve.style = Curve::Style::points;
+    if (record->uncertainty) curve.y_error.assign(curve.y.size(), 1000 * *record->uncertainty);
+  }
+  return curve;
+}
+
 Figure history(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  const GaugeDefinition& gauge = definition.gauges.front();
   Figure figure;
   figure.id = definition.name + "-history";
-  figure.title = "Surface elevation " + fmt::format("{:.3g} m from the left wall", gauge.x);
-  figure.caption = "Time history at the gauge: theory and the finest run of each solver. " +
-                   definition.source + ".";
+  figure.title = follows_a_front(definition)
+                     ? "Front of the breaking dam, from the left wall"
+                     : fmt::format("Surface elevation {:.3g} m from the left wall",
+                                   definition.gauges.front().x);
+  figure.caption =
+      "Time history: the references and the finest run of each solver; bars are a record's 95 % "
+      "interval. " +
+      definition.source + ".";
   figure.x_label = "time [s]";
-  figure.y_label = "elevation [mm]";
+  figure.y_label = fmt::format("{} [mm]", quantity_word(definition));
   figure.x_range = {0, definition.duration};
-  for (const std::string& run : finest_runs(assessment)) {
-    const TimeSeries& series = assessment.runs.results.at(run).at(first_quantity(definition));
-    figure.curves.push_back(
-        {label(assessment, run), series.time, in_millimetres(series.value), {}, {}});
-  }
+  for (const std::string& run : finest_runs(assessment))
+    figure.curves.push_back(history_curve(assessment, run));
   return figure;
 }
 
@@ -94,19 +129,6 @@ double tolerated_residual(const CaseAssessment& assessment, const Comparison& co
       return *row.limit * rms / comparison.normalised_rms;
     }
   return 0;
-}
-
-// Of each candidate the comparison at the first gauge with its first reference that is in its
-// range: theory where there is one, else the finest interFoam.
-std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
-  std::vector<const Comparison*> judging;
-  std::set<std::string> counted;
-  for (const Comparison& comparison : assessment.comparisons)
-    if (comparison.quantity == first_quantity(assessment.definition) &&
-        assessment.runs.status.at(comparison.reference).state != RunState::out_of_range &&
-        counted.insert(comparison.candidate).second)
-      judging.push_back(&comparison);
-  return judging;
 }
 
 Figure residuals(const CaseAssessment& assessment) {
@@ -147,6 +169,8 @@ std::optional<Spectrum> spectrum_of(const CaseAssessment& assessment, const std:
 Figure spectra(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
+  // A tank that stands, a dam that breaks: there is no tone to look for.
+  if (fitted_modes(definition).empty()) return figure;
   figure.id = definition.name + "-spectrum";
   figure.title = "Spectrum of the elevation";
   figure.x_label = "frequency [Hz]";
@@ -182,7 +206,27 @@ Figure spectra(const CaseAssessment& assessment) {
   return figure;
 }
 
-// One curve a family.
+// More changes than the figures have colours do not make a legend that one can read.
+constexpr std::size_t most_changes_named = 6;
+
+std::size_t count_changes(const CaseAssessment& assessment) {
+  std::set<std::string> changes;
+  for (const Comparison* judging : judging_comparisons(assessment)) {
+    const RunDefinition& run = run_named(assessment.definition, judging->candidate);
+    if (is_changed(run)) changes.insert(family(run) + changes_of(std::get<SphRun>(run.solver)));
+  }
+  return changes.size();
+}
+
+// Under which label a run is a point: an unchanged one with its family, a changed one with what it
+// changes, or with all that change anything of its scheme.
+std::string cost_label(const RunDefinition& run, bool name_changes) {
+  if (!is_changed(run)) return family(run);
+  return family(run) + ", " +
+         (name_changes ? changes_of(std::get<SphRun>(run.solver)) : "one choice changed");
+}
+
+// Each family a curve, each change of one points of its own.
 Figure error_against_run_time(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
@@ -195,18 +239,22 @@ Figure error_against_run_time(const CaseAssessment& assessment) {
   figure.x_label = "processor time [s]";
   figure.y_label = "normalised rms error [1]";
   figure.log_x = figure.log_y = true;
-  std::map<std::string, std::map<double, std::pair<double, double>>> points;
-  std::vector<std::string> families;
+  const bool name_changes = count_changes(assessment) <= most_changes_named;
+  std::map<std::string, std::multimap<double, std::pair<double, double>>> points;
+  std::map<std::string, Curve::Style> styles;
+  std::vector<std::string> labels;
   for (const Comparison* judging : judging_comparisons(assessment)) {
     const Comparison& comparison = *judging;
     const RunDefinition& run = run_named(definition, comparison.candidate);
     const RunCost& cost = assessment.runs.results.at(run.name).cost;
-    const std::string name = family(run) + " against " + comparison.reference;
-    if (!points.contains(name)) families.push_back(name);
-    points[name][resolution(run)] = {cost.user_time + cost.system_time, comparison.normalised_rms};
+    const std::string name = cost_label(run, name_changes) + " against " + comparison.reference;
+    if (!points.contains(name)) labels.push_back(name);
+    points[name].insert(
+        {resolution(run), {cost.user_time + cost.system_time, comparison.normalised_rms}});
+    styles[name] = is_changed(run) ? Curve::Style::points : Curve::Style::line_points;
   }
-  for (const std::string& name : families) {
-    Curve curve{name, {}, {}, {}, Curve::Style::line_points};
+  for (const std::string& name : labels) {
+    Curve curve{name, {}, {}, {}, styles[name]};
     for (const auto& [fineness, point] : points[name]) {
       curve.x.push_back(point.first);
       curve.y.push_back(point.second);

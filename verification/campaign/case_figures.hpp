@@ -8,8 +8,8 @@
 
 namespace slosh {
 
-// Time history at the first gauge (as figures 1 to 3 of Li et al. 2010), residuals with the
-// tolerance band, spectra with the predicted frequencies, error against run time. A figure for
+// Time history of the case's first quantity (as figures 1 to 3 of Li et al. 2010), residuals with
+// the tolerance band, spectra with the predicted frequencies, error against run time. A figure for
 // which no run stands is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
 

@@ -69,8 +69,9 @@ Table gate_table(const std::vector<CaseAssessment>& cases) {
   for (const CaseAssessment& one : cases)
     for (const GateOutcome& outcome : one.gate)
       table.rows.push_back({verdict_name(outcome.verdict), one.definition.name,
-                            outcome.row.candidate, outcome.row.reference, measure_name(outcome.row),
-                            outcome.message});
+                            outcome.row.candidate,
+                            outcome.row.reference.empty() ? "none" : outcome.row.reference,
+                            measure_name(outcome.row), outcome.message});
   return table;
 }
 

@@ -11,9 +11,23 @@ Json estimate(const Estimate& value) {
   return {{"value", value.value}, {"half_width_95", value.half_width}};
 }
 
-Json run_entry(const std::string& name, const CaseRuns& runs) {
+// What was asked of an SPH run; a number of its scheme that it does not set is null.
+Json sph_entry(const SphRun& sph) {
+  Json numbers = Json::object();
+  for (const auto& [name, number] : sph_number_names)
+    numbers[name] = sph.numbers.*number ? Json(*(sph.numbers.*number)) : Json(nullptr);
+  return {{"scheme", sph.scheme},
+          {"particle_spacing_m", sph.particle_spacing},
+          {"surface_particle_spacing_m", sph.surface_particle_spacing},
+          {"variant", sph.variant.empty() ? Json(nullptr) : Json(sph.variant)},
+          {"numbers", numbers}};
+}
+
+Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
+  const std::string& name = run.name;
   const RunStatus& status = runs.status.at(name);
   Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
+  if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
   const auto found = runs.results.find(name);
   if (found == runs.results.end()) return entry;
   const RunResult& result = found->second;
@@ -71,7 +85,7 @@ Json gate_entry(const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
   Json entry{{"verdict", verdict_name(outcome.verdict)},
              {"candidate", row.candidate},
-             {"reference", row.reference},
+             {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
              {"quantity", row.quantity},
              {"mode", row.mode},
              {"metric", metric_name(row.metric)},
@@ -105,7 +119,7 @@ std::string results_json(const std::string& campaign, bool quick,
                {"comparisons", Json::array()},
                {"gate", Json::array()}};
     for (const RunDefinition& run : one.definition.runs)
-      entry["runs"].push_back(run_entry(run.name, one.runs));
+      entry["runs"].push_back(run_entry(run, one.runs));
     for (const Comparison& pair : one.comparisons)
       entry["comparisons"].push_back(comparison_entry(pair));
     for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));

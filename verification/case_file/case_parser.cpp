@@ -18,13 +18,18 @@ TankDefinition read_tank(const TomlTable& tank) {
 }
 
 LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank) {
-  liquid.allow_only({"fill_depth_m", "density_kg_m3", "kinematic_viscosity_m2_s"});
+  liquid.allow_only(
+      {"fill_depth_m", "density_kg_m3", "kinematic_viscosity_m2_s", "column_width_m"});
   const Rule<double> inside_tank{
       fmt::format("a number > 0 and below the tank's height ({}), in m", tank.height),
       [height = tank.height](double depth) { return depth > 0 && depth < height; }};
+  const Rule<double> within_length{
+      fmt::format("a number > 0 and below the tank's length ({}), in m", tank.length),
+      [length = tank.length](double width) { return width > 0 && width < length; }};
   return {.fill_depth = liquid.get("fill_depth_m", inside_tank),
           .density = liquid.get("density_kg_m3", positive("kg/m3")),
-          .kinematic_viscosity = liquid.get("kinematic_viscosity_m2_s", not_negative("m2/s"))};
+          .kinematic_viscosity = liquid.get("kinematic_viscosity_m2_s", not_negative("m2/s")),
+          .column_width = liquid.find("column_width_m", within_length)};
 }
 
 GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid) {
@@ -57,10 +62,15 @@ void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
       {fmt::format("a number above window_begin_s ({}) and <= the duration ({}), in s",
                    definition.window_begin, definition.duration),
        [&](double end) { return end > definition.window_begin && end <= definition.duration; }});
-  definition.natural_modes = comparison.get("natural_modes", at_least(0));
+  definition.natural_modes =
+      definition.liquid.column_width
+          ? comparison.get<int>("natural_modes",
+                                {"0 of a dam about to break, which linear theory does not know",
+                                 [](int modes) { return modes == 0; }})
+          : comparison.get("natural_modes", at_least(0));
 }
 
-// Each [[key]] by `read`, at least one, no name twice.
+// Each [[key]] by `read`, no name twice.
 template <class Definition, class Read>
 std::vector<Definition> read_named(const TomlTable& root, const char* key, Read read) {
   std::vector<Definition> definitions;
@@ -72,6 +82,12 @@ std::vector<Definition> read_named(const TomlTable& root, const char* key, Read 
     }
     definitions.push_back(std::move(definition));
   }
+  return definitions;
+}
+
+template <class Definition, class Read>
+std::vector<Definition> read_some_named(const TomlTable& root, const char* key, Read read) {
+  auto definitions = read_named<Definition>(root, key, read);
   if (definitions.empty()) root.refuse(key, fmt::format("at least one [[{}]]", key));
   return definitions;
 }
@@ -88,7 +104,8 @@ GaugeDefinition read_gauge(const TomlTable& gauge, const TankDefinition& tank) {
 void read_head(const TomlTable& root, CaseDefinition& definition) {
   root.get("schema_version", exactly(schema_version));
   root.allow_only({"schema_version", "name", "title", "source", "tags", "gravity_m_s2", "tank",
-                   "liquid", "gas", "motion", "time", "gauge", "comparison", "run", "gate"});
+                   "liquid", "gas", "obstacle", "motion", "time", "gauge", "comparison", "run",
+                   "gate"});
   definition.name = root.get("name", file_safe_name());
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
@@ -109,11 +126,15 @@ CaseDefinition read_case(const std::filesystem::path& file) {
   definition.gas = read_gas(root.table("gas"), definition.liquid);
   read_time(root.table("time"), definition);
   definition.motion = read_motion(root.table("motion"), file, definition.duration);
-  definition.gauges = read_named<GaugeDefinition>(
+  definition.gauges = read_some_named<GaugeDefinition>(
       root, "gauge", [&](const TomlTable& gauge) { return read_gauge(gauge, definition.tank); });
+  definition.obstacles = read_named<ObstacleDefinition>(
+      root, "obstacle",
+      [&](const TomlTable& obstacle) { return read_obstacle(obstacle, definition); });
+  refuse_overlaps(root.tables("obstacle"), definition.obstacles);
   read_comparison(root.table("comparison"), definition);
-  definition.runs = read_named<RunDefinition>(
-      root, "run", [&](const TomlTable& run) { return read_run(run, definition.liquid); });
+  definition.runs = read_some_named<RunDefinition>(
+      root, "run", [&](const TomlTable& run) { return read_run(run, definition); });
   for (const TomlTable& row : root.tables("gate")) {
     definition.gate.push_back(read_gate_row(row, definition));
   }

@@ -5,23 +5,34 @@
 //
 //   schema_version = 1, name, title, source, tags = [...], gravity_m_s2
 //   [tank]        length_m, height_m
-//   [liquid]      fill_depth_m, density_kg_m3, kinematic_viscosity_m2_s
+//   [liquid]      fill_depth_m, density_kg_m3, kinematic_viscosity_m2_s, column_width_m? (of a dam
+//                 about to break: the liquid stands from the left wall to there)
 //   [gas]         density_kg_m3, kinematic_viscosity_m2_s
-//   [motion]      type = "sine_surge": amplitude_m, angular_frequency_rad_s, ramp_periods?
+//   [[obstacle]]? name, left_m, right_m (from the left wall), bottom_m, top_m (from the bottom)
+//   [motion]      type = "still"
+//                 type = "sine_surge": amplitude_m, angular_frequency_rad_s, ramp_periods?
 //                 type = "table_surge": file (CSV: time_s,displacement_m; relative to the case
 //                 file) type = "sine_roll": amplitude_deg, angular_frequency_rad_s, axis_x_m,
 //                 axis_z_m
 //   [time]        start = "earth" | "tank", duration_s, sample_interval_s
 //   [[gauge]]     name, x_m (from the left wall)
-//   [comparison]  window_begin_s, window_end_s, natural_modes
+//   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m)
 //   [[run]]       name, quick?, and
-//                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?
+//                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
+//                 variant?, and what it changes of the scheme's numbers: smoothing_length_ratio?,
+//                 sound_speed_ratio?, courant_number?, artificial_viscosity?, density_diffusion?
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
-//   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>", mode, metric, unit,
-//                 one of limit | lower with upper | improves_on, reason, source
+//                 solver = "record": file (CSV: time_s and front_position_m or elevation@<gauge>_m;
+//                 relative to the case file), uncertainty? (half width of its 95 % interval, in the
+//                 record's unit)
+//   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>" | "front_position" (of a
+//                 breaking dam), mode, metric, unit, one of limit | lower with upper | improves_on,
+//                 reason, source; with metric = "largest_magnitude", which is measured on the
+//                 candidate alone: no reference, quantity = any series of its result, its unit
 //
-// The names of SPH schemes are not known here: whoever starts a run checks its own.
+// The names of SPH schemes and their variants are not known here: whoever starts a run checks its
+// own.
 #pragma once
 
 #include <filesystem>

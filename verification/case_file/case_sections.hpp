@@ -13,8 +13,16 @@ namespace slosh {
 MotionDefinition read_motion(const TomlTable& motion, const std::filesystem::path& case_file,
                              double duration);
 
-// [[run]]
-RunDefinition read_run(const TomlTable& run, const LiquidDefinition& liquid);
+// [[obstacle]], of a case whose tank, liquid and gauges have been read.
+ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
+
+// No two of the obstacles, read from these tables, may overlap: they may touch.
+void refuse_overlaps(const std::vector<TomlTable>& tables,
+                     const std::vector<ObstacleDefinition>& obstacles);
+
+// [[run]], of a case whose liquid and gauges have been read; the files of records are relative to
+// the case file.
+RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition);
 
 // [[gate]], of a case whose motion, gauges, comparison and runs have been read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);

@@ -5,13 +5,15 @@
 #include <array>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/motion.hpp"
+#include "verification/case_file/quantities.hpp"
 
 namespace slosh {
 namespace {
 
 // What a metric is measured on. A forced mode's frequency is given and it does not decay: a row on
 // either would pass whatever the candidate did.
-enum class MeasuredOn { any_mode, natural_mode, whole_window };
+enum class MeasuredOn { any_mode, natural_mode, whole_window, own_series };
 
 struct MetricEntry {
   const char* name;
@@ -20,13 +22,14 @@ struct MetricEntry {
   MeasuredOn measured_on;
 };
 
-constexpr std::array<MetricEntry, 6> metrics{{
+constexpr std::array<MetricEntry, 7> metrics{{
     {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
     {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
     {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
     {"decay_rate", Metric::decay_rate, "1/s", MeasuredOn::natural_mode},
     {"normalised_rms", Metric::normalised_rms, "1", MeasuredOn::whole_window},
     {"maximum_residual", Metric::maximum_residual, "m", MeasuredOn::whole_window},
+    {"largest_magnitude", Metric::largest_magnitude, "", MeasuredOn::own_series},
 }};
 
 const MetricEntry& read_metric(const TomlTable& row) {
@@ -37,13 +40,31 @@ const MetricEntry& read_metric(const TomlTable& row) {
                        [&](const MetricEntry& entry) { return entry.name == name; });
 }
 
-std::vector<std::string> modes_of(const MetricEntry& metric, const CaseDefinition& definition) {
-  if (metric.measured_on == MeasuredOn::whole_window) return {"whole"};
+std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& quantity,
+                                  const CaseDefinition& definition) {
+  if (metric.measured_on == MeasuredOn::whole_window ||
+      metric.measured_on == MeasuredOn::own_series)
+    return {"whole"};
+  if (!has_modes(quantity)) return {};
   std::vector<std::string> modes;
-  const bool is_forced = !std::holds_alternative<TableSurge>(definition.motion);
+  const bool is_forced = forcing_frequency(definition) > 0;
   if (is_forced && metric.measured_on == MeasuredOn::any_mode) modes.push_back("forced");
   for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
   return modes;
+}
+
+const RecordRun* as_record(const CaseDefinition& definition, const std::string& run) {
+  for (const RunDefinition& one : definition.runs)
+    if (one.name == run) return std::get_if<RecordRun>(&one.solver);
+  return nullptr;
+}
+
+// A published record is a reference and never a candidate.
+std::vector<std::string> candidates(const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs)
+    if (!std::holds_alternative<RecordRun>(run.solver)) names.push_back(run.name);
+  return names;
 }
 
 std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
@@ -81,25 +102,44 @@ void read_bound(const TomlTable& row, const CaseDefinition& definition, GateRow&
   }
 }
 
+void read_compared_series(const TomlTable& row, const MetricEntry& metric,
+                          const CaseDefinition& definition, GateRow& gate_row) {
+  gate_row.reference = row.choice("reference", "a run other than the candidate",
+                                  runs_besides({gate_row.candidate}, definition));
+  const RecordRun* record = as_record(definition, gate_row.reference);
+  gate_row.quantity =
+      record ? row.choice("quantity", "the record's quantity", {record->quantity})
+             : row.choice("quantity", "a compared quantity", compared_quantities(definition));
+  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+}
+
+// Which series a solver records, and in what unit, is known when it has run: the gate finds a wrong
+// name or unit then, and compares nothing.
+void read_own_series(const TomlTable& row, const MetricEntry& metric, GateRow& gate_row) {
+  if (row.has("reference")) {
+    row.refuse("reference",
+               fmt::format("no reference: {} is measured on the candidate alone", metric.name));
+  }
+  gate_row.quantity = row.get("quantity", any_text());
+  gate_row.unit = row.get("unit", any_text());
+}
+
 }  // namespace
 
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   row.allow_only({"candidate", "reference", "quantity", "mode", "metric", "unit", "limit", "lower",
                   "upper", "improves_on", "reason", "source"});
-  std::vector<std::string> quantities;
-  for (const GaugeDefinition& gauge : definition.gauges) {
-    quantities.push_back("elevation@" + gauge.name);
-  }
   GateRow gate_row{};
-  gate_row.candidate = row.choice("candidate", "a run", runs_besides({}, definition));
-  gate_row.reference = row.choice("reference", "a run other than the candidate",
-                                  runs_besides({gate_row.candidate}, definition));
-  gate_row.quantity = row.choice("quantity", "a quantity at a gauge", quantities);
+  gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);
   gate_row.metric = metric.metric;
+  if (metric.measured_on == MeasuredOn::own_series) {
+    read_own_series(row, metric, gate_row);
+  } else {
+    read_compared_series(row, metric, definition, gate_row);
+  }
   gate_row.mode = row.choice("mode", fmt::format("what {} is measured on", metric.name),
-                             modes_of(metric, definition));
-  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+                             modes_of(metric, gate_row.quantity, definition));
   read_bound(row, definition, gate_row);
   gate_row.reason = row.get("reason", any_text());
   gate_row.source = row.get("source", any_text());

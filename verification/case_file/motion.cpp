@@ -52,14 +52,20 @@ SurgeMotion motion_of(const TableSurge& table) {
           .acceleration = [spline](double t) { return spline->second_derivative(t); }};
 }
 
+SurgeMotion motion_of(const Still&) {
+  const auto zero = [](double) { return 0.0; };
+  return {.displacement = zero, .velocity = zero, .acceleration = zero};
+}
+
 SurgeMotion motion_of(const SineRoll& roll) {
   throw CaseFileError(fmt::format(
-      "{}:{}: motion.type = \"sine_roll\": expected \"sine_surge\" or \"table_surge\"; no solver "
-      "takes a roll yet",
+      "{}:{}: motion.type = \"sine_roll\": expected \"still\", \"sine_surge\" or \"table_surge\"; "
+      "no solver takes a roll yet",
       roll.where.file, roll.where.line));
 }
 
 double frequency_of(const TableSurge&) { return 0; }
+double frequency_of(const Still&) { return 0; }
 double frequency_of(const auto& sine) { return sine.angular_frequency; }
 
 }  // namespace

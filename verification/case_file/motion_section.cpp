@@ -40,7 +40,11 @@ MotionDefinition read_motion(const TomlTable& motion, const std::filesystem::pat
   motion.allow_only({"type", "amplitude_m", "amplitude_deg", "angular_frequency_rad_s",
                      "ramp_periods", "file", "axis_x_m", "axis_z_m"});
   const std::string type =
-      motion.choice("type", "a motion", {"sine_surge", "table_surge", "sine_roll"});
+      motion.choice("type", "a motion", {"still", "sine_surge", "table_surge", "sine_roll"});
+  if (type == "still") {
+    motion.allow_only({"type"});
+    return Still{};
+  }
   if (type == "sine_surge") return read_sine_surge(motion);
   if (type == "table_surge") return read_table_surge(motion, case_file, duration);
   return read_sine_roll(motion);

@@ -54,18 +54,38 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       return {comparison.normalised_rms, 0};
     case Metric::maximum_residual:
       return {comparison.maximum_residual, 0};
+    case Metric::largest_magnitude:
+      break;  // of no comparison
   }
   throw std::logic_error("a metric without a value");
 }
 
-// The metric of a row's candidate, or of the run that it is to improve on.
-Estimate measure(const GateRow& row, const std::string& candidate, const FindComparison& find) {
-  const Comparison& comparison = find(candidate, row.reference, row.quantity);
-  const std::string unit = metric_unit(row.metric, comparison.unit);
-  if (unit != row.unit) {
-    throw ComparisonError(
-        fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
+// No number where a value is none or where there is no value at all.
+double largest_magnitude(const TimeSeries& series) {
+  double largest = series.value.empty() ? no_value.value : 0;
+  for (const double value : series.value) {
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, std::abs(value));
   }
+  return largest;
+}
+
+void require_unit(const GateRow& row, const std::string& quantity_unit) {
+  const std::string unit = metric_unit(row.metric, quantity_unit);
+  if (unit == row.unit) return;
+  throw ComparisonError(
+      fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
+}
+
+// The metric of a row's candidate, or of the run that it is to improve on.
+Estimate measure(const GateRow& row, const std::string& candidate, const GateEvidence& evidence) {
+  if (row.metric == Metric::largest_magnitude) {
+    const TimeSeries series = evidence.series(candidate, row.quantity);
+    require_unit(row, series.unit);
+    return {largest_magnitude(series), 0};
+  }
+  const Comparison& comparison = evidence.comparison(candidate, row.reference, row.quantity);
+  require_unit(row, comparison.unit);
   return metric_value(row.metric, row.mode, comparison);
 }
 
@@ -84,7 +104,7 @@ struct Bound {
 };
 
 // Written so that a value that is no number holds no bound.
-Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const FindComparison& find) {
+Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const GateEvidence& evidence) {
   const double value = estimate.value;
   const std::string shown = with_interval(estimate, row.unit);
   if (row.limit) {
@@ -99,7 +119,7 @@ Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const FindC
                                in_unit(lower, row.unit), in_unit(upper, row.unit))};
   }
   const std::string& other = row.improves_on.value();
-  const Estimate others = measure(row, other, find);
+  const Estimate others = measure(row, other, evidence);
   const bool holds = improves(estimate, others);
   return {holds, fmt::format("|{}| {} |{}| of {}", shown, holds ? "<" : "is not clearly <",
                              with_interval(others, row.unit), other)};
@@ -110,7 +130,8 @@ struct RoleInRow {
 };
 
 std::vector<RoleInRow> runs_of(const GateRow& row) {
-  std::vector<RoleInRow> runs{{"candidate", row.candidate}, {"reference", row.reference}};
+  std::vector<RoleInRow> runs{{"candidate", row.candidate}};
+  if (row.metric != Metric::largest_magnitude) runs.push_back({"reference", row.reference});
   if (row.improves_on) runs.push_back({"run to improve on", *row.improves_on});
   return runs;
 }
@@ -147,11 +168,11 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
 }  // namespace
 
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
-                     const FindComparison& find) {
+                     const GateEvidence& evidence) {
   if (const auto found = obstacle(row, runs)) return {row, found->first, no_value, found->second};
   try {
-    const Estimate value = measure(row, row.candidate, find);
-    const Bound bound = compare_to_bound(row, value, find);
+    const Estimate value = measure(row, row.candidate, evidence);
+    const Bound bound = compare_to_bound(row, value, evidence);
     return {row, bound.holds ? Verdict::pass : Verdict::violated, value, bound.text};
   } catch (const std::runtime_error&
                error) {  // ComparisonError and ResultError: there is nothing to compare
@@ -217,6 +238,8 @@ std::string metric_name(Metric metric) {
       return "normalised_rms";
     case Metric::maximum_residual:
       return "maximum_residual";
+    case Metric::largest_magnitude:
+      return "largest_magnitude";
   }
   throw std::logic_error("a metric without a name");
 }
@@ -232,6 +255,7 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
     case Metric::decay_rate:
       return "1/s";
     case Metric::maximum_residual:
+    case Metric::largest_magnitude:
       return quantity_unit;
   }
   throw std::logic_error("a metric without a unit");

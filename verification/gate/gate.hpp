@@ -48,9 +48,19 @@ struct GateOutcome {
 using FindComparison = std::function<const Comparison&(
     const std::string& candidate, const std::string& reference, const std::string& quantity)>;
 
+// Gives a run's own series over the case's window, checked as cut_to_window() does: finite, and as
+// long as the window; throws ComparisonError or ResultError where there is none.
+using FindSeries = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
+
+// What rows are judged by.
+struct GateEvidence {
+  FindComparison comparison;
+  FindSeries series;  // for the metrics that need no reference
+};
+
 // NaN never passes: every limit is tested as !(|value| <= limit).
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
-                     const FindComparison& find);
+                     const GateEvidence& evidence);
 
 // The worst of all: solver failed (3) over violated (1) over not compared (4); no row evaluated at
 // all is 4.

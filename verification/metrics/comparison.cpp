@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "verification/metrics/cross_correlation.hpp"
@@ -91,6 +92,21 @@ void compare_whole_window(const CommonSamples& common, Comparison& result) {
                      .value = std::move(residual)};
 }
 
+void compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
+                   const std::vector<ToneRequest>& modes, Comparison& result) {
+  const TimeWindow window = result.window;
+  const HarmonicFit fitted_candidate = fit_harmonics(candidate, window, modes);
+  const HarmonicFit fitted_reference = fit_harmonics(reference, window, modes);
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    result.modes.push_back(compare_tones(fitted_candidate.tones[k], fitted_reference.tones[k]));
+  }
+  result.cross_correlation_lag =
+      cross_correlation_lag(candidate, reference, window, 2 * pi / modes.front().angular_frequency);
+  const int peaks = static_cast<int>(modes.size()) + 1;
+  result.candidate_peaks = spectral_peaks(power_spectrum(candidate, window), peaks);
+  result.reference_peaks = spectral_peaks(power_spectrum(reference, window), peaks);
+}
+
 TimeSeries named(const std::string& role, TimeSeries series) {
   series.name = role + " " + series.name;
   return series;
@@ -107,7 +123,6 @@ Comparison compare(const TimeSeries& candidate_series, const TimeSeries& referen
                                       candidate.name, candidate.unit, reference.name,
                                       reference.unit));
   }
-  if (modes.empty()) throw ComparisonError(reference.name + ": no mode to compare");
   const TimeSeries cut_reference = cut_to_window(reference, window);
   require_variation(cut_reference);
   require_variation(cut_to_window(candidate, window));
@@ -116,17 +131,12 @@ Comparison compare(const TimeSeries& candidate_series, const TimeSeries& referen
   result.quantity = reference_series.name;
   result.unit = reference.unit;
   result.window = window;
-  const HarmonicFit fitted_candidate = fit_harmonics(candidate, window, modes);
-  const HarmonicFit fitted_reference = fit_harmonics(reference, window, modes);
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    result.modes.push_back(compare_tones(fitted_candidate.tones[k], fitted_reference.tones[k]));
-  }
   compare_whole_window(common_samples(candidate, cut_reference), result);
-  result.cross_correlation_lag =
-      cross_correlation_lag(candidate, reference, window, 2 * pi / modes.front().angular_frequency);
-  const int peaks = static_cast<int>(modes.size()) + 1;
-  result.candidate_peaks = spectral_peaks(power_spectrum(candidate, window), peaks);
-  result.reference_peaks = spectral_peaks(power_spectrum(reference, window), peaks);
+  if (modes.empty()) {
+    result.cross_correlation_lag = std::numeric_limits<double>::quiet_NaN();
+  } else {
+    compare_modes(candidate, reference, modes, result);
+  }
   return result;
 }
 

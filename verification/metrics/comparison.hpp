@@ -36,18 +36,20 @@ struct Comparison {
   std::string quantity, unit;        // the reference's
   TimeWindow window;
   std::vector<ModeComparison> modes;
-  double normalised_rms;         // rms(c - r) / rms(r - mean r)
-  double maximum_residual;       // max |c - r|, in the quantity's unit
-  double cross_correlation_lag;  // [s], positive when late; within half a period of the first mode
+  double normalised_rms;    // rms(c - r) / rms(r - mean r)
+  double maximum_residual;  // max |c - r|, in the quantity's unit
+  // [s], positive when late; within half a period of the first mode, NaN without modes.
+  double cross_correlation_lag;
   double sprague_geers_magnitude, sprague_geers_phase;
   TimeSeries residual;  // c - r at the reference's times inside the window
-  std::vector<SpectralPeak> candidate_peaks, reference_peaks;  // one more than modes, highest first
+  // One more than modes, highest first; none without modes.
+  std::vector<SpectralPeak> candidate_peaks, reference_peaks;
 };
 
 // Compares two series over a window. The candidate is interpolated (cubic) to the reference's
 // times. Throws ComparisonError when either series holds a non-finite value, does not vary or falls
-// short of the window by more than one sample, when the units differ, when no mode is asked for, or
-// when the window cannot resolve the modes.
+// short of the window by more than one sample, when the units differ, or when the window
+// cannot resolve the modes. Without modes the whole histories alone are compared.
 Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
                    const std::vector<ToneRequest>& modes);
 

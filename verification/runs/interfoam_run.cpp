@@ -33,7 +33,14 @@ TimeSeries series(const std::string& name, const std::string& unit, openfoam::Hi
 
 }  // namespace
 
+void require_scene(const InterFoamRun&, const CaseDefinition& definition,
+                   const RunDefinition& run) {
+  if (definition.liquid.column_width || !definition.obstacles.empty())
+    throw refused(run, "interFoam takes neither liquid.column_width_m nor an [[obstacle]] yet");
+}
+
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request) {
+  require_scene(interfoam, request.definition, request.run);
   const openfoam::SurgingTank tank = tank_of(interfoam, request.definition);
   const auto case_directory = request.settings.work_directory / (request.run.name + ".openfoam");
   std::filesystem::remove_all(case_directory);  // what an earlier, broken run may have left

@@ -61,7 +61,23 @@ double largest_magnitude(const std::vector<double>& values) {
 
 }  // namespace
 
+void require_scene(const LinearRun&, const CaseDefinition& definition, const RunDefinition& run) {
+  if (definition.liquid.column_width)
+    throw refused(run,
+                  "linear theory takes no liquid.column_width_m: a breaking dam is no small "
+                  "motion about a level surface");
+  if (!definition.obstacles.empty())
+    throw refused(run,
+                  "linear theory takes no [[obstacle]]: its modes are those of a tank "
+                  "without one");
+  if (std::holds_alternative<Still>(definition.motion))
+    throw refused(run,
+                  "linear theory of motion.type = \"still\" is a level surface, against "
+                  "which nothing can be compared; expected a tank that moves");
+}
+
 RunResult run_linear(const LinearRun& linear, const RunRequest& request) {
+  require_scene(linear, request.definition, request.run);
   const CaseDefinition& definition = request.definition;
   const reference::LinearSurge tank = solution(linear, definition);
   const std::vector<double> times = sample_times(definition);

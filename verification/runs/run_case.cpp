@@ -18,6 +18,7 @@ namespace {
 const char* solver_name(const SphRun&) { return "sph"; }
 const char* solver_name(const InterFoamRun&) { return "interfoam"; }
 const char* solver_name(const LinearRun&) { return "linear"; }
+const char* solver_name(const RecordRun&) { return "record"; }
 
 RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
 RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
@@ -25,6 +26,9 @@ RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
 }
 RunResult run_solver(const LinearRun& run, const RunRequest& request) {
   return run_linear(run, request);
+}
+RunResult run_solver(const RecordRun& run, const RunRequest& request) {
+  return run_record(run, request);
 }
 
 bool is_finite(const std::vector<double>& values) {
@@ -53,7 +57,9 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
 RunResult run_chosen_solver(const RunRequest& request) try {
   RunResult result =
       std::visit([&](const auto& run) { return run_solver(run, request); }, request.run.solver);
-  for (const TimeSeries& series : result.series) require_whole(series, request.definition);
+  // A record is as long as it is.
+  if (!std::holds_alternative<RecordRun>(request.run.solver))
+    for (const TimeSeries& series : result.series) require_whole(series, request.definition);
   return result;
 } catch (const std::invalid_argument& error) {  // a case that the solver does not take
   throw refused(request.run, error.what());
@@ -74,7 +80,7 @@ CaseFileError refused(const RunDefinition& run, const std::string& why) {
 
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
   surge_motion(definition);  // refuses a roll
-  if (const auto* sph = std::get_if<SphRun>(&run.solver)) require_scene(*sph, definition, run);
+  std::visit([&](const auto& solver) { require_scene(solver, definition, run); }, run.solver);
 }
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,

@@ -1,7 +1,9 @@
 // Executes one run of a case in this process: translates the case for the solver, runs it, and puts
 // what it gives into a result. Series: "elevation@<gauge>" [m] above the still level;
+// of SPH with a column of liquid "front_position" [m];
 // "horizontal_force" [N/m] on the tank; of SPH also "kinetic_energy", "potential_energy" [J/m]; of
-// interFoam also "liquid_volume" [m2]. Gauges and tank as in the case file, x from the left wall.
+// interFoam also "liquid_volume" [m2]; of a
+// record its own quantity alone. Gauges and tank as in the case file, x from the left wall.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +35,8 @@ struct RunSettings {
 using Progress = std::function<void(double time, double steps)>;
 
 // Throws CaseFileError (file:line) for what execute() would refuse of a case (a roll, an unknown
-// scheme, a spacing that does not fit the tank): for whoever wants to know before anything runs.
+// scheme, a spacing that does not fit the tank, a dam for linear theory): for whoever wants to know
+// before anything runs.
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run);
 
 // Throws CaseFileError (file:line) for a roll, an unknown scheme, anything else that the solver

@@ -11,6 +11,10 @@ namespace {
 
 using nlohmann::json;  // its objects are sorted and its numbers written in full: one text per value
 
+json number_or_null(const std::optional<double>& number) {
+  return number ? json(*number) : json(nullptr);
+}
+
 json description(const SineSurge& motion) {
   return {{"sine_surge", {motion.amplitude, motion.angular_frequency, motion.ramp_periods}}};
 }
@@ -22,13 +26,24 @@ json description(const SineRoll& motion) {
       {"sine_roll", {motion.amplitude, motion.angular_frequency, motion.axis_x, motion.axis_z}}};
 }
 
+json description(const Still&) { return "still"; }
+
 json description(const SphRun& run) {
-  return {{"sph", {run.scheme, run.particle_spacing, run.surface_particle_spacing}}};
+  json numbers = json::object();
+  for (const auto& [name, number] : sph_number_names)
+    numbers[name] = number_or_null(run.numbers.*number);
+  return {{"sph",
+           {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant, numbers}}};
 }
 json description(const InterFoamRun& run) {
   return {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};
 }
 json description(const LinearRun& run) { return {{"linear", {run.modes, run.two_layer}}}; }
+
+json description(const RecordRun& run) {
+  return {
+      {"record", {run.quantity, run.unit, run.time, run.value, number_or_null(run.uncertainty)}}};
+}
 
 template <class... Types>
 json description(const std::variant<Types...>& choice) {
@@ -38,10 +53,15 @@ json description(const std::variant<Types...>& choice) {
 json physics(const CaseDefinition& definition) {
   json gauges = json::array();
   for (const GaugeDefinition& gauge : definition.gauges) gauges.push_back({gauge.name, gauge.x});
+  json obstacles = json::array();
+  for (const ObstacleDefinition& one : definition.obstacles)
+    obstacles.push_back({one.left, one.right, one.bottom, one.top});
   const LiquidDefinition& liquid = definition.liquid;
   return {{"gravity", definition.gravity},
           {"tank", {definition.tank.length, definition.tank.height}},
           {"liquid", {liquid.fill_depth, liquid.density, liquid.kinematic_viscosity}},
+          {"column_width", number_or_null(liquid.column_width)},
+          {"obstacles", obstacles},
           {"gas", {definition.gas.density, definition.gas.kinematic_viscosity}},
           {"motion", description(definition.motion)},
           {"start", definition.start == Start::earth ? "earth" : "tank"},

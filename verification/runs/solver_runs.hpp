@@ -18,11 +18,19 @@ struct RunRequest {
 // What a run says that does not take its case or settings.
 CaseFileError refused(const RunDefinition& run, const std::string& why);
 
-// Throws CaseFileError (file:line) unless the scheme is one of sph/'s and takes the case.
+// Throws CaseFileError (file:line) unless the solver takes the case: SPH's scheme must be one of
+// sph/'s, linear theory knows the whole liquid of a moving tank without obstacles.
 void require_scene(const SphRun& sph, const CaseDefinition& definition, const RunDefinition& run);
+void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definition,
+                   const RunDefinition& run);
+void require_scene(const LinearRun& linear, const CaseDefinition& definition,
+                   const RunDefinition& run);
+void require_scene(const RecordRun& record, const CaseDefinition& definition,
+                   const RunDefinition& run);
 
 RunResult run_sph(const SphRun& sph, const RunRequest& request);
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request);
 RunResult run_linear(const LinearRun& linear, const RunRequest& request);
+RunResult run_record(const RecordRun& record, const RunRequest& request);
 
 }  // namespace slosh

@@ -23,10 +23,19 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                    .sample_interval = definition.sample_interval,
                    .particle_spacing = sph.particle_spacing,
                    .surface_particle_spacing = sph.surface_particle_spacing,
+                   .column_width = definition.liquid.column_width,
+                   .variant = sph.variant,
+                   .numbers = {.smoothing_length_ratio = sph.numbers.smoothing_length_ratio,
+                               .sound_speed_ratio = sph.numbers.sound_speed_ratio,
+                               .courant_number = sph.numbers.courant_number,
+                               .artificial_viscosity = sph.numbers.artificial_viscosity,
+                               .density_diffusion = sph.numbers.density_diffusion},
                    .gauges = {},
                    .record_snapshot = {}};
   for (const GaugeDefinition& gauge : definition.gauges)
     scene.gauges.push_back({gauge.name, gauge.x});
+  for (const ObstacleDefinition& one : definition.obstacles)
+    scene.obstacles.push_back({one.left, one.right, one.bottom, one.top});
   return scene;
 }
 
@@ -60,6 +69,8 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) {
     result.series.push_back(
         series("elevation@" + gauge.name, "m", output.elevation.at(gauge.name)));
   }
+  if (!output.front_position.time.empty())
+    result.series.push_back(series("front_position", "m", output.front_position));
   result.series.push_back(series("horizontal_force", "N/m", output.horizontal_force));
   result.series.push_back(series("kinetic_energy", "J/m", output.kinetic_energy));
   result.series.push_back(series("potential_energy", "J/m", output.potential_energy));

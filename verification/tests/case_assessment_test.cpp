@@ -171,6 +171,57 @@ TEST(CaseAssessment, PassesNoUngatedCaseOfWhichNoPairCanBeCompared) {
   EXPECT_EQ(exit_status({good, nothing}), exit_not_compared);
 }
 
+class OwnSeriesAssessment : public ::testing::Test {
+ protected:
+  OwnSeriesAssessment() {
+    row.reference.clear();
+    row.quantity = "volume_drift";
+    definition.gate = {row};
+  }
+  static TimeSeries drift(double scale) {
+    TimeSeries series = elevation_of({});
+    series.name = "volume_drift";
+    series.unit = "1";
+    for (double& value : series.value) value = 0.01 * scale;
+    return series;
+  }
+  CaseAssessment assess_drift(const TimeSeries& series) const {
+    CaseRuns runs = surge_runs();
+    runs.results["particles"].series.push_back(series);
+    return assess(definition, runs);
+  }
+  GateRow row = surge_row("whole", Metric::largest_magnitude, "1", 0.01);
+  CaseDefinition definition = surge_case();
+};
+
+TEST_F(OwnSeriesAssessment, PassesWithinTheLimitAndFailsOnScaledData) {
+  EXPECT_EQ(exit_status({assess_drift(drift(1))}), exit_pass);
+  EXPECT_EQ(exit_status({assess_drift(drift(0))}), exit_pass);
+  EXPECT_EQ(exit_status({assess_drift(drift(1.1))}), exit_violated);
+}
+
+TEST_F(OwnSeriesAssessment, PassesNeitherATruncatedNorAPoisonedNorAMissingSeries) {
+  TimeSeries truncated = drift(1), poisoned = drift(1), misnamed = drift(1);
+  truncated.time.resize(900);  // 18 of 20 s
+  truncated.value.resize(900);
+  poisoned.value[500] = std::nan("");
+  misnamed.name = "volume";
+  for (const TimeSeries& series : {truncated, poisoned, misnamed}) {
+    const CaseAssessment assessment = assess_drift(series);
+    EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+    EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+  }
+}
+
+TEST_F(OwnSeriesAssessment, NeedsNoReferenceInTheCase) {
+  definition.runs = {definition.runs.at(2)};
+  CaseRuns runs;
+  runs.results["particles"] = surge_runs().results["particles"];
+  runs.results["particles"].series.push_back(drift(1));
+  runs.status["particles"] = {RunState::finished, ""};
+  EXPECT_EQ(exit_status({assess(definition, runs)}), exit_pass);
+}
+
 TEST(CaseAssessment, TakesTheWorstOfItsCases) {
   const CaseAssessment good = assess(surge_case(), surge_runs());
   const CaseAssessment high = assess_candidate(scaled(elevation_of({}), 1.1));

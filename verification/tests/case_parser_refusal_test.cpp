@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
             "amplitude_m, angular_frequency_rad_s, ramp_periods; nearest known key: amplitude_m"},
         Mistake{"MissingType",
                 {"type = \"sine_surge\"\n", ""},
-                "trial.toml:17: motion.type is missing: expected a motion, one of sine_surge, "
-                "table_surge, sine_roll"},
+                "trial.toml:17: motion.type is missing: expected a motion, one of still, "
+                "sine_surge, table_surge, sine_roll"},
         Mistake{"MissingNumber",
                 {"height_m = 1.0\n", ""},
                 "trial.toml:7: tank.height_m is missing: expected a number > 0, in m"},
@@ -144,6 +144,19 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NegativeDensity",
                 {"= 1000.0", "= -1000.0"},
                 "trial.toml:12: liquid.density_kg_m3 = -1000.0: expected a number > 0, in kg/m3"},
+        Mistake{"ColumnAsWideAsTheTank",
+                {"viscosity_m2_s = 1e-6", "viscosity_m2_s = 1e-6\ncolumn_width_m = 2.0"},
+                "trial.toml:14: liquid.column_width_m = 2.0: expected a number > 0 and below the "
+                "tank's length (2), in m"},
+        Mistake{"NoColumn",
+                {"viscosity_m2_s = 1e-6", "viscosity_m2_s = 1e-6\ncolumn_width_m = 0"},
+                "trial.toml:14: liquid.column_width_m = 0: expected a number > 0"},
+        Mistake{"ModesOfABreakingDam",
+                {"viscosity_m2_s = 1e-6", "viscosity_m2_s = 1e-6\ncolumn_width_m = 0.5"},
+                "trial.toml:35: comparison.natural_modes = 2: expected 0 of a dam about to break"},
+        Mistake{"AmplitudeOfAStillTank",
+                {"sine_surge", "still"},
+                "trial.toml:19: motion.amplitude_m = 0.02: expected only these keys here: type"},
         Mistake{"NegativeViscosity",
                 {"1e-6", "-1e-6"},
                 "trial.toml:13: liquid.kinematic_viscosity_m2_s = -1e-06: expected a number >= 0, "
@@ -154,8 +167,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "liquid's density (1000), in kg/m3"},
         Mistake{"UnknownMotion",
                 {"sine_surge", "sine_surg"},
-                "trial.toml:18: motion.type = \"sine_surg\": expected a motion, one of sine_surge, "
-                "table_surge, sine_roll; nearest: sine_surge"},
+                "trial.toml:18: motion.type = \"sine_surg\": expected a motion, one of still, "
+                "sine_surge, table_surge, sine_roll; nearest: sine_surge"},
         Mistake{"NoAmplitude",
                 {"amplitude_m = 0.02", "amplitude_m = 0"},
                 "trial.toml:19: motion.amplitude_m = 0: expected a number > 0, in m"},
@@ -195,6 +208,58 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:34: comparison.natural_modes = -1: expected an integer >= 0"}),
     [](const auto& info) { return info.param.name; });
 
+// Put before [comparison], line 31: the keys stand on lines 32 to 36.
+Edit obstacle(const std::string& name, const std::string& left, const std::string& right,
+              const std::string& bottom, const std::string& top) {
+  return {"[comparison]", "[[obstacle]]\nname = \"" + name + "\"\nleft_m = " + left +
+                              "\nright_m = " + right + "\nbottom_m = " + bottom +
+                              "\ntop_m = " + top + "\n[comparison]"};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Obstacles, CaseParserRefusal,
+    ::testing::Values(
+        Mistake{"NameWithASpace", obstacle("a baffle", "0.9", "1.1", "0.0", "0.2"),
+                "trial.toml:32: obstacle.name = \"a baffle\": expected a name of letters"},
+        Mistake{"LeftOfTheTank", obstacle("baffle", "-0.1", "1.1", "0.0", "0.2"),
+                "trial.toml:33: obstacle.left_m = -0.1: expected a number >= 0, in m"},
+        Mistake{"Inverted", obstacle("baffle", "0.9", "0.9", "0.0", "0.2"),
+                "trial.toml:34: obstacle.right_m = 0.9: expected a number above left_m (0.9) and "
+                "<= the tank's length (2), in m"},
+        Mistake{"RightOfTheTank", obstacle("baffle", "0.9", "2.1", "0.0", "0.2"),
+                "trial.toml:34: obstacle.right_m = 2.1: expected a number above left_m (0.9)"},
+        Mistake{"BelowTheTank", obstacle("baffle", "0.9", "1.1", "-0.1", "0.2"),
+                "trial.toml:35: obstacle.bottom_m = -0.1: expected a number >= 0, in m"},
+        Mistake{"AboveTheTank", obstacle("baffle", "0.9", "1.1", "0.1", "1.2"),
+                "trial.toml:36: obstacle.top_m = 1.2: expected a number above bottom_m (0.1) and "
+                "<= the tank's height (1), in m"},
+        Mistake{"AsLongAsTheTank", obstacle("floor", "0", "2", "0.0", "0.2"),
+                "trial.toml:34: obstacle.right_m = 2: expected a number below the tank's length "
+                "(2), in m, for an obstacle from the left wall"},
+        Mistake{"AroundAGauge", obstacle("block", "1.9", "2.0", "0.0", "0.5"),
+                "trial.toml:36: obstacle.top_m = 0.5: expected a number below the fill depth "
+                "(0.5), in m, or another place: the obstacle swallows the gauge right at 1.95 m"},
+        Mistake{"WithoutATop",
+                {"[comparison]",
+                 "[[obstacle]]\nname = \"a\"\nleft_m = 0.9\nright_m = 1.0\n"
+                 "bottom_m = 0\n[comparison]"},
+                "trial.toml:31: obstacle.top_m is missing: expected a number above bottom_m (0)"},
+        Mistake{"OverAnother",
+                {"[comparison]",
+                 "[[obstacle]]\nname = \"a\"\nleft_m = 0.9\nright_m = 1.1\nbottom_m = 0\n"
+                 "top_m = 0.2\n[[obstacle]]\nname = \"b\"\nleft_m = 1.0\nright_m = 1.2\n"
+                 "bottom_m = 0.1\ntop_m = 0.3\n[comparison]"},
+                "trial.toml:39: obstacle.left_m = 1.0: expected a rectangle that does not overlap "
+                "that of the obstacle a"},
+        Mistake{
+            "NamedAsAnother",
+            {"[comparison]",
+             "[[obstacle]]\nname = \"a\"\nleft_m = 0.9\nright_m = 1.0\nbottom_m = 0\n"
+             "top_m = 0.2\n[[obstacle]]\nname = \"a\"\nleft_m = 1.0\nright_m = 1.2\n"
+             "bottom_m = 0.1\ntop_m = 0.3\n[comparison]"},
+            "trial.toml:38: obstacle.name = \"a\": expected a name that no other obstacle has"}),
+    [](const auto& info) { return info.param.name; });
+
 INSTANTIATE_TEST_SUITE_P(
     Runs, CaseParserRefusal,
     ::testing::Values(
@@ -204,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownSolver",
                 {"\"interfoam\"", "\"interFoam\""},
                 "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
-                "interfoam, linear; nearest: interfoam"},
+                "interfoam, linear, record; nearest: interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
                 "trial.toml:38: run.modes = 0: expected an integer >= 1"},
@@ -220,6 +285,32 @@ INSTANTIATE_TEST_SUITE_P(
                 {"spacing_m = 0.01", "spacing_m = 0.03"},
                 "trial.toml:45: run.surface_particle_spacing_m = 0.03: expected a number > 0 and "
                 "<= particle_spacing_m (0.02), in m"},
+        Mistake{"EmptyVariant",
+                {"quick = true", "variant = \"\""},
+                "trial.toml:46: run.variant = \"\": expected a text that is not empty"},
+        Mistake{"NoSmoothingLength",
+                {"quick = true", "smoothing_length_ratio = 0"},
+                "trial.toml:46: run.smoothing_length_ratio = 0: expected a number > 0, without "
+                "unit"},
+        Mistake{
+            "NoSound",
+            {"quick = true", "sound_speed_ratio = -10.0"},
+            "trial.toml:46: run.sound_speed_ratio = -10.0: expected a number > 0, without unit"},
+        Mistake{"NoTimeStep",
+                {"quick = true", "courant_number = 0"},
+                "trial.toml:46: run.courant_number = 0: expected a number > 0, without unit"},
+        Mistake{"NegativeAlpha",
+                {"quick = true", "artificial_viscosity = -0.1"},
+                "trial.toml:46: run.artificial_viscosity = -0.1: expected a number >= 0, without "
+                "unit"},
+        Mistake{"NegativeDelta",
+                {"quick = true", "density_diffusion = -0.1"},
+                "trial.toml:46: run.density_diffusion = -0.1: expected a number >= 0, without "
+                "unit"},
+        Mistake{"VariantOfAMesh",
+                {"cells_x = 50", "cells_x = 50\nvariant = \"a\""},
+                "trial.toml:51: run.variant = \"a\": expected only these keys here: name, solver, "
+                "quick, cells_x"},
         Mistake{"OneCellAlong",
                 {"cells_x = 50", "cells_x = 1"},
                 "trial.toml:50: run.cells_x = 1: expected an integer >= 2"},
@@ -250,8 +341,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "candidate, one of theory, mesh"},
         Mistake{"UnknownGauge",
                 {"elevation@right", "elevation@rigth"},
-                "trial.toml:55: gate.quantity = \"elevation@rigth\": expected a quantity at a "
-                "gauge, one of elevation@right, elevation@left; nearest: elevation@right"},
+                "trial.toml:55: gate.quantity = \"elevation@rigth\": expected a compared "
+                "quantity, one of elevation@right, elevation@left; nearest: elevation@right"},
         Mistake{"UnknownQuantity",
                 {"elevation@right", "pressure@right"},
                 "trial.toml:55: gate.quantity = \"pressure@right\": expected"},
@@ -275,7 +366,21 @@ INSTANTIATE_TEST_SUITE_P(
                 {"amplitude_error", "amplitude_eror"},
                 "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
                 "amplitude_error, phase_lag, frequency_error, decay_rate, normalised_rms, "
-                "maximum_residual; nearest: amplitude_error"},
+                "maximum_residual, largest_magnitude; nearest: amplitude_error"},
+        Mistake{"ReferenceOfItsOwnSeries",
+                {"amplitude_error", "largest_magnitude"},
+                "trial.toml:54: gate.reference = \"theory\": expected no reference: "
+                "largest_magnitude is measured on the candidate alone"},
+        Mistake{"ModeOfItsOwnSeries",
+                {"reference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\n"
+                 "metric = \"amplitude_error\"",
+                 "quantity = \"wall_gap\"\nmode = \"forced\"\nmetric = \"largest_magnitude\""},
+                "trial.toml:55: gate.mode = \"forced\": expected what largest_magnitude is "
+                "measured on, which is whole"},
+        Mistake{
+            "NoReference",
+            {"reference = \"theory\"\n", ""},
+            "trial.toml:52: gate.reference is missing: expected a run other than the candidate"},
         Mistake{
             "WrongUnit",
             {"unit = \"1\"", "unit = \"%\""},

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <numbers>
 
@@ -56,6 +57,19 @@ TEST(CaseParser, ReadsTheVariantsOfThePapersCases) {
   EXPECT_EQ(std::get<SineSurge>(resonant.motion).amplitude, 0.025);
 }
 
+TEST(CaseParser, ReadsTheBreakingDamWithItsRecord) {
+  const CaseDefinition definition = read_case(cases / "dam_break_martin_moyce.toml");
+  const auto& record = std::get<RecordRun>(definition.runs.at(0).solver);
+  EXPECT_EQ(record.quantity, "front_position");
+  ASSERT_EQ(record.time.size(), 15u);
+  // Table 2: Z = 1.44 at T = 1.19, a = 2.25 in; the file has five decimals.
+  const double base = 2.25 * 0.0254, per_second = std::sqrt(2 * 9.81 / base);
+  EXPECT_EQ(definition.liquid.column_width, base);
+  EXPECT_NEAR(record.time[2] * per_second, 1.19, 1e-5 * per_second);
+  EXPECT_NEAR(record.value[2] / base, 1.44, 1e-5 / base);
+  EXPECT_LT(record.time.back(), definition.window_end);
+}
+
 TEST(CaseParser, FillsInTheWholeDefinition) {
   const CaseDefinition definition = read_text(valid_text);
   EXPECT_EQ(definition.tank.length, 2.0);  // written as an integer
@@ -82,6 +96,26 @@ TEST(CaseParser, TakesTheInnerSpacingAtTheSurfaceUnlessTold) {
   EXPECT_EQ(std::get<SphRun>(definition.runs.at(1).solver).surface_particle_spacing, 0.02);
 }
 
+TEST(CaseParser, ReadsWhatARunChangesOfItsScheme) {
+  const auto definition =
+      read_text(edited({"quick = true",
+                        "variant = \"no_shifting\"\nsmoothing_length_ratio = 2\n"
+                        "sound_speed_ratio = 20.0\ncourant_number = 0.4\n"
+                        "artificial_viscosity = 0\ndensity_diffusion = 0.1"}));
+  const auto& changed = std::get<SphRun>(definition.runs.at(1).solver);
+  EXPECT_EQ(changed.variant, "no_shifting");
+  EXPECT_EQ(changed.numbers.smoothing_length_ratio, 2);
+  EXPECT_EQ(changed.numbers.sound_speed_ratio, 20);
+  EXPECT_EQ(changed.numbers.courant_number, 0.4);
+  EXPECT_EQ(changed.numbers.artificial_viscosity, 0);
+  EXPECT_EQ(changed.numbers.density_diffusion, 0.1);
+  const CaseDefinition plain = read_text(valid_text);
+  const auto& unchanged = std::get<SphRun>(plain.runs.at(1).solver);
+  EXPECT_EQ(unchanged.variant, "");
+  for (const auto& [name, number] : sph_number_names)
+    EXPECT_FALSE(unchanged.numbers.*number) << name;
+}
+
 TEST(CaseParser, AcceptsACaseWithoutGateRows) {
   const std::string text = valid_text.substr(0, valid_text.find("[[gate]]"));
   EXPECT_TRUE(read_text(text).gate.empty());
@@ -95,6 +129,19 @@ TEST(CaseParser, ReadsTheOtherBoundsOfAGateRow) {
   EXPECT_FALSE(improves.gate.at(0).limit);
 }
 
+TEST(CaseParser, ReadsAGateRowOnARunsOwnSeries) {
+  const auto definition = read_text(
+      edited({"reference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\n"
+              "metric = \"amplitude_error\"\nunit = \"1\"",
+              "quantity = \"liquid_volume\"\nmode = \"whole\"\nmetric = \"largest_magnitude\"\n"
+              "unit = \"m2\""}));
+  const GateRow& row = definition.gate.at(0);
+  EXPECT_EQ(row.reference, "");
+  EXPECT_EQ(row.quantity, "liquid_volume");
+  EXPECT_EQ(row.metric, Metric::largest_magnitude);
+  EXPECT_EQ(row.unit, "m2");
+}
+
 TEST(CaseParser, ReadsARollAlthoughNothingSolvesItYet) {
   const auto definition =
       read_text(edited({"type = \"sine_surge\"\namplitude_m = 0.02",
@@ -102,6 +149,47 @@ TEST(CaseParser, ReadsARollAlthoughNothingSolvesItYet) {
   const auto& roll = std::get<SineRoll>(definition.motion);
   EXPECT_DOUBLE_EQ(roll.amplitude, 4 * std::numbers::pi / 180);
   EXPECT_EQ(roll.where.line, 17);
+}
+
+TEST(CaseParser, ReadsATankThatStands) {
+  std::string text =
+      edited({"type = \"sine_surge\"\namplitude_m = 0.02\n"
+              "angular_frequency_rad_s = 1.5\n",
+              "type = \"still\"\n"});
+  text = text.substr(0, text.find("[[gate]]"));
+  EXPECT_TRUE(std::holds_alternative<Still>(read_text(text).motion));
+  const std::string earth = "start = \"earth\"";
+  text.replace(text.find(earth), earth.size(), "start = \"tank\"");
+  EXPECT_TRUE(std::holds_alternative<Still>(read_text(text).motion));
+}
+
+TEST(CaseParser, KnowsNoForcedModeOfATankThatStands) {
+  const std::string message =
+      complaint_about({"type = \"sine_surge\"\namplitude_m = 0.02\nangular_frequency_rad_s = 1.5\n",
+                       "type = \"still\"\n"});
+  EXPECT_TRUE(message.starts_with("trial.toml:54: gate.mode = \"forced\": expected")) << message;
+}
+
+TEST(CaseParser, ReadsADamAboutToBreak) {
+  std::string text =
+      edited({"viscosity_m2_s = 1e-6", "viscosity_m2_s = 1e-6\ncolumn_width_m = 0.25"});
+  const std::string modes = "natural_modes = 2";
+  text.replace(text.find(modes), modes.size(), "natural_modes = 0");
+  EXPECT_EQ(read_text(text).liquid.column_width, 0.25);
+  EXPECT_FALSE(read_text(valid_text).liquid.column_width);
+}
+
+TEST(CaseParser, ReadsObstaclesThatTouchWallsAndOneAnother) {
+  const auto definition =
+      read_text(edited({"[comparison]",
+                        "[[obstacle]]\nname = \"step\"\nleft_m = 0\nright_m = 0.5\nbottom_m = 0\n"
+                        "top_m = 0.3\n[[obstacle]]\nname = \"lid\"\nleft_m = 0.5\nright_m = 2\n"
+                        "bottom_m = 0.8\ntop_m = 1\n[comparison]"}));
+  ASSERT_EQ(definition.obstacles.size(), 2u);
+  EXPECT_EQ(definition.obstacles[0].name, "step");
+  EXPECT_EQ(definition.obstacles[0].right, 0.5);
+  EXPECT_EQ(definition.obstacles[1].bottom, 0.8);
+  EXPECT_TRUE(read_text(valid_text).obstacles.empty());
 }
 
 TEST(CaseParser, RefusesACaseWithoutRunsOrGauges) {

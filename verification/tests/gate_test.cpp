@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/windowed_series.hpp"
+
 namespace slosh {
 namespace {
 
@@ -24,6 +26,11 @@ GateRow row_of(Metric metric, const std::string& mode, const std::string& unit, 
 }
 
 const GateRow amplitude_row = row_of(Metric::amplitude_error, "forced", "1", 0.05);
+
+// Rows that compare must not ask for a run's own series.
+TimeSeries no_series(const std::string& run, const std::string&) {
+  throw std::logic_error("the row asked for a series of " + run);
+}
 
 std::map<std::string, RunStatus> all_finished() {
   return {{"sph", {RunState::finished, ""}},
@@ -62,14 +69,16 @@ Comparison comparison_of(double amplitude_error) {
 GateOutcome judge(const GateRow& row, const Comparison& comparison) {
   return evaluate(
       row, all_finished(),
-      [&](const auto&, const auto&, const auto&) -> const Comparison& { return comparison; });
+      {[&](const auto&, const auto&, const auto&) -> const Comparison& { return comparison; },
+       no_series});
 }
 
 GateOutcome judge(const GateRow& row, const std::map<std::string, RunStatus>& runs) {
   const Comparison comparison = comparison_of(0.01);
-  return evaluate(row, runs, [&](const auto&, const auto&, const auto&) -> const Comparison& {
-    return comparison;
-  });
+  return evaluate(
+      row, runs,
+      {[&](const auto&, const auto&, const auto&) -> const Comparison& { return comparison; },
+       no_series});
 }
 
 TEST(Gate, PassesAValueUpToItsLimitOnEitherSide) {
@@ -135,14 +144,15 @@ class GateOnImprovement : public ::testing::Test {
     const Comparison fine = comparison_of(fine_error), coarse = comparison_of(coarse_error);
     return evaluate(
                row, all_finished(),
-               [&](const auto& run, const auto& reference, const auto&) -> const auto& {
-                 EXPECT_EQ(reference, "linear");
-                 return run == "sph" ? fine : coarse;
-               })
-        .verdict;
+               {[&](const auto& run, const auto& reference, const auto&) -> const auto& {
+                  EXPECT_EQ(reference, "linear");
+                  return run == "sph" ? fine : coarse;
   }
-  GateRow row = amplitude_row;
-};
+  , no_series})
+        .verdict;
+}  // namespace
+GateRow row = amplitude_row;
+};  // namespace slosh
 
 TEST_F(GateOnImprovement, ComparesMagnitudes) {
   EXPECT_EQ(verdict(0.01, -0.02), Verdict::pass);
@@ -244,12 +254,13 @@ class GateOnSeries : public ::testing::Test {
 
   static GateOutcome judge_series(const GateRow& row, const TimeSeries& candidate) {
     Comparison comparison;
-    return evaluate(
-        row, all_finished(), [&](const auto&, const auto&, const auto&) -> const Comparison& {
-          comparison =
-              compare(candidate, wave(0.01, 0), {0, duration}, {{"forced", frequency, false}});
-          return comparison;
-        });
+    return evaluate(row, all_finished(),
+                    {[&](const auto&, const auto&, const auto&) -> const Comparison& {
+                       comparison = compare(candidate, wave(0.01, 0), {0, duration},
+                                            {{"forced", frequency, false}});
+                       return comparison;
+                     },
+                     no_series});
   }
 
   const GateRow lag_row = row_of(Metric::phase_lag, "forced", "deg", 1);
@@ -285,6 +296,87 @@ TEST_F(GateOnSeries, DoesNotCompareATruncatedCandidateNorOneWithNaN) {
     EXPECT_EQ(judge_series(row, truncated).verdict, Verdict::not_compared);
     EXPECT_EQ(judge_series(row, poisoned).verdict, Verdict::not_compared);
   }
+}
+
+// A row on the candidate's own series, without any reference.
+class GateOnOwnSeries : public ::testing::Test {
+ protected:
+  static constexpr double duration = 10;  // [s]
+
+  GateOnOwnSeries() {
+    row.reference.clear();
+    row.quantity = "wall_gap";
+  }
+
+  // Between -0.5 and 0.5, largest at the end.
+  static TimeSeries gap(double scale = 1) {
+    TimeSeries series{"wall_gap", "1", {}, {}};
+    for (int i = 0; i <= 1000; ++i) {
+      series.time.push_back(0.01 * i);
+      series.value.push_back(scale * (i % 2 == 0 ? -1 : 1) * 0.5 * i / 1000);
+    }
+    return series;
+  }
+
+  GateOutcome judge_series(const TimeSeries& series) const {
+    return evaluate(row, {{"sph", {RunState::finished, ""}}},
+                    {[](const auto&, const auto&, const auto&) -> const Comparison& {
+                       throw std::logic_error("there is no reference to compare with");
+                     },
+                     [&](const std::string& run, const std::string& quantity) {
+                       EXPECT_EQ(run, "sph");
+                       EXPECT_EQ(quantity, series.name);
+                       return cut_to_window(series, {0, duration});
+                     }});
+  }
+  GateRow row = row_of(Metric::largest_magnitude, "whole", "1", 0.5);
+};
+
+TEST_F(GateOnOwnSeries, PassesUpToItsLimitOnEitherSide) {
+  EXPECT_EQ(judge_series(gap()).verdict, Verdict::pass);
+  EXPECT_EQ(judge_series(gap(-1)).verdict, Verdict::pass);
+  EXPECT_EQ(judge_series(gap()).value.value, 0.5);
+  EXPECT_EQ(judge_series(gap()).message, "50 % <= 50 %");
+}
+
+TEST_F(GateOnOwnSeries, IsViolatedByAScaledSeries) {
+  EXPECT_EQ(judge_series(gap(1.01)).verdict, Verdict::violated);
+  EXPECT_EQ(judge_series(gap(-1.01)).verdict, Verdict::violated);
+}
+
+TEST_F(GateOnOwnSeries, DoesNotJudgeATruncatedSeriesNorOneWithNaNOrInfinity) {
+  TimeSeries truncated = gap(), poisoned = gap(), infinite = gap(), empty = gap();
+  truncated.time.resize(900);
+  truncated.value.resize(900);
+  poisoned.value[500] = nan;
+  infinite.value[0] = std::numeric_limits<double>::infinity();
+  empty.time.clear();
+  empty.value.clear();
+  for (const TimeSeries& series : {truncated, poisoned, infinite, empty})
+    EXPECT_EQ(judge_series(series).verdict, Verdict::not_compared);
+}
+
+TEST_F(GateOnOwnSeries, NeverPassesNaNNorNothingWhateverItIsHanded) {
+  TimeSeries poisoned = gap(), empty = gap();
+  poisoned.value[500] = nan;
+  empty.value.clear();
+  for (const TimeSeries& series : {poisoned, empty}) {
+    const GateOutcome outcome = evaluate(row, {{"sph", {RunState::finished, ""}}},
+                                         {{}, [&](const auto&, const auto&) { return series; }});
+    EXPECT_EQ(outcome.verdict, Verdict::violated);
+  }
+}
+
+TEST_F(GateOnOwnSeries, DoesNotJudgeALimitInAnotherUnit) {
+  row.unit = "m";
+  EXPECT_EQ(judge_series(gap()).verdict, Verdict::not_compared);
+  EXPECT_EQ(judge_series(gap()).message, "largest_magnitude is in 1, the row's limit in m");
+}
+
+TEST_F(GateOnOwnSeries, FailsWithItsSolver) {
+  const GateOutcome outcome =
+      evaluate(row, {{"sph", {RunState::failed, "a particle left the tank"}}}, {});
+  EXPECT_EQ(outcome.verdict, Verdict::solver_failed);
 }
 
 GateOutcome outcome_of(Verdict verdict) { return {amplitude_row, verdict, {nan, nan}, ""}; }

@@ -42,6 +42,16 @@ TableSurge irregular_sine() {
   return table;
 }
 
+TEST(StillMotion, IsNone) {
+  const SurgeMotion motion = surge_motion(moved_by(Still{}));
+  for (const double t : {0.0, 0.3, 1e6}) {
+    EXPECT_EQ(motion.displacement(t), 0);
+    EXPECT_EQ(motion.velocity(t), 0);
+    EXPECT_EQ(motion.acceleration(t), 0);
+  }
+  EXPECT_EQ(forcing_frequency(moved_by(Still{})), 0);
+}
+
 TEST(SineSurgeMotion, HasExactDerivatives) {
   const SurgeMotion motion = surge_motion(moved_by(SineSurge{0.02, omega}));
   EXPECT_EQ(motion.displacement(0), 0);

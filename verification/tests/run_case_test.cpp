@@ -123,6 +123,54 @@ TEST(RunOfACase, RefusesARoll) {
   EXPECT_THROW(require_runnable(definition, linear), CaseFileError);
 }
 
+std::string refusal(const CaseDefinition& definition, const RunDefinition& run) {
+  try {
+    require_runnable(definition, run);
+    return "";
+  } catch (const CaseFileError& error) {
+    EXPECT_THROW(execute(definition, run, {}, no_progress), CaseFileError);
+    return error.what();
+  }
+}
+
+TEST(RunOfACase, RefusesADamAndAnObstacleWhereTheSolverTakesNone) {
+  CaseDefinition dam = sample_case(), baffled = sample_case();
+  dam.liquid.column_width = 0.25;
+  baffled.obstacles = {{"baffle", 0.45, 0.55, 0, 0.2}};
+  const RunDefinition mesh = sample_run(InterFoamRun{20, 20, 1});
+  EXPECT_EQ(refusal(dam, linear)
+                .find("small_surge.toml:42: run a_run: linear theory takes no "
+                      "liquid.column_width_m"),
+            0u);
+  EXPECT_EQ(refusal(baffled, linear)
+                .find("small_surge.toml:42: run a_run: linear theory takes no "
+                      "[[obstacle]]"),
+            0u);
+  for (const CaseDefinition& definition : {dam, baffled})
+    EXPECT_EQ(refusal(definition, mesh)
+                  .find("small_surge.toml:42: run a_run: interFoam takes "
+                        "neither"),
+              0u);
+}
+
+TEST(RunOfACase, RefusesLinearTheoryOfATankThatStands) {
+  CaseDefinition still = sample_case();
+  still.motion = Still{};
+  EXPECT_NE(refusal(still, linear).find("motion.type = \"still\""), std::string::npos);
+  EXPECT_EQ(refusal(still, coarse_sph), "");
+}
+
+TEST(RecordRunOfACase, GivesTheRecordAsItIs) {
+  const RecordRun record{"a.csv", "elevation@left", "m", {0.5, 0.7, 1.0, 1.1}, {1, 2, 3, 4}, 0.25};
+  const RunResult result = execute(sample_case(), sample_run(record), {}, no_progress);
+  EXPECT_EQ(result.solver, "record");
+  ASSERT_EQ(result.series.size(), 1u);
+  EXPECT_EQ(result.at("elevation@left").time, record.time);
+  EXPECT_EQ(result.at("elevation@left").value, record.value);
+  EXPECT_EQ(result.at("elevation@left").unit, "m");
+  EXPECT_EQ(result.diagnostics.at("uncertainty_m"), 0.25);
+}
+
 TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
   try {
     execute(sample_case(), sample_run(SphRun{"li2011", 0.05, 0.05}), {}, no_progress);

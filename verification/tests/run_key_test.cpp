@@ -43,6 +43,11 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       [](auto& c) { c.tank.height = 0.9; },
       [](auto& c) { c.liquid.fill_depth = 0.36; },
       [](auto& c) { c.liquid.density = 999; },
+      [](auto& c) { c.liquid.column_width = 0.3; },
+      [](auto& c) {
+        c.obstacles.push_back({"baffle", 0.4, 0.5, 0, 0.2});
+      },
+      [](auto& c) { c.motion = Still{}; },
       [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
       [](auto& c) { c.gas.density = 1.3; },
       [](auto& c) { std::get<SineSurge>(c.motion).amplitude += 1e-15; },
@@ -71,19 +76,33 @@ TEST_F(RunKey, ChangesWithTheContentOfAMotionTable) {
 
 TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
   const CaseDefinition definition = sample_case();
+  const RecordRun record{"a.csv", "elevation@left", "m", {0, 1, 2, 3}, {0, 1, 2, 3}, {}};
+  RecordRun later = record, surer = record;
+  later.time[3] = 4;
+  surer.uncertainty = 0.1;
   const std::vector<RunDefinition> runs{sph,
                                         sample_run(SphRun{"low_dissipation_wendland", 0.02, 0.02}),
                                         sample_run(SphRun{"li2010", 0.01, 0.01}),
                                         sample_run(SphRun{"li2010", 0.02, 0.01}),
+                                        sample_run(SphRun{"li2010", 0.02, 0.02, "a_variant"}),
                                         interfoam,
                                         sample_run(InterFoamRun{50, 100, 1}),
                                         sample_run(InterFoamRun{50, 50, 2}),
                                         sample_run(LinearRun{500, false, 0.1}),
                                         sample_run(LinearRun{500, true, 0.1}),
-                                        sample_run(LinearRun{600, false, 0.1})};
+                                        sample_run(LinearRun{600, false, 0.1}),
+                                        sample_run(record),
+                                        sample_run(later),
+                                        sample_run(surer)};
   std::set<std::string> keys;
   for (const RunDefinition& run : runs) keys.insert(key(definition, run));
-  EXPECT_EQ(keys.size(), runs.size());
+  for (const auto& [name, number] : sph_number_names)
+    for (const double value : {0.0, 1.0}) {
+      SphRun changed{"li2010", 0.02, 0.02};
+      changed.numbers.*number = value;
+      keys.insert(key(definition, sample_run(changed)));
+    }
+  EXPECT_EQ(keys.size(), runs.size() + 2 * std::size(sph_number_names));
 }
 
 TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {

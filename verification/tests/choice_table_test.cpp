@@ -1,0 +1,165 @@
+// The table of choices, and what else shows a run that changes something of its scheme.
+#include "verification/campaign/choice_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/check_report.hpp"
+#include "verification/campaign/campaign_report.hpp"
+#include "verification/campaign/case_figures.hpp"
+#include "verification/campaign/results_json.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh {
+namespace {
+
+struct Choice {
+  std::string name;
+  SphRun sph;
+  double scale;      // of theory's elevation: the error is this less one
+  double user_time;  // [s]
+};
+
+// The surge with these SPH runs instead of its own.
+CaseAssessment assess_choices(const std::vector<Choice>& choices) {
+  CaseDefinition definition = surge_case();
+  definition.gate.clear();
+  definition.runs = {definition.runs.at(0)};
+  CaseRuns runs;
+  runs.results["theory"] = surge_runs().results.at("theory");
+  runs.status["theory"] = {RunState::finished, ""};
+  for (const Choice& choice : choices) {
+    RunDefinition run = sample_run(choice.sph);
+    run.name = choice.name;
+    definition.runs.push_back(run);
+    TimeSeries elevation = elevation_of({});
+    for (double& value : elevation.value) value *= choice.scale;
+    runs.results[choice.name] = result_of(choice.name, elevation);
+    runs.results[choice.name].cost = {.wall_time = 9,
+                                      .user_time = choice.user_time,
+                                      .system_time = 0.5,
+                                      .peak_memory = 2e5,
+                                      .steps = 1000,
+                                      .elements = 100};
+    runs.status[choice.name] = {RunState::finished, ""};
+  }
+  return assess(definition, std::move(runs));
+}
+
+SphRun changed(const std::string& variant, double spacing = 0.01) {
+  SphRun run{"low_dissipation", spacing, spacing};
+  run.variant = variant;
+  return run;
+}
+
+SphRun with_courant_number(double value) {
+  SphRun run = changed("");
+  run.numbers.courant_number = value;
+  return run;
+}
+
+std::string cell(const reports::Table& table, std::size_t row, const std::string& column) {
+  for (std::size_t i = 0; i < table.header.size(); ++i)
+    if (table.header[i] == column) return table.rows.at(row).at(i);
+  throw std::logic_error("no column " + column);
+}
+
+TEST(ChangesOfARun, AreItsVariantAndItsNumbers) {
+  EXPECT_EQ(changes_of(changed("")), "");
+  EXPECT_EQ(changes_of(changed("no_shifting")), "no_shifting");
+  SphRun run = with_courant_number(0.4);
+  run.variant = "no_shifting";
+  run.numbers.density_diffusion = 0;
+  EXPECT_EQ(changes_of(run), "no_shifting, courant_number = 0.4, density_diffusion = 0");
+}
+
+TEST(ChoiceTable, IsLeftOutWhereNothingIsChanged) {
+  EXPECT_FALSE(choice_table(assess_choices({{"plain", changed(""), 1.1, 2}})));
+}
+
+TEST(ChoiceTable, SetsEachChoiceBesideTheUnchangedRun) {
+  const auto table = choice_table(assess_choices(
+      {{"plain", changed(""), 1.1, 1.5}, {"faster", with_courant_number(0.4), 1.2, 0.5}}));
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 2u);
+  EXPECT_EQ(cell(*table, 0, "changed"), "as it is");
+  EXPECT_EQ(cell(*table, 0, "rms of unchanged"), "");
+  EXPECT_EQ(cell(*table, 1, "run"), "faster");
+  EXPECT_EQ(cell(*table, 1, "scheme"), "low_dissipation");
+  EXPECT_EQ(cell(*table, 1, "spacing [mm]"), "10");
+  EXPECT_EQ(cell(*table, 1, "changed"), "courant_number = 0.4");
+  EXPECT_EQ(cell(*table, 1, "reference"), "theory");
+  // A fifth too high: the mean of the reference is not quite zero.
+  EXPECT_NEAR(std::stod(cell(*table, 1, "normalised rms [%]")), 20, 0.1);
+  EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "2");
+  EXPECT_EQ(cell(*table, 1, "forced amplitude error [%]").find("+20 ±"), 0u);
+  EXPECT_EQ(cell(*table, 1, "CPU [s]"), "1.00");
+  EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "0.5");
+  EXPECT_EQ(cell(*table, 1, "steps"), "1000");
+  EXPECT_EQ(cell(*table, 1, "CPU [us per particle and s]"), "500");  // 1 s, 100 particles, 20 s
+  EXPECT_EQ(cell(*table, 1, "peak memory [byte per particle]"), "2000");
+}
+
+TEST(ChoiceTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
+  const auto table = choice_table(assess_choices(
+      {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("no_shifting"), 1.2, 0.5}}));
+  EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "");
+  EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "");
+}
+
+TEST(ChoiceTable, TellsHowARunWithoutAResultEnded) {
+  CaseAssessment assessment = assess_choices(
+      {{"plain", changed(""), 1.1, 1.5}, {"broken", changed("no_diffusion"), 1.2, 0.5}});
+  CaseRuns runs = assessment.runs;
+  runs.results.erase("broken");
+  runs.status["broken"] = {RunState::failed, "diverged"};
+  const auto table = choice_table(assess(assessment.definition, runs));
+  EXPECT_EQ(cell(*table, 1, "reference"), "solver failed");
+  EXPECT_EQ(cell(*table, 1, "CPU [s]"), "");
+}
+
+TEST(CostFigure, ShowsEachChangeAsPointsOfItsOwn) {
+  const auto figures = case_figures(assess_choices({{"plain", changed(""), 1.1, 1.5},
+                                                    {"coarse", changed("", 0.02), 1.2, 0.5},
+                                                    {"other", changed("no_shifting"), 1.3, 1}}));
+  const reports::Figure& cost = figures.back();
+  ASSERT_EQ(cost.curves.size(), 2u);
+  EXPECT_EQ(cost.curves[0].label, "low_dissipation against theory");
+  EXPECT_EQ(cost.curves[0].x, (std::vector<double>{1.0, 2.0}));  // coarse first
+  EXPECT_EQ(cost.curves[1].label, "low_dissipation, no_shifting against theory");
+  EXPECT_EQ(cost.curves[1].style, reports::Curve::Style::points);
+  for (const reports::Curve& curve : figures.front().curves)
+    EXPECT_NE(curve.label, "other") << "the history shows the scheme as it is";
+}
+
+TEST(CostFigure, GathersManyChangesUnderOneLabel) {
+  std::vector<Choice> choices{{"plain", changed(""), 1.1, 1.5}};
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "variant_" + std::to_string(i);
+    choices.push_back({name, changed(name), 1.2 + 0.01 * i, 1.0 + i});
+  }
+  const auto figures = case_figures(assess_choices(choices));
+  ASSERT_EQ(figures.back().curves.size(), 2u);
+  EXPECT_EQ(figures.back().curves[1].label, "low_dissipation, one choice changed against theory");
+  EXPECT_EQ(figures.back().curves[1].x.size(), 12u);
+}
+
+TEST(ChoiceReport, IsAValidReportAndTellsTheChoicesInItsJson) {
+  const std::vector<CaseAssessment> cases{assess_choices(
+      {{"plain", changed(""), 1.1, 1.5}, {"faster", with_courant_number(0.4), 1.2, 0.5}})};
+  const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
+  EXPECT_NO_THROW(
+      reports::check_report(campaign_report(campaign, false, "./slosh campaign surges", cases)));
+  const auto document = nlohmann::json::parse(results_json("surges", false, cases));
+  const auto& runs = document.at("cases").at(0).at("runs");
+  EXPECT_FALSE(runs.at(0).contains("scheme"));
+  EXPECT_EQ(runs.at(2).at("scheme"), "low_dissipation");
+  EXPECT_EQ(runs.at(2).at("particle_spacing_m"), 0.01);
+  EXPECT_TRUE(runs.at(2).at("variant").is_null());
+  EXPECT_EQ(runs.at(2).at("numbers").at("courant_number"), 0.4);
+  EXPECT_TRUE(runs.at(2).at("numbers").at("density_diffusion").is_null());
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,83 @@
+#include "verification/campaign/order_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh {
+namespace {
+
+ErrorAtSpacing at(double spacing, double error, double half_width = 0) {
+  return {spacing, {error, half_width}};
+}
+
+TEST(ObservedOrder, IsTheExponentOfTheSpacing) {
+  EXPECT_DOUBLE_EQ(*observed_order(at(0.02, 0.4), at(0.01, 0.1)), 2);
+  EXPECT_DOUBLE_EQ(*observed_order(at(0.02, -0.4), at(0.01, 0.2)), 1);
+  EXPECT_LT(*observed_order(at(0.02, 0.1), at(0.01, 0.2)), 0);
+}
+
+TEST(ObservedOrder, IsNoneOfAnErrorWithinItsInterval) {
+  EXPECT_FALSE(observed_order(at(0.02, 0.4), at(0.01, 0.1, 0.1)));
+  EXPECT_FALSE(observed_order(at(0.02, 0.4, 0.5), at(0.01, 0.1)));
+  EXPECT_FALSE(observed_order(at(0.02, 0.4), at(0.01, 0)));
+  EXPECT_FALSE(observed_order(at(0.02, std::nan("")), at(0.01, 0.1)));
+}
+
+TEST(LeastSquaresOrder, IsTheSlopeThroughAllSpacings) {
+  EXPECT_NEAR(*least_squares_order({at(0.04, 1.6), at(0.02, 0.4), at(0.01, 0.1)}), 2, 1e-12);
+  // Slopes of 1 and 2 between equal ratios: the line has their mean.
+  EXPECT_NEAR(*least_squares_order({at(0.04, 0.8), at(0.02, 0.4), at(0.01, 0.1)}), 1.5, 1e-12);
+}
+
+TEST(LeastSquaresOrder, NeedsThreeErrorsThatHaveASize) {
+  EXPECT_FALSE(least_squares_order({at(0.04, 1.6), at(0.02, 0.4)}));
+  EXPECT_FALSE(least_squares_order({at(0.04, 1.6), at(0.02, 0.4), at(0.01, 0.1, 0.2)}));
+}
+
+// The surge at these spacings, with errors of the elevation of spacing squared.
+CaseAssessment assess_spacings(const std::vector<double>& spacings) {
+  CaseDefinition definition = surge_case();
+  definition.gate.clear();
+  definition.runs = {definition.runs.at(0)};
+  CaseRuns runs;
+  runs.results["theory"] = surge_runs().results.at("theory");
+  runs.status["theory"] = {RunState::finished, ""};
+  for (const double spacing : spacings) {
+    RunDefinition run = sample_run(SphRun{"low_dissipation", spacing, spacing});
+    run.name = "spacing_" + std::to_string(definition.runs.size());
+    definition.runs.push_back(run);
+    TimeSeries elevation = elevation_of({});
+    for (double& value : elevation.value) value *= 1 + 100 * spacing * spacing;
+    runs.results[run.name] = result_of(run.name, elevation);
+    runs.status[run.name] = {RunState::finished, ""};
+  }
+  return assess(definition, std::move(runs));
+}
+
+TEST(OrderTable, TellsTheOrderOfAKnownError) {
+  const auto table = order_table(assess_spacings({0.01, 0.04, 0.02}));
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 4u);
+  EXPECT_EQ(table->rows[0][1], "40");  // coarsest first, whatever the order of the case
+  EXPECT_EQ(table->rows[0][3], "");
+  EXPECT_EQ(table->rows[1][3], "2.00");
+  EXPECT_EQ(table->rows[2][3], "2.00");
+  EXPECT_EQ(table->rows[3][1], "all, least squares");
+  EXPECT_EQ(table->rows[3][3], "2.00");
+  for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->header.size());
+}
+
+TEST(OrderTable, NeedsThreeSpacings) { EXPECT_FALSE(order_table(assess_spacings({0.01, 0.02}))); }
+
+TEST(OrderTable, LeavesOutARunThatChangesItsScheme) {
+  CaseAssessment assessment = assess_spacings({0.01, 0.02, 0.04});
+  std::get<SphRun>(assessment.definition.runs.back().solver).variant = "no_shifting";
+  EXPECT_FALSE(order_table(assess(assessment.definition, assessment.runs)));
+}
+
+}  // namespace
+}  // namespace slosh
