@@ -1,6 +1,7 @@
 #include <stdexcept>
 
 #include "openfoam_cases/check_tank.hpp"
+#include "openfoam_cases/geometry/tank_mesh.hpp"
 #include "openfoam_cases/surging_tank.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/solver_runs.hpp"
@@ -42,7 +43,9 @@ TimeSeries series(const std::string& name, const std::string& unit, openfoam::Hi
 
 void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definition,
                    const RunDefinition& run) try {
-  openfoam::check_tank(tank_of(interfoam, definition));
+  const openfoam::SurgingTank tank = tank_of(interfoam, definition);
+  openfoam::check_tank(tank);
+  openfoam::TankMesh{tank};
 } catch (const std::invalid_argument& error) {
   throw refused(run, error.what());
 }
