@@ -96,7 +96,7 @@ TEST(Projected, IsRefusedForWallsWithADensityOfTheirOwn) {
 }
 
 double largest_kinetic_energy(InitialState start) {
-  Scene scene = still_scene(0.025, 4);
+  Scene scene = still_scene(0.025, 10);
   scene.record_still_water = true;
   const RunOutput output = run_from(start, scene);
   const RecordedSeries& energy = output.still_water[1];
@@ -104,7 +104,7 @@ double largest_kinetic_energy(InitialState start) {
   return *std::max_element(energy.history.value.begin(), energy.history.value.end());
 }
 
-// Measured over 10 s: 3.4e-5 of the potential energy from the lattice, which gives way under its
+// Measured: 3.4e-5 of the potential energy from the lattice, which gives way under its
 // own pressure after some seconds, and 0.7e-5 once it has settled.
 TEST(Settled, SparesStillWaterTheRearrangementOfTheLattice) {
   const double settled = largest_kinetic_energy(InitialState::settled);
