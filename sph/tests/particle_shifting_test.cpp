@@ -50,15 +50,14 @@ class Shifting : public testing::Test {
 
   // Standard deviation of sum_b V_b W_ab over the particles, images included.
   double spread(Particles& p) {
-    EXPECT_TRUE(neighbours.rebuild(p, tank_at_rest, 0));
-    neighbours.refresh_for_continuity(scheme, p, tank_at_rest);
+    shifts_of(p);  // puts the sources in their places
     double sum = 0, sum2 = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
       double concentration = 0;
       for (std::size_t k = 0; k < neighbours.source_count(); ++k) {
         const Source& b = neighbours.sources()[k];
-        concentration +=
-            b.weight * quintic_formula.value(std::hypot(p.x[i] - b.x, p.z[i] - b.z) / h) / (h * h);
+        const double r = std::hypot(p.x[i] - b.x, p.z[i] - b.z);
+        if (r < 2 * h) concentration += b.weight * quintic_formula.value(r / h) / (h * h);
       }
       sum += concentration;
       sum2 += concentration * concentration;

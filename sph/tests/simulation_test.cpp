@@ -63,7 +63,9 @@ INSTANTIATE_TEST_SUITE_P(Named, EveryScheme, testing::ValuesIn(schemes_and_varia
                          [](const auto& scheme) { return scheme.param; });
 
 TEST_P(EveryScheme, GivesTheSameBitsWithOneAndTwoThreads) {
-  const Scene scene = surging_scene(0.025, 0.02);
+  // A few steps: threads that wait for one another on a busy machine take many times as long.
+  Scene scene = surging_scene(0.025, 0.005);
+  scene.sample_interval = 0.005;
   const RunOutput one = run_with_threads(1, GetParam(), scene);
   const RunOutput two = run_with_threads(2, GetParam(), scene);
   for (const Gauge& gauge : scene.gauges)
@@ -128,9 +130,12 @@ TEST_P(EveryScheme, GivesTheForceThatChangesTheLiquidsMomentum) {
   const std::vector<double>& force = output.horizontal_force.value;
   ASSERT_EQ(output.steps, static_cast<double>(force.size()));
   ASSERT_EQ(momentum.size(), force.size() + 1);
+  // Verlet's velocities are carried over two steps.
+  const std::size_t span = GetParam() == "verlet" ? 2 : 1;
   double error2 = 0, force2 = 0;
   for (std::size_t i = 1; i < force.size(); ++i) {
-    const double rate = (momentum[i + 1] - momentum[i]) / scene.sample_interval;
+    const double rate = (momentum[i + 1] - momentum[i + 1 - span]) /
+                        (static_cast<double>(span) * scene.sample_interval);
     error2 += std::pow(force[i] + rate, 2);
     force2 += std::pow(force[i], 2);
   }
