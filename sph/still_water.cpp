@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "sph/walls/solid_particles.hpp"
+
 namespace slosh::sph {
 namespace {
 
@@ -34,6 +36,13 @@ class NearestAlong {
     const auto window = static_cast<std::size_t>(along * per_length_);
     if (window < nearest_.size()) nearest_[window] = std::min(nearest_[window], distance);
   }
+  // Windows that something else covers in part have no gap.
+  void leave_out(double from, double to) {
+    for (std::size_t window = 0; window < nearest_.size(); ++window) {
+      const double begin = static_cast<double>(window) / per_length_;
+      if (from < begin + 1 / per_length_ && to > begin) nearest_[window] = 0;
+    }
+  }
   double widest() const { return *std::max_element(nearest_.begin(), nearest_.end()); }
 
  private:
@@ -60,6 +69,11 @@ double StillWater::pressure_error(const Particles& p) const {
 double StillWater::wall_gap(const Particles& p, double wall_left) const {
   const double dp = scene_.particle_spacing, length = scene_.tank_length;
   NearestAlong bottom(length, 2 * dp), left(0.8 * scene_.fill_depth, 2 * dp), right = left;
+  for (const Rectangle& r : obstacles_on_lattice(scene_, 0)) {
+    if (r.bottom <= 0) bottom.leave_out(r.left, r.right);
+    if (r.left <= 0) left.leave_out(r.bottom, r.top);
+    if (r.right >= length) right.leave_out(r.bottom, r.top);
+  }
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double x = p.x[i] - wall_left;
     bottom.offer(x, p.z[i]);

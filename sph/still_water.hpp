@@ -21,8 +21,8 @@ class StillWater {
   //   kinetic_over_potential_energy  kinetic energy over rho_0 g fill_depth^2 / 2 per tank length
   //   wall_gap                       the widest gap between the bottom or a side wall and the
   //                                  particles next to it beyond the lattice's half spacing, in
-  //                                  spacings; from windows two spacings wide along the wall, on
-  //                                  the sides up to 0.8 of the depth
+  //                                  spacings; from windows two spacings wide along the wall where
+  //                                  no obstacle stands, on the sides up to 0.8 of the depth
   //   volume_drift                   the particles' volume over that at the start, less 1
   void record(const Particles& particles, double wall_left, double time,
               std::vector<RecordedSeries>& series) const;

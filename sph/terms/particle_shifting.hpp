@@ -1,13 +1,17 @@
 // Particle shifting: at the end of a step particles move a little down the gradient of their
 // concentration, which keeps them evenly spread (Sun et al. 2017, eq. 12, delta-plus-SPH):
-//   dr_a = -C Ma (2 h)^2 sum_b V_b [1 + 0.2 (W_ab / W(dp))^4] grad_a W_ab,   Ma = |v_a| / c0 here,
-// C the Courant number; no farther than 0.05 dp. Particles near the free surface, where the
-// gradient tells of the surface and not of the spread, stay: those whose div r = -sum_b V_b
-// r_ab . grad_a W_ab is below 1.9 (2 inside the liquid; Lee et al. 2008).
+//   dr_a = -C Ma (2 h)^2 sum_b V_b / 2 [1 + 0.2 (W_ab / W(dp))^4] grad_a W_ab,   Ma = |v_a| / c0
+// here, C the Courant number; no farther than 0.05 dp. Near the free surface that gradient tells of
+// the surface and not of the spread. There (Sun et al. 2019, section 3), with the fullness
+// lambda_a, the smaller eigenvalue of sum_b V_b (r_b - r_a) (x) grad_a W_ab, 1 inside the liquid
+// and 1/2 on a flat surface:
+//   lambda_a <= 0.75              the particle is of the surface and stays;
+//   such a particle in reach      it moves along the surface alone, across n ~ grad lambda.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "sph/neighbours/density_gradient.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
@@ -21,13 +25,37 @@ struct NoShifting {
 };
 
 struct ParticleShifting {
-  static constexpr const char* name = "particle shifting, away from the free surface";
+  static constexpr const char* name = "particle shifting, along the free surface near to it";
   static constexpr bool active = true;
 };
 
 struct Shifts {
   Array<double> x, z;  // [m]
+  Array<double> fullness;
+  std::vector<double> fullness_of_sources;  // in their order; none of solids
 };
+
+inline constexpr double fullness_of_surface = 0.75;  // Sun et al. 2017, eq. 13
+inline constexpr double no_fullness = -1;
+
+template <class Scheme>
+void fullness_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+                         const Particles* particles, Shifts* shifts) {
+  const std::size_t i = cluster->first;
+  const Lanes x = load(&particles->x[i]), z = load(&particles->z[i]);
+  Lanes xx{}, xz{}, zz{};
+  for (std::size_t k = 0; k < cluster->source_count; ++k) {
+    const Source& b = sources[cluster->sources[k]];
+    const Lanes dx = x - b.x, dz = z - b.z;
+    const Lanes f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
+                                   dx * dx + dz * dz, scheme->smoothing.inverse_length);
+    xx -= f * dx * dx;
+    xz -= f * dx * dz;
+    zz -= f * dz * dz;
+  }
+  const Lanes half = 0.5 * (xx - zz);
+  store(&shifts->fullness[i], 0.5 * (xx + zz) - square_root(half * half + xz * xz), cluster->size);
+}
 
 template <class Scheme>
 void shift_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
@@ -38,25 +66,36 @@ void shift_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source
   const double inverse_h = scheme->smoothing.inverse_length, h = 1 / inverse_h;
   const double inverse_shape = 1 / Kernel::shape(1 / s.smoothing_length_ratio);
   const std::size_t i = cluster->first;
-  const Lanes x = load(&p.x[i]), z = load(&p.z[i]);
-  Lanes sum_x{}, sum_z{}, divergence{};
+  const Lanes x = load(&p.x[i]), z = load(&p.z[i]), fullness = load(&shifts->fullness[i]);
+  Lanes sum_x{}, sum_z{}, normal_x{}, normal_z{}, surface_in_reach{};
   for (std::size_t k = 0; k < cluster->source_count; ++k) {
     const Source& b = sources[cluster->sources[k]];
     const Lanes dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
     const Lanes ratio = Kernel::shape(square_root(distance2) * inverse_h) * inverse_shape;
     const Lanes ratio2 = ratio * ratio;
     const Lanes f = b.weight * gradient_over_distance<Kernel>(distance2, inverse_h);
-    divergence -= f * distance2;
     const Lanes g = f * (1.0 + 0.2 * ratio2 * ratio2);
     sum_x += g * dx;
     sum_z += g * dz;
+    const double of_b = shifts->fullness_of_sources[cluster->sources[k]];
+    if (of_b == no_fullness) continue;
+    if (of_b <= fullness_of_surface) surface_in_reach -= f;
+    normal_x += f * (of_b - fullness) * dx;
+    normal_z += f * (of_b - fullness) * dz;
   }
   for (std::size_t lane = 0; lane < cluster->size; ++lane) {
     const std::size_t a = i + lane;
     const double speed = std::hypot(p.velocity_x[a] - *tank_velocity, p.velocity_z[a]);
-    const double scale =
-        divergence[lane] > 1.9 ? -s.courant_number * speed / s.speed_of_sound * 4 * h * h : 0.0;
-    const double dx = scale * sum_x[lane], dz = scale * sum_z[lane];
+    const double scale = fullness[lane] > fullness_of_surface
+                             ? -s.courant_number * speed / s.speed_of_sound * 2 * h * h
+                             : 0.0;
+    double dx = scale * sum_x[lane], dz = scale * sum_z[lane];
+    const double nx = normal_x[lane], nz = normal_z[lane];
+    if (surface_in_reach[lane] > 0) {
+      const double across = (dx * nx + dz * nz) / (nx * nx + nz * nz);
+      dx -= across * nx;
+      dz -= across * nz;
+    }
     const double most = 0.05 * s.particle_spacing, length = std::hypot(dx, dz);
     const double limit = length > most ? most / length : 1.0;
     shifts->x[a] = limit * dx;
@@ -68,8 +107,18 @@ template <class Scheme>
 void sum_shifts(const Scheme& scheme, const NeighbourSources& neighbours,
                 const Particles& particles, const TankWalls& walls, Shifts& shifts,
                 InstructionSet set) {
-  shifts.x.resize(particles.size());
-  shifts.z.resize(particles.size());
+  for (auto* field : {&shifts.x, &shifts.z, &shifts.fullness}) field->resize(particles.size());
+  neighbours.clusters().for_each([&](const Cluster& cluster) {
+    call<&fullness_of_cluster<Scheme>>(set, &scheme, &cluster, neighbours.sources(), &particles,
+                                       &shifts);
+  });
+  shifts.fullness_of_sources.resize(neighbours.source_count());
+  neighbours.for_each_image<typename Scheme::Mirror>(
+      scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap&) {
+        shifts.fullness_of_sources[k] = shifts.fullness[i];
+      });
+  for (const auto& [k, solid] : neighbours.solid_sources())
+    shifts.fullness_of_sources[k] = no_fullness;
   neighbours.clusters().for_each([&](const Cluster& cluster) {
     call<&shift_of_cluster<Scheme>>(set, &scheme, &cluster, neighbours.sources(), &particles,
                                     &walls.velocity, &shifts);

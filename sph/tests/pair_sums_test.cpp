@@ -4,118 +4,73 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "sph/initial_lattice.hpp"
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
 #include "sph/tests/all_pairs_oracle.hpp"
+#include "sph/tests/disordered_liquid.hpp"
+#include "sph/tests/formulas_of_choice.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph {
 namespace {
 
-constexpr double spacing = 0.01;
-const TankWalls tank_at_rest{
-    .left = 0, .right = 0.2, .bottom = 0, .roof = 0.16, .velocity = 0, .acceleration = 0};
-const TankWalls moving_tank{.left = 0.137,
-                            .right = 0.337,
-                            .bottom = 0,
-                            .roof = 0.16,
-                            .velocity = 0.3,
-                            .acceleration = -2.1};
+constexpr double spacing = small_spacing;
 
-Scene small_scene(double surface_spacing) {
-  Scene scene = still_scene(spacing, 0.1);
-  scene.tank_length = 0.2;
-  scene.tank_height = 0.16;
-  scene.fill_depth = 0.16;
-  scene.surface_particle_spacing = surface_spacing;
-  return scene;
-}
+// The neighbour search of a liquid between walls, and the walls' particles.
+template <class Choice>
+struct Neighbourhood {
+  static constexpr double support =
+      kernel_support * *Choice::numbers.smoothing_length_ratio * spacing;
+  Scheme<Choice> scheme;
+  NeighbourSources sources;
+  typename Choice::Solids solids;
 
-class DisorderedLiquid {
- public:
-  explicit DisorderedLiquid(const TankWalls& walls) : walls_(walls) {}
-
-  void add(double from_left, double z, double lattice) {
-    const double density = 1000 * (1 + 0.01 * disorder());
-    particles.x.push_back(walls_.left + from_left);
-    particles.z.push_back(z);
-    particles.velocity_x.push_back(walls_.velocity + disorder());
-    particles.velocity_z.push_back(disorder());
-    particles.density.push_back(density);
-    particles.mass.push_back(1000 * lattice * lattice * (1 + 0.02 * disorder()));
-    particles.spacing.push_back(lattice);
+  explicit Neighbourhood(const TankWalls& walls)
+      : scheme(small_scene(Choice::Smoothing::reads_spacing ? spacing / 2 : spacing)),
+        sources(walls, spacing, support),
+        solids(small_scene(), !Choice::Mirror::exists, support) {
+    sources.add_solids(solids.places(), {});
+    if constexpr (Choice::Solids::has_density) {
+      solids.initialise(scheme);
+      Array<double> density = solids.density();
+      for (std::size_t i = 0; i < density.size(); ++i)
+        density[i] = 1000 * (1.015 + 0.01 * std::sin(2.4 * static_cast<double>(i)));
+      solids.set_density(density);
+    }
   }
 
-  // A lattice of cells, each particle up to 0.45 of a cell off its centre, in any order.
-  void add_block(double bottom, double top, double lattice) {
-    const double length = walls_.right - walls_.left;
-    for (double z = bottom + 0.5 * lattice; z < top; z += lattice)
-      for (double x = 0.5 * lattice; x < length; x += lattice)
-        add(x + 0.45 * lattice * disorder(), z + 0.45 * lattice * disorder(), lattice);
+  bool rebuild(Particles& particles, const TankWalls& walls, double dt) {
+    return sources.template rebuild<typename Choice::Mirror>(particles, walls, dt);
   }
 
-  double disorder() { return unit_(random_); }  // -1 to 1
+  Rates rates(const Particles& particles, const TankWalls& walls,
+              InstructionSet set = widest_instruction_set()) {
+    Rates rates;
+    rates.resize(particles.size());
+    sources.refresh_for_momentum(scheme, particles, walls);
+    solids.refresh_for_momentum(scheme, sources, walls, set);
+    sum_momentum(scheme, sources.clusters(), sources.sources(), particles, rates, set);
+    sources.refresh_for_continuity(scheme, particles, walls);
+    solids.refresh_for_continuity(scheme, sources, walls, set);
+    DensityGradient gradient;
+    if constexpr (Choice::DensityDiffusion::reads_gradient)
+      sum_density_gradient(scheme, sources, particles, walls, gradient, set);
+    sum_continuity(scheme, sources.clusters(), sources.sources(), gradient, particles, rates, set);
+    return rates;
+  }
 
-  Particles particles;
-
- private:
-  TankWalls walls_;
-  std::mt19937 random_{20100};
-  std::uniform_real_distribution<double> unit_{-1, 1};
+  AllPairs all_pairs(const Particles& particles, const TankWalls& walls) {
+    AllPairs oracle(scheme.setting, formulas_of<Choice>(), particles, walls);
+    if constexpr (Choice::Solids::has_density)
+      oracle.add_solids(solids.places(), solids.density());
+    else
+      oracle.add_solids(solids.places(), {});
+    return oracle;
+  }
 };
-
-// Fills the whole tank, so that every wall and corner has particles close to it.
-Particles full_tank(const TankWalls& walls) {
-  DisorderedLiquid liquid(walls);
-  liquid.add_block(walls.bottom, walls.roof, spacing);
-  return liquid.particles;
-}
-
-Particles full_tank_of_two_spacings(const TankWalls& walls) {
-  DisorderedLiquid liquid(walls);
-  liquid.add_block(0, 0.1, spacing);
-  liquid.add_block(0.1, 0.16, spacing / 2);
-  return liquid.particles;
-}
-
-// A shallow pool, and a splash high up at the left wall: a single particle in most rows of cells.
-Particles splashed_tank(const TankWalls& walls) {
-  DisorderedLiquid liquid(walls);
-  liquid.add_block(0, 0.03, spacing);
-  for (double z : {0.075, 0.089, 0.101, 0.107, 0.118, 0.133, 0.148})
-    liquid.add(0.006 + 0.004 * liquid.disorder(), z, spacing);
-  liquid.add(0.195, 0.115, spacing);
-  return liquid.particles;
-}
-
-template <class Scheme>
-Rates by_all_pairs(const Scheme& scheme, const Particles& particles, const TankWalls& walls) {
-  const Medium medium{scheme.setting.gravity, scheme.setting.fill_depth, 1000,
-                      scheme.state.speed_of_sound};
-  using Kernel = typename Scheme::Kernel;
-  if constexpr (std::is_same_v<Kernel, CubicSpline>)
-    return li2010_by_all_pairs(particles, walls, medium);
-  else
-    return recommended_by_all_pairs(
-        particles, walls, medium,
-        std::is_same_v<Kernel, WendlandC2> ? wendland_slope : quintic_slope);
-}
-
-template <class Scheme>
-Rates by_neighbours(const Scheme& scheme, NeighbourSources& neighbours, const Particles& particles,
-                    const TankWalls& walls, InstructionSet set = widest_instruction_set()) {
-  Rates rates;
-  rates.resize(particles.size());
-  neighbours.refresh_for_momentum(scheme, particles, walls);
-  sum_momentum(scheme, neighbours.clusters(), neighbours.sources(), particles, rates, set);
-  neighbours.refresh_for_continuity(scheme, particles, walls);
-  sum_continuity(scheme, neighbours.clusters(), neighbours.sources(), {}, particles, rates, set);
-  return rates;
-}
 
 double largest_difference(const Array<double>& a, const Array<double>& b) {
   double difference = 0, largest = 0;
@@ -136,24 +91,23 @@ double disagreement(const Rates& a, const Rates& b) {
 
 constexpr double round_off = 1e-12;
 
-template <class Scheme>
+std::vector<InstructionSet> instruction_sets() {
+  std::vector<InstructionSet> sets;
+  for (const InstructionSet set :
+       {InstructionSet::plain, InstructionSet::avx2, InstructionSet::avx512})
+    if (has(set)) sets.push_back(set);
+  return sets;
+}
+
+template <class Choice>
 class PairSums : public testing::Test {
  protected:
-  static constexpr double surface_spacing =
-      Scheme::Smoothing::reads_spacing ? spacing / 2 : spacing;
-  const Scheme scheme{small_scene(surface_spacing)};
-  const double support = kernel_support * *Scheme::numbers.smoothing_length_ratio * spacing;
-
   void expect_the_sums_over_all_pairs(Particles particles, const TankWalls& walls) {
-    NeighbourSources neighbours(walls, spacing, support);
-    ASSERT_TRUE(neighbours.rebuild(particles, walls, 0));
-    const Rates expected = by_all_pairs(scheme, particles, walls);
-    for (const InstructionSet set :
-         {InstructionSet::plain, InstructionSet::avx2, InstructionSet::avx512})
-      if (has(set)) {
-        EXPECT_LE(disagreement(by_neighbours(scheme, neighbours, particles, walls, set), expected),
-                  round_off);
-      }
+    Neighbourhood<Choice> neighbourhood(walls);
+    ASSERT_TRUE(neighbourhood.rebuild(particles, walls, 0));
+    const Rates expected = neighbourhood.all_pairs(particles, walls).rates();
+    for (const InstructionSet set : instruction_sets())
+      EXPECT_LE(disagreement(neighbourhood.rates(particles, walls, set), expected), round_off);
   }
 
   // By how much the sums over lists that were made for steps of `dt`, before the particles moved,
@@ -161,8 +115,8 @@ class PairSums : public testing::Test {
   // direction of its own, while the tank itself moves on.
   double disagreement_after_moving(double distance, double dt) {
     Particles particles = full_tank(moving_tank);
-    NeighbourSources neighbours(moving_tank, spacing, support);
-    neighbours.rebuild(particles, moving_tank, dt);
+    Neighbourhood<Choice> neighbourhood(moving_tank);
+    neighbourhood.rebuild(particles, moving_tank, dt);
     TankWalls walls = moving_tank;
     walls.left += 0.05;
     walls.right += 0.05;
@@ -170,22 +124,29 @@ class PairSums : public testing::Test {
       particles.x[i] += 0.05 + distance * std::cos(2.4 * static_cast<double>(i));
       particles.z[i] += distance * std::sin(2.4 * static_cast<double>(i));
     }
-    EXPECT_EQ(neighbours.stale(particles, walls, 0), !(distance < neighbours.slack()));
-    const Rates rates = by_neighbours(scheme, neighbours, particles, walls);
-    return disagreement(rates, by_all_pairs(scheme, particles, walls));
+    const NeighbourSources& sources = neighbourhood.sources;
+    EXPECT_EQ(sources.stale(particles, walls, 0), !(distance < sources.slack()));
+    return disagreement(neighbourhood.rates(particles, walls),
+                        neighbourhood.all_pairs(particles, walls).rates());
   }
 
   double slack_for_steps_of(double dt) {
     Particles particles = full_tank(moving_tank);
-    NeighbourSources neighbours(moving_tank, spacing, support);
-    neighbours.rebuild(particles, moving_tank, dt);
-    return neighbours.slack();
+    Neighbourhood<Choice> neighbourhood(moving_tank);
+    neighbourhood.rebuild(particles, moving_tank, dt);
+    return neighbourhood.sources.slack();
   }
 };
 
-using Schemes = testing::Types<Scheme<Li2010>, Scheme<Li2010TwoSpacings>, Scheme<WithWendlandC2>,
-                               Scheme<Recommended>>;
-TYPED_TEST_SUITE(PairSums, Schemes);
+// All but the variants whose difference is not in the sums: the integrators and the shifting.
+using Choices =
+    testing::Types<Li2010, Li2010TwoSpacings, Recommended, DeltaSph, WithCubicSpline,
+                   WithWendlandC2, WithWendlandC4, WithSymmetricPressure, WithLinearState,
+                   WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
+                   WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono,
+                   WithStickingWalls, WithRepulsiveWalls, WithGhostWalls, WithStickingGhostWalls,
+                   WithDynamicWalls>;
+TYPED_TEST_SUITE(PairSums, Choices);
 
 TYPED_TEST(PairSums, AreThoseOverAllPairsInATankAtRest) {
   this->expect_the_sums_over_all_pairs(full_tank(tank_at_rest), tank_at_rest);
@@ -208,7 +169,7 @@ TYPED_TEST(PairSums, AreThoseOverAllPairsForOneParticleAlone) {
 }
 
 TYPED_TEST(PairSums, HoldWithoutARebuildUntilAParticleHasMovedByTheSlack) {
-  for (const double dt : {0.0, 2e-4, 1e-3})
+  for (const double dt : {2e-4, 1e-3})
     EXPECT_LE(this->disagreement_after_moving(0.99 * this->slack_for_steps_of(dt), dt), round_off)
         << dt;
 }
@@ -218,43 +179,68 @@ TYPED_TEST(PairSums, LoseNeighboursOfParticlesThatMovedFartherThanTheSlack) {
   EXPECT_GT(this->disagreement_after_moving(0.99 * this->slack_for_steps_of(1e-3), 0), 1e-9);
 }
 
-TYPED_TEST(PairSums, HaveSlackForOneStepHoweverLong) {
-  Particles particles = full_tank(tank_at_rest);
-  particles.velocity_z[5] = -20;
-  NeighbourSources neighbours(tank_at_rest, spacing, this->support);
-  neighbours.rebuild(particles, tank_at_rest, 1e-3);
-  EXPECT_FALSE(neighbours.stale(particles, tank_at_rest, 1e-3));
+// The density of dynamic particles after a step: its own continuity equation, not below rest.
+TEST(DynamicSolids, FollowTheContinuityEquationOverAllPairs) {
+  for (const auto& liquid : {full_tank, splashed_tank}) {
+    Particles particles = liquid(moving_tank);
+    Neighbourhood<WithDynamicWalls> walls(moving_tank);
+    ASSERT_TRUE(walls.rebuild(particles, moving_tank, 0));
+    const AllPairs oracle = walls.all_pairs(particles, moving_tank);
+    const Array<double> start = walls.solids.density();
+    walls.rates(particles, moving_tank);
+    const double dt = 1e-4;
+    walls.solids.advance_density(walls.scheme, dt);
+    double largest_change = 0;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const double expected = std::max(1000.0, start[i] + dt * oracle.density_rate_of_solid(i));
+      EXPECT_NEAR(walls.solids.density()[i], expected, 1e-10);
+      largest_change = std::max(largest_change, std::abs(expected - start[i]));
+    }
+    EXPECT_GT(largest_change, 1);  // [kg/m3]
+    walls.solids.advance_density(walls.scheme, 1e6);
+    EXPECT_EQ(*std::min_element(walls.solids.density().begin(), walls.solids.density().end()),
+              1000);
+  }
 }
 
-TYPED_TEST(PairSums, AskForARebuildBeforeAFastParticleLeavesItsSlack) {
+class NeighbourLists : public testing::Test {
+ protected:
+  Neighbourhood<Recommended> neighbourhood{tank_at_rest};
   Particles particles = full_tank(tank_at_rest);
-  NeighbourSources neighbours(tank_at_rest, spacing, this->support);
-  EXPECT_TRUE(neighbours.stale(particles, tank_at_rest, 0));
-  neighbours.rebuild(particles, tank_at_rest, 1e-3);
+  bool stale(double dt) { return neighbourhood.sources.stale(particles, tank_at_rest, dt); }
+};
+
+TEST_F(NeighbourLists, HaveSlackForOneStepHoweverLong) {
+  particles.velocity_z[5] = -20;
+  neighbourhood.rebuild(particles, tank_at_rest, 1e-3);
+  EXPECT_FALSE(stale(1e-3));
+}
+
+TEST_F(NeighbourLists, AskForARebuildBeforeAFastParticleLeavesItsSlack) {
+  EXPECT_TRUE(stale(0));
+  neighbourhood.rebuild(particles, tank_at_rest, 1e-3);
   std::fill(particles.velocity_x.begin(), particles.velocity_x.end(), 0.0);
   std::fill(particles.velocity_z.begin(), particles.velocity_z.end(), 0.0);
-  EXPECT_FALSE(neighbours.stale(particles, tank_at_rest, 1e-3));
-  particles.velocity_z[5] = 1.01 * neighbours.slack() / 1e-3;
-  EXPECT_TRUE(neighbours.stale(particles, tank_at_rest, 1e-3));
+  EXPECT_FALSE(stale(1e-3));
+  particles.velocity_z[5] = 1.01 * neighbourhood.sources.slack() / 1e-3;
+  EXPECT_TRUE(stale(1e-3));
 }
 
 TEST(PairSumsOfTwoSpacings, AreThoseOverAllPairs) {
-  using Scheme = slosh::sph::Scheme<Li2010TwoSpacings>;
-  const Scheme scheme(small_scene(spacing / 2));
   for (const TankWalls& walls : {tank_at_rest, moving_tank}) {
     Particles particles = full_tank_of_two_spacings(walls);
-    NeighbourSources neighbours(walls, spacing,
-                                kernel_support * *Scheme::numbers.smoothing_length_ratio * spacing);
-    ASSERT_TRUE(neighbours.rebuild(particles, walls, 0));
-    const Rates rates = by_neighbours(scheme, neighbours, particles, walls);
-    EXPECT_LE(disagreement(rates, by_all_pairs(scheme, particles, walls)), round_off);
+    Neighbourhood<Li2010TwoSpacings> neighbourhood(walls);
+    ASSERT_TRUE(neighbourhood.rebuild(particles, walls, 0));
+    EXPECT_LE(disagreement(neighbourhood.rates(particles, walls),
+                           neighbourhood.all_pairs(particles, walls).rates()),
+              round_off);
   }
 }
 
 // Where columns are narrower than the particle spacing the kernel's support is still the spacing's.
 TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
   using Scheme = slosh::sph::Scheme<Recommended>;
-  Scene scene = small_scene(spacing);
+  Scene scene = small_scene();
   scene.tank_length = 0.15;
   scene.particle_spacing = scene.surface_particle_spacing = 0.0103;
   const Scheme scheme(scene);
@@ -275,8 +261,8 @@ TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
   liquid.compress(0);
   Particles nominal = p;
   std::fill(nominal.spacing.begin(), nominal.spacing.end(), 0.0103);
-  EXPECT_LE(disagreement(liquid.rates, by_all_pairs(scheme, nominal, liquid.walls_at(0))),
-            round_off);
+  AllPairs oracle(scheme.setting, formulas_of<Recommended>(), nominal, liquid.walls_at(0));
+  EXPECT_LE(disagreement(liquid.rates, oracle.rates()), round_off);
 }
 
 TEST(NeighbourSources, NameTheParticleThatIsNotInTheTank) {

@@ -33,21 +33,39 @@ void expect_same_bits(const History& a, const History& b) {
   EXPECT_EQ(a.value, b.value);
 }
 
-RunOutput run_with_threads(int threads, const std::string& scheme, const Scene& scene) {
+// A scheme by its name, or a variant of the recommended one by its own.
+RunOutput run_named(const std::string& name, Scene scene) {
+  const std::vector<std::string> schemes = scheme_names();
+  if (std::find(schemes.begin(), schemes.end(), name) != schemes.end()) return run(name, scene, {});
+  scene.variant = name;
+  return run("recommended", scene, {});
+}
+
+std::vector<std::string> schemes_and_variants() {
+  std::vector<std::string> names = scheme_names();
+  for (const std::string& variant : variant_names()) names.push_back(variant);
+  return names;
+}
+
+RunOutput run_with_threads(int threads, const std::string& name, const Scene& scene) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(threads);
-  RunOutput output = run(scheme, scene, {});
+  RunOutput output = run_named(name, scene);
   omp_set_num_threads(before);
   return output;
 }
 
-class EveryScheme : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Named, EveryScheme, testing::ValuesIn(scheme_names()),
+class EveryScheme : public testing::TestWithParam<std::string> {
+ protected:
+  RunOutput run_it(const Scene& scene) const { return run_named(GetParam(), scene); }
+};
+INSTANTIATE_TEST_SUITE_P(Named, EveryScheme, testing::ValuesIn(schemes_and_variants()),
                          [](const auto& scheme) { return scheme.param; });
 
 TEST_P(EveryScheme, GivesTheSameBitsWithOneAndTwoThreads) {
-  // The fixed-step scheme takes three times as many steps, of four parallel sums each.
-  const Scene scene = surging_scene(0.025, GetParam() == "li2010" ? 0.04 : 0.2);
+  // A few steps: threads that wait for one another on a busy machine take many times as long.
+  Scene scene = surging_scene(0.025, 0.005);
+  scene.sample_interval = 0.005;
   const RunOutput one = run_with_threads(1, GetParam(), scene);
   const RunOutput two = run_with_threads(2, GetParam(), scene);
   for (const Gauge& gauge : scene.gauges)
@@ -58,31 +76,30 @@ TEST_P(EveryScheme, GivesTheSameBitsWithOneAndTwoThreads) {
 }
 
 TEST_P(EveryScheme, RecordsWhatTheSceneAsksFor) {
-  Scene scene = surging_scene(0.025, 0.1);
+  Scene scene = surging_scene(0.05, 0.1);
   scene.snapshot_interval = 0.05;
   std::vector<double> snapshots;
   scene.record_snapshot = [&](const Snapshot& snapshot) {
     snapshots.push_back(snapshot.time);
-    EXPECT_EQ(snapshot.x.size(), 560);
-    EXPECT_EQ(snapshot.pressure.size(), 560);
+    EXPECT_EQ(snapshot.x.size(), 140);
+    EXPECT_EQ(snapshot.pressure.size(), 140);
   };
-  const RunOutput output = run(GetParam(), scene, {});
+  const RunOutput output = run_it(scene);
   const History& right = output.elevation.at("right");
   ASSERT_EQ(right.time.size(), 11);
   EXPECT_EQ(right.time[3], 3 * 0.01);
   EXPECT_EQ(output.kinetic_energy.time, right.time);
   EXPECT_EQ(output.horizontal_force.time.front(), 0.01);
-  EXPECT_EQ(output.particles, 560);
-  EXPECT_GT(output.steps, 10);
+  EXPECT_EQ(output.particles, 140);
+  EXPECT_GE(output.steps, 10);
   EXPECT_FALSE(output.active_terms.empty());
   EXPECT_GT(output.diagnostics.at("smallest_time_step_s"), 0);
   EXPECT_EQ(snapshots, (std::vector<double>{0, 0.05, 0.1}));
 }
 
 TEST_P(EveryScheme, AnswersTheMirroredMotionWithTheMirroredWave) {
-  const Scene scene = surging_scene(0.025, 0.3);
-  const RunOutput ahead = run(GetParam(), scene, {});
-  const RunOutput back = run(GetParam(), surging_scene(0.025, 0.3, -0.02), {});
+  const RunOutput ahead = run_it(surging_scene(0.025, 0.2)),
+                  back = run_it(surging_scene(0.025, 0.2, -0.02));
   EXPECT_GT(largest(ahead.elevation.at("right").value), 1e-3);
   // Round-off grows along the particles' paths; the wave is of millimetres.
   EXPECT_LE(largest_difference(ahead.elevation.at("right").value, back.elevation.at("left").value),
@@ -93,33 +110,60 @@ TEST_P(EveryScheme, AnswersTheMirroredMotionWithTheMirroredWave) {
 
 TEST_P(EveryScheme, FollowsGravity) {
   Scene scene = surging_scene(0.05, 0.8);
-  const auto earth = run(GetParam(), scene, {}).elevation.at("right").value;
+  const auto earth = run_it(scene).elevation.at("right").value;
   scene.gravity = 9.0;
-  const auto lighter = run(GetParam(), scene, {}).elevation.at("right").value;
+  const auto lighter = run_it(scene).elevation.at("right").value;
   EXPECT_GT(largest_difference(earth, lighter), 0.03 * largest(earth));
 }
 
 // Momentum from snapshots, with every particle of the same mass: their masses differ by the
 // hydrostatic compression, 1 % over the depth. One step per sample.
 TEST_P(EveryScheme, GivesTheForceThatChangesTheLiquidsMomentum) {
-  Scene scene = surging_scene(0.025, 0.4);
-  scene.sample_interval = scene.snapshot_interval = 5e-4;
+  Scene scene = surging_scene(0.025, 0.2);
+  scene.sample_interval = scene.snapshot_interval = GetParam() == "verlet" ? 2.5e-4 : 5e-4;
   std::vector<double> momentum;
   scene.record_snapshot = [&](const Snapshot& s) {
     const double mass = 1000 * 0.35 / static_cast<double>(s.x.size());
     momentum.push_back(mass * std::accumulate(s.velocity_x.begin(), s.velocity_x.end(), 0.0));
   };
-  const RunOutput output = run(GetParam(), scene, {});
+  const RunOutput output = run_it(scene);
   const std::vector<double>& force = output.horizontal_force.value;
   ASSERT_EQ(output.steps, static_cast<double>(force.size()));
   ASSERT_EQ(momentum.size(), force.size() + 1);
+  // Verlet's velocities are carried over two steps.
+  const std::size_t span = GetParam() == "verlet" ? 2 : 1;
   double error2 = 0, force2 = 0;
   for (std::size_t i = 1; i < force.size(); ++i) {
-    const double rate = (momentum[i + 1] - momentum[i]) / scene.sample_interval;
+    const double rate = (momentum[i + 1] - momentum[i + 1 - span]) /
+                        (static_cast<double>(span) * scene.sample_interval);
     error2 += std::pow(force[i] + rate, 2);
     force2 += std::pow(force[i], 2);
   }
   EXPECT_LE(std::sqrt(error2 / force2), 0.02);
+}
+
+class EveryVariant : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Named, EveryVariant, testing::ValuesIn(variant_names()),
+                         [](const auto& variant) { return variant.param; });
+
+// The tank's largest kinetic energy, of its 0.03 m/s, is 0.15 J/m, and that of the wave not far
+// from it.
+TEST_P(EveryVariant, DiffersFromTheRecommendedSchemeButGivesMuchTheSameSurge) {
+  Scene scene = surging_scene(0.025, 0.2);
+  scene.kinematic_viscosity = 1e-6;
+  const RunOutput recommended = run("recommended", scene, {});
+  const RunOutput variant = run_named(GetParam(), scene);
+  EXPECT_GT(largest_difference(variant.elevation.at("right").value,
+                               recommended.elevation.at("right").value),
+            1e-8);
+  const std::vector<double>&kinetic = variant.kinetic_energy.value,
+        &potential = variant.potential_energy.value;
+  for (std::size_t i = 0; i < kinetic.size(); ++i) {
+    EXPECT_LT(kinetic[i], 0.3);
+    EXPECT_GT(potential[i], -0.3);
+    EXPECT_LT(potential[i], 0.3);
+  }
+  EXPECT_NE(variant.active_terms, recommended.active_terms);
 }
 
 // Nothing in the flow depends on how fast the tank and the liquid travel together.

@@ -5,16 +5,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace slosh::sph {
 namespace {
 
-double snapped(double edge, double spacing) { return spacing * std::round(edge / spacing); }
+// A length's whole number of cells makes them a little larger or smaller than the spacing.
+double cell_along(double length, double spacing) {
+  return length / std::max(1.0, std::round(length / spacing));
+}
 
-// The image of (x, z) in the nearest of the rectangle's four faces, seen from within.
-SolidPlace behind_nearest_face(double x, double z, const Rectangle& r) {
-  const std::array<double, 4> depth{x - r.left, r.right - x, z - r.bottom, r.top - z};
+// To the nearest border between cells, or to the wall at `end` where that is as near.
+double snapped(double edge, double cell, double end) {
+  return std::abs(edge - end) <= 0.5 * cell ? end : cell * std::round(edge / cell);
+}
+
+// The image of (x, z) in the nearest of the obstacle's faces, seen from within. One that lies
+// behind a wall of the tank is none.
+SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double tank_length,
+                               double tank_height) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const std::array<double, 4> depth{
+      r.left < 0 ? none : x - r.left, r.right > tank_length ? none : r.right - x,
+      r.bottom < 0 ? none : z - r.bottom, r.top > tank_height ? none : r.top - z};
   switch (std::min_element(depth.begin(), depth.end()) - depth.begin()) {
     case 0:
       return {x, z, 2 * r.left - x, z, true, false};
@@ -40,19 +54,23 @@ void fold_into_tank(SolidPlace& place, const Scene& scene) {
 
 void fill_obstacle(const Scene& scene, const Rectangle& r, double depth,
                    std::vector<SolidPlace>& places) {
-  const double dp = scene.particle_spacing;
-  for (double z = r.bottom + 0.5 * dp; z < r.top; z += dp)
-    for (double x = r.left + 0.5 * dp; x < r.right; x += dp) {
-      SolidPlace place = behind_nearest_face(x, z, r);
+  const double dx = cell_along(r.right - r.left, scene.particle_spacing),
+               dz = cell_along(r.top - r.bottom, scene.particle_spacing);
+  for (double z = r.bottom + 0.5 * dz; z < r.top; z += dz)
+    for (double x = r.left + 0.5 * dx; x < r.right; x += dx) {
+      SolidPlace place = behind_nearest_face(x, z, r, scene.tank_length, scene.tank_height);
       if (std::hypot(place.node_x - x, place.node_z - z) > 2 * depth) continue;
       fold_into_tank(place, scene);
       places.push_back(place);
     }
 }
 
-void fill_tank_walls(const Scene& scene, double depth, std::vector<SolidPlace>& places) {
+int whole_layers(double depth, double dp) { return static_cast<int>(std::ceil(depth / dp - 1e-9)); }
+
+void fill_tank_walls(const Scene& scene, double depth, const std::vector<Rectangle>& obstacles,
+                     std::vector<SolidPlace>& places) {
   const double dp = scene.particle_spacing;
-  const int layers = static_cast<int>(std::ceil(depth / dp - 1e-9));
+  const int layers = whole_layers(depth, dp);
   const int columns = static_cast<int>(std::round(scene.tank_length / dp)),
             rows = static_cast<int>(std::round(scene.tank_height / dp));
   const double dx = scene.tank_length / columns, dz = scene.tank_height / rows;
@@ -60,6 +78,9 @@ void fill_tank_walls(const Scene& scene, double depth, std::vector<SolidPlace>& 
     for (int column = -layers; column < columns + layers; ++column) {
       if (row >= 0 && row < rows && column >= 0 && column < columns) continue;
       const double x = (column + 0.5) * dx, z = (row + 0.5) * dz;
+      if (std::any_of(obstacles.begin(), obstacles.end(),
+                      [=](const Rectangle& obstacle) { return holds(obstacle, x, z); }))
+        continue;
       SolidPlace place{x, z, x, z, false, false};
       fold_into_tank(place, scene);
       places.push_back(place);
@@ -70,10 +91,12 @@ void fill_tank_walls(const Scene& scene, double depth, std::vector<SolidPlace>& 
 
 std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth) {
   const double dp = scene.particle_spacing;
+  const double dx = cell_along(scene.tank_length, dp), dz = cell_along(scene.fill_depth, dp);
   std::vector<Rectangle> obstacles;
   for (const Rectangle& given : scene.obstacles) {
-    Rectangle r{snapped(given.left, dp), snapped(given.right, dp), snapped(given.bottom, dp),
-                snapped(given.top, dp)};
+    Rectangle r{
+        snapped(given.left, dx, scene.tank_length), snapped(given.right, dx, scene.tank_length),
+        snapped(given.bottom, dz, scene.tank_height), snapped(given.top, dz, scene.tank_height)};
     const double thin =
         std::min(r.left > 0 && r.right < scene.tank_length ? r.right - r.left : depth,
                  r.bottom > 0 && r.top < scene.tank_height ? r.top - r.bottom : depth);
@@ -82,10 +105,11 @@ std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth) {
           "obstacle from x = {} to {} m and z = {} to {} m: expected one at least as thick as the "
           "kernel reaches, {:.4g} m at the particle spacing of {} m",
           given.left, given.right, given.bottom, given.top, depth, dp));
-    if (r.left <= 0) r.left -= depth;
-    if (r.right >= scene.tank_length) r.right += depth;
-    if (r.bottom <= 0) r.bottom -= depth;
-    if (r.top >= scene.tank_height) r.top += depth;
+    const int layers = whole_layers(depth, dp);
+    if (r.left <= 0) r.left = -layers * dx;
+    if (r.right >= scene.tank_length) r.right = scene.tank_length + layers * dx;
+    if (r.bottom <= 0) r.bottom = -layers * dz;
+    if (r.top >= scene.tank_height) r.top = scene.tank_height + layers * dz;
     obstacles.push_back(r);
   }
   return obstacles;
@@ -96,7 +120,8 @@ void expel(Particles& p, const TankWalls& walls, const Rectangle& obstacle) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double x = p.x[i] - walls.left, z = p.z[i] - walls.bottom;
     if (!holds(obstacle, x, z)) continue;
-    const SolidPlace place = behind_nearest_face(x, z, obstacle);
+    const SolidPlace place =
+        behind_nearest_face(x, z, obstacle, walls.right - walls.left, walls.roof - walls.bottom);
     p.x[i] = walls.left + place.node_x;
     p.z[i] = walls.bottom + place.node_z;
     if (place.turns_x) p.velocity_x[i] = 2 * walls.velocity - p.velocity_x[i];
@@ -106,9 +131,9 @@ void expel(Particles& p, const TankWalls& walls, const Rectangle& obstacle) {
 
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth) {
   std::vector<SolidPlace> places;
-  if (tank_walls) fill_tank_walls(scene, depth, places);
-  for (const Rectangle& obstacle : obstacles_on_lattice(scene, depth))
-    fill_obstacle(scene, obstacle, depth, places);
+  const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, depth);
+  if (tank_walls) fill_tank_walls(scene, depth, obstacles, places);
+  for (const Rectangle& obstacle : obstacles) fill_obstacle(scene, obstacle, depth, places);
   return places;
 }
 

@@ -21,12 +21,13 @@ struct SolidPlace {
 
 // The layers of the scene's obstacles and, where `tank_walls`, of the tank's bottom, sides and
 // roof, `depth` [m] deep, a particle spacing apart, half a spacing inside the faces. An obstacle
-// that touches a wall is continued behind it. Throws std::invalid_argument for an obstacle across
-// which the liquid on its two sides would meet: thinner than `depth`.
+// that touches a wall is continued behind it, in place of the wall's own layers. Throws
+// std::invalid_argument for an obstacle across which the liquid on its two sides would meet:
+// thinner than `depth`.
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth);
 
 // The obstacles on the lattice: edges moved to the nearest border between its cells, and continued
-// by `depth` behind the walls that they touch.
+// behind the walls that they touch by the whole layers that reach `depth`.
 std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth);
 
 // Brings particles that have come into the obstacle back out through its nearest face, their normal

@@ -11,6 +11,7 @@
 
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/pair_sums.hpp"
+#include "sph/setting.hpp"
 #include "sph/walls/node_sums.hpp"
 #include "sph/walls/solid_particles.hpp"
 
@@ -86,6 +87,13 @@ class GhostSolids {
     look_up<&Source::density>(scheme, neighbours, walls, set);
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
       place(scheme, places_[i], walls, source);
+      if constexpr (Scheme::DensityDiffusion::active)
+        if (!nodes_[i].found) {
+          // As of a liquid without pressure.
+          const double rho = scheme.setting.rest_density;
+          source.density = scheme.density_diffusion.diffused(0.0, rho, source.z);
+          return;
+        }
       source.density = nodes_[i].value;
       if constexpr (Scheme::DensityDiffusion::of_whole_density) {
         const double sound = scheme.state.speed_of_sound;

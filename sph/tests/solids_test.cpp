@@ -1,0 +1,270 @@
+#include "sph/walls/solids.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sph/initial_lattice.hpp"
+#include "sph/liquid.hpp"
+#include "sph/scheme.hpp"
+#include "sph/schemes.hpp"
+#include "sph/tests/surging_scene.hpp"
+
+namespace slosh::sph {
+namespace {
+
+constexpr double dp = 0.025, fill_depth = 0.35;
+
+template <class Choice>
+struct Still {
+  Scene scene;
+  Scheme<Choice> scheme;
+  Liquid<Scheme<Choice>> liquid;
+
+  explicit Still(const Scene& in)
+      : scene(in),
+        scheme(scene),
+        liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
+                 return scheme.state.density(pressure);
+               })) {}
+};
+
+// A solid and its sources beside a liquid, as a Liquid would hold them.
+template <class Choice>
+struct Beside {
+  Scene scene;
+  Scheme<Choice> scheme;
+  double support = kernel_support * scheme.setting.smoothing_length();
+  TankWalls walls;
+  NeighbourSources sources;
+  typename Choice::Solids solids;
+  Particles particles;
+
+  Beside(const Scene& in, const TankWalls& walls_in, Particles liquid)
+      : scene(in),
+        scheme(scene),
+        walls(walls_in),
+        sources(walls, scene.particle_spacing, support),
+        solids(scene, !Choice::Mirror::exists, support),
+        particles(std::move(liquid)) {
+    sources.add_solids(solids.places(), obstacles_on_lattice(scene, support));
+    EXPECT_TRUE(sources.rebuild<typename Choice::Mirror>(particles, walls, 0));
+  }
+  void refresh_for_momentum() {
+    sources.refresh_for_momentum(scheme, particles, walls);
+    solids.refresh_for_momentum(scheme, sources, walls, widest_instruction_set());
+  }
+  void refresh_for_continuity() {
+    sources.refresh_for_continuity(scheme, particles, walls);
+    solids.refresh_for_continuity(scheme, sources, walls, widest_instruction_set());
+  }
+};
+
+template <class Choice>
+Particles lattice(const Scene& scene) {
+  const Scheme<Choice> scheme(scene);
+  return initial_lattice(scene, [&](double pressure) { return scheme.state.density(pressure); });
+}
+
+constexpr TankWalls still_walls{0, 1, 0, 1, 0, 0};
+
+TEST(GhostSolids, ContinueTheHydrostaticPressureExactly) {
+  Scene scene = still_scene(dp, 0);
+  scene.obstacles = {{0.4, 0.6, 0, 0.2}};
+  Beside<WithGhostWalls> beside(scene, still_walls, lattice<WithGhostWalls>(scene));
+  beside.refresh_for_momentum();
+  int below_surface = 0;
+  beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
+    if (source.z > fill_depth - dp) return;
+    ++below_surface;
+    EXPECT_NEAR(source.strength, 1000 * 9.81 * (fill_depth - source.z), 1e-7);  // [Pa]
+    EXPECT_NEAR(source.weight, dp * dp, 1e-18);
+  });
+  // Bottom, sides and the obstacle's three layers behind its faces.
+  EXPECT_GT(below_surface, 250);
+}
+
+// Also in a tank that accelerates along x with the liquid leaning against its walls accordingly.
+TEST(GhostSolids, ContinueThePressureOfAnAcceleratedLiquidExactly) {
+  const double acceleration = 1.7;
+  const Scene scene = still_scene(dp, 0);
+  Particles leaning = lattice<WithGhostWalls>(scene);
+  const Scheme<WithGhostWalls> scheme(scene);
+  const auto pressure = [&](double x, double z) {
+    return 1000 * (9.81 * (fill_depth - z) + acceleration * (1 - x));
+  };
+  for (std::size_t i = 0; i < leaning.size(); ++i)
+    leaning.density[i] = scheme.state.density(pressure(leaning.x[i], leaning.z[i]));
+  Beside<WithGhostWalls> beside(scene, {0, 1, 0, 1, 0, acceleration}, leaning);
+  beside.refresh_for_momentum();
+  beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
+    if (source.z > fill_depth - dp) return;
+    EXPECT_NEAR(source.strength, pressure(source.x, source.z), 1e-7);
+  });
+}
+
+// Mirror particles of liquid of density rho, 0.5 % above rho_0 at the bottom, have rho g where
+// ghost particles have rho_0 g: 0.5 % of g from each of the two walls of a corner.
+TEST(GhostSolids, PushTheStillLatticeAsMirrorParticlesDo) {
+  const Scene scene = still_scene(dp, 0);
+  Still<Recommended> mirror(scene);
+  Still<WithGhostWalls> ghost(scene);
+  mirror.liquid.accelerate(0);
+  ghost.liquid.accelerate(0);
+  double largest = 0;
+  for (std::size_t i = 0; i < mirror.liquid.particles.size(); ++i) {
+    ASSERT_EQ(mirror.liquid.particles.x[i], ghost.liquid.particles.x[i]);
+    ASSERT_EQ(mirror.liquid.particles.z[i], ghost.liquid.particles.z[i]);
+    largest = std::max(
+        largest,
+        std::hypot(mirror.liquid.rates.acceleration_x[i] - ghost.liquid.rates.acceleration_x[i],
+                   mirror.liquid.rates.acceleration_z[i] - ghost.liquid.rates.acceleration_z[i]));
+  }
+  EXPECT_LE(largest, 0.01 * 9.81);
+  EXPECT_GT(largest, 0);
+}
+
+// Around an obstacle too: what is left is the kernel's own error.
+TEST(GhostSolids, HoldTheStillLiquidAroundAnObstacle) {
+  Scene scene = still_scene(dp, 0);
+  scene.obstacles = {{0.4, 0.6, 0, 0.2}};
+  Still<Recommended> still(scene);
+  still.liquid.accelerate(0);
+  const Particles& p = still.liquid.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.z[i] > fill_depth - 3 * dp) continue;  // the free surface truncates the kernel
+    EXPECT_LE(
+        std::hypot(still.liquid.rates.acceleration_x[i], still.liquid.rates.acceleration_z[i]),
+        0.01 * 9.81)
+        << p.x[i] << ' ' << p.z[i];
+  }
+}
+
+// The liquid of a uniform velocity (0.3, -0.2) m/s and a wall of 0.5 m/s.
+template <class Choice>
+void expect_velocities(double side_u, double side_w, double bottom_u, double bottom_w) {
+  Scene scene = still_scene(dp, 0);
+  scene.initial_velocity = 0.3;
+  Particles liquid = lattice<Choice>(scene);
+  std::fill(liquid.velocity_z.begin(), liquid.velocity_z.end(), -0.2);
+  Beside<Choice> beside(scene, {0, 1, 0, 1, 0.5, 0}, liquid);
+  beside.refresh_for_momentum();
+  beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
+    if (source.z > fill_depth - dp) return;
+    const bool side = source.x < 0 || source.x > 1, bottom = source.z < 0;
+    if (side && bottom) return;
+    EXPECT_NEAR(source.velocity_x, side ? side_u : bottom_u, 1e-12);
+    EXPECT_NEAR(source.velocity_z, side ? side_w : bottom_w, 1e-12);
+  });
+  beside.refresh_for_continuity();
+  beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
+    EXPECT_EQ(source.velocity_x, 0.5);
+    EXPECT_EQ(source.velocity_z, 0);
+  });
+}
+
+TEST(GhostSolids, LetTheLiquidSlipWithFreeSlip) {
+  expect_velocities<WithGhostWalls>(0.7, -0.2, 0.3, 0.2);
+}
+
+TEST(GhostSolids, HoldTheLiquidWithNoSlip) {
+  expect_velocities<WithStickingGhostWalls>(0.7, 0.2, 0.7, 0.2);
+}
+
+Particles one_particle(double x, double z) {
+  Particles p;
+  p.x = {x};
+  p.z = {z};
+  p.velocity_x = p.velocity_z = {0.0};
+  p.density = {1000};
+  p.mass = {1000 * dp * dp};
+  p.spacing = {dp};
+  return p;
+}
+
+// Beside an obstacle's corner a particle reaches solids that look across another face and find no
+// liquid there: those are as of a liquid without pressure, and nothing diffuses.
+template <class Choice>
+double density_rate_beside_the_corner() {
+  Scene scene = still_scene(dp, 0);
+  scene.obstacles = {{0.4, 0.7, 0, 0.5}};
+  Beside<Choice> beside(scene, still_walls, one_particle(0.395, 0.43));
+  beside.refresh_for_continuity();
+  Rates rates;
+  rates.resize(1);
+  DensityGradient gradient;
+  if constexpr (Choice::DensityDiffusion::reads_gradient)
+    sum_density_gradient(beside.scheme, beside.sources, beside.particles, beside.walls, gradient,
+                         InstructionSet::plain);
+  sum_continuity(beside.scheme, beside.sources.clusters(), beside.sources.sources(), gradient,
+                 beside.particles, rates, InstructionSet::plain);
+  return rates.density_rate[0];
+}
+
+TEST(GhostSolids, DiffuseNoDensityFromWhereTheyFindNoLiquid) {
+  // The hydrostatic rise of some cm over c0^2, 340 m2/s2, at rates of up to 2 delta c0 / h, 100
+  // 1/s.
+  EXPECT_LE(std::abs(density_rate_beside_the_corner<DeltaSph>()), 100);
+  EXPECT_LE(std::abs(density_rate_beside_the_corner<WithMolteniColagrossi>()), 100);
+  EXPECT_LE(std::abs(density_rate_beside_the_corner<Recommended>()), 100);
+}
+
+TEST(DynamicSolids, StartWithTheDensityOfTheStillLiquid) {
+  const Scene scene = still_scene(dp, 0);
+  Beside<WithDynamicWalls> beside(scene, still_walls, lattice<WithDynamicWalls>(scene));
+  beside.solids.initialise(beside.scheme);
+  beside.refresh_for_momentum();
+  beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
+    EXPECT_NEAR(source.strength, 1000 * 9.81 * std::max(0.0, fill_depth - source.z), 1e-7);
+    EXPECT_EQ(source.velocity_x, 0);
+  });
+}
+
+// One particle before the left wall, running at it with 0.2 m/s, in a tank where the hydrostatic
+// pressure is none: drho/dt = rho_a V_b v_ab . grad W, a the solid's.
+TEST(DynamicSolids, AreCompressedByAParticleThatComesNearer) {
+  Scene scene = still_scene(dp, 0);
+  scene.gravity = 1e-12;
+  Particles particle = one_particle(0.01, 0.5125);
+  particle.velocity_x = {-0.2};
+  Beside<WithDynamicWalls> beside(scene, still_walls, particle);
+  beside.solids.initialise(beside.scheme);
+  const auto solid = [&](double x, double z) {
+    const auto& places = beside.solids.places();
+    return std::find_if(places.begin(), places.end(),
+                        [&](const SolidPlace& place) {
+                          return std::abs(place.x - x) < 1e-9 && std::abs(place.z - z) < 1e-9;
+                        }) -
+           places.begin();
+  };
+  beside.refresh_for_continuity();
+  beside.solids.advance_density(beside.scheme, 0.01);
+  const double r = 0.01 + 0.5 * dp, h = 1.5 * dp;
+  // Morris, Fox & Zhu 1997, eq. 24, inside the first knot.
+  const double morris_h = 2 * h / 3, s = r / morris_h;
+  ASSERT_LT(s, 1);
+  const double slope = 7 / (478 * std::numbers::pi * std::pow(morris_h, 3)) * -5 *
+                       (std::pow(3 - s, 4) - 6 * std::pow(2 - s, 4) + 15 * std::pow(1 - s, 4));
+  const double rate = 1000 * dp * dp * 0.2 * -slope;
+  EXPECT_NEAR(beside.solids.density()[solid(-0.5 * dp, 0.5125)], 1000 + 0.01 * rate, 1e-6 * rate);
+  // Behind the other wall there is nothing to feel, and a receding particle leaves the rest
+  // density.
+  EXPECT_EQ(beside.solids.density()[solid(1 + 0.5 * dp, 0.5125)], 1000);
+  beside.solids.initialise(beside.scheme);
+  beside.particles.velocity_x = {0.2};
+  beside.refresh_for_continuity();
+  beside.solids.advance_density(beside.scheme, 0.01);
+  EXPECT_EQ(beside.solids.density()[solid(-0.5 * dp, 0.5125)], 1000);
+}
+
+TEST(NoSolids, TakeNoObstacles) {
+  Scene scene = still_scene(dp, 0.1);
+  EXPECT_NO_THROW(NoSolids(scene, false, 0.1));
+  scene.obstacles = {{0.4, 0.6, 0, 0.2}};
+  EXPECT_THROW(NoSolids(scene, false, 0.1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace slosh::sph
