@@ -47,15 +47,16 @@ class Liquid {
             scene_.acceleration(t)};
   }
 
-  // Makes the neighbour search valid for a step of dt from now.
-  void renew_neighbours(double dt) {
+  // Makes the neighbour search valid for a step of dt from now; whether that took new lists.
+  bool renew_neighbours(double dt) {
     const TankWalls walls = walls_at(time);
     scheme_.wall_contact.confine(particles, walls);
     for (const Rectangle& obstacle : obstacles_) expel(particles, walls, obstacle);
-    if (!neighbours_.stale(particles, walls, dt)) return;
+    if (!neighbours_.stale(particles, walls, dt)) return false;
     if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, walls, dt))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
     rates.resize(particles.size());
+    return true;
   }
 
   void accelerate(double t) {
@@ -108,6 +109,9 @@ class Liquid {
     add_scaled(particles.x, 1, shifts_.x);
     add_scaled(particles.z, 1, shifts_.z);
   }
+
+  // Of the pair loops; the processor's widest, if nothing else is asked for.
+  void use(InstructionSet set) { instructions_ = set; }
 
   const Scheme& scheme() const { return scheme_; }
   const NeighbourSources& neighbours() const { return neighbours_; }

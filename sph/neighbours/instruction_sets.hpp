@@ -5,6 +5,20 @@
 namespace slosh::sph {
 
 enum class InstructionSet { plain, avx2, avx512 };
+inline constexpr InstructionSet instruction_sets[] = {InstructionSet::plain, InstructionSet::avx2,
+                                                      InstructionSet::avx512};
+
+inline const char* instruction_set_name(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::plain:
+      return "plain";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::avx512:
+      return "avx512";
+  }
+  return "";
+}
 
 #if defined(__x86_64__)
 inline bool has(InstructionSet set) {
