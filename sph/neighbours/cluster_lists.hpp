@@ -1,15 +1,18 @@
 // Neighbour lists of clusters: up to eight particles that stand together in the sorted order, and
-// the sources within reach of the box around them. The pair loop keeps a cluster in its lanes and
-// takes one source after another for all eight: no gathers, no scatters, and every particle sums in
-// a fixed order whatever the number of threads.
+// the sources within reach of one of them. The pair loop keeps a cluster in its lanes and takes one
+// source after another for all eight: no gathers, no scatters, and every particle sums in a fixed
+// order whatever the number of threads.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "sph/neighbours/cell_grid.hpp"
+#include "sph/neighbours/instruction_sets.hpp"
+#include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
 
 namespace slosh::sph {
@@ -20,25 +23,65 @@ struct Cluster {
   std::size_t source_count;
 };
 
+// Sources in the order of a grid's last sort, the first of them being number `first_source` of all.
+struct SortedPoints {
+  const CellGrid& grid;
+  const Array<double>&x, &z;
+  std::size_t first_source;
+};
+
+// What of a run of points comes into a list.
+struct ListedRun {
+  const double *x, *z;
+  std::size_t size;
+  std::uint32_t first_source;
+};
+
+// Appends to `end` those of a run that are within reach of a particle at x[i], z[i]; room for all.
+inline void append_near(const ListedRun* run, const double* x, const double* z,
+                        std::size_t particles, double reach, std::uint32_t** end) {
+  std::uint32_t* next = *end;
+  for (std::size_t b = 0; b < run->size; b += lane_count) {
+    const Lanes source_x = load(run->x + b), source_z = load(run->z + b);
+    Lanes nearest2 = 2 * reach * reach - Lanes{};
+    for (std::size_t i = 0; i < particles; ++i) {
+      const Lanes dx = source_x - x[i], dz = source_z - z[i];
+      nearest2 = at_most(dx * dx + dz * dz, nearest2);
+    }
+    const std::size_t count = std::min(lane_count, run->size - b);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      *next = run->first_source + static_cast<std::uint32_t>(b + lane);
+      next += nearest2[lane] < reach * reach;
+    }
+  }
+  *end = next;
+}
+
 class ClusterLists {
  public:
   // Clusters of the particles whose cells, ascending, are `particle_cells`; no cluster reaches
-  // across rows. `x`, `z`: the particles' positions in the sources' frame. `sources` are in the
-  // order of the grid's last sort.
+  // across rows. `x`, `z`: the particles' positions in the points' frame.
   void build(const CellGrid& grid, const std::vector<std::uint32_t>& particle_cells,
-             const Array<double>& x, const Array<double>& z, const Array<Source>& sources,
-             double reach) {
+             const Array<double>& x, const Array<double>& z,
+             std::initializer_list<SortedPoints> points, double reach) {
     cut_into_clusters(grid, particle_cells);
     batches_.resize((firsts_.size() - 1 + batch_size - 1) / batch_size);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
-      Batch& list = batches_[batch];
-      list.sources.clear();
-      list.ends.clear();
-      const std::size_t last = std::min((batch + 1) * batch_size, firsts_.size() - 1);
-      for (std::size_t c = batch * batch_size; c < last; ++c) {
-        append_sources(grid, x, z, firsts_[c], firsts_[c + 1], sources, reach, list.sources);
-        list.ends.push_back(static_cast<std::uint32_t>(list.sources.size()));
+    const InstructionSet set = widest_instruction_set();
+#pragma omp parallel
+    {
+      std::vector<std::uint32_t> list;
+#pragma omp for schedule(dynamic)
+      for (std::size_t k = 0; k < batches_.size(); ++k) {
+        Batch& batch = batches_[k];
+        batch.ends.clear();
+        std::size_t length = 0;
+        const std::size_t last = std::min((k + 1) * batch_size, firsts_.size() - 1);
+        for (std::size_t c = k * batch_size; c < last; ++c) {
+          for (const SortedPoints& of : points)
+            length = append_sources(of, x, z, firsts_[c], firsts_[c + 1], reach, set, list, length);
+          batch.ends.push_back(static_cast<std::uint32_t>(length));
+        }
+        batch.sources.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(length));
       }
     }
   }
@@ -76,20 +119,26 @@ class ClusterLists {
       }
   }
 
-  static void append_sources(const CellGrid& grid, const Array<double>& x, const Array<double>& z,
-                             std::size_t first, std::size_t end, const Array<Source>& sources,
-                             double reach, std::vector<std::uint32_t>& list) {
+  // Returns the list's new length.
+  static std::size_t append_sources(const SortedPoints& points, const Array<double>& x,
+                                    const Array<double>& z, std::size_t first, std::size_t end,
+                                    double reach, InstructionSet set,
+                                    std::vector<std::uint32_t>& list, std::size_t length) {
+    const CellGrid& grid = points.grid;
     const auto [left, right] = std::minmax_element(&x[first], &x[end - 1] + 1);
     const auto [bottom, top] = std::minmax_element(&z[first], &z[end - 1] + 1);
     const int from = grid.column(*left - reach), to = grid.column(*right + reach);
     for (int row = grid.row(*bottom - reach); row <= grid.row(*top + reach); ++row) {
-      const IndexRange run = grid.run(row, from, to);
-      for (std::size_t b = run.begin; b < run.end; ++b) {
-        const double dx = std::max({*left - sources[b].x, sources[b].x - *right, 0.0});
-        const double dz = std::max({*bottom - sources[b].z, sources[b].z - *top, 0.0});
-        if (dx * dx + dz * dz < reach * reach) list.push_back(static_cast<std::uint32_t>(b));
-      }
+      const IndexRange range = grid.run(row, from, to);
+      const ListedRun run{points.x.data() + range.begin, points.z.data() + range.begin,
+                          range.end - range.begin,
+                          static_cast<std::uint32_t>(points.first_source + range.begin)};
+      if (list.size() < length + run.size + 1) list.resize(2 * (length + run.size) + 1);
+      std::uint32_t* next = list.data() + length;
+      call<&append_near>(set, &run, &x[first], &z[first], end - first, reach, &next);
+      length = static_cast<std::size_t>(next - list.data());
     }
+    return length;
   }
 
   std::vector<std::uint32_t> firsts_;

@@ -80,7 +80,7 @@ void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbou
             map.scale_x * gradient.x[i] + (1 - map.scale_x) * compressibility * map.gravity_x,
             map.scale_z * gradient.z[i] + (1 - map.scale_z) * compressibility * map.gravity_z};
       });
-  for (const auto& [k, solid] : neighbours.solid_sources())
+  for (std::size_t k = neighbours.first_solid_source(); k < neighbours.source_count(); ++k)
     gradient.of_sources[k] = {-compressibility * walls.acceleration,
                               -compressibility * scheme.setting.gravity};
 }

@@ -25,6 +25,10 @@ inline Lanes at_least(double bound, Lanes a) {
   return a > bounds ? a : bounds;
 }
 
+// The smaller of a and b; b where a is no number.
+inline double at_most(double a, double b) { return a < b ? a : b; }
+inline Lanes at_most(Lanes a, Lanes b) { return a < b ? a : b; }
+
 inline double negative_part(double a) { return a < 0.0 ? a : 0.0; }
 inline Lanes negative_part(Lanes a) { return a < Lanes{} ? a : Lanes{}; }
 
