@@ -14,6 +14,7 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/simulation.hpp"
 
 namespace slosh::sph {
 
@@ -30,22 +31,22 @@ struct SortedPoints {
   std::size_t first_source;
 };
 
-// What of a run of points comes into a list.
-struct ListedRun {
+// Points that stand one after another in the order of a grid.
+struct PointRun {
   const double *x, *z;
   std::size_t size;
   std::uint32_t first_source;
 };
 
-// Appends to `end` those of a run that are within reach of a particle at x[i], z[i]; room for all.
-inline void append_near(const ListedRun* run, const double* x, const double* z,
-                        std::size_t particles, double reach, std::uint32_t** end) {
+// Appends to `end` the sources of a run that are within reach of one of the `around`; room for all.
+inline void append_near(const PointRun* run, const PointRun* around, double reach,
+                        std::uint32_t** end) {
   std::uint32_t* next = *end;
   for (std::size_t b = 0; b < run->size; b += lane_count) {
     const Lanes source_x = load(run->x + b), source_z = load(run->z + b);
     Lanes nearest2 = 2 * reach * reach - Lanes{};
-    for (std::size_t i = 0; i < particles; ++i) {
-      const Lanes dx = source_x - x[i], dz = source_z - z[i];
+    for (std::size_t i = 0; i < around->size; ++i) {
+      const Lanes dx = source_x - around->x[i], dz = source_z - around->z[i];
       nearest2 = at_most(dx * dx + dz * dz, nearest2);
     }
     const std::size_t count = std::min(lane_count, run->size - b);
@@ -77,8 +78,10 @@ class ClusterLists {
         std::size_t length = 0;
         const std::size_t last = std::min((k + 1) * batch_size, firsts_.size() - 1);
         for (std::size_t c = k * batch_size; c < last; ++c) {
+          const PointRun cluster{&x[firsts_[c]], &z[firsts_[c]], firsts_[c + 1] - firsts_[c], 0};
+          const Rectangle box = box_around(cluster, reach);
           for (const SortedPoints& of : points)
-            length = append_sources(of, x, z, firsts_[c], firsts_[c + 1], reach, set, list, length);
+            length = append_sources(of, cluster, box, reach, set, list, length);
           batch.ends.push_back(static_cast<std::uint32_t>(length));
         }
         batch.sources.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(length));
@@ -119,24 +122,33 @@ class ClusterLists {
       }
   }
 
+  static Rectangle box_around(const PointRun& points, double reach) {
+    Rectangle box{points.x[0], points.x[0], points.z[0], points.z[0]};
+    for (std::size_t i = 1; i < points.size; ++i) {
+      box.left = std::min(box.left, points.x[i]);
+      box.right = std::max(box.right, points.x[i]);
+      box.bottom = std::min(box.bottom, points.z[i]);
+      box.top = std::max(box.top, points.z[i]);
+    }
+    return {box.left - reach, box.right + reach, box.bottom - reach, box.top + reach};
+  }
+
   // Returns the list's new length.
-  static std::size_t append_sources(const SortedPoints& points, const Array<double>& x,
-                                    const Array<double>& z, std::size_t first, std::size_t end,
-                                    double reach, InstructionSet set,
+  static std::size_t append_sources(const SortedPoints& points, const PointRun& cluster,
+                                    const Rectangle& box, double reach, InstructionSet set,
                                     std::vector<std::uint32_t>& list, std::size_t length) {
     const CellGrid& grid = points.grid;
-    const auto [left, right] = std::minmax_element(&x[first], &x[end - 1] + 1);
-    const auto [bottom, top] = std::minmax_element(&z[first], &z[end - 1] + 1);
-    const int from = grid.column(*left - reach), to = grid.column(*right + reach);
-    for (int row = grid.row(*bottom - reach); row <= grid.row(*top + reach); ++row) {
+    const int from = grid.column(box.left), to = grid.column(box.right), upper = grid.row(box.top);
+    for (int row = grid.row(box.bottom); row <= upper; ++row) {
       const IndexRange range = grid.run(row, from, to);
-      const ListedRun run{points.x.data() + range.begin, points.z.data() + range.begin,
-                          range.end - range.begin,
-                          static_cast<std::uint32_t>(points.first_source + range.begin)};
+      const PointRun run{points.x.data() + range.begin, points.z.data() + range.begin,
+                         range.end - range.begin,
+                         static_cast<std::uint32_t>(points.first_source + range.begin)};
+      if (run.size == 0) continue;
       if (list.size() < length + run.size + 1) list.resize(2 * (length + run.size) + 1);
-      std::uint32_t* next = list.data() + length;
-      call<&append_near>(set, &run, &x[first], &z[first], end - first, reach, &next);
-      length = static_cast<std::size_t>(next - list.data());
+      std::uint32_t* end = list.data() + length;
+      call<&append_near>(set, &run, &cluster, reach, &end);
+      length = static_cast<std::size_t>(end - list.data());
     }
     return length;
   }
