@@ -18,10 +18,20 @@
 
 namespace slosh::sph {
 
+// How far ahead of its use a pair loop asks for a source, in places of the list: the time that
+// memory takes (measured: 32 to 96 do about as well).
+inline constexpr std::size_t prefetch_distance = 64;
+
 struct Cluster {
   std::size_t first, size;       // particles [first, first + size)
-  const std::uint32_t* sources;  // indices
+  const std::uint32_t* sources;  // indices, readable to prefetch_distance past the last
   std::size_t source_count;
+
+  // Source number k of `all`; asks for the one that is taken up prefetch_distance later.
+  const Source& source(const Source* all, std::size_t k) const {
+    __builtin_prefetch(&all[sources[k + prefetch_distance]]);
+    return all[sources[k]];
+  }
 };
 
 // Sources in the order of a grid's last sort, the first of them being number `first_source` of all.
@@ -84,7 +94,9 @@ class ClusterLists {
             length = append_sources(of, cluster, box, reach, set, list, length);
           batch.ends.push_back(static_cast<std::uint32_t>(length));
         }
+        batch.sources.reserve(length + prefetch_distance);
         batch.sources.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(length));
+        batch.sources.resize(length + prefetch_distance, 0);
       }
     }
   }

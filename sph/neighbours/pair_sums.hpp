@@ -25,7 +25,7 @@ void momentum_of_cluster(const Scheme* scheme, const Cluster* cluster, const Sou
   const Lanes strength = scheme->formulation.strength(scheme->state.pressure(rho), rho);
   Lanes sum_x{}, sum_z{};
   for (std::size_t k = 0; k < cluster->source_count; ++k) {
-    const Source& b = sources[cluster->sources[k]];
+    const Source& b = cluster->source(sources, k);
     const Lanes dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
     const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
     Lanes s = strength + b.strength;
@@ -62,7 +62,7 @@ void continuity_of_cluster(const Scheme* scheme, const Cluster* cluster, const S
     gradient_z = load(&gradient->z[i]);
   }
   for (std::size_t k = 0; k < cluster->source_count; ++k) {
-    const Source& b = sources[cluster->sources[k]];
+    const Source& b = cluster->source(sources, k);
     const Lanes dx = x - b.x, dz = z - b.z;
     const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
     const Lanes f =
