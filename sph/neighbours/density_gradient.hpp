@@ -24,11 +24,15 @@ struct DensityGradient {
   std::vector<SourceGradient> of_sources;  // in their order
 };
 
-// (dW/dr)/r of a pair [1/m4]; `inverse_h` [1/m].
+// (dW/dr)/r of a pair [1/m4] is gradient_scale times gradient_shape; `inverse_h` [1/m].
+template <class Kernel, class Length>
+inline Length gradient_scale(Length inverse_h) {
+  const Length inverse_h2 = inverse_h * inverse_h;
+  return Kernel::normalisation * inverse_h2 * inverse_h2;
+}
 template <class Kernel, class Length>
 inline Lanes gradient_over_distance(Lanes distance2, Length inverse_h) {
-  const Length inverse_h2 = inverse_h * inverse_h;
-  return Kernel::normalisation * inverse_h2 * inverse_h2 *
+  return gradient_scale<Kernel>(inverse_h) *
          Kernel::gradient_shape(square_root(distance2) * inverse_h);
 }
 

@@ -13,6 +13,25 @@
 
 namespace slosh::sph {
 
+// (dW/dr)/r of a pair, but for the factors that all pairs share: those are left to the end of the
+// sum, `shared_scale`.
+template <class Scheme, class Length>
+inline Lanes pair_gradient(Lanes distance2, Length inverse_h) {
+  using Kernel = typename Scheme::Kernel;
+  const Lanes shape = Kernel::gradient_shape(square_root(distance2) * inverse_h);
+  if constexpr (Scheme::Smoothing::reads_spacing)
+    return gradient_scale<Kernel>(inverse_h) * shape;
+  else
+    return shape;
+}
+template <class Scheme>
+inline double shared_scale(const Scheme& scheme) {
+  if constexpr (Scheme::Smoothing::reads_spacing)
+    return 1.0;
+  else
+    return gradient_scale<typename Scheme::Kernel>(scheme.smoothing.inverse_length);
+}
+
 template <class Scheme>
 void momentum_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
                          const Particles* particles, Rates* rates) {
@@ -34,12 +53,11 @@ void momentum_of_cluster(const Scheme* scheme, const Cluster* cluster, const Sou
       s += scheme->viscosity.pair(approach, distance2, 1.0 / inverse_h) *
            scheme->formulation.viscous_scale(rho, b.density);
     }
-    const Lanes f =
-        b.weight * s * gradient_over_distance<typename Scheme::Kernel>(distance2, inverse_h);
+    const Lanes f = b.weight * s * pair_gradient<Scheme>(distance2, inverse_h);
     sum_x += f * dx;
     sum_z += f * dz;
   }
-  const auto factor = scheme->formulation.acceleration_factor(rho);
+  const auto factor = shared_scale(*scheme) * scheme->formulation.acceleration_factor(rho);
   store(&rates->acceleration_x[i], -factor * sum_x, cluster->size);
   store(&rates->acceleration_z[i], -factor * sum_z - scheme->setting.gravity, cluster->size);
 }
@@ -65,8 +83,7 @@ void continuity_of_cluster(const Scheme* scheme, const Cluster* cluster, const S
     const Source& b = cluster->source(sources, k);
     const Lanes dx = x - b.x, dz = z - b.z;
     const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-    const Lanes f =
-        b.weight * gradient_over_distance<typename Scheme::Kernel>(dx * dx + dz * dz, inverse_h);
+    const Lanes f = b.weight * pair_gradient<Scheme>(dx * dx + dz * dz, inverse_h);
     divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
     if constexpr (Diffusion::active) {
       Lanes difference = own - b.density;
@@ -74,12 +91,16 @@ void continuity_of_cluster(const Scheme* scheme, const Cluster* cluster, const S
         const SourceGradient& of_b = gradient->of_sources[cluster->sources[k]];
         difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
       }
-      diffusion += f * scheme->density_diffusion.pair(difference, 1.0 / inverse_h);
+      if constexpr (Scheme::Smoothing::reads_spacing)
+        difference = scheme->density_diffusion.pair(difference, 1.0 / inverse_h);
+      diffusion += f * difference;
     }
   }
+  if constexpr (Diffusion::active && !Scheme::Smoothing::reads_spacing)
+    diffusion = scheme->density_diffusion.pair(diffusion, 1.0 / scheme->smoothing.inverse_length);
   store(&rates->density_rate[i],
-        scheme->formulation.continuity_factor(rho) * divergence +
-            scheme->formulation.volume_of_weight * diffusion,
+        shared_scale(*scheme) * (scheme->formulation.continuity_factor(rho) * divergence +
+                                 scheme->formulation.volume_of_weight * diffusion),
         cluster->size);
 }
 
