@@ -50,8 +50,8 @@ Run chosen(const std::string& scheme, const Scene& scene) {
   const bool uniform = scene.surface_particle_spacing == scene.particle_spacing;
   if (scheme == "li2010" && !uniform) return &run_scheme<Li2010TwoSpacings>;
   if (!uniform)
-    throw std::invalid_argument("surface_particle_spacing: expected that of the rest, the scheme " +
-                                scheme + " takes one particle spacing");
+    throw std::invalid_argument("scheme " + scheme +
+                                " takes one particle spacing: surface_particle_spacing differs");
   if (scene.variant.empty()) return run;
   if (scheme != "recommended")
     throw std::invalid_argument(fmt::format(

@@ -107,27 +107,29 @@ class NeighbourSources {
   // Fills in what the momentum sum reads of every source.
   template <class Scheme>
   void refresh_for_momentum(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
-    refresh(scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
-      const double pressure =
-          scheme.state.pressure(p.density[i]) + pressure_rise(source, p, i, map);
-      source.strength = scheme.formulation.strength(pressure, p.density[i]);
-      source.density = p.density[i];
-    });
+    refresh<typename Scheme::Mirror>(
+        scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
+          const double pressure =
+              scheme.state.pressure(p.density[i]) + pressure_rise(source, p, i, map);
+          source.strength = scheme.formulation.strength(pressure, p.density[i]);
+          source.density = p.density[i];
+        });
   }
 
   // Fills in what the continuity sum reads of every source.
   template <class Scheme>
   void refresh_for_continuity(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
-    refresh(scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
-      using Diffusion = typename Scheme::DensityDiffusion;
-      if constexpr (Diffusion::active)
-        source.density = scheme.density_diffusion.diffused(scheme.state.pressure(p.density[i]),
-                                                           p.density[i], p.z[i]);
-      if constexpr (Diffusion::of_whole_density) {
-        const double sound = scheme.state.speed_of_sound;
-        source.density += pressure_rise(source, p, i, map) / (sound * sound);
-      }
-    });
+    refresh<typename Scheme::Mirror::InContinuity>(
+        scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
+          using Diffusion = typename Scheme::DensityDiffusion;
+          if constexpr (Diffusion::active)
+            source.density = scheme.density_diffusion.diffused(scheme.state.pressure(p.density[i]),
+                                                               p.density[i], p.z[i]);
+          if constexpr (Diffusion::of_whole_density) {
+            const double sound = scheme.state.speed_of_sound;
+            source.density += pressure_rise(source, p, i, map) / (sound * sound);
+          }
+        });
   }
 
   // Calls visit(source, solid) for the sources that are particles of solids, `solid` an index of
@@ -162,10 +164,10 @@ class NeighbourSources {
 
  private:
   // Fills in what both sums read of every source; complete(source, owner, map) does the rest.
-  template <class Scheme, class Complete>
+  template <class Mirror, class Scheme, class Complete>
   void refresh(const Scheme& scheme, const Particles& p, const TankWalls& walls,
                const Complete& complete) {
-    for_each_image<typename Scheme::Mirror>(
+    for_each_image<Mirror>(
         scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap& map) {
           Source& source = sources_[k];
           source.x = map.scale_x * p.x[i] + map.offset_x;

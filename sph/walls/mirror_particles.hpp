@@ -37,6 +37,7 @@ struct FreeSlipMirror {
       "mirror particles, free slip, pressure gradient of the accelerated wall";
   static constexpr bool exists = true, no_slip = false;
   static constexpr bool hydrostatic = true;
+  using InContinuity = FreeSlipMirror;
 };
 
 // Li et al. 2010, section 2.4, for a moving wall: the velocity is 2 v_wall - v in both components,
@@ -45,14 +46,18 @@ struct NoSlipMirror {
   static constexpr const char* name = "mirror particles, velocity 2 v_wall - v, owner's pressure";
   static constexpr bool exists = true, no_slip = true;
   static constexpr bool hydrostatic = false;
+  using InContinuity = NoSlipMirror;
 };
 
-// As free slip, but for the tangential velocity, which is turned too: the walls hold the liquid.
+// As free slip, but in the momentum equation, whose viscous stress holds the liquid at the wall:
+// there the tangential velocity is turned too. (In the continuity equation it would compress the
+// liquid that slides along a wall; de Leffe et al. 2011.)
 struct StickingMirror {
   static constexpr const char* name =
       "mirror particles, no slip, pressure gradient of the accelerated wall";
   static constexpr bool exists = true, no_slip = true;
   static constexpr bool hydrostatic = true;
+  using InContinuity = FreeSlipMirror;
 };
 
 // The tank's walls are made of solid particles.
@@ -60,6 +65,7 @@ struct NoMirror {
   static constexpr const char* name = "";
   static constexpr bool exists = false, no_slip = false;
   static constexpr bool hydrostatic = false;
+  using InContinuity = NoMirror;
 };
 
 template <class Mirror>

@@ -16,6 +16,18 @@
 
 namespace slosh::sph {
 
+// Puts a solid's particle where the wall has it, with the wall's velocity and a spacing's volume.
+template <class Scheme>
+void place(const Scheme& scheme, const SolidPlace& at, const TankWalls& walls, Source& source) {
+  const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
+  source.x = walls.left + at.x;
+  source.z = walls.bottom + at.z;
+  source.velocity_x = walls.velocity;
+  source.velocity_z = 0;
+  source.weight = scheme.formulation.weight(rho * dp * dp, rho);
+  source.spacing = dp;
+}
+
 class NoSolids {
  public:
   static constexpr const char* name = "";
@@ -36,8 +48,11 @@ class NoSolids {
 };
 
 // The liquid's pressure and velocity at a particle's node (node_sums.hpp), carried to the particle:
-// the pressure grows by rho_0 (g - a_wall) . (r - r_node), the velocity is reflected,
-// 2 v_wall - v, in its normal component, and with no slip in the tangential one too.
+// the pressure grows by rho_0 (g - a_wall) . (r - r_node); for the viscous stress the velocity is
+// reflected, 2 v_wall - v, in its normal component, and with no slip in the tangential one too. In
+// the continuity equation the particle has the wall's own velocity (Adami, Hu & Adams 2012): one
+// taken from the liquid is answered by no pressure, and was measured to set still water in motion
+// along an obstacle.
 template <Slip slip>
 class GhostSolids {
  public:
@@ -56,7 +71,8 @@ class GhostSolids {
     look_up<&Source::strength>(scheme, neighbours, walls, set);
     const double rho = scheme.setting.rest_density;
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, source, i, walls);
+      place(scheme, places_[i], walls, source);
+      if (nodes_[i].found) reflect(places_[i], nodes_[i], walls, source);
       const double rise = pressure_rise(scheme, i, walls);
       source.strength =
           nodes_[i].found ? nodes_[i].value + scheme.formulation.strength(rise, rho) : 0.0;
@@ -69,7 +85,7 @@ class GhostSolids {
                               const TankWalls& walls, InstructionSet set) {
     look_up<&Source::density>(scheme, neighbours, walls, set);
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, source, i, walls);
+      place(scheme, places_[i], walls, source);
       source.density = nodes_[i].value;
       if constexpr (Scheme::DensityDiffusion::of_whole_density) {
         const double sound = scheme.state.speed_of_sound;
@@ -79,6 +95,13 @@ class GhostSolids {
   }
 
  private:
+  static void reflect(const SolidPlace& at, const NodeSum& node, const TankWalls& walls,
+                      Source& source) {
+    const bool all = slip == Slip::none;
+    source.velocity_x = at.turns_x || all ? 2 * walls.velocity - node.velocity_x : node.velocity_x;
+    source.velocity_z = at.turns_z || all ? -node.velocity_z : node.velocity_z;
+  }
+
   // From the node to the particle [Pa].
   template <class Scheme>
   double pressure_rise(const Scheme& scheme, std::size_t i, const TankWalls& walls) const {
@@ -92,22 +115,6 @@ class GhostSolids {
                InstructionSet set) {
     neighbours.for_each_solid_source([](Source& source, std::size_t) { source.weight = 0; });
     sum_at_nodes<value>(scheme, neighbours, places_, walls, nodes_, set);
-  }
-
-  template <class Scheme>
-  void place(const Scheme& scheme, Source& source, std::size_t i, const TankWalls& walls) const {
-    const SolidPlace& at = places_[i];
-    const NodeSum& node = nodes_[i];
-    const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
-    const bool all = slip == Slip::none;
-    source.x = walls.left + at.x;
-    source.z = walls.bottom + at.z;
-    source.velocity_x =
-        !node.found ? walls.velocity
-                    : (at.turns_x || all ? 2 * walls.velocity - node.velocity_x : node.velocity_x);
-    source.velocity_z = at.turns_z || all ? -node.velocity_z : node.velocity_z;
-    source.weight = scheme.formulation.weight(rho * dp * dp, rho);
-    source.spacing = dp;
   }
 
   std::vector<SolidPlace> places_;
@@ -153,7 +160,7 @@ class DynamicSolids {
   void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours,
                             const TankWalls& walls, InstructionSet) {
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, source, i, walls);
+      place(scheme, places_[i], walls, source);
       const double rho = particles_.density[i];
       source.strength = scheme.formulation.strength(scheme.state.pressure(rho), rho);
       source.density = rho;
@@ -170,7 +177,7 @@ class DynamicSolids {
       particles_.velocity_x[i] = walls.velocity;
     }
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, source, i, walls);
+      place(scheme, places_[i], walls, source);
       if constexpr (Scheme::DensityDiffusion::active) {
         const double rho = particles_.density[i];
         source.density =
@@ -191,17 +198,6 @@ class DynamicSolids {
   void set_density(const Array<double>& density) { particles_.density = density; }
 
  private:
-  template <class Scheme>
-  void place(const Scheme& scheme, Source& source, std::size_t i, const TankWalls& walls) const {
-    const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
-    source.x = walls.left + places_[i].x;
-    source.z = walls.bottom + places_[i].z;
-    source.velocity_x = walls.velocity;
-    source.velocity_z = 0;
-    source.weight = scheme.formulation.weight(rho * dp * dp, particles_.density[i]);
-    source.spacing = dp;
-  }
-
   std::vector<SolidPlace> places_;
   Particles particles_;
   Rates rates_;

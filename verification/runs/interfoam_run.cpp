@@ -1,3 +1,7 @@
+#include <stdexcept>
+
+#include "openfoam_cases/check_tank.hpp"
+#include "openfoam_cases/geometry/tank_mesh.hpp"
 #include "openfoam_cases/surging_tank.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/solver_runs.hpp"
@@ -11,6 +15,8 @@ openfoam::SurgingTank tank_of(const InterFoamRun& run, const CaseDefinition& def
       .length = definition.tank.length,
       .height = definition.tank.height,
       .fill_depth = definition.liquid.fill_depth,
+      .column_width = definition.liquid.column_width,
+      .obstacles = {},
       .gravity = definition.gravity,
       .liquid = {definition.liquid.density, definition.liquid.kinematic_viscosity},
       .gas = {definition.gas.density, definition.gas.kinematic_viscosity},
@@ -24,6 +30,8 @@ openfoam::SurgingTank tank_of(const InterFoamRun& run, const CaseDefinition& def
       .processes = run.processes};
   for (const GaugeDefinition& gauge : definition.gauges)
     tank.gauges.push_back({gauge.name, gauge.x});
+  for (const ObstacleDefinition& one : definition.obstacles)
+    tank.obstacles.push_back({one.left, one.right, one.bottom, one.top});
   return tank;
 }
 
@@ -33,14 +41,16 @@ TimeSeries series(const std::string& name, const std::string& unit, openfoam::Hi
 
 }  // namespace
 
-void require_scene(const InterFoamRun&, const CaseDefinition& definition,
-                   const RunDefinition& run) {
-  if (definition.liquid.column_width || !definition.obstacles.empty())
-    throw refused(run, "interFoam takes neither liquid.column_width_m nor an [[obstacle]] yet");
+void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definition,
+                   const RunDefinition& run) try {
+  const openfoam::SurgingTank tank = tank_of(interfoam, definition);
+  openfoam::check_tank(tank);
+  openfoam::TankMesh{tank};
+} catch (const std::invalid_argument& error) {
+  throw refused(run, error.what());
 }
 
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request) {
-  require_scene(interfoam, request.definition, request.run);
   const openfoam::SurgingTank tank = tank_of(interfoam, request.definition);
   const auto case_directory = request.settings.work_directory / (request.run.name + ".openfoam");
   std::filesystem::remove_all(case_directory);  // what an earlier, broken run may have left
@@ -53,6 +63,8 @@ RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request
     result.series.push_back(
         series("elevation@" + gauge.name, "m", harvest.elevation.at(gauge.name)));
   }
+  if (!harvest.front_position.time.empty())
+    result.series.push_back(series("front_position", "m", harvest.front_position));
   result.series.push_back(series("horizontal_force", "N/m", harvest.horizontal_force));
   result.series.push_back(series("liquid_volume", "m2", harvest.liquid_volume));
   result.active_terms = {"volume of fluid, liquid and gas", "laminar viscosity", "slip walls",
@@ -62,7 +74,7 @@ RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request
                         {"relative_mass_loss", harvest.relative_mass_loss}};
   result.provenance["openfoam_version"] = harvest.version;
   result.cost.steps = harvest.steps;
-  result.cost.elements = static_cast<double>(interfoam.cells_x) * interfoam.cells_z;
+  result.cost.elements = harvest.cells;
   return result;
 }
 

@@ -15,6 +15,7 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                    .fill_depth = definition.liquid.fill_depth,
                    .gravity = definition.gravity,
                    .rest_density = definition.liquid.density,
+                   .kinematic_viscosity = definition.liquid.kinematic_viscosity,
                    .displacement = motion.displacement,
                    .velocity = motion.velocity,
                    .acceleration = motion.acceleration,
@@ -31,6 +32,8 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                                .artificial_viscosity = sph.numbers.artificial_viscosity,
                                .density_diffusion = sph.numbers.density_diffusion},
                    .gauges = {},
+                   .record_still_water = std::holds_alternative<Still>(definition.motion) &&
+                                         !definition.liquid.column_width,
                    .record_snapshot = {}};
   for (const GaugeDefinition& gauge : definition.gauges)
     scene.gauges.push_back({gauge.name, gauge.x});
@@ -74,6 +77,8 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) {
   result.series.push_back(series("horizontal_force", "N/m", output.horizontal_force));
   result.series.push_back(series("kinetic_energy", "J/m", output.kinetic_energy));
   result.series.push_back(series("potential_energy", "J/m", output.potential_energy));
+  for (sph::RecordedSeries& one : output.still_water)
+    result.series.push_back(series(one.name, one.unit, one.history));
   result.active_terms = std::move(output.active_terms);
   result.diagnostics = std::move(output.diagnostics);
   result.cost.steps = output.steps;

@@ -48,7 +48,7 @@ CaseAssessment assess_choices(const std::vector<Choice>& choices) {
 }
 
 SphRun changed(const std::string& variant, double spacing = 0.01) {
-  SphRun run{"low_dissipation", spacing, spacing};
+  SphRun run{"recommended", spacing, spacing};
   run.variant = variant;
   return run;
 }
@@ -86,7 +86,7 @@ TEST(ChoiceTable, SetsEachChoiceBesideTheUnchangedRun) {
   EXPECT_EQ(cell(*table, 0, "changed"), "as it is");
   EXPECT_EQ(cell(*table, 0, "rms of unchanged"), "");
   EXPECT_EQ(cell(*table, 1, "run"), "faster");
-  EXPECT_EQ(cell(*table, 1, "scheme"), "low_dissipation");
+  EXPECT_EQ(cell(*table, 1, "scheme"), "recommended");
   EXPECT_EQ(cell(*table, 1, "spacing [mm]"), "10");
   EXPECT_EQ(cell(*table, 1, "changed"), "courant_number = 0.4");
   EXPECT_EQ(cell(*table, 1, "reference"), "theory");
@@ -125,9 +125,9 @@ TEST(CostFigure, ShowsEachChangeAsPointsOfItsOwn) {
                                                     {"other", changed("no_shifting"), 1.3, 1}}));
   const reports::Figure& cost = figures.back();
   ASSERT_EQ(cost.curves.size(), 2u);
-  EXPECT_EQ(cost.curves[0].label, "low_dissipation against theory");
+  EXPECT_EQ(cost.curves[0].label, "recommended against theory");
   EXPECT_EQ(cost.curves[0].x, (std::vector<double>{1.0, 2.0}));  // coarse first
-  EXPECT_EQ(cost.curves[1].label, "low_dissipation, no_shifting against theory");
+  EXPECT_EQ(cost.curves[1].label, "recommended, no_shifting against theory");
   EXPECT_EQ(cost.curves[1].style, reports::Curve::Style::points);
   for (const reports::Curve& curve : figures.front().curves)
     EXPECT_NE(curve.label, "other") << "the history shows the scheme as it is";
@@ -141,7 +141,7 @@ TEST(CostFigure, GathersManyChangesUnderOneLabel) {
   }
   const auto figures = case_figures(assess_choices(choices));
   ASSERT_EQ(figures.back().curves.size(), 2u);
-  EXPECT_EQ(figures.back().curves[1].label, "low_dissipation, one choice changed against theory");
+  EXPECT_EQ(figures.back().curves[1].label, "recommended, one choice changed against theory");
   EXPECT_EQ(figures.back().curves[1].x.size(), 12u);
 }
 
@@ -154,7 +154,7 @@ TEST(ChoiceReport, IsAValidReportAndTellsTheChoicesInItsJson) {
   const auto document = nlohmann::json::parse(results_json("surges", false, cases));
   const auto& runs = document.at("cases").at(0).at("runs");
   EXPECT_FALSE(runs.at(0).contains("scheme"));
-  EXPECT_EQ(runs.at(2).at("scheme"), "low_dissipation");
+  EXPECT_EQ(runs.at(2).at("scheme"), "recommended");
   EXPECT_EQ(runs.at(2).at("particle_spacing_m"), 0.01);
   EXPECT_TRUE(runs.at(2).at("variant").is_null());
   EXPECT_EQ(runs.at(2).at("numbers").at("courant_number"), 0.4);

@@ -47,7 +47,7 @@ CaseAssessment assess_spacings(const std::vector<double>& spacings) {
   runs.results["theory"] = surge_runs().results.at("theory");
   runs.status["theory"] = {RunState::finished, ""};
   for (const double spacing : spacings) {
-    RunDefinition run = sample_run(SphRun{"low_dissipation", spacing, spacing});
+    RunDefinition run = sample_run(SphRun{"recommended", spacing, spacing});
     run.name = "spacing_" + std::to_string(definition.runs.size());
     definition.runs.push_back(run);
     TimeSeries elevation = elevation_of({});

@@ -50,7 +50,7 @@ CaseDefinition dam_case() {
   definition.natural_modes = 0;
   RunDefinition published = sample_run(record());
   published.name = "published";
-  RunDefinition particles = sample_run(SphRun{"low_dissipation", 0.01, 0.01});
+  RunDefinition particles = sample_run(SphRun{"recommended", 0.01, 0.01});
   particles.name = "particles";
   definition.runs = {published, particles};
   definition.gate = {front_row(Metric::normalised_rms, "1", 0.02),

@@ -81,7 +81,7 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
   later.time[3] = 4;
   surer.uncertainty = 0.1;
   const std::vector<RunDefinition> runs{sph,
-                                        sample_run(SphRun{"low_dissipation_wendland", 0.02, 0.02}),
+                                        sample_run(SphRun{"recommended", 0.02, 0.02}),
                                         sample_run(SphRun{"li2010", 0.01, 0.01}),
                                         sample_run(SphRun{"li2010", 0.02, 0.01}),
                                         sample_run(SphRun{"li2010", 0.02, 0.02, "a_variant"}),

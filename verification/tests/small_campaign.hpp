@@ -59,7 +59,7 @@ quick = true
 inline const std::string particles_run = R"([[run]]
 name = "particles"
 solver = "sph"
-scheme = "low_dissipation"
+scheme = "recommended"
 particle_spacing_m = 0.025
 )";
 inline const std::string mesh_run = R"([[run]]

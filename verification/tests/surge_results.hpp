@@ -44,7 +44,7 @@ inline CaseDefinition surge_case() {
   };
   definition.runs = {
       run("theory", LinearRun{500, false, 0.1}), run("theory_with_gas", LinearRun{500, true, 0.1}),
-      run("particles", SphRun{"low_dissipation_wendland", 0.01, 0.01}),
+      run("particles", SphRun{"recommended", 0.01, 0.01}),
       run("coarse_mesh", InterFoamRun{50, 50, 1}), run("fine_mesh", InterFoamRun{50, 100, 1})};
   definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05),
                      surge_row("forced", Metric::phase_lag, "deg", 2),

@@ -100,8 +100,8 @@ TEST_F(Tool, EndsWithTwoAndTheNearestNamesWhereThereIsNoSuchCaseCampaignOrRun) {
 TEST_F(Tool, RefusesAWrongCaseFileWithItsLineBeforeAnythingRuns) {
   const std::vector<std::pair<std::string, std::string>> wrong_cases{
       {with(particles_case, "gravity_m_s2", "gravity"), "small.toml:6: gravity = "},
-      {with(particles_case, "\"low_dissipation\"", "\"low_disipation\""),
-       "small.toml:38: run particles: scheme = \"low_disipation\": expected one of "},
+      {with(particles_case, "\"recommended\"", "\"recomended\""),
+       "small.toml:38: run particles: scheme = \"recomended\": expected one of "},
       {with(particles_case, "0.025\n", "0.11\n"),
        "small.toml:38: run particles: particle_spacing = 0.11 m: expected a whole number"},
       {with(particles_case, "window_begin_s = 1.0", "window_begin_s = 7.0"),
@@ -119,7 +119,7 @@ TEST_F(Tool, EndsWithTwoWhereARunRefusesItsCase) {
   write_campaign(with(particles_case, "0.025\n", "0.025\nsurface_particle_spacing_m = 0.0125\n"));
   const Ended run = campaign();
   EXPECT_EQ(run.status, 2);
-  EXPECT_TRUE(holds(run.err, "small.toml:38: run particles: scheme low_dissipation takes one"));
+  EXPECT_TRUE(holds(run.err, "small.toml:38: run particles: scheme recommended takes one"));
 }
 
 TEST_F(Tool, RefusesTwoCasesOfOneName) {
