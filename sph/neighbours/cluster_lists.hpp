@@ -49,24 +49,27 @@ struct PointRun {
 };
 
 // Appends to `end` the sources of a run that are within reach of one of the `around`; room for all.
-inline void append_near(const PointRun* run, const PointRun* around, double reach,
-                        std::uint32_t** end) {
-  std::uint32_t* next = *end;
-  for (std::size_t b = 0; b < run->size; b += lane_count) {
-    const Lanes source_x = load(run->x + b), source_z = load(run->z + b);
-    Lanes nearest2 = 2 * reach * reach - Lanes{};
-    for (std::size_t i = 0; i < around->size; ++i) {
-      const Lanes dx = source_x - around->x[i], dz = source_z - around->z[i];
-      nearest2 = at_most(dx * dx + dz * dz, nearest2);
+struct AppendNear {
+  template <Vector Number>
+  static void run(const PointRun* points, const PointRun* around, double reach,
+                  std::uint32_t** end) {
+    std::uint32_t* next = *end;
+    for (std::size_t b = 0; b < points->size; b += lanes_of<Number>) {
+      const Number x = load<Number>(points->x + b), z = load<Number>(points->z + b);
+      Number nearest2 = 2 * reach * reach - Number{};
+      for (std::size_t i = 0; i < around->size; ++i) {
+        const Number dx = x - around->x[i], dz = z - around->z[i];
+        nearest2 = at_most(dx * dx + dz * dz, nearest2);
+      }
+      const std::size_t count = std::min(lanes_of<Number>, points->size - b);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        *next = points->first_source + static_cast<std::uint32_t>(b + lane);
+        next += nearest2[lane] < reach * reach;
+      }
     }
-    const std::size_t count = std::min(lane_count, run->size - b);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      *next = run->first_source + static_cast<std::uint32_t>(b + lane);
-      next += nearest2[lane] < reach * reach;
-    }
+    *end = next;
   }
-  *end = next;
-}
+};
 
 class ClusterLists {
  public:
@@ -159,7 +162,7 @@ class ClusterLists {
       if (run.size == 0) continue;
       if (list.size() < length + run.size + 1) list.resize(2 * (length + run.size) + 1);
       std::uint32_t* end = list.data() + length;
-      call<&append_near>(set, &run, &cluster, reach, &end);
+      call_in_registers<AppendNear>(set, &run, &cluster, reach, &end);
       length = static_cast<std::size_t>(end - list.data());
     }
     return length;

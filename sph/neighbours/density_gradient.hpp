@@ -30,8 +30,8 @@ inline Length gradient_scale(Length inverse_h) {
   const Length inverse_h2 = inverse_h * inverse_h;
   return Kernel::normalisation * inverse_h2 * inverse_h2;
 }
-template <class Kernel, class Length>
-inline Lanes gradient_over_distance(Lanes distance2, Length inverse_h) {
+template <class Kernel, class Number, class Length>
+inline Number gradient_over_distance(Number distance2, Length inverse_h) {
   return gradient_scale<Kernel>(inverse_h) *
          Kernel::gradient_shape(square_root(distance2) * inverse_h);
 }

@@ -2,6 +2,8 @@
 // instructions of AVX-512, of AVX2, or those that every processor of the kind has.
 #pragma once
 
+#include "sph/neighbours/lanes.hpp"
+
 namespace slosh::sph {
 
 enum class InstructionSet { plain, avx2, avx512 };
@@ -67,6 +69,20 @@ void call(InstructionSet set, Arguments... arguments) {
       return call_avx2<function>(arguments...);
     case InstructionSet::plain:
       return function(arguments...);
+  }
+}
+
+// Calls Loop::run<Number>(arguments...) in its build for `set`, Number the vector that fills one of
+// the set's registers.
+template <class Loop, class... Arguments>
+void call_in_registers(InstructionSet set, Arguments... arguments) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return call_avx512<&Loop::template run<Lanes>>(arguments...);
+    case InstructionSet::avx2:
+      return call_avx2<&Loop::template run<FourLanes>>(arguments...);
+    case InstructionSet::plain:
+      return Loop::template run<TwoLanes>(arguments...);
   }
 }
 
