@@ -91,6 +91,28 @@ class Liquid {
     if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, dt);
   }
 
+  // As one after the other.
+  void kick_and_drift(double kick_dt, double drift_dt) {
+    Particles& p = particles;
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p.velocity_x[i] += kick_dt * rates.acceleration_x[i];
+      p.velocity_z[i] += kick_dt * rates.acceleration_z[i];
+      p.x[i] += drift_dt * p.velocity_x[i];
+      p.z[i] += drift_dt * p.velocity_z[i];
+    }
+  }
+  void densify_and_drift(double densify_dt, double drift_dt) {
+    Particles& p = particles;
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p.density[i] += densify_dt * rates.density_rate[i];
+      p.x[i] += drift_dt * p.velocity_x[i];
+      p.z[i] += drift_dt * p.velocity_z[i];
+    }
+    if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, densify_dt);
+  }
+
   // For integrators that return to the start of a step.
   void save() {
     saved_ = particles;

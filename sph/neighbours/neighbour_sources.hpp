@@ -92,14 +92,16 @@ class NeighbourSources {
   // the lists of the last rebuild allow.
   bool stale(const Particles& particles, const TankWalls& walls, double dt) const {
     if (built_x_.size() != particles.size()) return true;
-    double farthest2 = 0;
-#pragma omp parallel for simd reduction(max : farthest2)
+    double farthest2 = 0, fastest2 = 0;
+#pragma omp parallel for simd reduction(max : farthest2, fastest2)
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const double dx = particles.x[i] - walls.left - built_x_[i],
                    dz = particles.z[i] - built_z_[i];
+      const double u = particles.velocity_x[i] - walls.velocity, w = particles.velocity_z[i];
       farthest2 = std::max(farthest2, dx * dx + dz * dz);
+      fastest2 = std::max(fastest2, u * u + w * w);
     }
-    return !(std::sqrt(farthest2) + dt * fastest(particles, walls) < slack_);
+    return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
   }
   // How far a particle may move against the tank before the lists are stale [m].
   double slack() const { return slack_; }
@@ -175,7 +177,7 @@ class NeighbourSources {
           source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
           source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
           source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
-          source.spacing = p.spacing[i];
+          if constexpr (Scheme::Smoothing::reads_spacing) source.spacing = p.spacing[i];
           complete(source, i, map);
         });
   }
