@@ -53,7 +53,8 @@ class Liquid {
     scheme_.wall_contact.confine(particles, walls);
     for (const Rectangle& obstacle : obstacles_) expel(particles, walls, obstacle);
     if (!neighbours_.stale(particles, walls, dt)) return false;
-    if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, walls, dt))
+    if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, walls, dt,
+                                                      std::move(rates.density_rate)))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
     rates.resize(particles.size());
     return true;

@@ -51,6 +51,7 @@ class CellGrid {
     return {cells[from], cells[to + 1]};
   }
   int columns() const { return columns_; }
+  int rows() const { return rows_; }
 
  private:
   static int clamped(double cells, int count) {

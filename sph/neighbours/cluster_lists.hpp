@@ -37,13 +37,13 @@ struct Cluster {
 // Sources in the order of a grid's last sort, the first of them being number `first_source` of all.
 struct SortedPoints {
   const CellGrid& grid;
-  const Array<double>&x, &z;
+  const Array<float>&x, &z;
   std::size_t first_source;
 };
 
 // Points that stand one after another in the order of a grid.
 struct PointRun {
-  const double *x, *z;
+  const float *x, *z;
   std::size_t size;
   std::uint32_t first_source;
 };
@@ -58,7 +58,8 @@ struct AppendNear {
       const Number x = load<Number>(points->x + b), z = load<Number>(points->z + b);
       Number nearest2 = 2 * reach * reach - Number{};
       for (std::size_t i = 0; i < around->size; ++i) {
-        const Number dx = x - around->x[i], dz = z - around->z[i];
+        const Number dx = x - static_cast<double>(around->x[i]),
+                     dz = z - static_cast<double>(around->z[i]);
         nearest2 = at_most(dx * dx + dz * dz, nearest2);
       }
       const std::size_t count = std::min(lanes_of<Number>, points->size - b);
@@ -73,12 +74,12 @@ struct AppendNear {
 
 class ClusterLists {
  public:
-  // Clusters of the particles whose cells, ascending, are `particle_cells`; no cluster reaches
-  // across rows. `x`, `z`: the particles' positions in the points' frame.
-  void build(const CellGrid& grid, const std::vector<std::uint32_t>& particle_cells,
-             const Array<double>& x, const Array<double>& z,
+  // Cuts particles in the order of a grid's last sort into clusters, none of which reaches across
+  // rows, and lists for each the points within reach. `x`, `z`: the particles' positions in the
+  // points' frame.
+  void build(const CellGrid& grid, const Array<float>& x, const Array<float>& z,
              std::initializer_list<SortedPoints> points, double reach) {
-    cut_into_clusters(grid, particle_cells);
+    cut_into_clusters(grid);
     batches_.resize((firsts_.size() - 1 + batch_size - 1) / batch_size);
     const InstructionSet set = widest_instruction_set();
 #pragma omp parallel
@@ -126,26 +127,24 @@ class ClusterLists {
     std::vector<std::uint32_t> sources, ends;
   };
 
-  void cut_into_clusters(const CellGrid& grid, const std::vector<std::uint32_t>& cells) {
+  void cut_into_clusters(const CellGrid& grid) {
     firsts_.assign(1, 0);
-    const auto row_of = [&](std::size_t i) { return cells[i] / grid.columns(); };
-    std::size_t first = 0;
-    for (std::size_t i = 1; i <= cells.size(); ++i)
-      if (i == cells.size() || i - first == lane_count || row_of(i) != row_of(first)) {
-        firsts_.push_back(static_cast<std::uint32_t>(i));
-        first = i;
-      }
+    for (int row = 0; row < grid.rows(); ++row) {
+      const IndexRange run = grid.run(row, 0, grid.columns() - 1);
+      for (std::size_t end = run.begin; end < run.end;)
+        firsts_.push_back(static_cast<std::uint32_t>(end = std::min(end + lane_count, run.end)));
+    }
   }
 
   static Rectangle box_around(const PointRun& points, double reach) {
-    Rectangle box{points.x[0], points.x[0], points.z[0], points.z[0]};
+    float left = points.x[0], right = left, bottom = points.z[0], top = bottom;
     for (std::size_t i = 1; i < points.size; ++i) {
-      box.left = std::min(box.left, points.x[i]);
-      box.right = std::max(box.right, points.x[i]);
-      box.bottom = std::min(box.bottom, points.z[i]);
-      box.top = std::max(box.top, points.z[i]);
+      left = std::min(left, points.x[i]);
+      right = std::max(right, points.x[i]);
+      bottom = std::min(bottom, points.z[i]);
+      top = std::max(top, points.z[i]);
     }
-    return {box.left - reach, box.right + reach, box.bottom - reach, box.top + reach};
+    return {left - reach, right + reach, bottom - reach, top + reach};
   }
 
   // Returns the list's new length.

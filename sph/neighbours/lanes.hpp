@@ -58,6 +58,14 @@ Number load(const double* begin) {
   return lanes;
 }
 
+// The same from floats.
+template <Vector Number>
+Number load(const float* begin) {
+  Number lanes;
+  for (std::size_t lane = 0; lane < lanes_of<Number>; ++lane) lanes[lane] = begin[lane];
+  return lanes;
+}
+
 // The first `count` lanes to `begin`.
 template <Vector Number>
 void store(double* begin, Number lanes, std::size_t count) {

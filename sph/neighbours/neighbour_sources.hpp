@@ -1,6 +1,7 @@
 // The sources of the pair sums, each kind sorted by cell: the liquid, in the order of the particles
 // themselves, then its mirror images, then the particles of solids. `rebuild` sorts the particles,
-// decides which images exist and lists the sources of every cluster; `refresh_for_...` fill in the
+// decides which images exist and lists the sources of every cluster, by positions of single
+// precision and a reach that allows for it; `refresh_for_...` fill in the
 // state of the liquid and its images, many times between rebuilds, and the solids
 // (walls/solids.hpp) that of their own.
 #pragma once
@@ -9,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -29,6 +32,8 @@ class NeighbourSources {
   // images: narrower or lower than two reaches.
   NeighbourSources(const TankWalls& walls, double spacing, double support)
       : support_(support),
+        rounding_(4 * std::numeric_limits<float>::epsilon() *
+                  std::max(walls.right - walls.left, walls.roof)),
         grid_(0, walls.right - walls.left, 0, walls.roof, cell_width * spacing,
               cell_height * spacing),
         wall_grid_(-support, walls.right - walls.left + support, -support, walls.roof + support,
@@ -48,32 +53,36 @@ class NeighbourSources {
       return grid_.cell(a.node_x, a.node_z) < grid_.cell(b.node_x, b.node_z);
     });
     obstacles_ = std::move(obstacles);
-    std::vector<std::uint32_t> keys;
+    std::vector<std::uint32_t> node_cells, cells, in_order;
     for (const SolidPlace& place : places) {
-      solid_cell_.push_back(grid_.cell(place.node_x, place.node_z));
-      node_x_.push_back(place.node_x);
-      node_z_.push_back(place.node_z);
-      keys.push_back(solid_grid_.cell(place.x, place.z));
+      node_cells.push_back(grid_.cell(place.node_x, place.node_z));
+      cells.push_back(wall_grid_.cell(place.x, place.z));
+      node_x_.push_back(static_cast<float>(place.node_x));
+      node_z_.push_back(static_cast<float>(place.node_z));
     }
-    solid_grid_.sort(keys, solid_order_);
+    if (places.empty()) return;
+    node_grid_ = grid_;
+    node_grid_->sort(node_cells, in_order);
+    solid_grid_.sort(cells, solid_order_);
     for (const std::uint32_t i : solid_order_) {
-      solid_x_.push_back(places[i].x);
-      solid_z_.push_back(places[i].z);
+      solid_x_.push_back(static_cast<float>(places[i].x));
+      solid_z_.push_back(static_cast<float>(places[i].z));
     }
   }
 
   // Sorts the particles by cell, lists their images and the sources of every cluster, for some
-  // steps of dt. False when a particle is not in the tank: `stray()`.
+  // steps of dt. False when a particle is not in the tank: `stray()`. `scratch` is overwritten.
   template <class Mirror = FreeSlipMirror>
-  bool rebuild(Particles& particles, const TankWalls& walls, double dt) {
+  bool rebuild(Particles& particles, const TankWalls& walls, double dt,
+               Array<double>&& scratch = {}) {
     slack_ = slack_for(dt * fastest(particles, walls));
-    reach_ = support_ + 2 * slack_;
+    reach_ = support_ + 2 * (slack_ + rounding_);
     const std::size_t n = particles.size();
     stray_ = n;
     for (std::size_t i = 0; i < n && stray_ == n; ++i)
       if (!inside(particles.x[i], particles.z[i], walls)) stray_ = i;
     if (stray_ != n) return false;
-    sort_particles(particles, walls);
+    sort_particles(particles, walls, scratch);
     images_.clear();
     if constexpr (Mirror::exists) list_images(walls);
     sources_.resize(n + images_.size() + solid_order_.size());
@@ -81,9 +90,8 @@ class NeighbourSources {
         {grid_, built_x_, built_z_, 0},
         {wall_grid_, image_x_, image_z_, n},
         {solid_grid_, solid_x_, solid_z_, n + images_.size()}};
-    clusters_.build(grid_, particle_cell_, built_x_, built_z_, points, reach_);
-    if (!solid_order_.empty())
-      solid_clusters_.build(grid_, solid_cell_, node_x_, node_z_, points, reach_);
+    clusters_.build(grid_, built_x_, built_z_, points, reach_);
+    if (node_grid_) solid_clusters_.build(*node_grid_, node_x_, node_z_, points, reach_);
     return true;
   }
   std::size_t stray() const { return stray_; }
@@ -148,7 +156,7 @@ class NeighbourSources {
   // itself.
   template <class Mirror, class Visit>
   void for_each_image(double gravity, const TankWalls& walls, const Visit& visit) const {
-    const std::size_t n = particle_cell_.size();
+    const std::size_t n = built_x_.size();
     const MirrorMap itself;
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i) visit(i, i, itself);
@@ -212,24 +220,22 @@ class NeighbourSources {
     return x > walls.left && x < walls.right && z > walls.bottom && z < walls.roof;
   }
 
-  void sort_particles(Particles& particles, const TankWalls& walls) {
+  void sort_particles(Particles& particles, const TankWalls& walls, Array<double>& scratch) {
     const std::size_t n = particles.size();
     keys_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
       keys_[i] = grid_.cell(particles.x[i] - walls.left, particles.z[i]);
     grid_.sort(keys_, order_);
     particles.for_each_field([&](Array<double>& field) {
-      sorted_.resize(n);
-      for (std::size_t i = 0; i < n; ++i) sorted_[i] = field[order_[i]];
-      field.swap(sorted_);
+      scratch.resize(n);
+      for (std::size_t i = 0; i < n; ++i) scratch[i] = field[order_[i]];
+      field.swap(scratch);
     });
-    particle_cell_.resize(n);
     built_x_.resize(n);
     built_z_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      particle_cell_[i] = keys_[order_[i]];
-      built_x_[i] = particles.x[i] - walls.left;
-      built_z_[i] = particles.z[i];
+      built_x_[i] = static_cast<float>(particles.x[i] - walls.left);
+      built_z_[i] = static_cast<float>(particles.z[i]);
     }
   }
 
@@ -254,8 +260,8 @@ class NeighbourSources {
     for (const std::uint32_t k : order_) {
       const Image& image = images_.emplace_back(listed_[k]);
       const MirrorMap& map = maps[image.reflection];
-      image_x_.push_back(map.scale_x * built_x_[image.owner] + map.offset_x);
-      image_z_.push_back(map.scale_z * built_z_[image.owner] + map.offset_z);
+      image_x_.push_back(static_cast<float>(map.scale_x * built_x_[image.owner] + map.offset_x));
+      image_z_.push_back(static_cast<float>(map.scale_z * built_z_[image.owner] + map.offset_z));
     }
   }
 
@@ -274,24 +280,25 @@ class NeighbourSources {
   };
 
   // In kernel radii; measured on a calm and on a breaking surge.
-  static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 8;
+  static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 6;
   // In particle spacings: eight particles of a row make a cluster about as wide as it is high.
   static constexpr double cell_height = 2.83, cell_width = 0.5;
 
   // Of images and solids, in kernel radii: few of them, in few cells.
   static constexpr double kernel_cells = 0.5;
 
-  double support_, reach_ = 0, slack_ = 0;
+  double support_, rounding_, reach_ = 0, slack_ = 0;
   CellGrid grid_, wall_grid_, solid_grid_;
+  std::optional<CellGrid> node_grid_;  // of the solids' nodes
   Array<Source> sources_;
   ClusterLists clusters_, solid_clusters_;
   std::vector<Rectangle> obstacles_;
-  std::vector<std::uint32_t> solid_cell_, solid_order_;
-  Array<double> node_x_, node_z_, solid_x_, solid_z_;
+  std::vector<std::uint32_t> solid_order_;
+  Array<float> node_x_, node_z_, solid_x_, solid_z_;
   std::vector<Image> images_, listed_;
-  Array<double> image_x_, image_z_;
-  std::vector<std::uint32_t> particle_cell_, keys_, order_;
-  Array<double> built_x_, built_z_, sorted_;
+  Array<float> image_x_, image_z_;
+  std::vector<std::uint32_t> keys_, order_;
+  Array<float> built_x_, built_z_;
   std::size_t stray_ = 0;
 };
 
