@@ -1,8 +1,8 @@
 // Time integration. An integrator advances a Liquid (liquid.hpp) by dt through its two right-hand
 // sides: liquid.accelerate(t) and liquid.compress(t) evaluate dv/dt and drho/dt with the walls of
 // time t. liquid.kick, drift and densify add dt times the rates to velocities, positions and
-// densities. The neighbour search is renewed, and the particles thereby reordered, only at the
-// start of a step.
+// densities; kick_and_drift and densify_and_drift do two of them in one pass over the memory. The
+// neighbour search is renewed, and the particles thereby reordered, only at the start of a step.
 #pragma once
 
 #include <cstddef>
@@ -28,11 +28,9 @@ struct StaggeredLeapfrog {
   void advance(Liquid& liquid, double dt) {
     liquid.renew_neighbours(dt);
     liquid.accelerate(liquid.time);
-    liquid.kick(0.5 * (previous_dt + dt));
-    liquid.drift(0.5 * dt);
+    liquid.kick_and_drift(0.5 * (previous_dt + dt), 0.5 * dt);
     liquid.compress(liquid.time + 0.5 * dt);
-    liquid.densify(dt);
-    liquid.drift(0.5 * dt);
+    liquid.densify_and_drift(dt, 0.5 * dt);
     previous_dt = dt;
   }
 };

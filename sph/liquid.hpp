@@ -47,15 +47,17 @@ class Liquid {
             scene_.acceleration(t)};
   }
 
-  // Makes the neighbour search valid for a step of dt from now.
-  void renew_neighbours(double dt) {
+  // Makes the neighbour search valid for a step of dt from now; whether that took new lists.
+  bool renew_neighbours(double dt) {
     const TankWalls walls = walls_at(time);
     scheme_.wall_contact.confine(particles, walls);
     for (const Rectangle& obstacle : obstacles_) expel(particles, walls, obstacle);
-    if (!neighbours_.stale(particles, walls, dt)) return;
-    if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, walls, dt))
+    if (!neighbours_.stale(particles, walls, dt)) return false;
+    if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, walls, dt,
+                                                      std::move(rates.density_rate)))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
     rates.resize(particles.size());
+    return true;
   }
 
   void accelerate(double t) {
@@ -90,6 +92,28 @@ class Liquid {
     if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, dt);
   }
 
+  // As one after the other.
+  void kick_and_drift(double kick_dt, double drift_dt) {
+    Particles& p = particles;
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p.velocity_x[i] += kick_dt * rates.acceleration_x[i];
+      p.velocity_z[i] += kick_dt * rates.acceleration_z[i];
+      p.x[i] += drift_dt * p.velocity_x[i];
+      p.z[i] += drift_dt * p.velocity_z[i];
+    }
+  }
+  void densify_and_drift(double densify_dt, double drift_dt) {
+    Particles& p = particles;
+#pragma omp parallel for simd schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p.density[i] += densify_dt * rates.density_rate[i];
+      p.x[i] += drift_dt * p.velocity_x[i];
+      p.z[i] += drift_dt * p.velocity_z[i];
+    }
+    if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, densify_dt);
+  }
+
   // For integrators that return to the start of a step.
   void save() {
     saved_ = particles;
@@ -108,6 +132,9 @@ class Liquid {
     add_scaled(particles.x, 1, shifts_.x);
     add_scaled(particles.z, 1, shifts_.z);
   }
+
+  // Of the pair loops; the processor's widest, if nothing else is asked for.
+  void use(InstructionSet set) { instructions_ = set; }
 
   const Scheme& scheme() const { return scheme_; }
   const NeighbourSources& neighbours() const { return neighbours_; }

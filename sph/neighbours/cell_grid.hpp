@@ -26,7 +26,7 @@ class CellGrid {
         rows_per_length_(1 / cell_height),
         columns_(static_cast<int>((max_x - min_x) * columns_per_length_) + 1),
         rows_(static_cast<int>((max_z - min_z) * rows_per_length_) + 1),
-        begin_(static_cast<std::size_t>(columns_) * rows_ + 1) {}
+        begin_(static_cast<std::size_t>(columns_) * rows_ + 2) {}
 
   // A point outside counts to the nearest cell.
   int column(double x) const { return clamped((x - min_x_) * columns_per_length_, columns_); }
@@ -38,11 +38,11 @@ class CellGrid {
   // Counting sort: the order of `keys` (cell numbers) that makes cells contiguous, stable.
   void sort(const std::vector<std::uint32_t>& keys, std::vector<std::uint32_t>& order) {
     begin_.assign(begin_.size(), 0);
-    for (const std::uint32_t key : keys) ++begin_[key + 1];
-    for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
+    for (const std::uint32_t key : keys) ++begin_[key + 2];
+    for (std::size_t c = 2; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
     order.resize(keys.size());
-    cursor_.assign(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t i = 0; i < keys.size(); ++i) order[cursor_[keys[i]]++] = i;
+    // Counts up each cell's begin, one place ahead, to its end: the begin of the next.
+    for (std::uint32_t i = 0; i < keys.size(); ++i) order[begin_[keys[i] + 1]++] = i;
   }
 
   // What the last sort put into the columns `from` to `to` of a row.
@@ -51,6 +51,7 @@ class CellGrid {
     return {cells[from], cells[to + 1]};
   }
   int columns() const { return columns_; }
+  int rows() const { return rows_; }
 
  private:
   static int clamped(double cells, int count) {
@@ -59,7 +60,7 @@ class CellGrid {
 
   double min_x_, min_z_, columns_per_length_, rows_per_length_;
   int columns_, rows_;
-  std::vector<std::uint32_t> begin_, cursor_;
+  std::vector<std::uint32_t> begin_;
 };
 
 }  // namespace slosh::sph

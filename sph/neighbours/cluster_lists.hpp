@@ -1,44 +1,106 @@
 // Neighbour lists of clusters: up to eight particles that stand together in the sorted order, and
-// the sources within reach of the box around them. The pair loop keeps a cluster in its lanes and
-// takes one source after another for all eight: no gathers, no scatters, and every particle sums in
-// a fixed order whatever the number of threads.
+// the sources within reach of one of them. The pair loop keeps a cluster in its lanes and takes one
+// source after another for all eight: no gathers, no scatters, and every particle sums in a fixed
+// order whatever the number of threads.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "sph/neighbours/cell_grid.hpp"
+#include "sph/neighbours/instruction_sets.hpp"
+#include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/simulation.hpp"
 
 namespace slosh::sph {
 
+// How far ahead of its use a pair loop asks for a source, in places of the list: the time that
+// memory takes (measured: 32 to 96 do about as well).
+inline constexpr std::size_t prefetch_distance = 64;
+
 struct Cluster {
   std::size_t first, size;       // particles [first, first + size)
-  const std::uint32_t* sources;  // indices
+  const std::uint32_t* sources;  // indices, readable to prefetch_distance past the last
   std::size_t source_count;
+
+  // Source number k of `all`; asks for the one that is taken up prefetch_distance later.
+  const Source& source(const Source* all, std::size_t k) const {
+    __builtin_prefetch(&all[sources[k + prefetch_distance]]);
+    return all[sources[k]];
+  }
+};
+
+// Sources in the order of a grid's last sort, the first of them being number `first_source` of all.
+struct SortedPoints {
+  const CellGrid& grid;
+  const Array<float>&x, &z;
+  std::size_t first_source;
+};
+
+// Points that stand one after another in the order of a grid.
+struct PointRun {
+  const float *x, *z;
+  std::size_t size;
+  std::uint32_t first_source;
+};
+
+// Appends to `end` the sources of a run that are within reach of one of the `around`; room for all.
+struct AppendNear {
+  template <Vector Number>
+  static void run(const PointRun* points, const PointRun* around, double reach,
+                  std::uint32_t** end) {
+    std::uint32_t* next = *end;
+    for (std::size_t b = 0; b < points->size; b += lanes_of<Number>) {
+      const Number x = load<Number>(points->x + b), z = load<Number>(points->z + b);
+      Number nearest2 = 2 * reach * reach - Number{};
+      for (std::size_t i = 0; i < around->size; ++i) {
+        const Number dx = x - static_cast<double>(around->x[i]),
+                     dz = z - static_cast<double>(around->z[i]);
+        nearest2 = at_most(dx * dx + dz * dz, nearest2);
+      }
+      const std::size_t count = std::min(lanes_of<Number>, points->size - b);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        *next = points->first_source + static_cast<std::uint32_t>(b + lane);
+        next += nearest2[lane] < reach * reach;
+      }
+    }
+    *end = next;
+  }
 };
 
 class ClusterLists {
  public:
-  // Clusters of the particles whose cells, ascending, are `particle_cells`; no cluster reaches
-  // across rows. `x`, `z`: the particles' positions in the sources' frame. `sources` are in the
-  // order of the grid's last sort.
-  void build(const CellGrid& grid, const std::vector<std::uint32_t>& particle_cells,
-             const Array<double>& x, const Array<double>& z, const Array<Source>& sources,
-             double reach) {
-    cut_into_clusters(grid, particle_cells);
+  // Cuts particles in the order of a grid's last sort into clusters, none of which reaches across
+  // rows, and lists for each the points within reach. `x`, `z`: the particles' positions in the
+  // points' frame.
+  void build(const CellGrid& grid, const Array<float>& x, const Array<float>& z,
+             std::initializer_list<SortedPoints> points, double reach) {
+    cut_into_clusters(grid);
     batches_.resize((firsts_.size() - 1 + batch_size - 1) / batch_size);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t batch = 0; batch < batches_.size(); ++batch) {
-      Batch& list = batches_[batch];
-      list.sources.clear();
-      list.ends.clear();
-      const std::size_t last = std::min((batch + 1) * batch_size, firsts_.size() - 1);
-      for (std::size_t c = batch * batch_size; c < last; ++c) {
-        append_sources(grid, x, z, firsts_[c], firsts_[c + 1], sources, reach, list.sources);
-        list.ends.push_back(static_cast<std::uint32_t>(list.sources.size()));
+    const InstructionSet set = widest_instruction_set();
+#pragma omp parallel
+    {
+      std::vector<std::uint32_t> list;
+#pragma omp for schedule(dynamic)
+      for (std::size_t k = 0; k < batches_.size(); ++k) {
+        Batch& batch = batches_[k];
+        batch.ends.clear();
+        std::size_t length = 0;
+        const std::size_t last = std::min((k + 1) * batch_size, firsts_.size() - 1);
+        for (std::size_t c = k * batch_size; c < last; ++c) {
+          const PointRun cluster{&x[firsts_[c]], &z[firsts_[c]], firsts_[c + 1] - firsts_[c], 0};
+          const Rectangle box = box_around(cluster, reach);
+          for (const SortedPoints& of : points)
+            length = append_sources(of, cluster, box, reach, set, list, length);
+          batch.ends.push_back(static_cast<std::uint32_t>(length));
+        }
+        batch.sources.reserve(length + prefetch_distance);
+        batch.sources.assign(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(length));
+        batch.sources.resize(length + prefetch_distance, 0);
       }
     }
   }
@@ -65,31 +127,44 @@ class ClusterLists {
     std::vector<std::uint32_t> sources, ends;
   };
 
-  void cut_into_clusters(const CellGrid& grid, const std::vector<std::uint32_t>& cells) {
+  void cut_into_clusters(const CellGrid& grid) {
     firsts_.assign(1, 0);
-    const auto row_of = [&](std::size_t i) { return cells[i] / grid.columns(); };
-    std::size_t first = 0;
-    for (std::size_t i = 1; i <= cells.size(); ++i)
-      if (i == cells.size() || i - first == lane_count || row_of(i) != row_of(first)) {
-        firsts_.push_back(static_cast<std::uint32_t>(i));
-        first = i;
-      }
+    for (int row = 0; row < grid.rows(); ++row) {
+      const IndexRange run = grid.run(row, 0, grid.columns() - 1);
+      for (std::size_t end = run.begin; end < run.end;)
+        firsts_.push_back(static_cast<std::uint32_t>(end = std::min(end + lane_count, run.end)));
+    }
   }
 
-  static void append_sources(const CellGrid& grid, const Array<double>& x, const Array<double>& z,
-                             std::size_t first, std::size_t end, const Array<Source>& sources,
-                             double reach, std::vector<std::uint32_t>& list) {
-    const auto [left, right] = std::minmax_element(&x[first], &x[end - 1] + 1);
-    const auto [bottom, top] = std::minmax_element(&z[first], &z[end - 1] + 1);
-    const int from = grid.column(*left - reach), to = grid.column(*right + reach);
-    for (int row = grid.row(*bottom - reach); row <= grid.row(*top + reach); ++row) {
-      const IndexRange run = grid.run(row, from, to);
-      for (std::size_t b = run.begin; b < run.end; ++b) {
-        const double dx = std::max({*left - sources[b].x, sources[b].x - *right, 0.0});
-        const double dz = std::max({*bottom - sources[b].z, sources[b].z - *top, 0.0});
-        if (dx * dx + dz * dz < reach * reach) list.push_back(static_cast<std::uint32_t>(b));
-      }
+  static Rectangle box_around(const PointRun& points, double reach) {
+    float left = points.x[0], right = left, bottom = points.z[0], top = bottom;
+    for (std::size_t i = 1; i < points.size; ++i) {
+      left = std::min(left, points.x[i]);
+      right = std::max(right, points.x[i]);
+      bottom = std::min(bottom, points.z[i]);
+      top = std::max(top, points.z[i]);
     }
+    return {left - reach, right + reach, bottom - reach, top + reach};
+  }
+
+  // Returns the list's new length.
+  static std::size_t append_sources(const SortedPoints& points, const PointRun& cluster,
+                                    const Rectangle& box, double reach, InstructionSet set,
+                                    std::vector<std::uint32_t>& list, std::size_t length) {
+    const CellGrid& grid = points.grid;
+    const int from = grid.column(box.left), to = grid.column(box.right), upper = grid.row(box.top);
+    for (int row = grid.row(box.bottom); row <= upper; ++row) {
+      const IndexRange range = grid.run(row, from, to);
+      const PointRun run{points.x.data() + range.begin, points.z.data() + range.begin,
+                         range.end - range.begin,
+                         static_cast<std::uint32_t>(points.first_source + range.begin)};
+      if (run.size == 0) continue;
+      if (list.size() < length + run.size + 1) list.resize(2 * (length + run.size) + 1);
+      std::uint32_t* end = list.data() + length;
+      call_in_registers<AppendNear>(set, &run, &cluster, reach, &end);
+      length = static_cast<std::size_t>(end - list.data());
+    }
+    return length;
   }
 
   std::vector<std::uint32_t> firsts_;

@@ -24,11 +24,15 @@ struct DensityGradient {
   std::vector<SourceGradient> of_sources;  // in their order
 };
 
-// (dW/dr)/r of a pair [1/m4]; `inverse_h` [1/m].
+// (dW/dr)/r of a pair [1/m4] is gradient_scale times gradient_shape; `inverse_h` [1/m].
 template <class Kernel, class Length>
-inline Lanes gradient_over_distance(Lanes distance2, Length inverse_h) {
+inline Length gradient_scale(Length inverse_h) {
   const Length inverse_h2 = inverse_h * inverse_h;
-  return Kernel::normalisation * inverse_h2 * inverse_h2 *
+  return Kernel::normalisation * inverse_h2 * inverse_h2;
+}
+template <class Kernel, class Number, class Length>
+inline Number gradient_over_distance(Number distance2, Length inverse_h) {
+  return gradient_scale<Kernel>(inverse_h) *
          Kernel::gradient_shape(square_root(distance2) * inverse_h);
 }
 
@@ -80,7 +84,7 @@ void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbou
             map.scale_x * gradient.x[i] + (1 - map.scale_x) * compressibility * map.gravity_x,
             map.scale_z * gradient.z[i] + (1 - map.scale_z) * compressibility * map.gravity_z};
       });
-  for (const auto& [k, solid] : neighbours.solid_sources())
+  for (std::size_t k = neighbours.first_solid_source(); k < neighbours.source_count(); ++k)
     gradient.of_sources[k] = {-compressibility * walls.acceleration,
                               -compressibility * scheme.setting.gravity};
 }

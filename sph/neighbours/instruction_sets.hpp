@@ -2,9 +2,25 @@
 // instructions of AVX-512, of AVX2, or those that every processor of the kind has.
 #pragma once
 
+#include "sph/neighbours/lanes.hpp"
+
 namespace slosh::sph {
 
 enum class InstructionSet { plain, avx2, avx512 };
+inline constexpr InstructionSet instruction_sets[] = {InstructionSet::plain, InstructionSet::avx2,
+                                                      InstructionSet::avx512};
+
+inline const char* instruction_set_name(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::plain:
+      return "plain";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::avx512:
+      return "avx512";
+  }
+  return "";
+}
 
 #if defined(__x86_64__)
 inline bool has(InstructionSet set) {
@@ -53,6 +69,20 @@ void call(InstructionSet set, Arguments... arguments) {
       return call_avx2<function>(arguments...);
     case InstructionSet::plain:
       return function(arguments...);
+  }
+}
+
+// Calls Loop::run<Number>(arguments...) in its build for `set`, Number the vector that fills one of
+// the set's registers.
+template <class Loop, class... Arguments>
+void call_in_registers(InstructionSet set, Arguments... arguments) {
+  switch (set) {
+    case InstructionSet::avx512:
+      return call_avx512<&Loop::template run<Lanes>>(arguments...);
+    case InstructionSet::avx2:
+      return call_avx2<&Loop::template run<FourLanes>>(arguments...);
+    case InstructionSet::plain:
+      return Loop::template run<TwoLanes>(arguments...);
   }
 }
 

@@ -1,8 +1,9 @@
-// Eight particles side by side: the number type of the pair loops. Every function here exists for
+// Particles side by side: the number types of the pair loops. Every function here exists for
 // plain doubles too, so that a formula is written once.
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstring>
 
@@ -10,34 +11,65 @@ namespace slosh::sph {
 
 inline constexpr std::size_t lane_count = 8;
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
+// Those that fit a register of AVX2, and of the plain instructions: wider ones are taken apart by
+// the compiler, lane by lane where it compares them.
+using FourLanes = double __attribute__((vector_size(4 * sizeof(double))));
+using TwoLanes = double __attribute__((vector_size(2 * sizeof(double))));
+
+template <class Number>
+concept Vector = std::same_as<Number, Lanes> || std::same_as<Number, FourLanes> ||
+    std::same_as<Number, TwoLanes>;
+template <Vector Number>
+inline constexpr std::size_t lanes_of = sizeof(Number) / sizeof(double);
 
 inline double square_root(double a) { return std::sqrt(a); }
-inline Lanes square_root(Lanes a) {
-  Lanes root;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(a[lane]);
+template <Vector Number>
+Number square_root(Number a) {
+  Number root;
+  for (std::size_t lane = 0; lane < lanes_of<Number>; ++lane) root[lane] = std::sqrt(a[lane]);
   return root;
 }
 
 // The larger of a and `bound`; `bound` where a is no number.
 inline double at_least(double bound, double a) { return a > bound ? a : bound; }
-inline Lanes at_least(double bound, Lanes a) {
-  const Lanes bounds = bound - Lanes{};
+template <Vector Number>
+Number at_least(double bound, Number a) {
+  const Number bounds = bound - Number{};
   return a > bounds ? a : bounds;
 }
 
-inline double negative_part(double a) { return a < 0.0 ? a : 0.0; }
-inline Lanes negative_part(Lanes a) { return a < Lanes{} ? a : Lanes{}; }
+// The smaller of a and b; b where a is no number.
+template <Vector Number>
+Number at_most(Number a, Number b) {
+  return a < b ? a : b;
+}
 
-// Eight consecutive doubles from `begin`.
-inline Lanes load(const double* begin) {
-  Lanes lanes;
+inline double negative_part(double a) { return a < 0.0 ? a : 0.0; }
+template <Vector Number>
+Number negative_part(Number a) {
+  return a < Number{} ? a : Number{};
+}
+
+// Consecutive doubles from `begin`.
+template <Vector Number = Lanes>
+Number load(const double* begin) {
+  Number lanes;
   std::memcpy(&lanes, begin, sizeof lanes);
   return lanes;
 }
 
+// The same from floats.
+template <Vector Number>
+Number load(const float* begin) {
+  Number lanes;
+  for (std::size_t lane = 0; lane < lanes_of<Number>; ++lane) lanes[lane] = begin[lane];
+  return lanes;
+}
+
 // The first `count` lanes to `begin`.
-inline void store(double* begin, Lanes lanes, std::size_t count) {
-  if (count == lane_count)
+template <Vector Number>
+void store(double* begin, Number lanes, std::size_t count) {
+  if (count >= lanes_of<Number>)
     std::memcpy(begin, &lanes, sizeof lanes);
   else
     for (std::size_t lane = 0; lane < count; ++lane) begin[lane] = lanes[lane];

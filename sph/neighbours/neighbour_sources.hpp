@@ -1,13 +1,17 @@
-// The sources of the pair sums: the liquid, its mirror images and the particles of solids, sorted
-// by cell. `rebuild` sorts the particles themselves, decides which images exist and lists the
-// sources of every cluster; `refresh_for_...` fill in the state of the liquid and its images, many
-// times between rebuilds, and the solids (walls/solids.hpp) that of their own.
+// The sources of the pair sums, each kind sorted by cell: the liquid, in the order of the particles
+// themselves, then its mirror images, then the particles of solids. `rebuild` sorts the particles,
+// decides which images exist and lists the sources of every cluster, by positions of single
+// precision and a reach that allows for it; `refresh_for_...` fill in the
+// state of the liquid and its images, many times between rebuilds, and the solids
+// (walls/solids.hpp) that of their own.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -28,8 +32,13 @@ class NeighbourSources {
   // images: narrower or lower than two reaches.
   NeighbourSources(const TankWalls& walls, double spacing, double support)
       : support_(support),
-        grid_(-support, walls.right - walls.left + support, -support, walls.roof + support,
-              cell_width * spacing, cell_height * spacing) {
+        rounding_(4 * std::numeric_limits<float>::epsilon() *
+                  std::max(walls.right - walls.left, walls.roof)),
+        grid_(0, walls.right - walls.left, 0, walls.roof, cell_width * spacing,
+              cell_height * spacing),
+        wall_grid_(-support, walls.right - walls.left + support, -support, walls.roof + support,
+                   kernel_cells * support, kernel_cells * support),
+        solid_grid_(wall_grid_) {
     const double narrowest = std::min(walls.right - walls.left, walls.roof - walls.bottom);
     if (!(narrowest >= 2 * support * (1 + 2 * largest_slack)))
       throw std::invalid_argument(
@@ -43,31 +52,46 @@ class NeighbourSources {
     std::sort(places.begin(), places.end(), [&](const SolidPlace& a, const SolidPlace& b) {
       return grid_.cell(a.node_x, a.node_z) < grid_.cell(b.node_x, b.node_z);
     });
-    solids_ = places;
     obstacles_ = std::move(obstacles);
+    std::vector<std::uint32_t> node_cells, cells, in_order;
     for (const SolidPlace& place : places) {
-      solid_cell_.push_back(grid_.cell(place.node_x, place.node_z));
-      node_x_.push_back(place.node_x);
-      node_z_.push_back(place.node_z);
+      node_cells.push_back(grid_.cell(place.node_x, place.node_z));
+      cells.push_back(wall_grid_.cell(place.x, place.z));
+      node_x_.push_back(static_cast<float>(place.node_x));
+      node_z_.push_back(static_cast<float>(place.node_z));
+    }
+    if (places.empty()) return;
+    node_grid_ = grid_;
+    node_grid_->sort(node_cells, in_order);
+    solid_grid_.sort(cells, solid_order_);
+    for (const std::uint32_t i : solid_order_) {
+      solid_x_.push_back(static_cast<float>(places[i].x));
+      solid_z_.push_back(static_cast<float>(places[i].z));
     }
   }
 
   // Sorts the particles by cell, lists their images and the sources of every cluster, for some
-  // steps of dt. False when a particle is not in the tank: `stray()`.
+  // steps of dt. False when a particle is not in the tank: `stray()`. `scratch` is overwritten.
   template <class Mirror = FreeSlipMirror>
-  bool rebuild(Particles& particles, const TankWalls& walls, double dt) {
+  bool rebuild(Particles& particles, const TankWalls& walls, double dt,
+               Array<double>&& scratch = {}) {
     slack_ = slack_for(dt * fastest(particles, walls));
-    reach_ = support_ + 2 * slack_;
+    reach_ = support_ + 2 * (slack_ + rounding_);
     const std::size_t n = particles.size();
     stray_ = n;
     for (std::size_t i = 0; i < n && stray_ == n; ++i)
       if (!inside(particles.x[i], particles.z[i], walls)) stray_ = i;
     if (stray_ != n) return false;
-    sort_particles(particles, walls);
-    list_sources<Mirror>(particles, walls);
-    clusters_.build(grid_, particle_cell_, built_x_, built_z_, sources_, reach_);
-    if (!solids_.empty())
-      solid_clusters_.build(grid_, solid_cell_, node_x_, node_z_, sources_, reach_);
+    sort_particles(particles, walls, scratch);
+    images_.clear();
+    if constexpr (Mirror::exists) list_images(walls);
+    sources_.resize(n + images_.size() + solid_order_.size());
+    const std::initializer_list<SortedPoints> points{
+        {grid_, built_x_, built_z_, 0},
+        {wall_grid_, image_x_, image_z_, n},
+        {solid_grid_, solid_x_, solid_z_, n + images_.size()}};
+    clusters_.build(grid_, built_x_, built_z_, points, reach_);
+    if (node_grid_) solid_clusters_.build(*node_grid_, node_x_, node_z_, points, reach_);
     return true;
   }
   std::size_t stray() const { return stray_; }
@@ -76,14 +100,16 @@ class NeighbourSources {
   // the lists of the last rebuild allow.
   bool stale(const Particles& particles, const TankWalls& walls, double dt) const {
     if (built_x_.size() != particles.size()) return true;
-    double farthest2 = 0;
-#pragma omp parallel for simd reduction(max : farthest2)
+    double farthest2 = 0, fastest2 = 0;
+#pragma omp parallel for simd reduction(max : farthest2, fastest2)
     for (std::size_t i = 0; i < particles.size(); ++i) {
       const double dx = particles.x[i] - walls.left - built_x_[i],
                    dz = particles.z[i] - built_z_[i];
+      const double u = particles.velocity_x[i] - walls.velocity, w = particles.velocity_z[i];
       farthest2 = std::max(farthest2, dx * dx + dz * dz);
+      fastest2 = std::max(fastest2, u * u + w * w);
     }
-    return !(std::sqrt(farthest2) + dt * fastest(particles, walls) < slack_);
+    return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
   }
   // How far a particle may move against the tank before the lists are stale [m].
   double slack() const { return slack_; }
@@ -120,19 +146,24 @@ class NeighbourSources {
   // their places.
   template <class Visit>
   void for_each_solid_source(const Visit& visit) {
-    for (const auto& [k, solid] : solid_sources_) visit(sources_[k], solid);
+    const std::size_t first = first_solid_source();
+    for (std::size_t s = 0; s < solid_order_.size(); ++s)
+      visit(sources_[first + s], solid_order_[s]);
   }
-  const std::vector<std::pair<std::size_t, std::size_t>>& solid_sources() const {
-    return solid_sources_;
-  }
+  std::size_t first_solid_source() const { return sources_.size() - solid_order_.size(); }
 
-  // Calls visit(k, i, map) for every source k: the image of particle i by the map, or i itself. For
-  // the sources that are particles of solids i is any particle.
+  // Calls visit(k, i, map) for every source k of liquid: the image of particle i by the map, or i
+  // itself.
   template <class Mirror, class Visit>
   void for_each_image(double gravity, const TankWalls& walls, const Visit& visit) const {
+    const std::size_t n = built_x_.size();
+    const MirrorMap itself;
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i) visit(i, i, itself);
     const auto maps = mirror_maps<Mirror>(walls, gravity);
 #pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < owner_.size(); ++k) visit(k, owner_[k], maps[reflection_[k]]);
+    for (std::size_t k = 0; k < images_.size(); ++k)
+      visit(n + k, images_[k].owner, maps[images_[k].reflection]);
   }
 
   const Source* sources() const { return sources_.data(); }
@@ -154,7 +185,7 @@ class NeighbourSources {
           source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
           source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
           source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
-          source.spacing = p.spacing[i];
+          if constexpr (Scheme::Smoothing::reads_spacing) source.spacing = p.spacing[i];
           complete(source, i, map);
         });
   }
@@ -189,109 +220,85 @@ class NeighbourSources {
     return x > walls.left && x < walls.right && z > walls.bottom && z < walls.roof;
   }
 
-  void sort_particles(Particles& particles, const TankWalls& walls) {
+  void sort_particles(Particles& particles, const TankWalls& walls, Array<double>& scratch) {
     const std::size_t n = particles.size();
     keys_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
       keys_[i] = grid_.cell(particles.x[i] - walls.left, particles.z[i]);
     grid_.sort(keys_, order_);
     particles.for_each_field([&](Array<double>& field) {
-      sorted_.resize(n);
-      for (std::size_t i = 0; i < n; ++i) sorted_[i] = field[order_[i]];
-      field.swap(sorted_);
+      scratch.resize(n);
+      for (std::size_t i = 0; i < n; ++i) scratch[i] = field[order_[i]];
+      field.swap(scratch);
     });
-    particle_cell_.resize(n);
     built_x_.resize(n);
     built_z_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      particle_cell_[i] = keys_[order_[i]];
-      built_x_[i] = particles.x[i] - walls.left;
-      built_z_[i] = particles.z[i];
+      built_x_[i] = static_cast<float>(particles.x[i] - walls.left);
+      built_z_[i] = static_cast<float>(particles.z[i]);
     }
   }
 
-  template <class Mirror>
-  void list_sources(const Particles& particles, const TankWalls& walls) {
-    listed_owner_.clear();
-    listed_reflection_.clear();
+  void list_images(const TankWalls& walls) {
+    listed_.clear();
     keys_.clear();
     const double length = walls.right - walls.left;
     const auto maps = mirror_maps<FreeSlipMirror>({0, length, walls.bottom, walls.roof, 0, 0}, 0);
-    for (std::size_t i = 0; i < particles.size(); ++i) {
+    for (std::size_t i = 0; i < built_x_.size(); ++i) {
       const double x = built_x_[i], z = built_z_[i];
       const int side = x < reach_ ? in_left : x > length - reach_ ? in_right : in_none;
       const int level = z < walls.bottom + reach_ ? in_bottom
                         : z > walls.roof - reach_ ? in_roof
                                                   : in_none;
-      list_source(i, in_none, maps);
-      if constexpr (!Mirror::exists) continue;
-      if (side) list_source(i, side, maps);
-      if (level) list_source(i, level, maps);
-      if (side && level) list_source(i, side + level, maps);
+      if (side) list_image(i, side, maps);
+      if (level) list_image(i, level, maps);
+      if (side && level) list_image(i, side + level, maps);
     }
-    for (std::size_t i = 0; i < solids_.size(); ++i) {
-      listed_owner_.push_back(static_cast<std::uint32_t>(i));
-      listed_reflection_.push_back(of_solid);
-      keys_.push_back(grid_.cell(solids_[i].x, solids_[i].z));
+    wall_grid_.sort(keys_, order_);
+    image_x_.clear();
+    image_z_.clear();
+    for (const std::uint32_t k : order_) {
+      const Image& image = images_.emplace_back(listed_[k]);
+      const MirrorMap& map = maps[image.reflection];
+      image_x_.push_back(static_cast<float>(map.scale_x * built_x_[image.owner] + map.offset_x));
+      image_z_.push_back(static_cast<float>(map.scale_z * built_z_[image.owner] + map.offset_z));
     }
-    place_sources(maps);
   }
 
-  void list_source(std::size_t i, int bits, const std::array<MirrorMap, reflection_count>& maps) {
+  void list_image(std::size_t i, int bits, const std::array<MirrorMap, reflection_count>& maps) {
     const double x = maps[bits].scale_x * built_x_[i] + maps[bits].offset_x,
                  z = maps[bits].scale_z * built_z_[i] + maps[bits].offset_z;
     for (const Rectangle& obstacle : obstacles_)
-      if (bits != in_none && holds(obstacle, x, z)) return;
-    listed_owner_.push_back(static_cast<std::uint32_t>(i));
-    listed_reflection_.push_back(static_cast<std::uint8_t>(bits));
-    keys_.push_back(grid_.cell(x, z));
+      if (holds(obstacle, x, z)) return;
+    listed_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(bits)});
+    keys_.push_back(wall_grid_.cell(x, z));
   }
 
-  // In the order of the cells, at their places in the tank's frame for the clusters' lists.
-  void place_sources(const std::array<MirrorMap, reflection_count>& maps) {
-    grid_.sort(keys_, order_);
-    owner_.resize(order_.size());
-    reflection_.resize(order_.size());
-    sources_.resize(order_.size());
-    solid_sources_.clear();
-    for (std::uint32_t k = 0; k < order_.size(); ++k) {
-      const std::size_t i = owner_[k] = listed_owner_[order_[k]];
-      if (listed_reflection_[order_[k]] == of_solid) {
-        solid_sources_.push_back({k, i});
-        sources_[k].x = solids_[i].x;
-        sources_[k].z = solids_[i].z;
-        // A refresh fills in some particle here, and the solids then overwrite it.
-        owner_[k] = 0;
-        reflection_[k] = in_none;
-        continue;
-      }
-      const MirrorMap& map = maps[reflection_[k] = listed_reflection_[order_[k]]];
-      sources_[k].x = map.scale_x * built_x_[i] + map.offset_x;
-      sources_[k].z = map.scale_z * built_z_[i] + map.offset_z;
-    }
-  }
+  struct Image {
+    std::uint32_t owner;
+    std::uint8_t reflection;
+  };
 
-  // Marks a listed source that is a particle of a solid, not a reflection.
-  static constexpr std::uint8_t of_solid = reflection_count;
   // In kernel radii; measured on a calm and on a breaking surge.
-  static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 8;
+  static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 6;
   // In particle spacings: eight particles of a row make a cluster about as wide as it is high.
   static constexpr double cell_height = 2.83, cell_width = 0.5;
 
-  double support_, reach_ = 0, slack_ = 0;
-  CellGrid grid_;
+  // Of images and solids, in kernel radii: few of them, in few cells.
+  static constexpr double kernel_cells = 0.5;
+
+  double support_, rounding_, reach_ = 0, slack_ = 0;
+  CellGrid grid_, wall_grid_, solid_grid_;
+  std::optional<CellGrid> node_grid_;  // of the solids' nodes
   Array<Source> sources_;
   ClusterLists clusters_, solid_clusters_;
-  std::vector<SolidPlace> solids_;
   std::vector<Rectangle> obstacles_;
-  std::vector<std::uint32_t> solid_cell_;
-  Array<double> node_x_, node_z_;
-  std::vector<std::pair<std::size_t, std::size_t>> solid_sources_;  // source, solid
-  std::vector<std::uint32_t> owner_, particle_cell_;
-  std::vector<std::uint8_t> reflection_;
-  Array<double> built_x_, built_z_, sorted_;
-  std::vector<std::uint32_t> keys_, order_, listed_owner_;
-  std::vector<std::uint8_t> listed_reflection_;
+  std::vector<std::uint32_t> solid_order_;
+  Array<float> node_x_, node_z_, solid_x_, solid_z_;
+  std::vector<Image> images_, listed_;
+  Array<float> image_x_, image_z_;
+  std::vector<std::uint32_t> keys_, order_;
+  Array<float> built_x_, built_z_;
   std::size_t stray_ = 0;
 };
 

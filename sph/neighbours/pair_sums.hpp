@@ -13,81 +13,119 @@
 
 namespace slosh::sph {
 
+// (dW/dr)/r of a pair, but for the factors that all pairs share: those are left to the end of the
+// sum, `shared_scale`.
+template <class Scheme, class Number, class Length>
+inline Number pair_gradient(Number distance2, Length inverse_h) {
+  using Kernel = typename Scheme::Kernel;
+  const Number shape = Kernel::gradient_shape(square_root(distance2) * inverse_h);
+  if constexpr (Scheme::Smoothing::reads_spacing)
+    return gradient_scale<Kernel>(inverse_h) * shape;
+  else
+    return shape;
+}
 template <class Scheme>
-void momentum_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
-                         const Particles* particles, Rates* rates) {
-  using Viscosity = typename Scheme::Viscosity;
-  const Particles& p = *particles;
-  const std::size_t i = cluster->first;
-  const Lanes x = load(&p.x[i]), z = load(&p.z[i]), u = load(&p.velocity_x[i]),
-              w = load(&p.velocity_z[i]), rho = load(&p.density[i]);
-  const Lanes spacing = Scheme::Smoothing::reads_spacing ? load(&p.spacing[i]) : Lanes{};
-  const Lanes strength = scheme->formulation.strength(scheme->state.pressure(rho), rho);
-  Lanes sum_x{}, sum_z{};
-  for (std::size_t k = 0; k < cluster->source_count; ++k) {
-    const Source& b = sources[cluster->sources[k]];
-    const Lanes dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
-    const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-    Lanes s = strength + b.strength;
-    if constexpr (Viscosity::active) {
-      const Lanes approach = (u - b.velocity_x) * dx + (w - b.velocity_z) * dz;
-      s += scheme->viscosity.pair(approach, distance2, 1.0 / inverse_h) *
-           scheme->formulation.viscous_scale(rho, b.density);
-    }
-    const Lanes f =
-        b.weight * s * gradient_over_distance<typename Scheme::Kernel>(distance2, inverse_h);
-    sum_x += f * dx;
-    sum_z += f * dz;
-  }
-  const auto factor = scheme->formulation.acceleration_factor(rho);
-  store(&rates->acceleration_x[i], -factor * sum_x, cluster->size);
-  store(&rates->acceleration_z[i], -factor * sum_z - scheme->setting.gravity, cluster->size);
+inline double shared_scale(const Scheme& scheme) {
+  if constexpr (Scheme::Smoothing::reads_spacing)
+    return 1.0;
+  else
+    return gradient_scale<typename Scheme::Kernel>(scheme.smoothing.inverse_length);
 }
 
 template <class Scheme>
-void continuity_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
-                           const DensityGradient* gradient, const Particles* particles,
-                           Rates* rates) {
-  using Diffusion = typename Scheme::DensityDiffusion;
-  const Particles& p = *particles;
-  const std::size_t i = cluster->first;
-  const Lanes x = load(&p.x[i]), z = load(&p.z[i]), u = load(&p.velocity_x[i]),
-              w = load(&p.velocity_z[i]), rho = load(&p.density[i]);
-  const Lanes spacing = Scheme::Smoothing::reads_spacing ? load(&p.spacing[i]) : Lanes{};
-  Lanes own{}, gradient_x{}, gradient_z{}, divergence{}, diffusion{};
-  if constexpr (Diffusion::active)
-    own = scheme->density_diffusion.diffused(scheme->state.pressure(rho), rho, z);
-  if constexpr (Diffusion::reads_gradient) {
-    gradient_x = load(&gradient->x[i]);
-    gradient_z = load(&gradient->z[i]);
-  }
-  for (std::size_t k = 0; k < cluster->source_count; ++k) {
-    const Source& b = sources[cluster->sources[k]];
-    const Lanes dx = x - b.x, dz = z - b.z;
-    const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-    const Lanes f =
-        b.weight * gradient_over_distance<typename Scheme::Kernel>(dx * dx + dz * dz, inverse_h);
-    divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
-    if constexpr (Diffusion::active) {
-      Lanes difference = own - b.density;
-      if constexpr (Diffusion::reads_gradient) {
-        const SourceGradient& of_b = gradient->of_sources[cluster->sources[k]];
-        difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
+struct MomentumOfCluster {
+  template <Vector Number>
+  static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+                  const Particles* particles, Rates* rates) {
+    using Viscosity = typename Scheme::Viscosity;
+    const Particles& p = *particles;
+    for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
+         i += lanes_of<Number>) {
+      const std::size_t count = cluster->first + cluster->size - i;
+      const Number x = load<Number>(&p.x[i]), z = load<Number>(&p.z[i]),
+                   u = load<Number>(&p.velocity_x[i]), w = load<Number>(&p.velocity_z[i]),
+                   rho = load<Number>(&p.density[i]);
+      const Number spacing =
+          Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{};
+      const Number strength = scheme->formulation.strength(scheme->state.pressure(rho), rho);
+      Number sum_x{}, sum_z{};
+      for (std::size_t k = 0; k < cluster->source_count; ++k) {
+        const Source& b = cluster->source(sources, k);
+        const Number dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
+        const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
+        Number s = strength + b.strength;
+        if constexpr (Viscosity::active) {
+          const Number approach = (u - b.velocity_x) * dx + (w - b.velocity_z) * dz;
+          s += scheme->viscosity.pair(approach, distance2, 1.0 / inverse_h) *
+               scheme->formulation.viscous_scale(rho, b.density);
+        }
+        const Number f = b.weight * s * pair_gradient<Scheme>(distance2, inverse_h);
+        sum_x += f * dx;
+        sum_z += f * dz;
       }
-      diffusion += f * scheme->density_diffusion.pair(difference, 1.0 / inverse_h);
+      const auto factor = shared_scale(*scheme) * scheme->formulation.acceleration_factor(rho);
+      store(&rates->acceleration_x[i], -factor * sum_x, count);
+      store(&rates->acceleration_z[i], -factor * sum_z - scheme->setting.gravity, count);
     }
   }
-  store(&rates->density_rate[i],
-        scheme->formulation.continuity_factor(rho) * divergence +
-            scheme->formulation.volume_of_weight * diffusion,
-        cluster->size);
-}
+};
+
+template <class Scheme>
+struct ContinuityOfCluster {
+  template <Vector Number>
+  static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+                  const DensityGradient* gradient, const Particles* particles, Rates* rates) {
+    using Diffusion = typename Scheme::DensityDiffusion;
+    const Particles& p = *particles;
+    for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
+         i += lanes_of<Number>) {
+      const std::size_t count = cluster->first + cluster->size - i;
+      const Number x = load<Number>(&p.x[i]), z = load<Number>(&p.z[i]),
+                   u = load<Number>(&p.velocity_x[i]), w = load<Number>(&p.velocity_z[i]),
+                   rho = load<Number>(&p.density[i]);
+      const Number spacing =
+          Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{};
+      Number own{}, gradient_x{}, gradient_z{}, divergence{}, diffusion{};
+      if constexpr (Diffusion::active)
+        own = scheme->density_diffusion.diffused(scheme->state.pressure(rho), rho, z);
+      if constexpr (Diffusion::reads_gradient) {
+        gradient_x = load<Number>(&gradient->x[i]);
+        gradient_z = load<Number>(&gradient->z[i]);
+      }
+      for (std::size_t k = 0; k < cluster->source_count; ++k) {
+        const Source& b = cluster->source(sources, k);
+        const Number dx = x - b.x, dz = z - b.z;
+        const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
+        const Number f = b.weight * pair_gradient<Scheme>(dx * dx + dz * dz, inverse_h);
+        divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
+        if constexpr (Diffusion::active) {
+          Number difference = own - b.density;
+          if constexpr (Diffusion::reads_gradient) {
+            const SourceGradient& of_b = gradient->of_sources[cluster->sources[k]];
+            difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
+          }
+          if constexpr (Scheme::Smoothing::reads_spacing)
+            difference = scheme->density_diffusion.pair(difference, 1.0 / inverse_h);
+          diffusion += f * difference;
+        }
+      }
+      if constexpr (Diffusion::active && !Scheme::Smoothing::reads_spacing)
+        diffusion =
+            scheme->density_diffusion.pair(diffusion, 1.0 / scheme->smoothing.inverse_length);
+      store(&rates->density_rate[i],
+            shared_scale(*scheme) * (scheme->formulation.continuity_factor(rho) * divergence +
+                                     scheme->formulation.volume_of_weight * diffusion),
+            count);
+    }
+  }
+};
 
 template <class Scheme>
 void sum_momentum(const Scheme& scheme, const ClusterLists& clusters, const Source* sources,
                   const Particles& particles, Rates& rates, InstructionSet set) {
   clusters.for_each([&](const Cluster& cluster) {
-    call<&momentum_of_cluster<Scheme>>(set, &scheme, &cluster, sources, &particles, &rates);
+    call_in_registers<MomentumOfCluster<Scheme>>(set, &scheme, &cluster, sources, &particles,
+                                                 &rates);
   });
 }
 
@@ -97,8 +135,8 @@ void sum_continuity(const Scheme& scheme, const ClusterLists& clusters, const So
                     const DensityGradient& gradient, const Particles& particles, Rates& rates,
                     InstructionSet set) {
   clusters.for_each([&](const Cluster& cluster) {
-    call<&continuity_of_cluster<Scheme>>(set, &scheme, &cluster, sources, &gradient, &particles,
-                                         &rates);
+    call_in_registers<ContinuityOfCluster<Scheme>>(set, &scheme, &cluster, sources, &gradient,
+                                                   &particles, &rates);
   });
 }
 

@@ -41,27 +41,28 @@ struct MassWeighted {
 
 // Volumes, consistent at a free surface (Colagrossi, Antuono & Le Touze 2009; Antuono et al. 2010,
 // eq. 1):
-//   dv_a/dt   = -1/rho_a sum_b V_b (p_a + p_b + rho_0 Pi_ab) grad_a W_ab
+//   dv_a/dt   = -rho_0/rho_a sum_b V_b (p_a/rho_0 + p_b/rho_0 + Pi_ab) grad_a W_ab
 //   drho_a/dt =  rho_a sum_b V_b v_ab . grad_a W_ab
 struct VolumeWeighted {
   static constexpr const char* name = "momentum with p_a + p_b, continuity with volumes";
   static constexpr double volume_of_weight = 1.0;
-  double rest_density;
+  double rest_density, inverse_rest_density;
 
-  explicit VolumeWeighted(const Setting& s) : rest_density(s.rest_density) {}
+  explicit VolumeWeighted(const Setting& s)
+      : rest_density(s.rest_density), inverse_rest_density(1.0 / s.rest_density) {}
 
   double weight(double mass, double density) const { return mass / density; }
   template <class Number>
   Number strength(Number pressure, Number) const {
-    return pressure;
+    return pressure * inverse_rest_density;
   }
   template <class Number>
   double viscous_scale(Number, double) const {
-    return rest_density;
+    return 1.0;
   }
   template <class Number>
   Number acceleration_factor(Number density) const {
-    return 1.0 / density;
+    return rest_density / density;
   }
   template <class Number>
   Number continuity_factor(Number density) const {

@@ -45,8 +45,10 @@ struct WendlandC2 {
   }
   template <class Number>
   static Number gradient_shape(Number q) {
-    const Number s = at_least(0.0, 1.0 - 0.5 * q);
-    return -5.0 * s * s * s;
+    // The factor 5 stands inside the cube: one multiplication less for every pair.
+    constexpr double root = 1.709975946676697;  // 5^(1/3)
+    const Number s = at_least(0.0, root - 0.5 * root * q);
+    return -(s * s * s);
   }
 };
 
@@ -80,10 +82,10 @@ struct QuinticSpline {
   }
   template <class Number>
   static Number gradient_shape(Number q) {
-    const Number s = 1.5 * q;
-    // The numerator vanishes at s = 0; the bound only keeps 0/0 away.
-    return 2.25 * (30.0 * fourth(2.0 - s) - 5.0 * fourth(3.0 - s) - 75.0 * fourth(1.0 - s)) /
-           at_least(1e-9, s);
+    // The numerator vanishes exactly at q = 0; the addend only keeps 0/0 away.
+    return -7.5 *
+           (fourth(3.0 - 1.5 * q) - 6.0 * fourth(2.0 - 1.5 * q) + 15.0 * fourth(1.0 - 1.5 * q)) /
+           (q + 1e-30);
   }
 
  private:

@@ -117,7 +117,7 @@ void sum_shifts(const Scheme& scheme, const NeighbourSources& neighbours,
       scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap&) {
         shifts.fullness_of_sources[k] = shifts.fullness[i];
       });
-  for (const auto& [k, solid] : neighbours.solid_sources())
+  for (std::size_t k = neighbours.first_solid_source(); k < neighbours.source_count(); ++k)
     shifts.fullness_of_sources[k] = no_fullness;
   neighbours.clusters().for_each([&](const Cluster& cluster) {
     call<&shift_of_cluster<Scheme>>(set, &scheme, &cluster, neighbours.sources(), &particles,

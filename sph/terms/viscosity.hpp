@@ -45,7 +45,7 @@ struct LinearViscosity {
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
-    return -alpha * speed_of_sound * h * approach / (distance2 + 0.01 * h * h);
+    return -alpha * speed_of_sound * h * (approach / (distance2 + 0.01 * h * h));
   }
 };
 
@@ -75,7 +75,7 @@ struct LaminarViscosity {
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
-    return -8.0 * kinematic_viscosity * approach / (distance2 + 0.01 * h * h);
+    return -8.0 * kinematic_viscosity * (approach / (distance2 + 0.01 * h * h));
   }
 };
 

@@ -47,6 +47,14 @@ struct AcousticMode {
     add_scaled(particles.z, dt, particles.velocity_z);
   }
   void densify(double dt) { add_scaled(particles.density, dt, rates.density_rate); }
+  void kick_and_drift(double kick_dt, double drift_dt) {
+    kick(kick_dt);
+    drift(drift_dt);
+  }
+  void densify_and_drift(double densify_dt, double drift_dt) {
+    densify(densify_dt);
+    drift(drift_dt);
+  }
   void save() { saved_ = particles; }
   void restore() { particles = saved_; }
   virtual ~AcousticMode() = default;

@@ -79,7 +79,7 @@ TEST(GhostSolids, ContinueTheHydrostaticPressureExactly) {
   beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
     if (source.z > fill_depth - dp) return;
     ++below_surface;
-    EXPECT_NEAR(source.strength, 1000 * 9.81 * (fill_depth - source.z), 1e-7);  // [Pa]
+    EXPECT_NEAR(source.strength, 9.81 * (fill_depth - source.z), 1e-10);  // p / rho_0
     EXPECT_NEAR(source.weight, dp * dp, 1e-18);
   });
   // Bottom, sides and the obstacle's three layers behind its faces.
@@ -101,7 +101,7 @@ TEST(GhostSolids, ContinueThePressureOfAnAcceleratedLiquidExactly) {
   beside.refresh_for_momentum();
   beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
     if (source.z > fill_depth - dp) return;
-    EXPECT_NEAR(source.strength, pressure(source.x, source.z), 1e-7);
+    EXPECT_NEAR(1000 * source.strength, pressure(source.x, source.z), 1e-7);
   });
 }
 
@@ -217,7 +217,7 @@ TEST(DynamicSolids, StartWithTheDensityOfTheStillLiquid) {
   beside.solids.initialise(beside.scheme);
   beside.refresh_for_momentum();
   beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
-    EXPECT_NEAR(source.strength, 1000 * 9.81 * std::max(0.0, fill_depth - source.z), 1e-7);
+    EXPECT_NEAR(1000 * source.strength, 1000 * 9.81 * std::max(0.0, fill_depth - source.z), 1e-7);
     EXPECT_EQ(source.velocity_x, 0);
   });
 }

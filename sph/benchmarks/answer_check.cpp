@@ -1,0 +1,66 @@
+#include "sph/benchmarks/answer_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sph/benchmarks/flows.hpp"
+#include "sph/liquid.hpp"
+#include "sph/scheme.hpp"
+#include "sph/schemes.hpp"
+#include "sph/tests/all_pairs_oracle.hpp"
+#include "sph/tests/formulas_of_choice.hpp"
+
+namespace slosh::sph {
+namespace {
+
+double difference(const Array<double>& a, const Array<double>& b) {
+  double largest_difference = 0, largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::isnan(a[i])) return a[i];
+    largest_difference = std::max(largest_difference, std::abs(a[i] - b[i]));
+    largest = std::max(largest, std::abs(b[i]));
+  }
+  return largest_difference / largest;
+}
+
+template <class Choice>
+void check(const char* name) {
+  const Scene scene = benchmark_scene(16, {});
+  const Scheme<Choice> scheme(scene);
+  Liquid<Scheme<Choice>> liquid(scene, scheme, flowing(scene, scheme, Flow::violent));
+  const Rates expected =
+      AllPairs(scheme.setting, formulas_of<Choice>(), liquid.particles, liquid.walls_at(0)).rates();
+  for (const InstructionSet set : instruction_sets) {
+    if (!has(set)) continue;
+    liquid.use(set);
+    liquid.accelerate(0);
+    liquid.compress(0);
+    // The walls' own push on single particles is no pair sum.
+    const double largest =
+        std::max({Choice::Mirror::hydrostatic
+                      ? difference(liquid.rates.acceleration_x, expected.acceleration_x)
+                      : 0.0,
+                  Choice::Mirror::hydrostatic
+                      ? difference(liquid.rates.acceleration_z, expected.acceleration_z)
+                      : 0.0,
+                  difference(liquid.rates.density_rate, expected.density_rate)});
+    constexpr double round_off = 1e-11;
+    if (!(largest <= round_off))
+      throw std::runtime_error(fmt::format(
+          "{}, {}: the rates differ from those over all pairs by {} of the largest, expected {}",
+          name, instruction_set_name(set), largest, round_off));
+  }
+}
+
+}  // namespace
+
+void check_pair_sums() {
+  check<Recommended>("recommended");
+  check<WithWendlandC2>("recommended with Wendland C2");
+  check<Li2010>("li2010");
+}
+
+}  // namespace slosh::sph

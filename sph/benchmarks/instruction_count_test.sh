@@ -1,0 +1,47 @@
+#!/bin/sh
+# Counts the instructions of a short run of each scheme under valgrind, which no busy machine disturbs, and holds them
+# against the counts of instruction_counts.txt: 3 % more is a failure; 3 % less asks for a new count.
+# Usage: instruction_count_test.sh PROGRAM COUNTS COMPILER [--must-fail]
+#   --must-fail  the check of the check: against a count that is 4 % lower it has to fail
+# Exit status: 0 held, 1 not, 77 skipped: no valgrind, or no count for this compiler and instruction set.
+set -eu
+
+program=$1 counts=$2 compiler=$3
+if ! command -v valgrind >/dev/null; then
+  echo "SKIPPED: valgrind is not installed"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+count() {  # SCHEME; leaves the instruction set in $work/set
+  OMP_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" \
+    >"$work/set" 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
+  sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$work/log"
+}
+
+# Lines of the counts: compiler | instruction set | scheme | instructions | reason
+status=77
+for scheme in $(sed 's/#.*//' "$counts" | awk -F' *[|] *' -v c="$compiler" '$1 == c {print $3}' | sort -u); do
+  now=$(count "$scheme")
+  set=$(cat "$work/set")
+  before=$(sed 's/#.*//' "$counts" |
+    awk -F' *[|] *' -v c="$compiler" -v i="$set" -v s="$scheme" '$1 == c && $2 == i && $3 == s {print $4}')
+  if [ -z "$before" ]; then continue; fi
+  [ "$status" != 77 ] || status=0
+  if [ "${4-}" = --must-fail ]; then before=$((before * 100 / 104)); fi
+  awk -v scheme="$scheme" -v set="$set" -v now="$now" -v before="$before" 'BEGIN {
+    change = 100 * (now / before - 1)
+    # Written so that a count that is no number fails.
+    verdict = now > 0 && change <= 3 ? "holds" : "FAILS"
+    if (verdict == "holds" && change < -3) verdict = "holds; enter the lower count"
+    printf "%-12s %-7s %12d instructions, %+.2f %% against %d: %s\n", scheme, set, now, change, before, verdict
+    exit verdict == "FAILS" }' || status=1
+  [ "${4-}" != --must-fail ] || break  # one will do
+done
+if [ $status = 77 ]; then echo "SKIPPED: no count for $compiler and this processor's instruction set in $counts"; fi
+if [ "${4-}" = --must-fail ] && [ $status != 77 ]; then
+  if [ $status = 0 ]; then echo "FAILED: 4 % too many were let pass"; exit 1; fi
+  exit 0
+fi
+exit $status

@@ -1,0 +1,32 @@
+// What the benchmarks found, as one compact table after Google Benchmark's own.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace slosh::sph {
+
+class Summary {
+ public:
+  // Which of the values of repetitions stays.
+  enum class Keep { smallest, largest };
+
+  // Tables, rows and columns appear in the order of their first entry.
+  void enter(const std::string& table, const std::string& row, const std::string& column,
+             double value, Keep keep = Keep::smallest);
+  // To standard output.
+  void print() const;
+
+ private:
+  struct Table {
+    std::string title;
+    std::vector<std::string> rows, columns;
+    std::map<std::pair<std::string, std::string>, double> values;
+  };
+  static void print(const Table& table);
+  std::vector<Table> tables_;
+};
+
+}  // namespace slosh::sph
