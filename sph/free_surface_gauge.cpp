@@ -22,7 +22,7 @@ double surface_elevation(const Particles& p, double wall_left, double tank_lengt
 #pragma omp simd reduction(+ : depth)
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double from_left = p.x[i] - wall_left;
-    const double scale = 1.0 / (window_width * p.spacing[i]);
+    const double scale = 1.0 / (window_width * p.spacing_of(i));
     depth += p.mass[i] / p.density[i] * scale *
              (window((x - from_left) * scale) + window((x + from_left) * scale) +
               window((x - 2 * tank_length + from_left) * scale));

@@ -77,8 +77,8 @@ void stir(Particles& p, double middle, double distance) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double from_middle = p.x[i] - middle, side = from_middle < 0 ? -1 : 1;
     // By the particle's lattice cell, whose number round-off does not change.
-    const double column = std::floor(std::abs(from_middle) / p.spacing[i] + 0.25),
-                 row = std::floor(p.z[i] / p.spacing[i] + 0.25);
+    const double column = std::floor(std::abs(from_middle) / p.spacing_of(i) + 0.25),
+                 row = std::floor(p.z[i] / p.spacing_of(i) + 0.25);
     const double a = 12.9898 * column + 78.233 * row, b = 39.425 * column + 11.135 * row;
     p.x[i] += side * distance * std::sin(a * a);
     p.z[i] += distance * std::sin(b * b);

@@ -26,7 +26,7 @@ class Liquid {
   double time = 0;
 
   Liquid(const Scene& scene, const Scheme& scheme, Particles initial)
-      : particles(std::move(initial)),
+      : particles(held_particles(std::move(initial))),
         scheme_(scheme),
         scene_(scene),
         neighbours_(walls_at(0), scene.particle_spacing, largest_support()),
@@ -140,8 +140,17 @@ class Liquid {
   const NeighbourSources& neighbours() const { return neighbours_; }
 
  private:
+  // Of a scheme of one spacing all particles have the same, and it is kept once.
+  static Particles held_particles(Particles p) {
+    if (Scheme::Smoothing::reads_spacing || p.spacing.empty()) return p;
+    p.lattice_spacing = p.spacing.front();
+    p.spacing = {};
+    return p;
+  }
+
   double largest_support() const {
-    const double spacing = *std::max_element(particles.spacing.begin(), particles.spacing.end());
+    double spacing = particles.lattice_spacing;
+    for (const double one : particles.spacing) spacing = std::max(spacing, one);
     return kernel_support / scheme_.smoothing.inverse(spacing, spacing);
   }
 

@@ -76,7 +76,7 @@ class Recorder {
   // The farthest particle's edge.
   static double front(const Particles& p, double wall) {
     const auto farthest = std::max_element(p.x.begin(), p.x.end()) - p.x.begin();
-    return p.x[farthest] + 0.5 * p.spacing[farthest] - wall;
+    return p.x[farthest] + 0.5 * p.spacing_of(farthest) - wall;
   }
 
   const Scene& scene_;

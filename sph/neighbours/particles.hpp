@@ -34,11 +34,14 @@ struct Particles {
   Array<double> velocity_x, velocity_z;  // [m/s]
   Array<double> density;                 // [kg/m3]
   Array<double> mass;                    // [kg/m]
-  Array<double> spacing;                 // [m], the width of the lattice cell that it was laid in
+  Array<double> spacing;                 // [m], the width of the lattice cell that it was laid in;
+                                         // empty where all have lattice_spacing
+  double lattice_spacing = 0;            // [m]
   // A step earlier; empty but for an integrator that carries them.
   Array<double> earlier_velocity_x, earlier_velocity_z, earlier_density;
 
   std::size_t size() const { return x.size(); }
+  double spacing_of(std::size_t i) const { return spacing.empty() ? lattice_spacing : spacing[i]; }
 
   template <class Visit>
   void for_each_field(const Visit& visit) {

@@ -145,7 +145,7 @@ class AllPairs {
       : s_(setting), f_(formulas), walls_(walls), count_(p.size()) {
     for (std::size_t i = 0; i < count_; ++i) {
       add_with_pressure({p.x[i], p.z[i], p.velocity_x[i], p.velocity_z[i], p.velocity_x[i],
-                         p.velocity_z[i], p.density[i], p.mass[i], 0, p.spacing[i], 0, 0, 0, i});
+                         p.velocity_z[i], p.density[i], p.mass[i], 0, p.spacing_of(i), 0, 0, 0, i});
     }
     if (f_.images != Images::none)
       for (std::size_t i = 0; i < count_; ++i) add_images(i);

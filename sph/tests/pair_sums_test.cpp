@@ -247,7 +247,7 @@ TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
   Liquid<Scheme> liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
                           return scheme.state.density(pressure);
                         }));
-  ASSERT_NEAR(liquid.particles.spacing[0], 0.01, 1e-14);
+  ASSERT_NEAR(liquid.particles.spacing_of(0), 0.01, 1e-14);
   const double distance = 0.99 * liquid.neighbours().slack();
   Particles& p = liquid.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -260,7 +260,7 @@ TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
   liquid.accelerate(0);
   liquid.compress(0);
   Particles nominal = p;
-  std::fill(nominal.spacing.begin(), nominal.spacing.end(), 0.0103);
+  nominal.lattice_spacing = 0.0103;
   AllPairs oracle(scheme.setting, formulas_of<Recommended>(), nominal, liquid.walls_at(0));
   EXPECT_LE(disagreement(liquid.rates, oracle.rates()), round_off);
 }

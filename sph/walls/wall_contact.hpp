@@ -57,7 +57,7 @@ struct RepulsiveWall {
   void push(const Particles& p, const TankWalls& walls, Rates& rates) const {
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double r0 = range * p.spacing[i];
+      const double r0 = range * p.spacing_of(i);
       const double from_left = p.x[i] - walls.left, from_right = p.x[i] - walls.right;
       const double from_bottom = p.z[i] - walls.bottom, from_roof = p.z[i] - walls.roof;
       double& ax = rates.acceleration_x[i];
