@@ -74,6 +74,8 @@ Json comparison_entry(const Comparison& pair) {
           {"normalised_rms", pair.normalised_rms},
           {"maximum_residual", pair.maximum_residual},
           {"cross_correlation_lag_s", pair.cross_correlation_lag},
+          {"time_lag_s", pair.alignment.lag},
+          {"aligned_rms", pair.alignment.normalised_rms},
           {"sprague_geers_magnitude", pair.sprague_geers_magnitude},
           {"sprague_geers_phase", pair.sprague_geers_phase},
           {"candidate_peaks", peaks(pair.candidate_peaks)},

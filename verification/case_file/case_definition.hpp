@@ -142,6 +142,8 @@ enum class Metric {
   decay_rate,        // 1/s, of the candidate
   normalised_rms,    // 1, whole window
   maximum_residual,  // the quantity's unit, whole window
+  time_lag,          // s, whole window; of a quantity without modes, as the next
+  aligned_rms,       // 1, whole window, free of that lag
   largest_magnitude  // the quantity's unit, whole window; of the candidate alone
 };
 
