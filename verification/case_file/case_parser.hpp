@@ -15,7 +15,8 @@
 //                 file) type = "sine_roll": amplitude_deg, angular_frequency_rad_s, axis_x_m,
 //                 axis_z_m
 //   [time]        start = "earth" | "tank", duration_s, sample_interval_s
-//   [[gauge]]     name, x_m (from the left wall)
+//   [[gauge]]     name, x_m (from the left wall; SPH measures the depth of liquid there, which over
+//                 an obstacle, and within six particle spacings of one, lacks the obstacle's share)
 //   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m)
 //   [[run]]       name, quick?, and
 //                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
@@ -29,7 +30,8 @@
 //   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>" | "front_position" (of a
 //                 breaking dam), mode, metric, unit, one of limit | lower with upper | improves_on,
 //                 reason, source; with metric = "largest_magnitude", which is measured on the
-//                 candidate alone: no reference, quantity = any series of its result, its unit
+//                 candidate alone: no reference, quantity = any series of its result, its unit;
+//                 metric = "time_lag" and "aligned_rms" are of a front_position alone
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.
