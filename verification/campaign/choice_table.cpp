@@ -74,10 +74,12 @@ std::string changed_terms(const ChoiceRun& one, const ChoiceRun* plain) {
   if (plain && plain->result && one.result) {
     const auto brought = terms_besides(*one.result, *plain->result);
     const auto left_out = terms_besides(*plain->result, *one.result);
-    if (!brought.empty() || !left_out.empty())
-      texts.push_back(fmt::format(
-          "{}{}{}", brought.empty() ? "none" : fmt::format("{}", fmt::join(brought, " and ")),
-          left_out.empty() ? " added" : " instead of ", fmt::join(left_out, " and ")));
+    const std::string with = fmt::format("{}", fmt::join(brought, " and "));
+    const std::string without = fmt::format("{}", fmt::join(left_out, " and "));
+    if (!with.empty() && !without.empty())
+      texts.push_back(with + " instead of " + without);
+    else if (!with.empty() || !without.empty())
+      texts.push_back(with.empty() ? "without " + without : "with " + with);
   }
   for (std::size_t i = 0; i < std::size(sph_number_names); ++i)
     if (one.sph->numbers.*sph_number_names[i].second) texts.push_back(terms_of_numbers[i]);
@@ -136,7 +138,9 @@ std::optional<reports::Table> choice_table(const CaseAssessment& assessment) {
   const std::vector<ChoiceRun> runs = choice_runs(assessment);
   const bool any_changed = std::any_of(
       runs.begin(), runs.end(), [](const ChoiceRun& one) { return !changes_of(*one.sph).empty(); });
-  if (!any_changed) return std::nullopt;
+  const bool any_compared =
+      std::any_of(runs.begin(), runs.end(), [](const ChoiceRun& one) { return one.comparison; });
+  if (!any_changed || !any_compared) return std::nullopt;
   reports::Table table{
       assessment.definition.name + "-choices",
       "What each choice gives",

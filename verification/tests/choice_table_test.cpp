@@ -116,8 +116,8 @@ TEST(ChoiceTable, NamesTheTermsThatAVariantAndANumberChange) {
   const auto table = choice_table(assessment);
   EXPECT_EQ(cell(*table, 0, "which is"), "");
   EXPECT_EQ(cell(*table, 1, "which is"), "Wendland kernel instead of quintic kernel");
-  EXPECT_EQ(cell(*table, 2, "which is"), "none instead of viscosity");
-  EXPECT_EQ(cell(*table, 3, "which is"), "shifting added");
+  EXPECT_EQ(cell(*table, 2, "which is"), "without viscosity");
+  EXPECT_EQ(cell(*table, 3, "which is"), "with shifting");
   EXPECT_EQ(cell(*table, 4, "which is"), "time step: dt c0 / h");
 }
 
