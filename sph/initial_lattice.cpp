@@ -73,6 +73,18 @@ Particles initial_lattice(const Scene& scene, const DensityAt& density_at) {
   return particles;
 }
 
+void stir(Particles& p, double middle, double distance) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double from_middle = p.x[i] - middle, side = from_middle < 0 ? -1 : 1;
+    // By the particle's lattice cell, whose number round-off does not change.
+    const double column = std::floor(std::abs(from_middle) / p.spacing[i] + 0.25),
+                 row = std::floor(p.z[i] / p.spacing[i] + 0.25);
+    const double a = 12.9898 * column + 78.233 * row, b = 39.425 * column + 11.135 * row;
+    p.x[i] += side * distance * std::sin(a * a);
+    p.z[i] += distance * std::sin(b * b);
+  }
+}
+
 double flattest_cell(const Scene& scene) {
   const Particles lattice = initial_lattice(scene, [](double) { return 1.0; });
   double ratio = 1;

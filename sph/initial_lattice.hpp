@@ -24,6 +24,9 @@ inline constexpr double largest_stretch = 0.05;
 // `density_at` is the equation of state: density [kg/m3] at a pressure [Pa].
 Particles initial_lattice(const Scene& scene, const std::function<double(double)>& density_at);
 
+// Moves every particle by up to `distance` [m], alike on both sides of x = middle.
+void stir(Particles& lattice, double middle, double distance);
+
 // Height over width of the lattice's flattest cell, at most 1.
 double flattest_cell(const Scene& scene);
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sph/initial_lattice.hpp"
+#include "sph/initial_state.hpp"
 #include "sph/liquid.hpp"
 #include "sph/recorder.hpp"
 #include "sph/scheme.hpp"
@@ -53,9 +53,7 @@ template <class Choice>
 RunOutput run_scheme(const Scene& scene, const Progress& progress) {
   const Scheme<Choice> scheme(scene);
   if constexpr (!Choice::TimeStep::adapts) check_fixed_step(scene, scheme);
-  Liquid<Scheme<Choice>> liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
-                                  return scheme.state.density(pressure);
-                                }));
+  Liquid<Scheme<Choice>> liquid(scene, scheme, initial_state<Choice>(scene, scheme));
   typename Choice::Integrator integrator;
   Recorder<Scheme<Choice>> recorder(scene, liquid);
   RunOutput& output = recorder.output;

@@ -4,6 +4,7 @@
 namespace slosh::sph {
 
 template RunOutput run_scheme<WithoutViscosity>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithLinearViscosity>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithMonaghanViscosity>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithLaminarViscosity>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithoutDiffusion>(const Scene&, const Progress&);

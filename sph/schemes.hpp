@@ -34,6 +34,7 @@ struct Li2010 {
   using WallContact = RepulsiveWall;
   using Integrator = PredictorCorrector;
   using TimeStep = FixedStep;
+  static constexpr InitialState initial_state = InitialState::lattice;
   static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 1.5,  // section 4.1
                                          .sound_speed_ratio = 10,        // c0 = 10 V_max
                                          .courant_number = {},
@@ -55,7 +56,7 @@ struct Recommended {
   using Smoothing = UniformSmoothing;
   using Formulation = VolumeWeighted;
   using EquationOfState = Tait;
-  using Viscosity = LinearViscosity;
+  using Viscosity = ImpactViscosity;
   using DensityDiffusion = DynamicDensityDiffusion;
   using Shifting = NoShifting;
   using Mirror = FreeSlipMirror;
@@ -63,10 +64,11 @@ struct Recommended {
   using WallContact = ReflectingWall;
   using Integrator = StaggeredLeapfrog;
   using TimeStep = AdaptiveStep;
+  static constexpr InitialState initial_state = InitialState::projected;
   static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 1.5,
                                          .sound_speed_ratio = 10,
                                          .courant_number = 0.8,
-                                         .artificial_viscosity = 0.003,
+                                         .artificial_viscosity = 0.0005,
                                          .density_diffusion = 0.1};
 };
 
@@ -75,6 +77,7 @@ struct Recommended {
 // particles, free slip.
 struct DeltaSph : Recommended {
   using Kernel = WendlandC2;
+  using Viscosity = LinearViscosity;
   using EquationOfState = LinearState;
   using DensityDiffusion = AntuonoDiffusion;
   using Mirror = NoMirror;
@@ -128,6 +131,10 @@ struct WithoutViscosity : Recommended {
   using Viscosity = NoViscosity;
   static constexpr SchemeNumbers numbers = recommended_without_viscosity();
 };
+struct WithLinearViscosity : Recommended {
+  static constexpr const char* variant = "linear_viscosity";
+  using Viscosity = LinearViscosity;
+};
 struct WithMonaghanViscosity : Recommended {
   static constexpr const char* variant = "monaghan_viscosity";
   using Viscosity = MonaghanViscosity;
@@ -174,6 +181,7 @@ struct WithStickingGhostWalls : WithGhostWalls {
 struct WithDynamicWalls : WithGhostWalls {
   static constexpr const char* variant = "dynamic_walls";
   using Solids = DynamicSolids;
+  static constexpr InitialState initial_state = InitialState::lattice;
 };
 struct WithPredictorCorrector : Recommended {
   static constexpr const char* variant = "predictor_corrector";

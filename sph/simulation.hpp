@@ -39,6 +39,9 @@ struct SchemeNumbers {
   std::optional<double> density_diffusion;       // delta
 };
 
+// How the liquid is prepared (initial_state.hpp).
+enum class InitialState { lattice, settled, projected };
+
 struct Scene {
   double tank_length, tank_height, fill_depth;  // [m]
   double gravity;                               // [m/s2], downward
@@ -58,6 +61,7 @@ struct Scene {
   std::vector<Rectangle> obstacles = {};  // carried by the tank
   std::string variant = {};               // of the scheme: one thing changed; empty: none
   SchemeNumbers numbers = {};
+  std::optional<InitialState> initial_state = {};  // empty: the scheme's own
   std::vector<Gauge> gauges;
   bool record_still_water = false;  // how far the liquid is from rest (still_water.hpp)
   double snapshot_interval = 0;     // [s], a multiple of sample_interval; 0: no snapshot

@@ -49,6 +49,21 @@ struct LinearViscosity {
   }
 };
 
+// The linear term with von Neumann and Richtmyer's quadratic one beside it, beta mu^2 for
+// approaching pairs (Monaghan 1992, eq. 4.1, beta = 1): next to nothing where the flow is smooth,
+// and an impact's energy does not stay as sound.
+struct ImpactViscosity : LinearViscosity {
+  static constexpr const char* name =
+      "artificial viscosity, linear in all pairs, quadratic in approaching ones";
+  using LinearViscosity::LinearViscosity;
+
+  template <class Number, class Length>
+  Number pair(Number approach, Number distance2, Length h) const {
+    const Number mu = h * approach / (distance2 + 0.01 * h * h), closing = negative_part(mu);
+    return closing * closing - alpha * speed_of_sound * mu;
+  }
+};
+
 // The liquid's own viscosity in the form of Monaghan, Cleary and Gingold: -8 nu v_ab . r_ab / r^2
 // in two dimensions (Monaghan 2005, section 8.5, eq. 8.5).
 struct LaminarViscosity {

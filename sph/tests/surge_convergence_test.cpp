@@ -43,6 +43,19 @@ TEST(Recommended, ApproachesLinearTheoryAsTheParticlesGetSmaller) {
   EXPECT_LE(fine, 0.75 * coarse);
 }
 
+// At the gauge, in the first 0.1 s, from the velocity of potential flow: no sound hides it.
+TEST(Recommended, StartsAlongLinearTheory) {
+  const Scene scene = surging_scene(0.01, 0.1);
+  const reference::LinearSurge theory(
+      tank, reference::Start::earth,
+      reference::SineSurge{.amplitude = 0.02, .angular_frequency = surge_frequency}, 1000);
+  const History computed = run("recommended", scene, {}).elevation.at("right");
+  for (std::size_t i = 1; i < computed.time.size(); ++i) {
+    const double expected = theory.elevation(0.45, computed.time[i]);
+    EXPECT_NEAR(computed.value[i], expected, 0.03 * std::abs(expected)) << computed.time[i];
+  }
+}
+
 // The first mode of the elevation, sampled along the tank.
 struct FreeOscillation {
   std::vector<double> time, first_mode;

@@ -149,8 +149,8 @@ TEST(RunOfACase, RefusesADamAndAnObstacleThatTheSolverDoesNotTake) {
             0u);
   EXPECT_EQ(refusal(dam, mesh), "");
   EXPECT_EQ(refusal(baffled, mesh)
-                .find("small_surge.toml:42: run a_run: obstacle left = 0.47: expected a multiple "
-                      "of the cells'"),
+                .find("small_surge.toml:42: run a_run: OpenFOAM tank: obstacle left = "
+                      "0.47: expected a multiple of the cells'"),
             0u);
 }
 
