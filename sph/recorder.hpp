@@ -1,10 +1,10 @@
 // Records what the scene asks for, at its sample times.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
 #include "sph/free_surface_gauge.hpp"
+#include "sph/front_position.hpp"
 #include "sph/liquid.hpp"
 #include "sph/simulation.hpp"
 #include "sph/stability_guard.hpp"
@@ -30,7 +30,8 @@ class Recorder {
     for (const Gauge& gauge : scene_.gauges)
       push(output.elevation[gauge.name], liquid.time,
            surface_elevation(p, wall, scene_.tank_length, scene_.fill_depth, gauge.x));
-    if (scene_.column_width) push(output.front_position, liquid.time, front(p, wall));
+    if (scene_.column_width)
+      push(output.front_position, liquid.time, front_position(p, wall, scene_.particle_spacing));
     if (still_water_) still_water_->record(p, wall, liquid.time, output.still_water);
     double kinetic = 0, force = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -72,11 +73,6 @@ class Recorder {
     for (std::size_t i = 0; i < liquid.particles.size(); ++i)
       sum += liquid.particles.mass[i] * liquid.scheme().setting.gravity * liquid.particles.z[i];
     return sum;
-  }
-  // The farthest particle's edge.
-  static double front(const Particles& p, double wall) {
-    const auto farthest = std::max_element(p.x.begin(), p.x.end()) - p.x.begin();
-    return p.x[farthest] + 0.5 * p.spacing_of(farthest) - wall;
   }
 
   const Scene& scene_;

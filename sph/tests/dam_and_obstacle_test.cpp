@@ -177,20 +177,19 @@ TEST(DamOntoObstacle, LeavesNoParticleInTheObstacle) {
     scene.variant = variant;
     scene.snapshot_interval = scene.sample_interval;
     int particles = 0;
+    double farthest = 0;
     scene.record_snapshot = [&](const Snapshot& s) {
       for (std::size_t i = 0; i < s.x.size(); ++i) {
         // Brought out at the start of each step: no deeper than one step goes.
         EXPECT_FALSE(holds({0.5 + 0.1 * dp, 0.6 - 0.1 * dp, 0, 0.1 - 0.1 * dp}, s.x[i], s.z[i]))
             << s.time;
+        farthest = std::max(farthest, s.x[i]);
         ++particles;
       }
     };
-    const RunOutput output = run("recommended", scene, {});
+    run("recommended", scene, {});
     EXPECT_EQ(particles, 81 * 8 * 16);
-    // It did reach and pass the obstacle.
-    EXPECT_GT(
-        *std::max_element(output.front_position.value.begin(), output.front_position.value.end()),
-        0.8);
+    EXPECT_GT(farthest, 0.8);  // it did reach and pass the obstacle
   }
 }
 

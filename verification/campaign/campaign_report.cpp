@@ -9,6 +9,7 @@
 #include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/li2010_paper.hpp"
 #include "verification/campaign/order_table.hpp"
+#include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
 #include "verification/runs/provenance.hpp"
 
@@ -77,12 +78,13 @@ Section case_section(const CaseAssessment& assessment) {
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
+  if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
+  if (auto choices = choice_table(assessment)) section.tables.push_back(std::move(*choices));
+  if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
   if (!assessment.comparisons.empty()) {
     if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));
     section.tables.push_back(history_table(assessment));
   }
-  if (auto choices = choice_table(assessment)) section.tables.push_back(std::move(*choices));
-  if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
   section.tables.push_back(cost_table(assessment));
   section.tables.push_back(terms_table(assessment));
   section.tables.push_back(provenance_table(assessment));

@@ -199,10 +199,10 @@ Figure spectra(const CaseAssessment& assessment) {
   }
   figure.caption = fmt::format(
       "One-sided, detrended, Hann window over the comparison window; vertical lines mark the "
-      "forcing and the natural "
-      "frequencies of linear theory. The window tells frequencies {:.2g} Hz apart; zero-padding "
+      "forcing and the natural frequencies of linear theory{}. The window tells frequencies {:.2g} "
+      "Hz apart; zero-padding "
       "adds no resolution.",
-      apart);
+      definition.obstacles.empty() ? "" : ", which knows no obstacle", apart);
   return figure;
 }
 

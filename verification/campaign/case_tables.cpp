@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slosh {
 namespace {
@@ -110,19 +111,32 @@ Table mode_table(const CaseAssessment& assessment) {
 }
 
 Table history_table(const CaseAssessment& assessment) {
-  Table table{
-      assessment.definition.name + "-histories",
-      "Whole histories",
-      "Normalised rms: rms of the residual over rms of the reference about its mean. Peaks of the "
-      "spectrum, highest first.",
-      {"candidate", "reference", "quantity", "normalised rms", "largest residual",
-       "peaks of the candidate", "peaks of the reference"},
-      {}};
-  for (const Comparison& pair : assessment.comparisons)
-    table.rows.push_back({pair.candidate, reference_name(assessment, pair), pair.quantity,
-                          fmt::format("{:.2f} %", 100 * pair.normalised_rms),
-                          fmt::format("{:.3f} mm", 1000 * pair.maximum_residual),
-                          peaks(pair.candidate_peaks), peaks(pair.reference_peaks)});
+  const bool swings = !fitted_modes(assessment.definition).empty();
+  Table table{assessment.definition.name + "-histories",
+              "Whole histories",
+              "Normalised rms: rms of the residual over rms of the reference about its mean.",
+              {"candidate", "reference", "quantity", "normalised rms", "largest residual"},
+              {}};
+  if (swings) {
+    table.caption += " Peaks of the spectrum, highest first.";
+    table.header.insert(table.header.end(), {"peaks of the candidate", "peaks of the reference"});
+  } else {
+    table.caption += " The lag is the one that brings the candidate nearest; positive is late.";
+    table.header.insert(table.header.end(), {"lag [s]", "normalised rms without the lag"});
+  }
+  for (const Comparison& pair : assessment.comparisons) {
+    std::vector<std::string> row{pair.candidate, reference_name(assessment, pair), pair.quantity,
+                                 fmt::format("{:.2f} %", 100 * pair.normalised_rms),
+                                 fmt::format("{:.3f} mm", 1000 * pair.maximum_residual)};
+    if (swings)
+      row.insert(row.end(), {peaks(pair.candidate_peaks), peaks(pair.reference_peaks)});
+    else if (std::isnan(pair.alignment.lag))
+      row.insert(row.end(), {"none found", ""});
+    else
+      row.insert(row.end(), {fmt::format("{:+.4f}", pair.alignment.lag),
+                             fmt::format("{:.2f} %", 100 * pair.alignment.normalised_rms)});
+    table.rows.push_back(std::move(row));
+  }
   return table;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace slosh {
 namespace {
@@ -51,6 +52,41 @@ std::string ratio(double value, double unchanged_value) {
   return fmt::format("{:.3g}", value / unchanged_value);
 }
 
+// Which term each number belongs to, in the order of sph_number_names.
+constexpr const char* terms_of_numbers[] = {"kernel: h / spacing", "state: c0 / largest speed",
+                                            "time step: dt c0 / h", "viscosity: alpha",
+                                            "density diffusion: delta"};
+static_assert(std::size(terms_of_numbers) == std::size(sph_number_names));
+
+std::vector<std::string> terms_besides(const RunResult& one, const RunResult& other) {
+  std::vector<std::string> terms;
+  for (const std::string& term : one.active_terms)
+    if (std::find(other.active_terms.begin(), other.active_terms.end(), term) ==
+        other.active_terms.end())
+      terms.push_back(term);
+  return terms;
+}
+
+// What of the scheme a run's changes are about: the terms that it has instead of the unchanged
+// run's, and those that its numbers belong to.
+std::string changed_terms(const ChoiceRun& one, const ChoiceRun* plain) {
+  std::vector<std::string> texts;
+  if (plain && plain->result && one.result) {
+    const auto brought = terms_besides(*one.result, *plain->result);
+    const auto left_out = terms_besides(*plain->result, *one.result);
+    const std::string with = fmt::format("{}", fmt::join(brought, " and "));
+    const std::string without = fmt::format("{}", fmt::join(left_out, " and "));
+    if (!with.empty() && !without.empty())
+      texts.push_back(with + " instead of " + without);
+    else if (!with.empty() || !without.empty())
+      texts.push_back(with.empty() ? "without " + without : "with " + with);
+  }
+  if (!one.sph->initial_state.empty()) texts.push_back("start");
+  for (std::size_t i = 0; i < std::size(sph_number_names); ++i)
+    if (one.sph->numbers.*sph_number_names[i].second) texts.push_back(terms_of_numbers[i]);
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 // Of a mode that was fitted; empty where it was not.
 std::string mode_cell(const Comparison& comparison, const std::string& name,
                       Estimate ModeComparison::*measure, double scale) {
@@ -93,6 +129,7 @@ std::vector<std::string> cost_cells(const ChoiceRun& one, const ChoiceRun* plain
 std::string changes_of(const SphRun& run) {
   std::vector<std::string> changes;
   if (!run.variant.empty()) changes.push_back(run.variant);
+  if (!run.initial_state.empty()) changes.push_back("initial_state = " + run.initial_state);
   for (const auto& [name, number] : sph_number_names)
     if (const auto& value = run.numbers.*number)
       changes.push_back(fmt::format("{} = {:g}", name, *value));
@@ -103,7 +140,9 @@ std::optional<reports::Table> choice_table(const CaseAssessment& assessment) {
   const std::vector<ChoiceRun> runs = choice_runs(assessment);
   const bool any_changed = std::any_of(
       runs.begin(), runs.end(), [](const ChoiceRun& one) { return !changes_of(*one.sph).empty(); });
-  if (!any_changed) return std::nullopt;
+  const bool any_compared =
+      std::any_of(runs.begin(), runs.end(), [](const ChoiceRun& one) { return one.comparison; });
+  if (!any_changed || !any_compared) return std::nullopt;
   reports::Table table{
       assessment.definition.name + "-choices",
       "What each choice gives",
@@ -111,7 +150,7 @@ std::optional<reports::Table> choice_table(const CaseAssessment& assessment) {
       "over "
       "the same figure of the run of the same scheme and spacing that changes nothing. Processor "
       "time is user and system time; the peak memory is that of the whole process.",
-      {"run", "scheme", "spacing [mm]", "changed", "reference", "normalised rms [%]",
+      {"run", "scheme", "spacing [mm]", "changed", "which is", "reference", "normalised rms [%]",
        "rms of unchanged", "forced amplitude error [%]", "forced lag [deg]",
        "natural frequency error [%]", "decay [1/s]", "CPU [s]", "CPU of unchanged", "steps",
        "CPU [us per particle and s]", "peak memory [byte per particle]"},
@@ -120,11 +159,11 @@ std::optional<reports::Table> choice_table(const CaseAssessment& assessment) {
     const std::string changes = changes_of(*one.sph);
     const ChoiceRun* plain = changes.empty() ? nullptr : unchanged(runs, *one.sph);
     std::vector<std::string> row{one.run->name, one.sph->scheme, spacing_text(*one.sph),
-                                 changes.empty() ? "as it is" : changes};
+                                 changes.empty() ? "as it is" : changes, changed_terms(one, plain)};
     for (const auto& cells :
          {error_cells(one, plain), cost_cells(one, plain, assessment.definition.duration)})
       row.insert(row.end(), cells.begin(), cells.end());
-    if (!one.result) row[4] = state_name(assessment.runs.status.at(one.run->name).state);
+    if (!one.result) row[5] = state_name(assessment.runs.status.at(one.run->name).state);
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -20,6 +20,7 @@ Json sph_entry(const SphRun& sph) {
           {"particle_spacing_m", sph.particle_spacing},
           {"surface_particle_spacing_m", sph.surface_particle_spacing},
           {"variant", sph.variant.empty() ? Json(nullptr) : Json(sph.variant)},
+          {"initial_state", sph.initial_state.empty() ? Json(nullptr) : Json(sph.initial_state)},
           {"numbers", numbers}};
 }
 
@@ -74,6 +75,8 @@ Json comparison_entry(const Comparison& pair) {
           {"normalised_rms", pair.normalised_rms},
           {"maximum_residual", pair.maximum_residual},
           {"cross_correlation_lag_s", pair.cross_correlation_lag},
+          {"time_lag_s", pair.alignment.lag},
+          {"aligned_rms", pair.alignment.normalised_rms},
           {"sprague_geers_magnitude", pair.sprague_geers_magnitude},
           {"sprague_geers_phase", pair.sprague_geers_phase},
           {"candidate_peaks", peaks(pair.candidate_peaks)},

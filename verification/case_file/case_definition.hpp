@@ -103,6 +103,7 @@ struct SphRun {
   double surface_particle_spacing;  // [m], near the free surface; equal to particle_spacing unless
                                     // given
   std::string variant = {};         // of the scheme, one thing changed; empty: none
+  std::string initial_state = {};   // lattice, settled or projected; empty: the scheme's own
   SphNumbers numbers = {};
 };
 
@@ -142,6 +143,8 @@ enum class Metric {
   decay_rate,        // 1/s, of the candidate
   normalised_rms,    // 1, whole window
   maximum_residual,  // the quantity's unit, whole window
+  time_lag,          // s, whole window; of a quantity without modes, as the next
+  aligned_rms,       // 1, whole window, free of that lag
   largest_magnitude  // the quantity's unit, whole window; of the candidate alone
 };
 

@@ -12,8 +12,9 @@ namespace slosh {
 namespace {
 
 // What a metric is measured on. A forced mode's frequency is given and it does not decay: a row on
-// either would pass whatever the candidate did.
-enum class MeasuredOn { any_mode, natural_mode, whole_window, own_series };
+// either would pass whatever the candidate did. What swings has the lags of its modes, what runs
+// away one.
+enum class MeasuredOn { any_mode, natural_mode, whole_window, run_away, own_series };
 
 struct MetricEntry {
   const char* name;
@@ -22,13 +23,15 @@ struct MetricEntry {
   MeasuredOn measured_on;
 };
 
-constexpr std::array<MetricEntry, 7> metrics{{
+constexpr std::array<MetricEntry, 9> metrics{{
     {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
     {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
     {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
     {"decay_rate", Metric::decay_rate, "1/s", MeasuredOn::natural_mode},
     {"normalised_rms", Metric::normalised_rms, "1", MeasuredOn::whole_window},
     {"maximum_residual", Metric::maximum_residual, "m", MeasuredOn::whole_window},
+    {"time_lag", Metric::time_lag, "s", MeasuredOn::run_away},
+    {"aligned_rms", Metric::aligned_rms, "1", MeasuredOn::run_away},
     {"largest_magnitude", Metric::largest_magnitude, "", MeasuredOn::own_series},
 }};
 
@@ -45,6 +48,8 @@ std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& 
   if (metric.measured_on == MeasuredOn::whole_window ||
       metric.measured_on == MeasuredOn::own_series)
     return {"whole"};
+  if (metric.measured_on == MeasuredOn::run_away)
+    return has_modes(quantity) ? std::vector<std::string>{} : std::vector<std::string>{"whole"};
   if (!has_modes(quantity)) return {};
   std::vector<std::string> modes;
   const bool is_forced = forcing_frequency(definition) > 0;

@@ -11,10 +11,16 @@ namespace {
 constexpr double least_particles_per_depth = 3;
 
 const std::vector<std::string> keys_of_all{"name", "solver", "quick"};
-const std::vector<std::string> keys_of_sph{
-    "scheme",         "particle_spacing_m",     "surface_particle_spacing_m",
-    "variant",        "smoothing_length_ratio", "sound_speed_ratio",
-    "courant_number", "artificial_viscosity",   "density_diffusion"};
+const std::vector<std::string> keys_of_sph{"scheme",
+                                           "particle_spacing_m",
+                                           "surface_particle_spacing_m",
+                                           "variant",
+                                           "initial_state",
+                                           "smoothing_length_ratio",
+                                           "sound_speed_ratio",
+                                           "courant_number",
+                                           "artificial_viscosity",
+                                           "density_diffusion"};
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
 const std::vector<std::string> keys_of_record{"file", "uncertainty"};
@@ -34,6 +40,11 @@ SphNumbers read_numbers(const TomlTable& run) {
           .density_diffusion = run.find("density_diffusion", not_negative("1"))};
 }
 
+const Rule<std::string> an_initial_state{
+    "one of lattice | settled | projected", [](const std::string& state) {
+      return state == "lattice" || state == "settled" || state == "projected";
+    }};
+
 SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
   run.allow_only(together({keys_of_all, keys_of_sph}));
   const double coarsest = liquid.fill_depth / least_particles_per_depth;
@@ -49,6 +60,7 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
           .particle_spacing = spacing,
           .surface_particle_spacing = surface_spacing.value_or(spacing),
           .variant = run.find("variant", any_text()).value_or(""),
+          .initial_state = run.find("initial_state", an_initial_state).value_or(""),
           .numbers = read_numbers(run)};
 }
 

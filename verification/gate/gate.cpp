@@ -54,6 +54,10 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       return {comparison.normalised_rms, 0};
     case Metric::maximum_residual:
       return {comparison.maximum_residual, 0};
+    case Metric::time_lag:
+      return {comparison.alignment.lag, 0};
+    case Metric::aligned_rms:
+      return {comparison.alignment.normalised_rms, 0};
     case Metric::largest_magnitude:
       break;  // of no comparison
   }
@@ -238,6 +242,10 @@ std::string metric_name(Metric metric) {
       return "normalised_rms";
     case Metric::maximum_residual:
       return "maximum_residual";
+    case Metric::time_lag:
+      return "time_lag";
+    case Metric::aligned_rms:
+      return "aligned_rms";
     case Metric::largest_magnitude:
       return "largest_magnitude";
   }
@@ -249,11 +257,14 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
     case Metric::amplitude_error:
     case Metric::frequency_error:
     case Metric::normalised_rms:
+    case Metric::aligned_rms:
       return "1";
     case Metric::phase_lag:
       return "deg";
     case Metric::decay_rate:
       return "1/s";
+    case Metric::time_lag:
+      return "s";
     case Metric::maximum_residual:
     case Metric::largest_magnitude:
       return quantity_unit;

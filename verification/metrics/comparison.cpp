@@ -132,9 +132,12 @@ Comparison compare(const TimeSeries& candidate_series, const TimeSeries& referen
   result.unit = reference.unit;
   result.window = window;
   compare_whole_window(common_samples(candidate, cut_reference), result);
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   if (modes.empty()) {
-    result.cross_correlation_lag = std::numeric_limits<double>::quiet_NaN();
+    result.cross_correlation_lag = no_number;
+    result.alignment = align_in_time(candidate, cut_reference);
   } else {
+    result.alignment = {no_number, no_number};
     compare_modes(candidate, reference, modes, result);
   }
   return result;

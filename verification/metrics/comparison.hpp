@@ -14,6 +14,7 @@
 
 #include "verification/metrics/harmonic_fit.hpp"
 #include "verification/metrics/spectrum.hpp"
+#include "verification/metrics/time_alignment.hpp"
 #include "verification/metrics/time_series.hpp"
 
 namespace slosh {
@@ -40,6 +41,7 @@ struct Comparison {
   double maximum_residual;  // max |c - r|, in the quantity's unit
   // [s], positive when late; within half a period of the first mode, NaN without modes.
   double cross_correlation_lag;
+  TimeAlignment alignment;  // NaN with modes, whose lags say it better
   double sprague_geers_magnitude, sprague_geers_phase;
   TimeSeries residual;  // c - r at the reference's times inside the window
   // One more than modes, highest first; none without modes.

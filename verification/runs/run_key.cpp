@@ -33,7 +33,8 @@ json description(const SphRun& run) {
   for (const auto& [name, number] : sph_number_names)
     numbers[name] = number_or_null(run.numbers.*number);
   return {{"sph",
-           {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant, numbers}}};
+           {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant,
+            run.initial_state, numbers}}};
 }
 json description(const InterFoamRun& run) {
   return {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};

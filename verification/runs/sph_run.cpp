@@ -8,6 +8,12 @@
 namespace slosh {
 namespace {
 
+std::optional<sph::InitialState> initial_state(const SphRun& sph) {
+  if (sph.initial_state.empty()) return {};
+  if (sph.initial_state == "lattice") return sph::InitialState::lattice;
+  return sph.initial_state == "settled" ? sph::InitialState::settled : sph::InitialState::projected;
+}
+
 sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
   sph::Scene scene{.tank_length = definition.tank.length,
@@ -31,6 +37,7 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                                .courant_number = sph.numbers.courant_number,
                                .artificial_viscosity = sph.numbers.artificial_viscosity,
                                .density_diffusion = sph.numbers.density_diffusion},
+                   .initial_state = initial_state(sph),
                    .gauges = {},
                    .record_still_water = std::holds_alternative<Still>(definition.motion) &&
                                          !definition.liquid.column_width,

@@ -366,7 +366,13 @@ INSTANTIATE_TEST_SUITE_P(
                 {"amplitude_error", "amplitude_eror"},
                 "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
                 "amplitude_error, phase_lag, frequency_error, decay_rate, normalised_rms, "
-                "maximum_residual, largest_magnitude; nearest: amplitude_error"},
+                "maximum_residual, time_lag, aligned_rms, largest_magnitude; nearest: "
+                "amplitude_error"},
+        Mistake{
+            "TimeLagOfWhatSwings",
+            {"metric = \"amplitude_error\"\nunit = \"1\"", "metric = \"time_lag\"\nunit = \"s\""},
+            "trial.toml:56: gate.mode = \"forced\": expected what time_lag is measured on, of "
+            "which there is none"},
         Mistake{"ReferenceOfItsOwnSeries",
                 {"amplitude_error", "largest_magnitude"},
                 "trial.toml:54: gate.reference = \"theory\": expected no reference: "

@@ -101,6 +101,26 @@ TEST(ChoiceTable, SetsEachChoiceBesideTheUnchangedRun) {
   EXPECT_EQ(cell(*table, 1, "peak memory [byte per particle]"), "2000");
 }
 
+TEST(ChoiceTable, NamesTheTermsThatAVariantAndANumberChange) {
+  CaseAssessment assessment = assess_choices({{"plain", changed(""), 1.1, 1.5},
+                                              {"kernel", changed("wendland_c2"), 1.2, 0.5},
+                                              {"inviscid", changed("no_viscosity"), 1.2, 0.5},
+                                              {"shifted", changed("shifting"), 1.2, 0.5},
+                                              {"faster", with_courant_number(0.4), 1.2, 0.5}});
+  auto& results = assessment.runs.results;
+  results["plain"].active_terms = {"quintic kernel", "viscosity", "leapfrog"};
+  results["kernel"].active_terms = {"Wendland kernel", "viscosity", "leapfrog"};
+  results["inviscid"].active_terms = {"quintic kernel", "leapfrog"};
+  results["shifted"].active_terms = {"quintic kernel", "viscosity", "shifting", "leapfrog"};
+  results["faster"].active_terms = results["plain"].active_terms;
+  const auto table = choice_table(assessment);
+  EXPECT_EQ(cell(*table, 0, "which is"), "");
+  EXPECT_EQ(cell(*table, 1, "which is"), "Wendland kernel instead of quintic kernel");
+  EXPECT_EQ(cell(*table, 2, "which is"), "without viscosity");
+  EXPECT_EQ(cell(*table, 3, "which is"), "with shifting");
+  EXPECT_EQ(cell(*table, 4, "which is"), "time step: dt c0 / h");
+}
+
 TEST(ChoiceTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
   const auto table = choice_table(assess_choices(
       {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("no_shifting"), 1.2, 0.5}}));

@@ -63,6 +63,7 @@ Comparison comparison_of(double amplitude_error) {
     mode.candidate.resolved = mode.reference.resolved = true;
   comparison.normalised_rms = 0.1;
   comparison.maximum_residual = 0.0004;
+  comparison.alignment = {-0.003, 0.05};
   return comparison;
 }
 
@@ -108,6 +109,8 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
   EXPECT_EQ(value(Metric::decay_rate, "natural_1", "1/s"), 0.02);
   EXPECT_EQ(value(Metric::normalised_rms, "whole", "1"), 0.1);
   EXPECT_EQ(value(Metric::maximum_residual, "whole", "m"), 0.0004);
+  EXPECT_EQ(value(Metric::time_lag, "whole", "s"), -0.003);
+  EXPECT_EQ(value(Metric::aligned_rms, "whole", "1"), 0.05);
 }
 
 TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
@@ -402,6 +405,8 @@ TEST(GateMetrics, HaveNamesAndUnits) {
   EXPECT_EQ(metric_name(Metric::phase_lag), "phase_lag");
   EXPECT_EQ(metric_unit(Metric::phase_lag, "m"), "deg");
   EXPECT_EQ(metric_unit(Metric::maximum_residual, "m"), "m");
+  EXPECT_EQ(metric_unit(Metric::time_lag, "m"), "s");
+  EXPECT_EQ(metric_unit(Metric::aligned_rms, "m"), "1");
   EXPECT_EQ(metric_unit(Metric::decay_rate, "m"), "1/s");
 }
 

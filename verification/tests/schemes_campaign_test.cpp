@@ -1,0 +1,82 @@
+// The shipped campaigns: every run of theirs is one that its solver takes, and `schemes` leaves out
+// none of the schemes and variants that there are.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sph/simulation.hpp"
+#include "verification/case_file/campaign_parser.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path verification = fs::path(SLOSH_SOURCE_DIR) / "verification";
+
+std::vector<CaseDefinition> cases_of(const std::string& campaign) {
+  std::vector<CaseDefinition> cases;
+  for (const fs::path& file :
+       read_campaign(verification / "campaigns" / (campaign + ".toml"), verification / "cases")
+           .cases)
+    cases.push_back(read_case(file));
+  return cases;
+}
+
+std::vector<SphRun> sph_runs(const CaseDefinition& definition) {
+  std::vector<SphRun> runs;
+  for (const RunDefinition& run : definition.runs)
+    if (const auto* sph = std::get_if<SphRun>(&run.solver)) runs.push_back(*sph);
+  return runs;
+}
+
+bool changes_numbers(const SphRun& run) {
+  return std::any_of(std::begin(sph_number_names), std::end(sph_number_names),
+                     [&](const auto& entry) { return (run.numbers.*entry.second).has_value(); });
+}
+
+TEST(ShippedCases, HoldNoRunThatItsSolverRefuses) {
+  for (const auto& entry : fs::directory_iterator(verification / "cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    const CaseDefinition definition = read_case(entry.path());
+    for (const RunDefinition& run : definition.runs)
+      EXPECT_NO_THROW(require_runnable(definition, run)) << definition.name << "/" << run.name;
+  }
+}
+
+TEST(SchemesCampaign, SetsEveryVariantBesideTheUnchangedRunOfItsSpacing) {
+  const std::vector<SphRun> runs = sph_runs(cases_of("schemes").front());
+  for (const std::string& variant : sph::variant_names())
+    EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [&](const SphRun& run) {
+      return run.variant == variant && !changes_numbers(run) && run.particle_spacing == 0.01;
+    })) << variant;
+  EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [](const SphRun& run) {
+    return run.scheme == "recommended" && run.variant.empty() && !changes_numbers(run) &&
+           run.particle_spacing == 0.01;
+  }));
+}
+
+TEST(SchemesCampaign, RunsEveryScheme) {
+  const std::vector<SphRun> runs = sph_runs(cases_of("schemes").front());
+  for (const std::string& scheme : sph::scheme_names())
+    EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [&](const SphRun& run) {
+      return run.scheme == scheme;
+    })) << scheme;
+}
+
+TEST(SchemesCampaign, ChangesEachNumberOfTheScheme) {
+  const std::vector<SphRun> runs = sph_runs(cases_of("schemes").front());
+  for (const auto& [name, number] : sph_number_names)
+    EXPECT_GE(std::count_if(runs.begin(), runs.end(),
+                            [number](const SphRun& run) {
+                              return run.variant.empty() && (run.numbers.*number).has_value();
+                            }),
+              2)
+        << name;
+}
+
+}  // namespace
+}  // namespace slosh
