@@ -20,13 +20,14 @@
 //   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m)
 //   [[run]]       name, quick?, and
 //                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
-//                 variant?, initial_state? = "lattice" | "settled" | "projected", and what it
-//                 changes of the scheme's numbers: smoothing_length_ratio?, sound_speed_ratio?,
-//                 courant_number?, artificial_viscosity?, density_diffusion? solver = "interfoam":
-//                 cells_x, cells_z, processes? solver = "linear": modes, two_layer?,
-//                 valid_elevation_over_depth solver = "record": file (CSV: time_s and
-//                 front_position_m or elevation@<gauge>_m; relative to the case file), uncertainty?
-//                 (half width of its 95 % interval, in the record's unit)
+//                 variant?, initial_state? = "lattice" | "settled" | "projected", and changes of
+//                 the scheme's numbers: smoothing_length_ratio?, sound_speed_ratio?,
+//                 courant_number?, artificial_viscosity?, density_diffusion?
+//                 solver = "interfoam": cells_x, cells_z, processes?
+//                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
+//                 solver = "record": file (CSV: time_s and front_position_m or elevation@<gauge>_m;
+//                 relative to the case file), uncertainty? (half width of its 95 % interval, in the
+//                 record's unit)
 //   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>" | "front_position" (of a
 //                 breaking dam), mode, metric, unit, one of limit | lower with upper | improves_on,
 //                 reason, source; with metric = "largest_magnitude", which is measured on the
