@@ -29,6 +29,12 @@
 
 namespace slosh::sph {
 
+inline const char* start_name(InitialState state) {
+  if (state == InitialState::lattice) return "start from the hydrostatic lattice";
+  return state == InitialState::settled ? "start from settled particles"
+                                        : "start from the incompressible liquid's state";
+}
+
 // The tank where it is at the start, moving and accelerating as told.
 struct HeldTank {
   double velocity = 0, acceleration = 0;
@@ -191,28 +197,35 @@ Particles settled(const Scene& scene, const Scheme<Choice>& scheme, const Partic
   return result;
 }
 
-// Throws std::invalid_argument for a projection of walls whose particles carry a pressure of their
-// own.
+// Throws std::invalid_argument for a start that the scheme or the scene cannot have.
+template <class Choice>
+void require_initial_state(const Scene& scene) {
+  const InitialState wanted = scene.initial_state.value_or(Choice::initial_state);
+  if (wanted == InitialState::projected &&
+      (Choice::Solids::has_density || Choice::Smoothing::reads_spacing))
+    throw std::invalid_argument(
+        "initial_state = projected: expected lattice | settled, this scheme has walls with a "
+        "density "
+        "of their own or two spacings");
+  if (wanted == InitialState::settled && scene.column_width)
+    throw std::invalid_argument(
+        "initial_state = settled: expected lattice | projected, a dam would break while it "
+        "settles");
+}
+
 template <class Choice>
 Particles initial_state(const Scene& scene, const Scheme<Choice>& scheme) {
+  require_initial_state<Choice>(scene);
   const auto density_at = [&](double pressure) { return scheme.state.density(pressure); };
   const Particles lattice = initial_lattice(scene, density_at);
   if (scene.duration == 0) return lattice;
-  switch (scene.initial_state.value_or(Choice::initial_state)) {
-    case InitialState::lattice:
-      return lattice;
-    case InitialState::settled:
-      return settled<Choice>(scene, scheme, lattice);
-    case InitialState::projected:
-      break;
-  }
-  if constexpr (Choice::Solids::has_density || Choice::Smoothing::reads_spacing)
-    throw std::invalid_argument(
-        "initial_state = \"projected\": expected another, this scheme's walls or spacings do not "
-        "take it");
-  else
-    return Projection<Choice>(scene, lattice)
-        .state(scene.velocity(0), scene.acceleration(0), density_at);
+  const InitialState wanted = scene.initial_state.value_or(Choice::initial_state);
+  if (wanted == InitialState::settled) return settled<Choice>(scene, scheme, lattice);
+  if constexpr (!Choice::Solids::has_density && !Choice::Smoothing::reads_spacing)
+    if (wanted == InitialState::projected)
+      return Projection<Choice>(scene, lattice)
+          .state(scene.velocity(0), scene.acceleration(0), density_at);
+  return lattice;
 }
 
 }  // namespace slosh::sph

@@ -1,8 +1,10 @@
 // Time integration. An integrator advances a Liquid (liquid.hpp) by dt through its two right-hand
 // sides: liquid.accelerate(t) and liquid.compress(t) evaluate dv/dt and drho/dt with the walls of
-// time t. liquid.kick, drift and densify add dt times the rates to velocities, positions and
-// densities; kick_and_drift and densify_and_drift do two of them in one pass over the memory. The
-// neighbour search is renewed, and the particles thereby reordered, only at the start of a step.
+// time t. `advances_solids`: whether the density of dynamic
+// boundary particles is carried too. liquid.kick, drift and densify add dt times the rates to
+// velocities, positions and densities; kick_and_drift and densify_and_drift do two of them in one
+// pass over the memory. The neighbour search is renewed, and the particles thereby reordered, only
+// at the start of a step.
 #pragma once
 
 #include <cstddef>
@@ -22,6 +24,7 @@ inline void add_scaled(Array<double>& y, double dt, const Array<double>& rate) {
 // a calm lattice.
 struct StaggeredLeapfrog {
   static constexpr const char* name = "staggered leapfrog";
+  static constexpr bool advances_solids = true;
   double previous_dt = 0;
 
   template <class Liquid>
@@ -54,6 +57,7 @@ void evaluate_midpoint(Liquid& liquid, double dt) {
 // old and the new velocity.
 struct PredictorCorrector {
   static constexpr const char* name = "predictor-corrector";
+  static constexpr bool advances_solids = true;
 
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
@@ -67,10 +71,11 @@ struct PredictorCorrector {
 };
 
 // Symplectic, position Verlet with a midpoint predictor (Leimkuhler & Matthews 2015; Dominguez et
-// al. 2022, eqs 24 to 27): as the predictor-corrector, but with a density that cannot turn
-// negative, rho_new = rho (2 + e) / (2 - e), e = dt drho/dt / rho at the middle.
+// al. 2022, eqs 24 to 27): as the predictor-corrector, but with a density that, for |e| < 2, cannot
+// turn negative, rho_new = rho (2 + e) / (2 - e), e = dt drho/dt / rho at the middle.
 struct Symplectic {
   static constexpr const char* name = "symplectic, two evaluations";
+  static constexpr bool advances_solids = false;
 
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
@@ -90,6 +95,7 @@ struct Symplectic {
 // from those before the last step, with an Euler step every 40 to keep the two families together.
 struct Verlet {
   static constexpr const char* name = "Verlet, one evaluation";
+  static constexpr bool advances_solids = false;
   double previous_dt = 0;
   int since_euler = 0;
 

@@ -128,6 +128,7 @@ class Liquid {
   void shift() {
     const TankWalls walls = walls_at(time);
     neighbours_.refresh_for_continuity(scheme_, particles, walls);
+    solids_.refresh_for_continuity(scheme_, neighbours_, walls, instructions_);
     sum_shifts(scheme_, neighbours_, particles, walls, shifts_, instructions_);
     add_scaled(particles.x, 1, shifts_.x);
     add_scaled(particles.z, 1, shifts_.z);

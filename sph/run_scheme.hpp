@@ -88,6 +88,10 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
     }
   }
   output.active_terms = Scheme<Choice>::active_terms();
+  output.active_terms.push_back(start_name(scene.initial_state.value_or(Choice::initial_state)));
+  if constexpr (Choice::TimeStep::adapts)
+    output.active_terms.push_back(
+        fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
   output.diagnostics["smallest_time_step_s"] = smallest_step;
   return std::move(output);

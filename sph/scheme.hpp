@@ -26,6 +26,11 @@ Setting setting_of(const Scene& scene, const SchemeNumbers& own);
 
 template <class Choice>
 struct Scheme : Choice {
+  // What these policies do not do for one another.
+  static_assert(!Choice::Solids::has_density || Choice::Integrator::advances_solids);
+  static_assert(!Choice::Solids::has_density || !Choice::DensityDiffusion::reads_gradient);
+  static_assert(!Choice::Shifting::active || Choice::Formulation::weighs_volumes);
+
   Setting setting;
   typename Choice::EquationOfState state;
   typename Choice::Smoothing smoothing;

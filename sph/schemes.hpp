@@ -69,7 +69,7 @@ struct Recommended {
                                          .sound_speed_ratio = 10,
                                          .courant_number = 0.8,
                                          .artificial_viscosity = 0.0005,
-                                         .density_diffusion = 0.1};
+                                         .density_diffusion = 0.05};
 };
 
 // delta-SPH as published (Antuono et al. 2010; Marrone et al. 2011): Wendland C2 at h = 2 dp, the

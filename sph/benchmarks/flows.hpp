@@ -1,7 +1,7 @@
 // The liquids that the benchmarks time: a tank of twice its depth in length, filled to half its
 // height, in two flows.
 //   calm     the first standing wave, 2 % of the depth high
-//   violent  vortices across the depth at an eighth of the speed of sound over a disordered
+//   violent  vortices across the depth at a twelfth of the speed of sound over a disordered
 //   lattice,
 //            which renew the neighbour lists every one to three steps
 #pragma once

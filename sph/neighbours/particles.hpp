@@ -1,5 +1,6 @@
 // The liquid's particles as a structure of arrays, and the sources that the pair loops read. A
-// source is a liquid particle or one of its mirror images (mirror_particles.hpp).
+// source is a liquid particle, one of its mirror images or a particle of a solid
+// (mirror_particles.hpp).
 #pragma once
 
 #include <cstddef>
@@ -42,6 +43,17 @@ struct Particles {
 
   std::size_t size() const { return x.size(); }
   double spacing_of(std::size_t i) const { return spacing.empty() ? lattice_spacing : spacing[i]; }
+
+  // To 2 v_wall - v, now and a step earlier.
+  void turn_velocity_x(std::size_t i, double wall_velocity) {
+    velocity_x[i] = 2 * wall_velocity - velocity_x[i];
+    if (!earlier_velocity_x.empty())
+      earlier_velocity_x[i] = 2 * wall_velocity - earlier_velocity_x[i];
+  }
+  void turn_velocity_z(std::size_t i) {
+    velocity_z[i] = -velocity_z[i];
+    if (!earlier_velocity_z.empty()) earlier_velocity_z[i] = -earlier_velocity_z[i];
+  }
 
   template <class Visit>
   void for_each_field(const Visit& visit) {

@@ -14,6 +14,7 @@ namespace slosh::sph {
 //   dv_a/dt   = -sum_b m_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad_a W_ab
 //   drho_a/dt =  sum_b m_b v_ab . grad_a W_ab
 struct MassWeighted {
+  static constexpr bool weighs_volumes = false;
   static constexpr const char* name =
       "momentum with p_a/rho_a^2 + p_b/rho_b^2, continuity with masses";
   double volume_of_weight;  // [m3/kg]
@@ -44,6 +45,7 @@ struct MassWeighted {
 //   dv_a/dt   = -rho_0/rho_a sum_b V_b (p_a/rho_0 + p_b/rho_0 + Pi_ab) grad_a W_ab
 //   drho_a/dt =  rho_a sum_b V_b v_ab . grad_a W_ab
 struct VolumeWeighted {
+  static constexpr bool weighs_volumes = true;
   static constexpr const char* name = "momentum with p_a + p_b, continuity with volumes";
   static constexpr double volume_of_weight = 1.0;
   double rest_density, inverse_rest_density;

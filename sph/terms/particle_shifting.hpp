@@ -92,7 +92,8 @@ void shift_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source
     double dx = scale * sum_x[lane], dz = scale * sum_z[lane];
     const double nx = normal_x[lane], nz = normal_z[lane];
     if (surface_in_reach[lane] > 0) {
-      const double across = (dx * nx + dz * nz) / (nx * nx + nz * nz);
+      const double normal2 = nx * nx + nz * nz;  // none in the middle of a sheet
+      const double across = normal2 > 0 ? (dx * nx + dz * nz) / normal2 : 0.0;
       dx -= across * nx;
       dz -= across * nz;
     }

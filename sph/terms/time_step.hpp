@@ -21,17 +21,22 @@ struct FixedStep {
   double operator()(double) const { return step; }
 };
 
-// dt = min(C h / c0, 0.25 sqrt(h / |a|)): Courant and force criterion (Monaghan 1992, section
-// 10.3), a the largest acceleration [m/s2].
+// dt = min(C h / c0, 0.25 sqrt(h / |a|), 0.125 h^2 / nu): Courant, force and viscous criterion
+// (Monaghan 1992, section 10.3; Morris, Fox & Zhu 1997, eq. 21), a the largest acceleration [m/s2],
+// nu the greater of the liquid's viscosity and the artificial one's alpha h c0 / 8.
 struct AdaptiveStep {
   static constexpr bool adapts = true;
-  double courant_step, h;
+  double longest_step, h;
 
   explicit AdaptiveStep(const Setting& s)
-      : courant_step(s.courant_number * s.smoothing_length() / s.speed_of_sound),
-        h(s.smoothing_length()) {}
+      : longest_step(s.courant_number * s.smoothing_length() / s.speed_of_sound),
+        h(s.smoothing_length()) {
+    const double nu =
+        std::max(s.kinematic_viscosity, s.artificial_viscosity * h * s.speed_of_sound / 8);
+    if (nu > 0) longest_step = std::min(longest_step, 0.125 * h * h / nu);
+  }
   double operator()(double largest_acceleration) const {
-    return std::min(courant_step, 0.25 * std::sqrt(h / largest_acceleration));
+    return std::min(longest_step, 0.25 * std::sqrt(h / largest_acceleration));
   }
 };
 

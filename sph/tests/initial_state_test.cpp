@@ -49,13 +49,14 @@ TEST(Projected, LetsADamGoWithoutRinging) {
 }
 
 // The force on the wall behind a dam that was just let go, from the incompressible pressure, is
-// there from the first step.
+// there from the first step. Measured: -45.0 to -45.9 N/m.
 TEST(Projected, HasTheForceOfTheMomentAfterADamIsLetGo) {
   const History force = run_from(InitialState::projected, dam(0.005, 0.01)).horizontal_force;
   for (const double value : force.value) EXPECT_NEAR(value, force.value.front(), 0.1 * 45);
   EXPECT_NEAR(force.value.front(), -45, 5);
 }
 
+// The lattice's rows next to the surface are not quite in equilibrium: measured 0.4 % of rho g h.
 TEST(Projected, LeavesStillWaterAsItIs) {
   const Scene scene = still_scene(0.025, 1);
   const Scheme<Recommended> scheme(scene);
@@ -69,6 +70,7 @@ TEST(Projected, LeavesStillWaterAsItIs) {
   }
 }
 
+// The solver stops at a thousandth of the divergence; the sums then see the compressed densities.
 TEST(Projected, KeepsTheParticlesVolumesAndItsVelocityHasNoDivergence) {
   const Scene scene = surging_scene(0.025, 1);
   const Scheme<Recommended> scheme(scene);

@@ -43,7 +43,7 @@ TEST(SettingOf, TakesTheSchemesOwnNumbersWhereTheRunChangesNone) {
   EXPECT_NEAR(recommended.speed_of_sound, 10 * expected_speed(scene), 1e-12);
   EXPECT_EQ(recommended.courant_number, 0.8);
   EXPECT_EQ(recommended.artificial_viscosity, 0.0005);
-  EXPECT_EQ(recommended.density_diffusion, 0.1);
+  EXPECT_EQ(recommended.density_diffusion, 0.05);
   const Setting delta_sph = setting_of(scene, DeltaSph::numbers);
   EXPECT_EQ(delta_sph.smoothing_length_ratio, 2);
   EXPECT_EQ(delta_sph.artificial_viscosity, 0.02);

@@ -124,8 +124,8 @@ void expel(Particles& p, const TankWalls& walls, const Rectangle& obstacle) {
         behind_nearest_face(x, z, obstacle, walls.right - walls.left, walls.roof - walls.bottom);
     p.x[i] = walls.left + place.node_x;
     p.z[i] = walls.bottom + place.node_z;
-    if (place.turns_x) p.velocity_x[i] = 2 * walls.velocity - p.velocity_x[i];
-    if (place.turns_z) p.velocity_z[i] = -p.velocity_z[i];
+    if (place.turns_x) p.turn_velocity_x(i, walls.velocity);
+    if (place.turns_z) p.turn_velocity_z(i);
   }
 }
 

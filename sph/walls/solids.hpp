@@ -139,7 +139,9 @@ class DynamicSolids {
   static constexpr bool has_density = true;
 
   DynamicSolids(const Scene& scene, bool tank_walls, double depth)
-      : places_(solid_places(scene, tank_walls, depth)) {
+      : places_(solid_places(scene, tank_walls, depth)),
+        wetted_length_(scene.column_width ? *scene.column_width + depth
+                                          : scene.tank_length + depth) {
     for (SolidPlace& place : places_) {  // their own sums are taken where they stand
       place.node_x = place.x;
       place.node_z = place.z;
@@ -158,7 +160,8 @@ class DynamicSolids {
     rates_.resize(n);
     const Setting& s = scheme.setting;
     for (std::size_t i = 0; i < n; ++i) {
-      const double depth = std::max(0.0, s.fill_depth - places_[i].z);
+      const bool wetted = places_[i].x < wetted_length_;
+      const double depth = wetted ? std::max(0.0, s.fill_depth - places_[i].z) : 0.0;
       particles_.density[i] = scheme.state.density(s.rest_density * s.gravity * depth);
       particles_.spacing[i] = s.particle_spacing;
     }
@@ -207,6 +210,7 @@ class DynamicSolids {
 
  private:
   std::vector<SolidPlace> places_;
+  double wetted_length_;  // how far the liquid of the start reaches [m]
   Particles particles_;
   Rates rates_;
 };

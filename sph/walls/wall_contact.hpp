@@ -25,17 +25,23 @@ struct ReflectingWall {
   void confine(Particles& p, const TankWalls& walls) const {
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < p.size(); ++i) {
-      reflect(p.x[i], p.velocity_x[i], walls.left, walls.right, walls.velocity);
-      reflect(p.z[i], p.velocity_z[i], walls.bottom, walls.roof, 0);
+      if (!inside(p.x[i], walls.left, walls.right)) {
+        p.x[i] = reflected(p.x[i], walls.left, walls.right);
+        p.turn_velocity_x(i, walls.velocity);
+      }
+      if (!inside(p.z[i], walls.bottom, walls.roof)) {
+        p.z[i] = reflected(p.z[i], walls.bottom, walls.roof);
+        p.turn_velocity_z(i);
+      }
     }
   }
 
  private:
-  static void reflect(double& position, double& velocity, double lower, double upper,
-                      double wall_velocity) {
-    if (position > lower && position < upper) return;
-    position = 2 * (position <= lower ? lower : upper) - position;
-    velocity = 2 * wall_velocity - velocity;
+  static bool inside(double position, double lower, double upper) {
+    return position > lower && position < upper;
+  }
+  static double reflected(double position, double lower, double upper) {
+    return 2 * (position <= lower ? lower : upper) - position;
   }
 };
 

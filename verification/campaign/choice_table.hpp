@@ -9,7 +9,7 @@
 
 namespace slosh {
 
-// What a run changes of its scheme: "", "no_shifting", "courant_number = 0.4", ...
+// What a run changes of its scheme: "", "shifting", "courant_number = 0.4", ...
 std::string changes_of(const SphRun& run);
 
 // Of each SPH run its errors against theory or a record, its cost, and what both are of those of

@@ -26,8 +26,8 @@
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
 //                 solver = "record": file (CSV: time_s and front_position_m or elevation@<gauge>_m;
-//                 relative to the case file), uncertainty? (half width of its 95 % interval, in the
-//                 record's unit)
+//                 relative to the case file), uncertainty_m? (half width of its 95 % interval, in
+//                 the record's unit)
 //   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>" | "front_position" (of a
 //                 breaking dam), mode, metric, unit, one of limit | lower with upper | improves_on,
 //                 reason, source; with metric = "largest_magnitude", which is measured on the

@@ -23,7 +23,7 @@ const std::vector<std::string> keys_of_sph{"scheme",
                                            "density_diffusion"};
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
-const std::vector<std::string> keys_of_record{"file", "uncertainty"};
+const std::vector<std::string> keys_of_record{"file", "uncertainty_m"};
 
 std::vector<std::string> together(const std::vector<std::vector<std::string>>& lists) {
   std::vector<std::string> all;
@@ -97,7 +97,7 @@ RecordRun read_record(const TomlTable& run, const CaseDefinition& definition) {
           .unit = unit,
           .time = std::move(table.time),
           .value = std::move(table.value),
-          .uncertainty = run.find("uncertainty", positive(unit))};
+          .uncertainty = run.find("uncertainty_m", positive(unit))};
 }
 
 }  // namespace

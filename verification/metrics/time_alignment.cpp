@@ -11,7 +11,7 @@ namespace {
 
 constexpr double largest_lag_of_span = 0.25;
 constexpr int trial_lags = 200;  // a hundredth of the range apart, then refined
-constexpr int bits = 30;         // of the lag: a billionth of the range
+constexpr int bits = 26;         // of the lag, all that the least of a parabola can tell
 
 // Integrals by the trapezoidal rule.
 double normalised_rms(const TimeSeries& candidate, const TimeSeries& reference, double lag) {

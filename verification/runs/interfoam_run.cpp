@@ -1,7 +1,6 @@
 #include <stdexcept>
 
 #include "openfoam_cases/check_tank.hpp"
-#include "openfoam_cases/geometry/tank_mesh.hpp"
 #include "openfoam_cases/surging_tank.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/solver_runs.hpp"
@@ -43,9 +42,7 @@ TimeSeries series(const std::string& name, const std::string& unit, openfoam::Hi
 
 void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definition,
                    const RunDefinition& run) try {
-  const openfoam::SurgingTank tank = tank_of(interfoam, definition);
-  openfoam::check_tank(tank);
-  openfoam::TankMesh{tank};
+  openfoam::check_tank(tank_of(interfoam, definition));
 } catch (const std::invalid_argument& error) {
   throw refused(run, error.what());
 }

@@ -97,13 +97,12 @@ TEST(CaseParser, TakesTheInnerSpacingAtTheSurfaceUnlessTold) {
 }
 
 TEST(CaseParser, ReadsWhatARunChangesOfItsScheme) {
-  const auto definition =
-      read_text(edited({"quick = true",
-                        "variant = \"no_shifting\"\nsmoothing_length_ratio = 2\n"
-                        "sound_speed_ratio = 20.0\ncourant_number = 0.4\n"
-                        "artificial_viscosity = 0\ndensity_diffusion = 0.1"}));
+  const auto definition = read_text(edited({"quick = true",
+                                            "variant = \"shifting\"\nsmoothing_length_ratio = 2\n"
+                                            "sound_speed_ratio = 20.0\ncourant_number = 0.4\n"
+                                            "artificial_viscosity = 0\ndensity_diffusion = 0.1"}));
   const auto& changed = std::get<SphRun>(definition.runs.at(1).solver);
-  EXPECT_EQ(changed.variant, "no_shifting");
+  EXPECT_EQ(changed.variant, "shifting");
   EXPECT_EQ(changed.numbers.smoothing_length_ratio, 2);
   EXPECT_EQ(changed.numbers.sound_speed_ratio, 20);
   EXPECT_EQ(changed.numbers.courant_number, 0.4);

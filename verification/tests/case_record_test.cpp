@@ -41,7 +41,7 @@ TEST(RecordOfACase, IsReadWithItsQuantityUnitAndUncertainty) {
   const Workspace workspace;
   workspace.write("front.csv", front);
   const CaseDefinition definition = read_case(
-      workspace.write("dam.toml", dam_text("file = \"front.csv\"\nuncertainty = 0.01\n")));
+      workspace.write("dam.toml", dam_text("file = \"front.csv\"\nuncertainty_m = 0.01\n")));
   const auto& record = std::get<RecordRun>(definition.runs.at(1).solver);
   EXPECT_EQ(record.quantity, "front_position");
   EXPECT_EQ(record.unit, "m");
@@ -85,11 +85,11 @@ TEST(RecordOfACase, HasAFileAndAPositiveUncertainty) {
   const std::vector<std::pair<std::string, std::string>> keys{
       {"", "dam.toml:41: run.file is missing: expected a text that is not empty"},
       {"file = \"none.csv\"\n", "dam.toml:44: run.file = \"none.csv\": expected a CSV file's path"},
-      {"file = \"front.csv\"\nuncertainty = 0\n",
-       "dam.toml:45: run.uncertainty = 0: expected a number > 0, in m"},
+      {"file = \"front.csv\"\nuncertainty_m = 0\n",
+       "dam.toml:45: run.uncertainty_m = 0: expected a number > 0, in m"},
       {"file = \"front.csv\"\nscheme = \"any\"\n",
        "dam.toml:45: run.scheme = \"any\": expected only these keys here: name, solver, quick, "
-       "file, uncertainty"}};
+       "file, uncertainty_m"}};
   for (const auto& [record, wanted] : keys) {
     const std::string message = complaint_about(dam_text(record), front);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;

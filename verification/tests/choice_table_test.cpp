@@ -67,11 +67,11 @@ std::string cell(const reports::Table& table, std::size_t row, const std::string
 
 TEST(ChangesOfARun, AreItsVariantAndItsNumbers) {
   EXPECT_EQ(changes_of(changed("")), "");
-  EXPECT_EQ(changes_of(changed("no_shifting")), "no_shifting");
+  EXPECT_EQ(changes_of(changed("shifting")), "shifting");
   SphRun run = with_courant_number(0.4);
-  run.variant = "no_shifting";
+  run.variant = "shifting";
   run.numbers.density_diffusion = 0;
-  EXPECT_EQ(changes_of(run), "no_shifting, courant_number = 0.4, density_diffusion = 0");
+  EXPECT_EQ(changes_of(run), "shifting, courant_number = 0.4, density_diffusion = 0");
 }
 
 TEST(ChoiceTable, IsLeftOutWhereNothingIsChanged) {
@@ -123,7 +123,7 @@ TEST(ChoiceTable, NamesTheTermsThatAVariantAndANumberChange) {
 
 TEST(ChoiceTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
   const auto table = choice_table(assess_choices(
-      {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("no_shifting"), 1.2, 0.5}}));
+      {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("shifting"), 1.2, 0.5}}));
   EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "");
   EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "");
 }
@@ -142,12 +142,12 @@ TEST(ChoiceTable, TellsHowARunWithoutAResultEnded) {
 TEST(CostFigure, ShowsEachChangeAsPointsOfItsOwn) {
   const auto figures = case_figures(assess_choices({{"plain", changed(""), 1.1, 1.5},
                                                     {"coarse", changed("", 0.02), 1.2, 0.5},
-                                                    {"other", changed("no_shifting"), 1.3, 1}}));
+                                                    {"other", changed("shifting"), 1.3, 1}}));
   const reports::Figure& cost = figures.back();
   ASSERT_EQ(cost.curves.size(), 2u);
   EXPECT_EQ(cost.curves[0].label, "recommended against theory");
   EXPECT_EQ(cost.curves[0].x, (std::vector<double>{1.0, 2.0}));  // coarse first
-  EXPECT_EQ(cost.curves[1].label, "recommended, no_shifting against theory");
+  EXPECT_EQ(cost.curves[1].label, "recommended, shifting against theory");
   EXPECT_EQ(cost.curves[1].style, reports::Curve::Style::points);
   for (const reports::Curve& curve : figures.front().curves)
     EXPECT_NE(curve.label, "other") << "the history shows the scheme as it is";
