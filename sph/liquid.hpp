@@ -145,7 +145,7 @@ class Liquid {
   static Particles held_particles(Particles p) {
     if (Scheme::Smoothing::reads_spacing || p.spacing.empty()) return p;
     p.lattice_spacing = p.spacing.front();
-    p.spacing = {};
+    p.spacing = Array<double>();  // gives its memory back
     return p;
   }
 

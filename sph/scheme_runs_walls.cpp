@@ -7,6 +7,7 @@ template RunOutput run_scheme<WithStickingWalls>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithRepulsiveWalls>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithGhostWalls>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithStickingGhostWalls>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithTwoSpacings>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithDynamicWalls>(const Scene&, const Progress&);
 
 }  // namespace slosh::sph

@@ -183,6 +183,15 @@ struct WithDynamicWalls : WithGhostWalls {
   using Solids = DynamicSolids;
   static constexpr InitialState initial_state = InitialState::lattice;
 };
+// A finer lattice near the surface, whose steps are half the coarse one's where it is twice as
+// fine.
+struct WithTwoSpacings : Recommended {
+  static constexpr const char* variant = "two_spacings";
+  using Smoothing = PairSmoothing;
+  using Solids = NoSolids;
+  static constexpr InitialState initial_state = InitialState::lattice;
+  static constexpr SchemeNumbers numbers = recommended_at(0.4);
+};
 struct WithPredictorCorrector : Recommended {
   static constexpr const char* variant = "predictor_corrector";
   using Integrator = PredictorCorrector;

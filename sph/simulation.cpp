@@ -49,7 +49,7 @@ Run chosen(const std::string& scheme, const Scene& scene) {
   const Run run = named(schemes(), "scheme", scheme);
   const bool uniform = scene.surface_particle_spacing == scene.particle_spacing;
   if (scheme == "li2010" && !uniform) return &run_scheme<Li2010TwoSpacings>;
-  if (!uniform)
+  if (!uniform && scene.variant != WithTwoSpacings::variant)
     throw std::invalid_argument("scheme " + scheme +
                                 " takes one particle spacing: surface_particle_spacing differs");
   if (scene.variant.empty()) return run;

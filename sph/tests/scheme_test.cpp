@@ -154,8 +154,8 @@ TEST(Simulation, RefusesAVariantOfASchemeThatHasNone) {
   }
 }
 
-TEST(Simulation, HasTwentyOneVariantsOfTheRecommendedScheme) {
-  EXPECT_EQ(variant_names().size(), 21);
+TEST(Simulation, HasTwentyTwoVariantsOfTheRecommendedScheme) {
+  EXPECT_EQ(variant_names().size(), 22);
   EXPECT_EQ(scheme_names().size(), 3);
 }
 
