@@ -2,6 +2,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <unsupported/Eigen/IterativeSolvers>
 
 namespace slosh::sph {
 class AppliedOperator;
@@ -65,7 +66,8 @@ namespace slosh::sph {
 LinearSolution solve(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
                      const Eigen::VectorXd& right_side, double tolerance, int most) {
   const AppliedOperator matrix(apply, right_side.size());
-  Eigen::BiCGSTAB<AppliedOperator, Eigen::IdentityPreconditioner> solver;
+  Eigen::GMRES<AppliedOperator, Eigen::IdentityPreconditioner> solver;
+  solver.set_restart(50);
   solver.compute(matrix);
   solver.setTolerance(tolerance);
   solver.setMaxIterations(most);

@@ -12,9 +12,9 @@ struct LinearSolution {
   double relative_residual;
 };
 
-// Solves apply(x) = right_side by BiCGSTAB (Eigen), without preconditioner, to the relative
-// residual `tolerance` or to as many iterations as `most`; the caller looks at the residual that is
-// left.
+// Solves apply(x) = right_side by GMRES (Eigen), restarted every 50 steps, without preconditioner,
+// to the relative residual `tolerance` or to as many iterations as `most`; the caller looks at the
+// residual that is left.
 LinearSolution solve(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
                      const Eigen::VectorXd& right_side, double tolerance, int most);
 

@@ -51,7 +51,8 @@ TEST(SchemesCampaign, SetsEveryVariantBesideTheUnchangedRunOfItsSpacing) {
   const std::vector<SphRun> runs = sph_runs(cases_of("schemes").front());
   for (const std::string& variant : sph::variant_names())
     EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [&](const SphRun& run) {
-      return run.variant == variant && !changes_numbers(run) && run.particle_spacing == 0.01;
+      return run.variant == variant && !changes_numbers(run) &&
+             run.surface_particle_spacing == 0.01;
     })) << variant;
   EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [](const SphRun& run) {
     return run.scheme == "recommended" && run.variant.empty() && !changes_numbers(run) &&
