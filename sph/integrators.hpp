@@ -53,8 +53,17 @@ void evaluate_midpoint(Liquid& liquid, double dt) {
   liquid.compress(liquid.time + 0.5 * dt);
 }
 
-// Predictor-corrector by the midpoint (Monaghan 1989; Li et al. 2010): positions by the mean of the
-// old and the new velocity.
+// Back at the start, velocities by the midpoint's acceleration and positions by the mean of the old
+// and the new velocity.
+template <class Liquid>
+void move_from_start(Liquid& liquid, double dt) {
+  liquid.restore();
+  liquid.drift(0.5 * dt);
+  liquid.kick(dt);
+  liquid.drift(0.5 * dt);
+}
+
+// Predictor-corrector by the midpoint (Monaghan 1989; Li et al. 2010).
 struct PredictorCorrector {
   static constexpr const char* name = "predictor-corrector";
   static constexpr bool advances_solids = true;
@@ -62,10 +71,7 @@ struct PredictorCorrector {
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
     evaluate_midpoint(liquid, dt);
-    liquid.restore();
-    liquid.drift(0.5 * dt);
-    liquid.kick(dt);
-    liquid.drift(0.5 * dt);
+    move_from_start(liquid, dt);
     liquid.densify(dt);
   }
 };
@@ -82,10 +88,7 @@ struct Symplectic {
     evaluate_midpoint(liquid, dt);
     Array<double>&density = liquid.particles.density, &rate = liquid.rates.density_rate;
     for (std::size_t i = 0; i < rate.size(); ++i) rate[i] /= density[i];
-    liquid.restore();
-    liquid.drift(0.5 * dt);
-    liquid.kick(dt);
-    liquid.drift(0.5 * dt);
+    move_from_start(liquid, dt);
     for (std::size_t i = 0; i < rate.size(); ++i)
       density[i] *= (2 + dt * rate[i]) / (2 - dt * rate[i]);
   }

@@ -33,13 +33,9 @@ class Recorder {
     if (scene_.column_width)
       push(output.front_position, liquid.time, front_position(p, wall, scene_.particle_spacing));
     if (still_water_) still_water_->record(p, wall, liquid.time, output.still_water);
-    double kinetic = 0, force = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      kinetic +=
-          0.5 * p.mass[i] * (p.velocity_x[i] * p.velocity_x[i] + p.velocity_z[i] * p.velocity_z[i]);
-      force -= p.mass[i] * liquid.rates.acceleration_x[i];
-    }
-    push(output.kinetic_energy, liquid.time, kinetic);
+    double force = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) force -= p.mass[i] * liquid.rates.acceleration_x[i];
+    push(output.kinetic_energy, liquid.time, kinetic_energy(p));
     push(output.potential_energy, liquid.time, potential(liquid) - initial_potential_);
     // The walls' is the only horizontal force on the liquid, so its reaction is minus the
     // momentum's rate. Before the first step there is none.

@@ -88,7 +88,7 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
     }
   }
   output.active_terms = Scheme<Choice>::active_terms();
-  output.active_terms.push_back(start_name(scene.initial_state.value_or(Choice::initial_state)));
+  output.active_terms.push_back(start_name(chosen_state<Choice>(scene)));
   if constexpr (Choice::TimeStep::adapts)
     output.active_terms.push_back(
         fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));

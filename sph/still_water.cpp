@@ -16,14 +16,6 @@ double volume(const Particles& p) {
   return sum;
 }
 
-double kinetic_energy(const Particles& p) {
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    sum +=
-        0.5 * p.mass[i] * (p.velocity_x[i] * p.velocity_x[i] + p.velocity_z[i] * p.velocity_z[i]);
-  return sum;
-}
-
 // Along a wall of some length: the distance of the nearest particle in each window.
 class NearestAlong {
  public:

@@ -36,6 +36,18 @@ inline Number gradient_over_distance(Number distance2, Length inverse_h) {
          Kernel::gradient_shape(square_root(distance2) * inverse_h);
 }
 
+// sum_b V_b (r_b - r_a) (x) grad_a W_ab, the identity inside the liquid.
+struct Renormalisation {
+  Lanes xx{}, xz{}, zz{};
+
+  // `f`: V_b (dW/dr)/r of the pair at dx, dz = r_a - r_b.
+  void add(Lanes f, Lanes dx, Lanes dz) {
+    xx -= f * dx * dx;
+    xz -= f * dx * dz;
+    zz -= f * dz * dz;
+  }
+};
+
 template <class Scheme>
 void density_gradient_of_cluster(const Scheme* scheme, const Cluster* cluster,
                                  const Source* sources, const Particles* particles,
@@ -43,25 +55,25 @@ void density_gradient_of_cluster(const Scheme* scheme, const Cluster* cluster,
   const Particles& p = *particles;
   const std::size_t i = cluster->first;
   const Lanes x = load(&p.x[i]), z = load(&p.z[i]), rho = load(&p.density[i]);
-  Lanes xx{}, xz{}, zz{}, sum_x{}, sum_z{};
+  Renormalisation support;
+  Lanes sum_x{}, sum_z{};
   for (std::size_t k = 0; k < cluster->source_count; ++k) {
     const Source& b = sources[cluster->sources[k]];
     const Lanes dx = x - b.x, dz = z - b.z;
     const Lanes f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
                                    dx * dx + dz * dz, scheme->smoothing.inverse_length);
-    xx -= f * dx * dx;
-    xz -= f * dx * dz;
-    zz -= f * dz * dz;
+    support.add(f, dx, dz);
     sum_x += f * (b.density - rho) * dx;
     sum_z += f * (b.density - rho) * dz;
   }
   for (std::size_t lane = 0; lane < cluster->size; ++lane) {
-    const double determinant = xx[lane] * zz[lane] - xz[lane] * xz[lane];
+    const double xx = support.xx[lane], xz = support.xz[lane], zz = support.zz[lane];
+    const double determinant = xx * zz - xz * xz;
     // 1 inside the liquid; a drop of a few particles cannot carry a gradient.
     constexpr double least = 0.01;
     const double scale = determinant > least ? 1.0 / determinant : 0.0;
-    gradient->x[i + lane] = scale * (zz[lane] * sum_x[lane] - xz[lane] * sum_z[lane]);
-    gradient->z[i + lane] = scale * (xx[lane] * sum_z[lane] - xz[lane] * sum_x[lane]);
+    gradient->x[i + lane] = scale * (zz * sum_x[lane] - xz * sum_z[lane]);
+    gradient->z[i + lane] = scale * (xx * sum_z[lane] - xz * sum_x[lane]);
   }
 }
 

@@ -32,21 +32,31 @@ inline double shared_scale(const Scheme& scheme) {
     return gradient_scale<typename Scheme::Kernel>(scheme.smoothing.inverse_length);
 }
 
+// Of the particles in the lanes; the spacing where the scheme reads it.
+template <Vector Number>
+struct LaneState {
+  Number x, z, u, w, rho, spacing;
+};
+template <class Scheme, Vector Number>
+LaneState<Number> state_at(const Particles& p, std::size_t i) {
+  return {load<Number>(&p.x[i]),
+          load<Number>(&p.z[i]),
+          load<Number>(&p.velocity_x[i]),
+          load<Number>(&p.velocity_z[i]),
+          load<Number>(&p.density[i]),
+          Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{}};
+}
+
 template <class Scheme>
 struct MomentumOfCluster {
   template <Vector Number>
   static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
                   const Particles* particles, Rates* rates) {
     using Viscosity = typename Scheme::Viscosity;
-    const Particles& p = *particles;
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
          i += lanes_of<Number>) {
       const std::size_t count = cluster->first + cluster->size - i;
-      const Number x = load<Number>(&p.x[i]), z = load<Number>(&p.z[i]),
-                   u = load<Number>(&p.velocity_x[i]), w = load<Number>(&p.velocity_z[i]),
-                   rho = load<Number>(&p.density[i]);
-      const Number spacing =
-          Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{};
+      const auto [x, z, u, w, rho, spacing] = state_at<Scheme, Number>(*particles, i);
       const Number strength = scheme->formulation.strength(scheme->state.pressure(rho), rho);
       Number sum_x{}, sum_z{};
       for (std::size_t k = 0; k < cluster->source_count; ++k) {
@@ -76,15 +86,10 @@ struct ContinuityOfCluster {
   static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
                   const DensityGradient* gradient, const Particles* particles, Rates* rates) {
     using Diffusion = typename Scheme::DensityDiffusion;
-    const Particles& p = *particles;
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
          i += lanes_of<Number>) {
       const std::size_t count = cluster->first + cluster->size - i;
-      const Number x = load<Number>(&p.x[i]), z = load<Number>(&p.z[i]),
-                   u = load<Number>(&p.velocity_x[i]), w = load<Number>(&p.velocity_z[i]),
-                   rho = load<Number>(&p.density[i]);
-      const Number spacing =
-          Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{};
+      const auto [x, z, u, w, rho, spacing] = state_at<Scheme, Number>(*particles, i);
       Number own{}, gradient_x{}, gradient_z{}, divergence{}, diffusion{};
       if constexpr (Diffusion::active)
         own = scheme->density_diffusion.diffused(scheme->state.pressure(rho), rho, z);

@@ -63,6 +63,15 @@ struct Particles {
   }
 };
 
+// In the frame of the velocities [J/m].
+inline double kinetic_energy(const Particles& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    sum +=
+        0.5 * p.mass[i] * (p.velocity_x[i] * p.velocity_x[i] + p.velocity_z[i] * p.velocity_z[i]);
+  return sum;
+}
+
 // Rates of change of the particles, in the order of Particles.
 struct Rates {
   Array<double> acceleration_x, acceleration_z;  // [m/s2]

@@ -43,18 +43,17 @@ void fullness_of_cluster(const Scheme* scheme, const Cluster* cluster, const Sou
                          const Particles* particles, Shifts* shifts) {
   const std::size_t i = cluster->first;
   const Lanes x = load(&particles->x[i]), z = load(&particles->z[i]);
-  Lanes xx{}, xz{}, zz{};
+  Renormalisation support;
   for (std::size_t k = 0; k < cluster->source_count; ++k) {
     const Source& b = sources[cluster->sources[k]];
     const Lanes dx = x - b.x, dz = z - b.z;
     const Lanes f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
                                    dx * dx + dz * dz, scheme->smoothing.inverse_length);
-    xx -= f * dx * dx;
-    xz -= f * dx * dz;
-    zz -= f * dz * dz;
+    support.add(f, dx, dz);
   }
-  const Lanes half = 0.5 * (xx - zz);
-  store(&shifts->fullness[i], 0.5 * (xx + zz) - square_root(half * half + xz * xz), cluster->size);
+  const Lanes mean = 0.5 * (support.xx + support.zz), half = 0.5 * (support.xx - support.zz);
+  store(&shifts->fullness[i], mean - square_root(half * half + support.xz * support.xz),
+        cluster->size);
 }
 
 template <class Scheme>

@@ -15,16 +15,21 @@ struct NoViscosity {
   explicit NoViscosity(const Setting&) {}
 };
 
-// Monaghan's artificial viscosity for approaching pairs: -alpha c0 mu + beta mu^2 with
-// mu = h v_ab . r_ab / (r^2 + 0.01 h^2) (Monaghan 1992, eq. 4.1; the 0.01 is his) and beta = alpha,
-// as in Li et al. 2010.
-struct MonaghanViscosity {
-  static constexpr const char* name = "Monaghan artificial viscosity, approaching pairs";
+// What the artificial viscosities share.
+struct ArtificialViscosity {
   static constexpr bool active = true;
   double alpha, speed_of_sound;
 
-  explicit MonaghanViscosity(const Setting& s)
+  explicit ArtificialViscosity(const Setting& s)
       : alpha(s.artificial_viscosity), speed_of_sound(s.speed_of_sound) {}
+};
+
+// Monaghan's artificial viscosity for approaching pairs: -alpha c0 mu + beta mu^2 with
+// mu = h v_ab . r_ab / (r^2 + 0.01 h^2) (Monaghan 1992, eq. 4.1; the 0.01 is his) and beta = alpha,
+// as in Li et al. 2010.
+struct MonaghanViscosity : ArtificialViscosity {
+  static constexpr const char* name = "Monaghan artificial viscosity, approaching pairs";
+  using ArtificialViscosity::ArtificialViscosity;
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
@@ -35,13 +40,9 @@ struct MonaghanViscosity {
 
 // The same linear term for every pair, which makes it a Newtonian viscosity nu = alpha h c0 / 8
 // with a bulk part (Antuono et al. 2010, eq. 1; Monaghan 2005, section 8.5).
-struct LinearViscosity {
+struct LinearViscosity : ArtificialViscosity {
   static constexpr const char* name = "linear artificial viscosity, all pairs";
-  static constexpr bool active = true;
-  double alpha, speed_of_sound;
-
-  explicit LinearViscosity(const Setting& s)
-      : alpha(s.artificial_viscosity), speed_of_sound(s.speed_of_sound) {}
+  using ArtificialViscosity::ArtificialViscosity;
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {

@@ -21,30 +21,17 @@ struct Choice {
   double user_time;  // [s]
 };
 
-// The surge with these SPH runs instead of its own.
 CaseAssessment assess_choices(const std::vector<Choice>& choices) {
-  CaseDefinition definition = surge_case();
-  definition.gate.clear();
-  definition.runs = {definition.runs.at(0)};
-  CaseRuns runs;
-  runs.results["theory"] = surge_runs().results.at("theory");
-  runs.status["theory"] = {RunState::finished, ""};
-  for (const Choice& choice : choices) {
-    RunDefinition run = sample_run(choice.sph);
-    run.name = choice.name;
-    definition.runs.push_back(run);
-    TimeSeries elevation = elevation_of({});
-    for (double& value : elevation.value) value *= choice.scale;
-    runs.results[choice.name] = result_of(choice.name, elevation);
-    runs.results[choice.name].cost = {.wall_time = 9,
-                                      .user_time = choice.user_time,
-                                      .system_time = 0.5,
-                                      .peak_memory = 2e5,
-                                      .steps = 1000,
-                                      .elements = 100};
-    runs.status[choice.name] = {RunState::finished, ""};
-  }
-  return assess(definition, std::move(runs));
+  std::vector<ScaledRun> runs;
+  for (const Choice& choice : choices)
+    runs.push_back({choice.name, choice.sph, choice.scale,
+                    RunCost{.wall_time = 9,
+                            .user_time = choice.user_time,
+                            .system_time = 0.5,
+                            .peak_memory = 2e5,
+                            .steps = 1000,
+                            .elements = 100}});
+  return assess_scaled(runs);
 }
 
 SphRun changed(const std::string& variant, double spacing = 0.01) {

@@ -40,22 +40,13 @@ TEST(LeastSquaresOrder, NeedsThreeErrorsThatHaveASize) {
 
 // The surge at these spacings, with errors of the elevation of spacing squared.
 CaseAssessment assess_spacings(const std::vector<double>& spacings) {
-  CaseDefinition definition = surge_case();
-  definition.gate.clear();
-  definition.runs = {definition.runs.at(0)};
-  CaseRuns runs;
-  runs.results["theory"] = surge_runs().results.at("theory");
-  runs.status["theory"] = {RunState::finished, ""};
-  for (const double spacing : spacings) {
-    RunDefinition run = sample_run(SphRun{"recommended", spacing, spacing});
-    run.name = "spacing_" + std::to_string(definition.runs.size());
-    definition.runs.push_back(run);
-    TimeSeries elevation = elevation_of({});
-    for (double& value : elevation.value) value *= 1 + 100 * spacing * spacing;
-    runs.results[run.name] = result_of(run.name, elevation);
-    runs.status[run.name] = {RunState::finished, ""};
-  }
-  return assess(definition, std::move(runs));
+  std::vector<ScaledRun> runs;
+  for (const double spacing : spacings)
+    runs.push_back({"spacing_" + std::to_string(runs.size() + 1),
+                    SphRun{"recommended", spacing, spacing},
+                    1 + 100 * spacing * spacing,
+                    {.wall_time = 1, .user_time = 1, .steps = 10, .elements = 100}});
+  return assess_scaled(runs);
 }
 
 TEST(OrderTable, TellsTheOrderOfAKnownError) {

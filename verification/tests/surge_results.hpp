@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/linear_surge.hpp"
@@ -106,6 +107,33 @@ inline CaseRuns surge_runs() {
     runs.status[run] = {RunState::finished, ""};
   }
   return runs;
+}
+
+struct ScaledRun {
+  std::string name;
+  SphRun sph;
+  double scale;  // of theory's elevation: the error is this less one
+  RunCost cost;
+};
+
+// The surge with these SPH runs instead of its own.
+inline CaseAssessment assess_scaled(const std::vector<ScaledRun>& scaled) {
+  CaseDefinition definition = surge_case();
+  definition.gate.clear();
+  definition.runs = {definition.runs.at(0)};
+  CaseRuns runs;
+  runs.results["theory"] = surge_runs().results.at("theory");
+  runs.status["theory"] = {RunState::finished, ""};
+  for (const ScaledRun& one : scaled) {
+    definition.runs.push_back(sample_run(one.sph));
+    definition.runs.back().name = one.name;
+    TimeSeries elevation = elevation_of({});
+    for (double& value : elevation.value) value *= one.scale;
+    runs.results[one.name] = result_of(one.name, elevation);
+    runs.results[one.name].cost = one.cost;
+    runs.status[one.name] = {RunState::finished, ""};
+  }
+  return assess(definition, std::move(runs));
 }
 
 inline CaseRuns surge_runs_with(const std::string& run, const TimeSeries& elevation) {
