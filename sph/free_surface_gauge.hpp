@@ -14,7 +14,12 @@
 namespace slosh::sph {
 
 // x from the left wall [m]; `wall_left` is the wall's place in the particles' frame. Result in m.
-double surface_elevation(const Particles& particles, double wall_left, double tank_length,
-                         double fill_depth, double x);
+double surface_elevation(const Particles& particles, double tank_length, double fill_depth,
+                         double x);
+
+// How far above the still level [m] the liquid reaches near x, spray included: the upper edge, half
+// a spacing above its centre, of the highest particle within a spacing of x; minus the fill depth
+// where there is none.
+double highest_surface(const Particles& particles, double fill_depth, double x);
 
 }  // namespace slosh::sph

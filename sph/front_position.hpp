@@ -13,6 +13,6 @@ namespace slosh::sph {
 
 // [m] from the left wall, which is at `wall_left` in the particles' frame; 0 where no particle of
 // the layers is near it.
-double front_position(const Particles& particles, double wall_left, double particle_spacing);
+double front_position(const Particles& particles, double particle_spacing);
 
 }  // namespace slosh::sph

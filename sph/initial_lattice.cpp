@@ -41,9 +41,9 @@ void lay_block(const Scene& scene, const DensityAt& density_at, double bottom, d
         continue;
       const double density =
           density_at(scene.rest_density * scene.gravity * (scene.fill_depth - z));
-      p.x.push_back(scene.displacement(0) + x);
+      p.x.push_back(x);
       p.z.push_back(z);
-      p.velocity_x.push_back(scene.initial_velocity);
+      p.velocity_x.push_back(0);
       p.velocity_z.push_back(0);
       p.density.push_back(density);
       p.mass.push_back(density * dx * dz);

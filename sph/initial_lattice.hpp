@@ -1,5 +1,6 @@
-// The liquid at rest, filling the tank's length or standing as a column at its left wall, but for
-// what obstacles take of it: a lattice half a cell off the walls and the still surface, with the
+// The liquid at rest in a tank at rest, at places from the tank's bottom left corner, filling the
+// tank's length or standing as a column at its left wall, but for what obstacles take of it: a
+// lattice half a cell off the walls and the still surface, with the
 // density of the hydrostatic pressure (Li et al. 2010, eq. 15) and the mass that fills the lattice
 // cell at that density. The cells are squares of the particle spacing, stretched a little where
 // that does not divide the tank's length or the depth: Li's 2 cm in 0.35 m of water makes 18 rows,

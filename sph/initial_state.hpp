@@ -6,9 +6,10 @@
 //   projected  the lattice in the incompressible liquid's state at 0+, since a weakly compressible
 //              liquid answers an impulsive start, or a dam let go, by ringing. With the scheme's
 //              own pressure acceleration G and divergence D, walls included:
-//                velocity  v = u + G P, D v = 0 with the walls' velocity X'(0): P is the pressure
+//                velocity  v = u + G P, D v = 0 with the walls' velocity: P is the pressure
 //                          impulse of the start (Batchelor 1967, section 6.10)
-//                pressure  D (G p + g) = 0 with the walls' acceleration X''(0)
+//                pressure  D (G p + g) = 0 with the walls' acceleration; in the tank's frame its
+//                          motion is a part of g
 //              the projection of Cummins & Rudman 1999, eqs 11 to 15.
 #pragma once
 
@@ -26,6 +27,7 @@
 #include "sph/terms/density_diffusion.hpp"
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/terms/viscosity.hpp"
+#include "sph/walls/frames.hpp"
 
 namespace slosh::sph {
 
@@ -35,15 +37,25 @@ inline const char* start_name(InitialState state) {
                                         : "start from the incompressible liquid's state";
 }
 
-// The tank where it is at the start, moving and accelerating as told.
+// The tank where it is at the start, moving and accelerating as told; its roll, which only the
+// tank's frame feels here, goes on or not.
 struct HeldTank {
   double velocity = 0, acceleration = 0;
+  bool rolls = false;
 
   Scene scene(Scene scene) const {
     const double place = scene.displacement(0);
     scene.displacement = [place](double) { return place; };
     scene.velocity = [this](double) { return velocity; };
     scene.acceleration = [this](double) { return acceleration; };
+    if (scene.roll) {
+      const auto held = [this](const std::function<double(double)>& of_time) {
+        return [this, value = of_time(0)](double) { return rolls ? value : 0.0; };
+      };
+      scene.roll->angle = [angle = scene.roll->angle(0)](double) { return angle; };
+      scene.roll->rate = held(scene.roll->rate);
+      scene.roll->acceleration = held(scene.roll->acceleration);
+    }
     return scene;
   }
 };
@@ -79,9 +91,11 @@ class Projection {
     add_scaled(result.velocity_x, 1, weightless_.rates.acceleration_x);
     add_scaled(result.velocity_z, 1, weightless_.rates.acceleration_z);
 
-    tank_.acceleration = wall_acceleration;
+    heavy_.particles.velocity_x = result.velocity_x;
+    heavy_.particles.velocity_z = result.velocity_z;
+    tank_ = {.acceleration = wall_acceleration, .rolls = true};
     heavy_.accelerate(0);
-    tank_.acceleration = 0;
+    tank_ = {};
     const Eigen::VectorXd pressure = pressure_against(
         heavy_.rates.acceleration_x, heavy_.rates.acceleration_z, wall_acceleration);
     set_density(result, [&](std::size_t i) {
@@ -178,7 +192,7 @@ Particles settled(const Scene& scene, const Scheme<Choice>& scheme, const Partic
   const Scene still = tank.scene(scene);
   Liquid<Scheme<Choice>> liquid(still, scheme, start);
   Particles& p = liquid.particles;
-  const double middle = still.displacement(0) + 0.5 * scene.tank_length;
+  const double middle = liquid.tank_at(0).in_frame(0.5 * scene.tank_length, 0).x;
   stir(p, middle, 0.02 * scene.particle_spacing);
   std::fill(p.velocity_x.begin(), p.velocity_x.end(), 0.0);
   // Measured at a depth of 0.35 m, where this is 3 s: what motion is left, and comes up later,
@@ -193,8 +207,12 @@ Particles settled(const Scene& scene, const Scheme<Choice>& scheme, const Partic
     add_scaled(p.velocity_z, -damping * dt, p.velocity_z);
   }
   Particles result = p;
-  std::fill(result.velocity_x.begin(), result.velocity_x.end(), scene.initial_velocity);
-  std::fill(result.velocity_z.begin(), result.velocity_z.end(), 0.0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector2 place = liquid.tank_at(0).in_tank(p.x[i], p.z[i]);
+    result.x[i] = place.x;
+    result.z[i] = place.z;
+  }
+  enter<typename Choice::Frame>(scene, result);
   return result;
 }
 
@@ -212,6 +230,11 @@ void require_initial_state(const Scene& scene) {
     throw std::invalid_argument(
         "initial_state = projected: expected lattice | settled, this scheme has walls with a "
         "density of their own or two spacings");
+  if (!Choice::Frame::takes_roll && scene.roll)
+    throw std::invalid_argument(
+        "motion.roll: expected none, the walls of this scheme cannot roll; see recommended, "
+        "li2010, "
+        "delta_sph, zhao2021_moving, zhao2021_fixed");
   if (wanted == InitialState::settled && scene.column_width)
     throw std::invalid_argument(
         "initial_state = settled: expected lattice | projected, a dam would break while it "
@@ -222,7 +245,8 @@ template <class Choice>
 Particles initial_state(const Scene& scene, const Scheme<Choice>& scheme) {
   require_initial_state<Choice>(scene);
   const auto density_at = [&](double pressure) { return scheme.state.density(pressure); };
-  const Particles lattice = initial_lattice(scene, density_at);
+  Particles lattice = initial_lattice(scene, density_at);
+  enter<typename Choice::Frame>(scene, lattice);
   if (scene.duration == 0) return lattice;
   const InitialState wanted = chosen_state<Choice>(scene);
   if (wanted == InitialState::settled) return settled<Choice>(scene, scheme, lattice);

@@ -14,7 +14,6 @@
 #include "sph/stability_guard.hpp"
 #include "sph/terms/kernels.hpp"
 #include "sph/terms/particle_shifting.hpp"
-#include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
@@ -29,7 +28,7 @@ class Liquid {
       : particles(held_particles(std::move(initial))),
         scheme_(scheme),
         scene_(scene),
-        neighbours_(walls_at(0), scene.particle_spacing, largest_support()),
+        neighbours_(tank_at(0), scene.particle_spacing, largest_support()),
         solids_(scene, !Scheme::Mirror::exists, largest_support()),
         obstacles_(obstacles_on_lattice(scene, largest_support())) {
     neighbours_.add_solids(solids_.places(), obstacles_);
@@ -37,23 +36,15 @@ class Liquid {
     renew_neighbours(0);
   }
 
-  TankWalls walls_at(double t) const {
-    const double x = scene_.displacement(t);
-    return {x,
-            x + scene_.tank_length,
-            0,
-            scene_.tank_height,
-            scene_.velocity(t),
-            scene_.acceleration(t)};
-  }
+  auto tank_at(double t) const { return Scheme::Frame::tank(scene_, t); }
 
   // Makes the neighbour search valid for a step of dt from now; whether that took new lists.
   bool renew_neighbours(double dt) {
-    const TankWalls walls = walls_at(time);
-    scheme_.wall_contact.confine(particles, walls);
-    for (const Rectangle& obstacle : obstacles_) expel(particles, walls, obstacle);
-    if (!neighbours_.stale(particles, walls, dt)) return false;
-    if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, walls, dt,
+    const auto tank = tank_at(time);
+    exchanged_at_walls_ += scheme_.wall_contact.confine(particles, tank);
+    for (const Rectangle& obstacle : obstacles_) expel(particles, tank, obstacle);
+    if (!neighbours_.stale(particles, tank, dt)) return false;
+    if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, tank, dt,
                                                       std::move(rates.density_rate)))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
     rates.resize(particles.size());
@@ -61,22 +52,22 @@ class Liquid {
   }
 
   void accelerate(double t) {
-    const TankWalls walls = walls_at(t);
-    neighbours_.refresh_for_momentum(scheme_, particles, walls);
-    solids_.refresh_for_momentum(scheme_, neighbours_, walls, instructions_);
-    sum_momentum(scheme_, neighbours_.clusters(), neighbours_.sources(), particles, rates,
+    const auto tank = tank_at(t);
+    neighbours_.refresh_for_momentum(scheme_, particles, tank);
+    solids_.refresh_for_momentum(scheme_, neighbours_, tank, instructions_);
+    sum_momentum(scheme_, tank, neighbours_.clusters(), neighbours_.sources(), particles, rates,
                  instructions_);
-    scheme_.wall_contact.push(particles, walls, rates);
+    scheme_.wall_contact.push(particles, tank, rates);
   }
 
   void compress(double t) {
-    const TankWalls walls = walls_at(t);
-    neighbours_.refresh_for_continuity(scheme_, particles, walls);
-    solids_.refresh_for_continuity(scheme_, neighbours_, walls, instructions_);
+    const auto tank = tank_at(t);
+    neighbours_.refresh_for_continuity(scheme_, particles, tank);
+    solids_.refresh_for_continuity(scheme_, neighbours_, tank, instructions_);
     if constexpr (Scheme::DensityDiffusion::reads_gradient)
-      sum_density_gradient(scheme_, neighbours_, particles, walls, gradient_, instructions_);
-    sum_continuity(scheme_, neighbours_.clusters(), neighbours_.sources(), gradient_, particles,
-                   rates, instructions_);
+      sum_density_gradient(scheme_, neighbours_, particles, tank, gradient_, instructions_);
+    sum_continuity(scheme_, tank, neighbours_.clusters(), neighbours_.sources(), gradient_,
+                   particles, rates, instructions_);
   }
 
   void kick(double dt) {
@@ -126,10 +117,10 @@ class Liquid {
 
   // Evens out the particles' spread, at the end of a step.
   void shift() {
-    const TankWalls walls = walls_at(time);
-    neighbours_.refresh_for_continuity(scheme_, particles, walls);
-    solids_.refresh_for_continuity(scheme_, neighbours_, walls, instructions_);
-    sum_shifts(scheme_, neighbours_, particles, walls, shifts_, instructions_);
+    const auto tank = tank_at(time);
+    neighbours_.refresh_for_continuity(scheme_, particles, tank);
+    solids_.refresh_for_continuity(scheme_, neighbours_, tank, instructions_);
+    sum_shifts(scheme_, neighbours_, particles, tank, shifts_, instructions_);
     add_scaled(particles.x, 1, shifts_.x);
     add_scaled(particles.z, 1, shifts_.z);
   }
@@ -139,6 +130,8 @@ class Liquid {
 
   const Scheme& scheme() const { return scheme_; }
   const NeighbourSources& neighbours() const { return neighbours_; }
+  // How often a particle that had crossed a wall was put back.
+  std::size_t exchanged_at_walls() const { return exchanged_at_walls_; }
 
  private:
   // Of a scheme of one spacing all particles have the same, and it is kept once.
@@ -164,6 +157,7 @@ class Liquid {
   Shifts shifts_;
   Particles saved_;
   Array<double> saved_solid_density_;
+  std::size_t exchanged_at_walls_ = 0;
   InstructionSet instructions_ = widest_instruction_set();
 };
 

@@ -6,17 +6,20 @@
 #include "sph/free_surface_gauge.hpp"
 #include "sph/front_position.hpp"
 #include "sph/liquid.hpp"
+#include "sph/seen_from_tank.hpp"
 #include "sph/simulation.hpp"
 #include "sph/stability_guard.hpp"
 #include "sph/still_water.hpp"
+#include "sph/wall_pressure_gauge.hpp"
+#include "sph/walls/frames.hpp"
 
 namespace slosh::sph {
 
 template <class Scheme>
 class Recorder {
  public:
-  Recorder(const Scene& scene, const Liquid<Scheme>& liquid)
-      : scene_(scene), initial_potential_(potential(liquid)) {
+  Recorder(const Scene& scene, const Liquid<Scheme>& liquid) : scene_(scene) {
+    for (const PressureGauge& gauge : scene.pressure_gauges) require_on_wall(gauge, scene);
     if (scene.record_still_water)
       still_water_.emplace(
           scene, liquid.particles,
@@ -24,36 +27,27 @@ class Recorder {
   }
 
   void record(const Liquid<Scheme>& liquid) {
-    const Particles& p = liquid.particles;
-    check_state(p, scene_.rest_density, liquid.time);
-    const double wall = scene_.displacement(liquid.time);
-    for (const Gauge& gauge : scene_.gauges)
-      push(output.elevation[gauge.name], liquid.time,
-           surface_elevation(p, wall, scene_.tank_length, scene_.fill_depth, gauge.x));
-    if (scene_.column_width)
-      push(output.front_position, liquid.time, front_position(p, wall, scene_.particle_spacing));
-    if (still_water_) still_water_->record(p, wall, liquid.time, output.still_water);
-    double force = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) force -= p.mass[i] * liquid.rates.acceleration_x[i];
-    push(output.kinetic_energy, liquid.time, kinetic_energy(p));
-    push(output.potential_energy, liquid.time, potential(liquid) - initial_potential_);
-    // The walls' is the only horizontal force on the liquid, so its reaction is minus the
-    // momentum's rate. Before the first step there is none.
-    if (output.steps > 0) push(output.horizontal_force, liquid.time, force);
+    check_state(liquid.particles, scene_.rest_density, liquid.time);
+    const TankMotion motion(scene_, liquid.time);
+    see_from_tank(liquid, motion, seen_);
+    record_gauges(liquid, motion);
+    if (still_water_) still_water_->record(seen_.particles, liquid.time, output.still_water);
+    record_energies(liquid.time, motion);
+    // Before the first step there is no acceleration.
+    if (output.steps > 0) record_forces(liquid.time, motion);
+    output.exchanged_at_walls = liquid.exchanged_at_walls();
   }
 
-  void record_snapshot(const Liquid<Scheme>& liquid) const {
-    const Particles& p = liquid.particles;
-    const double wall = scene_.displacement(liquid.time);
-    Snapshot snapshot{liquid.time, {}, {}, {}, {}, {}, {}};
-    snapshot.z.assign(p.z.begin(), p.z.end());
-    snapshot.velocity_x.assign(p.velocity_x.begin(), p.velocity_x.end());
-    snapshot.velocity_z.assign(p.velocity_z.begin(), p.velocity_z.end());
-    snapshot.density.assign(p.density.begin(), p.density.end());
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      snapshot.x.push_back(p.x[i] - wall);
-      snapshot.pressure.push_back(liquid.scheme().state.pressure(p.density[i]));
-    }
+  void record_snapshot(const Liquid<Scheme>& liquid) {
+    see_from_tank(liquid, TankMotion(scene_, liquid.time), seen_);
+    const Particles& p = seen_.particles;
+    const auto values = [](const Array<double>& field) {
+      return std::vector<double>(field.begin(), field.end());
+    };
+    Snapshot snapshot{liquid.time,          values(p.x), values(p.z),      values(p.velocity_x),
+                      values(p.velocity_z), {},          values(p.density)};
+    for (const double density : p.density)
+      snapshot.pressure.push_back(liquid.scheme().state.pressure(density));
     scene_.record_snapshot(snapshot);
   }
 
@@ -64,15 +58,58 @@ class Recorder {
     history.time.push_back(time);
     history.value.push_back(value);
   }
-  static double potential(const Liquid<Scheme>& liquid) {
-    double sum = 0;
-    for (std::size_t i = 0; i < liquid.particles.size(); ++i)
-      sum += liquid.particles.mass[i] * liquid.scheme().setting.gravity * liquid.particles.z[i];
-    return sum;
+  void record_gauges(const Liquid<Scheme>& liquid, const TankMotion& motion) {
+    const Particles& p = seen_.particles;
+    const double t = liquid.time;
+    for (const Gauge& gauge : scene_.gauges) {
+      push(output.elevation[gauge.name], t,
+           surface_elevation(p, scene_.tank_length, scene_.fill_depth, gauge.x));
+      push(output.highest_surface[gauge.name], t, highest_surface(p, scene_.fill_depth, gauge.x));
+    }
+    for (const PressureGauge& gauge : scene_.pressure_gauges)
+      push(output.wall_pressure[gauge.name], t,
+           wall_pressure(p, gauge, scene_, motion,
+                         [&](double density) { return liquid.scheme().state.pressure(density); }));
+    if (scene_.column_width)
+      push(output.front_position, t, front_position(p, scene_.particle_spacing));
+  }
+
+  void record_energies(double t, const TankMotion& motion) {
+    const Particles& p = seen_.particles;
+    double potential = 0;
+    Vector2 momentum{0, 0};
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      potential += p.mass[i] * scene_.gravity * motion.in_earth().in_frame(p.x[i], p.z[i]).z;
+      momentum.x += p.mass[i] * p.velocity_x[i];
+      momentum.z += p.mass[i] * p.velocity_z[i];
+    }
+    momentum = motion.in_earth().along_frame(momentum.x, momentum.z);
+    if (output.potential_energy.time.empty()) initial_potential_ = potential;
+    push(output.kinetic_energy, t, kinetic_energy(p));
+    push(output.potential_energy, t, potential - initial_potential_);
+    push(output.momentum_x, t, momentum.x);
+    push(output.momentum_z, t, momentum.z);
+  }
+
+  // The reaction to what the walls, and nothing else, give the liquid as a whole.
+  void record_forces(double t, const TankMotion& motion) {
+    const Particles& p = seen_.particles;
+    const double axis_x = motion.in_tank().axis_x, axis_z = motion.in_tank().axis_z;
+    double force_x = 0, force_z = 0, moment = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double x = -p.mass[i] * seen_.push_x[i], z = -p.mass[i] * seen_.push_z[i];
+      force_x += x;
+      force_z += z;
+      moment += (p.x[i] - axis_x) * z - (p.z[i] - axis_z) * x;
+    }
+    push(output.force_x, t, force_x);
+    push(output.force_z, t, force_z);
+    if (scene_.roll) push(output.moment, t, moment);
   }
 
   const Scene& scene_;
-  double initial_potential_;
+  SeenFromTank seen_;
+  double initial_potential_ = 0;
   std::optional<StillWater> still_water_;
 };
 

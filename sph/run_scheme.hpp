@@ -94,6 +94,7 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
         fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
   output.diagnostics["smallest_time_step_s"] = smallest_step;
+  output.diagnostics["wall_crossings"] = static_cast<double>(output.exchanged_at_walls);
   return std::move(output);
 }
 

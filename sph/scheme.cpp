@@ -1,6 +1,7 @@
 #include "sph/scheme.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slosh::sph {
 namespace {
@@ -16,9 +17,13 @@ double chosen(const std::optional<double>& changed, const std::optional<double>&
 }  // namespace
 
 double expected_speed(const Scene& scene) {
+  const Roll roll = scene.roll.value_or(no_roll());
+  const double reach =
+      std::hypot(std::max(std::abs(roll.axis_x), std::abs(scene.tank_length - roll.axis_x)),
+                 std::max(std::abs(roll.axis_z), std::abs(scene.fill_depth - roll.axis_z)));
   double tank_speed = 0;
   for (double t = 0; t <= scene.duration; t += scene.sample_interval)
-    tank_speed = std::max(tank_speed, std::abs(scene.velocity(t)));
+    tank_speed = std::max(tank_speed, std::abs(scene.velocity(t)) + reach * std::abs(roll.rate(t)));
   const double wave_speed = std::sqrt(scene.gravity * scene.fill_depth);
   return (scene.column_width ? 2 : 1) * wave_speed + tank_speed;
 }

@@ -8,16 +8,18 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sph/initial_lattice.hpp"
 #include "sph/setting.hpp"
 #include "sph/simulation.hpp"
+#include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
 // The largest speed that the liquid is expected to reach: that of a long wave, sqrt(g h), twice
-// that where a dam breaks (Ritter 1892), over the tank's own.
+// that where a dam breaks (Ritter 1892), over the tank's own where it holds the still liquid.
 double expected_speed(const Scene& scene);
 
 // The scheme's own numbers, changed as the scene says. Throws std::invalid_argument for a number
@@ -30,6 +32,11 @@ struct Scheme : Choice {
   static_assert(!Choice::Solids::has_density || Choice::Integrator::advances_solids);
   static_assert(!Choice::Solids::has_density || !Choice::DensityDiffusion::reads_gradient);
   static_assert(!Choice::Shifting::active || Choice::Formulation::weighs_volumes);
+  // What the walls are made of but dynamic boundary particles stands along the frame's axes.
+  static constexpr bool rolls_in_frame =
+      !std::is_base_of_v<TankWalls, typename Choice::Frame::Tank>;
+  static_assert(!rolls_in_frame || (!Choice::Mirror::exists && Choice::Solids::has_density &&
+                                    !Choice::DensityDiffusion::of_whole_density));
 
   Setting setting;
   typename Choice::EquationOfState state;
@@ -56,7 +63,7 @@ struct Scheme : Choice {
          {Choice::Kernel::name, Choice::Smoothing::name, Choice::Formulation::name,
           Choice::Viscosity::name, Choice::DensityDiffusion::name, Choice::EquationOfState::name,
           Choice::Shifting::name, Choice::Mirror::name, Choice::Solids::name,
-          Choice::WallContact::name, Choice::Integrator::name})
+          Choice::WallContact::name, Choice::Integrator::name, Choice::Frame::name})
       if (*name) terms.push_back(name);
     return terms;
   }

@@ -17,7 +17,7 @@ using Variants =
                WithLinearState, WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
                WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono,
                WithShifting, WithStickingWalls, WithRepulsiveWalls, WithGhostWalls,
-               WithStickingGhostWalls, WithDynamicWalls, WithTwoSpacings, WithPredictorCorrector,
-               WithSymplectic, WithVerlet>;
+               WithStickingGhostWalls, WithDynamicWalls, WithFixedDynamicWalls, WithTwoSpacings,
+               WithPredictorCorrector, WithSymplectic, WithVerlet>;
 
 }  // namespace slosh::sph

@@ -9,5 +9,6 @@ template RunOutput run_scheme<WithGhostWalls>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithStickingGhostWalls>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithTwoSpacings>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithDynamicWalls>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithFixedDynamicWalls>(const Scene&, const Progress&);
 
 }  // namespace slosh::sph

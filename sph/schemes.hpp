@@ -13,6 +13,7 @@
 #include "sph/terms/smoothing.hpp"
 #include "sph/terms/time_step.hpp"
 #include "sph/terms/viscosity.hpp"
+#include "sph/walls/frames.hpp"
 #include "sph/walls/mirror_particles.hpp"
 #include "sph/walls/solids.hpp"
 #include "sph/walls/wall_contact.hpp"
@@ -22,6 +23,7 @@ namespace slosh::sph {
 // Li et al. 2010, as printed, but for its errata: gravity and the artificial viscosity stand in the
 // momentum equation, and a mirror particle of a moving wall has the velocity 2 v_wall - v.
 struct Li2010 {
+  using Frame = EarthFrame;
   using Kernel = CubicSpline;
   using Smoothing = UniformSmoothing;
   using Formulation = MassWeighted;
@@ -52,6 +54,7 @@ struct Li2010TwoSpacings : Li2010 {
 // viscosity, diffusion that leaves still liquid alone, free-slip mirror walls, and a step near the
 // limit of stability.
 struct Recommended {
+  using Frame = EarthFrame;
   using Kernel = QuinticSpline;
   using Smoothing = UniformSmoothing;
   using Formulation = VolumeWeighted;
@@ -87,6 +90,43 @@ struct DeltaSph : Recommended {
                                          .courant_number = 0.4,
                                          .artificial_viscosity = 0.02,
                                          .density_diffusion = 0.1};
+};
+
+// A scheme of mirror walls in a tank that rolls.
+template <class Choice>
+struct InTank : Choice {
+  using Frame = TankFrame;
+};
+
+// Zhao et al. 2021 with the dynamic boundary particles carried by the walls: Wendland C2,
+// artificial viscosity, predictor-corrector, CFL = 0.2. What the paper's facts at hand leave open
+// is as in the code that its walls are from (Dominguez et al. 2022): symmetric pressure, Tait's
+// equation, alpha = 0.01, and h = 1.5 dp.
+struct Zhao2021Moving {
+  using Frame = RollingEarthFrame;
+  using Kernel = WendlandC2;
+  using Smoothing = UniformSmoothing;
+  using Formulation = MassWeighted;
+  using EquationOfState = Tait;
+  using Viscosity = MonaghanViscosity;
+  using DensityDiffusion = NoDensityDiffusion;
+  using Shifting = NoShifting;
+  using Mirror = NoMirror;
+  using Solids = DynamicSolids;
+  using WallContact = ReflectingWall;
+  using Integrator = PredictorCorrector;
+  using TimeStep = AdaptiveStep;
+  static constexpr InitialState initial_state = InitialState::lattice;
+  static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 1.5,
+                                         .sound_speed_ratio = 10,
+                                         .courant_number = 0.2,
+                                         .artificial_viscosity = 0.01,
+                                         .density_diffusion = {}};
+};
+
+// The same with fixed particles, the liquid being solved in the tank's frame.
+struct Zhao2021Fixed : Zhao2021Moving {
+  using Frame = TankFrame;
 };
 
 // The recommended numbers at another Courant number, for integrators that are stable to less.
@@ -179,9 +219,14 @@ struct WithStickingGhostWalls : WithGhostWalls {
   using Solids = GhostSolids<Slip::none>;
 };
 struct WithDynamicWalls : WithGhostWalls {
+  using Frame = RollingEarthFrame;
   static constexpr const char* variant = "dynamic_walls";
   using Solids = DynamicSolids;
   static constexpr InitialState initial_state = InitialState::lattice;
+};
+struct WithFixedDynamicWalls : WithDynamicWalls {
+  using Frame = TankFrame;
+  static constexpr const char* variant = "fixed_dynamic_walls";
 };
 // A finer lattice near the surface, whose steps are half the coarse one's where it is twice as
 // fine.

@@ -28,7 +28,20 @@ std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
 const std::map<std::string, Run>& schemes() {
   static const std::map<std::string, Run> table{{"li2010", &run_scheme<Li2010>},
                                                 {"delta_sph", &run_scheme<DeltaSph>},
-                                                {"recommended", &run_scheme<Recommended>}};
+                                                {"recommended", &run_scheme<Recommended>},
+                                                {"zhao2021_moving", &run_scheme<Zhao2021Moving>},
+                                                {"zhao2021_fixed", &run_scheme<Zhao2021Fixed>}};
+  return table;
+}
+
+// What takes the place of a scheme or a variant where the tank rolls, whose walls would have to
+// turn: the same in the tank's frame.
+const std::map<std::string, Run>& rolling() {
+  static const std::map<std::string, Run> table{
+      {"li2010", &run_scheme<InTank<Li2010>>},
+      {"delta_sph", &run_scheme<InTank<DeltaSph>>},
+      {"recommended", &run_scheme<InTank<Recommended>>},
+      {WithRepulsiveWalls::variant, &run_scheme<InTank<WithRepulsiveWalls>>}};
   return table;
 }
 
@@ -47,16 +60,17 @@ Run named(const std::map<std::string, Run>& table, const char* what, const std::
 
 Run chosen(const std::string& scheme, const Scene& scene) {
   const Run run = named(schemes(), "scheme", scheme);
+  const auto turned = rolling().find(scene.variant.empty() ? scheme : scene.variant);
   const bool uniform = scene.surface_particle_spacing == scene.particle_spacing;
-  if (scheme == "li2010" && !uniform) return &run_scheme<Li2010TwoSpacings>;
-  if (!uniform && scene.variant != WithTwoSpacings::variant)
-    throw std::invalid_argument("scheme " + scheme +
-                                " takes one particle spacing: surface_particle_spacing differs");
-  if (scene.variant.empty()) return run;
-  if (scheme != "recommended")
+  if (!scene.variant.empty() && scheme != "recommended")
     throw std::invalid_argument(fmt::format(
         "variant = \"{}\": expected none, only recommended has variants", scene.variant));
-  return named(variants(), "variant", scene.variant);
+  if (!uniform && scene.variant != WithTwoSpacings::variant && (scheme != "li2010" || scene.roll))
+    throw std::invalid_argument("scheme " + scheme +
+                                " takes one particle spacing: surface_particle_spacing differs");
+  if (!uniform && scheme == "li2010") return &run_scheme<Li2010TwoSpacings>;
+  if (scene.roll && turned != rolling().end()) return turned->second;
+  return scene.variant.empty() ? run : named(variants(), "variant", scene.variant);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
-// One SPH run of a surging rectangular tank: the scene, the closed list of schemes, and what a run
-// returns. x from the left wall's rest position, z up from the bottom; earth's frame, the walls
-// move.
+// One SPH run of a rectangular tank that surges and rolls: the scene, the closed list of schemes,
+// and what a run returns. x from the left wall's rest position, z up from the bottom.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +17,33 @@ struct Gauge {
   double x;  // [m] from the left wall, carried by the tank
 };
 
-// Particles at one moment; positions are relative to the tank's bottom left corner, velocities to
-// the earth.
+enum class Wall { left, right, bottom };
+
+struct PressureGauge {
+  std::string name;
+  Wall wall;
+  double position;  // [m] above the bottom, or from the left wall on the bottom
+  double width;     // [m] of the sensor along the wall, centred there; 0: a point
+};
+
+// theta(t), counter-clockwise positive (x to the right, z up), about an axis that the surge
+// carries.
+struct Roll {
+  std::function<double(double)> angle;         // [rad]
+  std::function<double(double)> rate;          // [rad/s]
+  std::function<double(double)> acceleration;  // [rad/s2]
+  double axis_x, axis_z;                       // [m] from the tank's bottom left corner
+};
+inline Roll no_roll() {
+  const auto zero = [](double) { return 0.0; };
+  return {zero, zero, zero, 0, 0};
+}
+
+// At rest in the frame of the earth, the tank being set off, or with the tank.
+enum class Start { earth, tank };
+
+// Particles at one moment: places in the tank, from its bottom left corner, and velocities against
+// the earth, along the tank's axes.
 struct Snapshot {
   double time;
   std::vector<double> x, z, velocity_x, velocity_z, pressure, density;
@@ -50,10 +74,11 @@ struct Scene {
   std::function<double(double)> displacement;   // X(t) of the tank [m]
   std::function<double(double)> velocity;       // X'(t) [m/s]
   std::function<double(double)> acceleration;   // X''(t) [m/s2]
-  double initial_velocity = 0;                  // of the liquid in the earth's frame [m/s]
-  double duration;                              // [s]
-  double sample_interval;                       // [s]
-  double particle_spacing;                      // [m]
+  std::optional<Roll> roll = {};
+  Start start = Start::earth;
+  double duration;                  // [s]
+  double sample_interval;           // [s]
+  double particle_spacing;          // [m]
   double surface_particle_spacing;  // [m], equal to particle_spacing for a uniform lattice
   // A dam about to break: the liquid stands from the left wall to here [m], and fills the tank's
   // length otherwise.
@@ -63,6 +88,7 @@ struct Scene {
   SchemeNumbers numbers = {};
   std::optional<InitialState> initial_state = {};  // empty: the scheme's own
   std::vector<Gauge> gauges;
+  std::vector<PressureGauge> pressure_gauges = {};
   bool record_still_water = false;  // how far the liquid is from rest (still_water.hpp)
   double snapshot_interval = 0;     // [s], a multiple of sample_interval; 0: no snapshot
   std::function<void(const Snapshot&)> record_snapshot;  // called every snapshot_interval
@@ -78,14 +104,20 @@ struct RecordedSeries {
 };
 
 struct RunOutput {
-  std::map<std::string, History> elevation;  // by gauge name [m] above the still level
-  History front_position;                    // of a breaking dam, from the left wall [m]
-  History horizontal_force;                  // of the liquid on the tank, per metre of width [N/m]
-  History kinetic_energy;                    // of the liquid, in the earth's frame [J/m]
-  History potential_energy;                  // of the liquid [J/m], relative to the initial state
-  std::vector<RecordedSeries> still_water;   // where the scene asks for it
+  std::map<std::string, History> elevation;        // by gauge name [m] above the still level
+  std::map<std::string, History> highest_surface;  // by gauge name [m] above the still level
+  std::map<std::string, History> wall_pressure;    // by pressure gauge [Pa]
+  History front_position;                          // of a breaking dam, from the left wall [m]
+  // Of the liquid on the tank, along the tank's axes, per metre of width [N/m], and about the
+  // roll's axis [N], counter-clockwise; the moment of a tank that rolls.
+  History force_x, force_z, moment;
+  History momentum_x, momentum_z;           // of the liquid, against the earth [kg/s]
+  History kinetic_energy;                   // of the liquid, in the earth's frame [J/m]
+  History potential_energy;                 // of the liquid [J/m], relative to the initial state
+  std::vector<RecordedSeries> still_water;  // where the scene asks for it
   double steps = 0;
   std::size_t particles = 0;                  // of the liquid
+  std::size_t exchanged_at_walls = 0;         // times that a particle beyond a wall was put back
   std::vector<std::string> active_terms;      // the physics compiled into the scheme
   std::map<std::string, double> diagnostics;  // "smallest_time_step_s", "speed_of_sound_m_s", ...
 };

@@ -58,7 +58,7 @@ double StillWater::pressure_error(const Particles& p) const {
   return std::sqrt(sum2 / static_cast<double>(p.size())) / (scale * scene_.fill_depth);
 }
 
-double StillWater::wall_gap(const Particles& p, double wall_left) const {
+double StillWater::wall_gap(const Particles& p) const {
   const double dp = scene_.particle_spacing, length = scene_.tank_length;
   NearestAlong bottom(length, 2 * dp), left(0.8 * scene_.fill_depth, 2 * dp), right = left;
   for (const Rectangle& r : obstacles_on_lattice(scene_, 0)) {
@@ -67,7 +67,7 @@ double StillWater::wall_gap(const Particles& p, double wall_left) const {
     if (r.right >= length) right.leave_out(r.bottom, r.top);
   }
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double x = p.x[i] - wall_left;
+    const double x = p.x[i];
     bottom.offer(x, p.z[i]);
     left.offer(p.z[i], x);
     right.offer(p.z[i], length - x);
@@ -75,7 +75,7 @@ double StillWater::wall_gap(const Particles& p, double wall_left) const {
   return std::max({bottom.widest(), left.widest(), right.widest()}) / dp - 0.5;
 }
 
-void StillWater::record(const Particles& p, double wall_left, double time,
+void StillWater::record(const Particles& p, double time,
                         std::vector<RecordedSeries>& series) const {
   const double depth = scene_.fill_depth;
   const double potential =
@@ -83,7 +83,7 @@ void StillWater::record(const Particles& p, double wall_left, double time,
   const std::pair<const char*, double> values[]{
       {"hydrostatic_pressure_error", pressure_error(p)},
       {"kinetic_over_potential_energy", kinetic_energy(p) / potential},
-      {"wall_gap", wall_gap(p, wall_left)},
+      {"wall_gap", wall_gap(p)},
       {"volume_drift", volume(p) / start_volume_ - 1}};
   if (series.empty())
     for (const auto& [name, value] : values) series.push_back({name, "1", {}});

@@ -24,12 +24,11 @@ class StillWater {
   //                                  spacings; from windows two spacings wide along the wall where
   //                                  no obstacle stands, on the sides up to 0.8 of the depth
   //   volume_drift                   the particles' volume over that at the start, less 1
-  void record(const Particles& particles, double wall_left, double time,
-              std::vector<RecordedSeries>& series) const;
+  void record(const Particles& particles, double time, std::vector<RecordedSeries>& series) const;
 
  private:
   double pressure_error(const Particles& particles) const;
-  double wall_gap(const Particles& particles, double wall_left) const;
+  double wall_gap(const Particles& particles) const;
 
   const Scene& scene_;
   std::function<double(double)> pressure_at_;

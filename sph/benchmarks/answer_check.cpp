@@ -41,7 +41,7 @@ void check(const char* name) {
   const Scheme<Choice> scheme(scene);
   Liquid<Scheme<Choice>> liquid(scene, scheme, flowing(scene, scheme, Flow::violent));
   const Rates expected =
-      AllPairs(scheme.setting, formulas_of<Choice>(), liquid.particles, liquid.walls_at(0)).rates();
+      AllPairs(scheme.setting, formulas_of<Choice>(), liquid.particles, liquid.tank_at(0)).rates();
   for (const InstructionSet set : instruction_sets) {
     if (!has(set)) continue;
     liquid.use(set);

@@ -46,10 +46,10 @@ class PairLoops {
   void run(Loop loop, InstructionSet set) {
     switch (loop) {
       case Loop::momentum:
-        return sum_momentum(scheme_, neighbours_.clusters(), neighbours_.sources(), particles_,
-                            rates_, set);
+        return sum_momentum(scheme_, walls_, neighbours_.clusters(), neighbours_.sources(),
+                            particles_, rates_, set);
       case Loop::continuity:
-        return sum_continuity(scheme_, neighbours_.clusters(), neighbours_.sources(), {},
+        return sum_continuity(scheme_, walls_, neighbours_.clusters(), neighbours_.sources(), {},
                               particles_, rates_, set);
       case Loop::refresh:
         return neighbours_.refresh_for_continuity(scheme_, particles_, walls_);

@@ -77,10 +77,10 @@ void density_gradient_of_cluster(const Scheme* scheme, const Cluster* cluster,
   }
 }
 
-template <class Scheme>
+template <class Scheme, class Tank>
 void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbours,
-                          const Particles& particles, const TankWalls& walls,
-                          DensityGradient& gradient, InstructionSet set) {
+                          const Particles& particles, const Tank& tank, DensityGradient& gradient,
+                          InstructionSet set) {
   gradient.x.resize(particles.size());
   gradient.z.resize(particles.size());
   neighbours.clusters().for_each([&](const Cluster& cluster) {
@@ -90,15 +90,23 @@ void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbou
   const double sound = scheme.state.speed_of_sound;
   const double compressibility = scheme.setting.rest_density / (sound * sound);  // d rho / d(p/rho)
   gradient.of_sources.resize(neighbours.source_count());
+  // Of the hydrostatic density of a liquid that the wall holds.
+  const auto at_wall = [&](double x, double z, double u, double w) {
+    const Vector2 gravity = tank.apparent_gravity(scheme.setting.gravity, x, z, u, w);
+    return Vector2{compressibility * gravity.x, compressibility * gravity.z};
+  };
+  const Particles& p = particles;
   neighbours.for_each_image<typename Scheme::Mirror>(
-      scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap& map) {
-        gradient.of_sources[k] = {
-            map.scale_x * gradient.x[i] + (1 - map.scale_x) * compressibility * map.gravity_x,
-            map.scale_z * gradient.z[i] + (1 - map.scale_z) * compressibility * map.gravity_z};
+      tank, [&](std::size_t k, std::size_t i, const MirrorMap& map) {
+        const Vector2 wall = at_wall(p.x[i], p.z[i], p.velocity_x[i], p.velocity_z[i]);
+        gradient.of_sources[k] = {map.scale_x * gradient.x[i] + (1 - map.scale_x) * wall.x,
+                                  map.scale_z * gradient.z[i] + (1 - map.scale_z) * wall.z};
       });
-  for (std::size_t k = neighbours.first_solid_source(); k < neighbours.source_count(); ++k)
-    gradient.of_sources[k] = {-compressibility * walls.acceleration,
-                              -compressibility * scheme.setting.gravity};
+  for (std::size_t k = neighbours.first_solid_source(); k < neighbours.source_count(); ++k) {
+    const Source& solid = neighbours.sources()[k];
+    const Vector2 wall = at_wall(solid.x, solid.z, 0, 0);
+    gradient.of_sources[k] = {wall.x, wall.z};
+  }
 }
 
 }  // namespace slosh::sph

@@ -30,16 +30,17 @@ class NeighbourSources {
   // `spacing` of the particles [m], which shapes the cells; `support`, the largest kernel radius in
   // the scene [m]. Throws std::invalid_argument for a tank in which a particle would need images of
   // images: narrower or lower than two reaches.
-  NeighbourSources(const TankWalls& walls, double spacing, double support)
+  template <class Tank>
+  NeighbourSources(const Tank& tank, double spacing, double support)
       : support_(support),
-        rounding_(4 * std::numeric_limits<float>::epsilon() *
-                  std::max(walls.right - walls.left, walls.roof)),
-        grid_(0, walls.right - walls.left, 0, walls.roof, cell_width * spacing,
-              cell_height * spacing),
-        wall_grid_(-support, walls.right - walls.left + support, -support, walls.roof + support,
-                   kernel_cells * support, kernel_cells * support),
+        length_(tank.length()),
+        height_(tank.tank_height()),
+        rounding_(4 * std::numeric_limits<float>::epsilon() * std::max(length_, height_)),
+        grid_(0, length_, 0, height_, cell_width * spacing, cell_height * spacing),
+        wall_grid_(-support, length_ + support, -support, height_ + support, kernel_cells * support,
+                   kernel_cells * support),
         solid_grid_(wall_grid_) {
-    const double narrowest = std::min(walls.right - walls.left, walls.roof - walls.bottom);
+    const double narrowest = std::min(length_, height_);
     if (!(narrowest >= 2 * support * (1 + 2 * largest_slack)))
       throw std::invalid_argument(
           "particle_spacing: expected one whose kernel reaches across at most half the tank");
@@ -72,19 +73,18 @@ class NeighbourSources {
 
   // Sorts the particles by cell, lists their images and the sources of every cluster, for some
   // steps of dt. False when a particle is not in the tank: `stray()`. `scratch` is overwritten.
-  template <class Mirror = FreeSlipMirror>
-  bool rebuild(Particles& particles, const TankWalls& walls, double dt,
-               Array<double>&& scratch = {}) {
-    slack_ = slack_for(dt * fastest(particles, walls));
+  template <class Mirror = FreeSlipMirror, class Tank>
+  bool rebuild(Particles& particles, const Tank& tank, double dt, Array<double>&& scratch = {}) {
+    slack_ = slack_for(dt * fastest(particles, tank));
     reach_ = support_ + 2 * (slack_ + rounding_);
     const std::size_t n = particles.size();
     stray_ = n;
     for (std::size_t i = 0; i < n && stray_ == n; ++i)
-      if (!inside(particles.x[i], particles.z[i], walls)) stray_ = i;
+      if (!inside(tank.in_tank(particles.x[i], particles.z[i]))) stray_ = i;
     if (stray_ != n) return false;
-    sort_particles(particles, walls, scratch);
+    sort_particles(particles, tank, scratch);
     images_.clear();
-    if constexpr (Mirror::exists) list_images(walls);
+    if constexpr (Mirror::exists) list_images();
     sources_.resize(n + images_.size() + solid_order_.size());
     const std::initializer_list<SortedPoints> points{
         {grid_, built_x_, built_z_, 0},
@@ -98,14 +98,16 @@ class NeighbourSources {
 
   // Whether some particle may, by the end of a step of dt, have moved farther against the tank than
   // the lists of the last rebuild allow.
-  bool stale(const Particles& particles, const TankWalls& walls, double dt) const {
+  template <class Tank>
+  bool stale(const Particles& particles, const Tank& tank, double dt) const {
     if (built_x_.size() != particles.size()) return true;
     double farthest2 = 0, fastest2 = 0;
 #pragma omp parallel for simd reduction(max : farthest2, fastest2)
     for (std::size_t i = 0; i < particles.size(); ++i) {
-      const double dx = particles.x[i] - walls.left - built_x_[i],
-                   dz = particles.z[i] - built_z_[i];
-      const double u = particles.velocity_x[i] - walls.velocity, w = particles.velocity_z[i];
+      const Vector2 place = tank.in_tank(particles.x[i], particles.z[i]);
+      const double dx = place.x - built_x_[i], dz = place.z - built_z_[i];
+      const Vector2 wall = tank.wall_velocity(particles.x[i], particles.z[i]);
+      const double u = particles.velocity_x[i] - wall.x, w = particles.velocity_z[i] - wall.z;
       farthest2 = std::max(farthest2, dx * dx + dz * dz);
       fastest2 = std::max(fastest2, u * u + w * w);
     }
@@ -115,29 +117,29 @@ class NeighbourSources {
   double slack() const { return slack_; }
 
   // Fills in what the momentum sum reads of every source.
-  template <class Scheme>
-  void refresh_for_momentum(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
-    refresh<typename Scheme::Mirror>(
-        scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
-          const double pressure =
-              scheme.state.pressure(p.density[i]) + pressure_rise(source, p, i, map);
-          source.strength = scheme.formulation.strength(pressure, p.density[i]);
-          source.density = p.density[i];
-        });
+  template <class Scheme, class Tank>
+  void refresh_for_momentum(const Scheme& scheme, const Particles& p, const Tank& tank) {
+    refresh<typename Scheme::Mirror>(scheme, p, tank, [&](Source& source, std::size_t i) {
+      double pressure = scheme.state.pressure(p.density[i]);
+      if constexpr (Scheme::Mirror::hydrostatic)
+        pressure += pressure_rise(scheme, tank, source, p, i);
+      source.strength = scheme.formulation.strength(pressure, p.density[i]);
+      source.density = p.density[i];
+    });
   }
 
   // Fills in what the continuity sum reads of every source.
-  template <class Scheme>
-  void refresh_for_continuity(const Scheme& scheme, const Particles& p, const TankWalls& walls) {
+  template <class Scheme, class Tank>
+  void refresh_for_continuity(const Scheme& scheme, const Particles& p, const Tank& tank) {
     refresh<typename Scheme::Mirror::InContinuity>(
-        scheme, p, walls, [&](Source& source, std::size_t i, const MirrorMap& map) {
+        scheme, p, tank, [&](Source& source, std::size_t i) {
           using Diffusion = typename Scheme::DensityDiffusion;
           if constexpr (Diffusion::active)
-            source.density = scheme.density_diffusion.diffused(scheme.state.pressure(p.density[i]),
-                                                               p.density[i], p.z[i]);
-          if constexpr (Diffusion::of_whole_density) {
+            source.density = scheme.density_diffusion.diffused(
+                scheme.state.pressure(p.density[i]), p.density[i], tank.height(p.x[i], p.z[i]));
+          if constexpr (Diffusion::of_whole_density && Scheme::Mirror::InContinuity::hydrostatic) {
             const double sound = scheme.state.speed_of_sound;
-            source.density += pressure_rise(source, p, i, map) / (sound * sound);
+            source.density += pressure_rise(scheme, tank, source, p, i) / (sound * sound);
           }
         });
   }
@@ -154,16 +156,18 @@ class NeighbourSources {
 
   // Calls visit(k, i, map) for every source k of liquid: the image of particle i by the map, or i
   // itself.
-  template <class Mirror, class Visit>
-  void for_each_image(double gravity, const TankWalls& walls, const Visit& visit) const {
+  template <class Mirror, class Tank, class Visit>
+  void for_each_image(const Tank& tank, const Visit& visit) const {
     const std::size_t n = built_x_.size();
     const MirrorMap itself;
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i) visit(i, i, itself);
-    const auto maps = mirror_maps<Mirror>(walls, gravity);
+    if constexpr (Mirror::exists) {
+      const auto maps = mirror_maps<Mirror>(tank);
 #pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < images_.size(); ++k)
-      visit(n + k, images_[k].owner, maps[images_[k].reflection]);
+      for (std::size_t k = 0; k < images_.size(); ++k)
+        visit(n + k, images_[k].owner, maps[images_[k].reflection]);
+    }
   }
 
   const Source* sources() const { return sources_.data(); }
@@ -173,36 +177,39 @@ class NeighbourSources {
   const ClusterLists& solid_clusters() const { return solid_clusters_; }
 
  private:
-  // Fills in what both sums read of every source; complete(source, owner, map) does the rest.
-  template <class Mirror, class Scheme, class Complete>
-  void refresh(const Scheme& scheme, const Particles& p, const TankWalls& walls,
+  // Fills in what both sums read of every source; complete(source, owner) does the rest.
+  template <class Mirror, class Scheme, class Tank, class Complete>
+  void refresh(const Scheme& scheme, const Particles& p, const Tank& tank,
                const Complete& complete) {
-    for_each_image<Mirror>(
-        scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap& map) {
-          Source& source = sources_[k];
-          source.x = map.scale_x * p.x[i] + map.offset_x;
-          source.z = map.scale_z * p.z[i] + map.offset_z;
-          source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
-          source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
-          source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
-          if constexpr (Scheme::Smoothing::reads_spacing) source.spacing = p.spacing[i];
-          complete(source, i, map);
-        });
+    for_each_image<Mirror>(tank, [&](std::size_t k, std::size_t i, const MirrorMap& map) {
+      Source& source = sources_[k];
+      source.x = map.scale_x * p.x[i] + map.offset_x;
+      source.z = map.scale_z * p.z[i] + map.offset_z;
+      source.velocity_x = map.velocity_scale_x * p.velocity_x[i] + map.velocity_offset_x;
+      source.velocity_z = map.velocity_scale_z * p.velocity_z[i];
+      source.weight = scheme.formulation.weight(p.mass[i], p.density[i]);
+      if constexpr (Scheme::Smoothing::reads_spacing) source.spacing = p.spacing[i];
+      complete(source, i);
+    });
   }
 
   // From the owner to its image [Pa].
-  static double pressure_rise(const Source& source, const Particles& p, std::size_t i,
-                              const MirrorMap& map) {
-    return p.density[i] *
-           (map.gravity_x * (source.x - p.x[i]) + map.gravity_z * (source.z - p.z[i]));
+  template <class Scheme, class Tank>
+  static double pressure_rise(const Scheme& scheme, const Tank& tank, const Source& source,
+                              const Particles& p, std::size_t i) {
+    const Vector2 gravity = tank.apparent_gravity(scheme.setting.gravity, p.x[i], p.z[i],
+                                                  p.velocity_x[i], p.velocity_z[i]);
+    return p.density[i] * (gravity.x * (source.x - p.x[i]) + gravity.z * (source.z - p.z[i]));
   }
 
   // The largest speed against the tank [m/s].
-  static double fastest(const Particles& particles, const TankWalls& walls) {
+  template <class Tank>
+  static double fastest(const Particles& particles, const Tank& tank) {
     double fastest2 = 0;
 #pragma omp parallel for simd reduction(max : fastest2)
     for (std::size_t i = 0; i < particles.size(); ++i) {
-      const double u = particles.velocity_x[i] - walls.velocity, w = particles.velocity_z[i];
+      const Vector2 wall = tank.wall_velocity(particles.x[i], particles.z[i]);
+      const double u = particles.velocity_x[i] - wall.x, w = particles.velocity_z[i] - wall.z;
       fastest2 = std::max(fastest2, u * u + w * w);
     }
     return std::sqrt(fastest2);
@@ -216,15 +223,18 @@ class NeighbourSources {
   }
 
   // Comparisons that a NaN fails.
-  static bool inside(double x, double z, const TankWalls& walls) {
-    return x > walls.left && x < walls.right && z > walls.bottom && z < walls.roof;
+  bool inside(Vector2 place) const {
+    return place.x > 0 && place.x < length_ && place.z > 0 && place.z < height_;
   }
 
-  void sort_particles(Particles& particles, const TankWalls& walls, Array<double>& scratch) {
+  template <class Tank>
+  void sort_particles(Particles& particles, const Tank& tank, Array<double>& scratch) {
     const std::size_t n = particles.size();
     keys_.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-      keys_[i] = grid_.cell(particles.x[i] - walls.left, particles.z[i]);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector2 place = tank.in_tank(particles.x[i], particles.z[i]);
+      keys_[i] = grid_.cell(place.x, place.z);
+    }
     grid_.sort(keys_, order_);
     particles.for_each_field([&](Array<double>& field) {
       scratch.resize(n);
@@ -234,22 +244,20 @@ class NeighbourSources {
     built_x_.resize(n);
     built_z_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-      built_x_[i] = static_cast<float>(particles.x[i] - walls.left);
-      built_z_[i] = static_cast<float>(particles.z[i]);
+      const Vector2 place = tank.in_tank(particles.x[i], particles.z[i]);
+      built_x_[i] = static_cast<float>(place.x);
+      built_z_[i] = static_cast<float>(place.z);
     }
   }
 
-  void list_images(const TankWalls& walls) {
+  void list_images() {
     listed_.clear();
     keys_.clear();
-    const double length = walls.right - walls.left;
-    const auto maps = mirror_maps<FreeSlipMirror>({0, length, walls.bottom, walls.roof, 0, 0}, 0);
+    const auto maps = mirror_maps<FreeSlipMirror>({0, length_, 0, height_, 0, 0});
     for (std::size_t i = 0; i < built_x_.size(); ++i) {
       const double x = built_x_[i], z = built_z_[i];
-      const int side = x < reach_ ? in_left : x > length - reach_ ? in_right : in_none;
-      const int level = z < walls.bottom + reach_ ? in_bottom
-                        : z > walls.roof - reach_ ? in_roof
-                                                  : in_none;
+      const int side = x < reach_ ? in_left : x > length_ - reach_ ? in_right : in_none;
+      const int level = z < reach_ ? in_bottom : z > height_ - reach_ ? in_roof : in_none;
       if (side) list_image(i, side, maps);
       if (level) list_image(i, level, maps);
       if (side && level) list_image(i, side + level, maps);
@@ -287,7 +295,7 @@ class NeighbourSources {
   // Of images and solids, in kernel radii: few of them, in few cells.
   static constexpr double kernel_cells = 0.5;
 
-  double support_, rounding_, reach_ = 0, slack_ = 0;
+  double support_, length_, height_, rounding_, reach_ = 0, slack_ = 0;
   CellGrid grid_, wall_grid_, solid_grid_;
   std::optional<CellGrid> node_grid_;  // of the solids' nodes
   Array<Source> sources_;

@@ -32,6 +32,9 @@ inline double shared_scale(const Scheme& scheme) {
     return gradient_scale<typename Scheme::Kernel>(scheme.smoothing.inverse_length);
 }
 
+template <class Scheme>
+using Tank = typename Scheme::Frame::Tank;
+
 // Of the particles in the lanes; the spacing where the scheme reads it.
 template <Vector Number>
 struct LaneState {
@@ -50,8 +53,8 @@ LaneState<Number> state_at(const Particles& p, std::size_t i) {
 template <class Scheme>
 struct MomentumOfCluster {
   template <Vector Number>
-  static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
-                  const Particles* particles, Rates* rates) {
+  static void run(const Scheme* scheme, const Tank<Scheme>* tank, const Cluster* cluster,
+                  const Source* sources, const Particles* particles, Rates* rates) {
     using Viscosity = typename Scheme::Viscosity;
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
          i += lanes_of<Number>) {
@@ -74,8 +77,10 @@ struct MomentumOfCluster {
         sum_z += f * dz;
       }
       const auto factor = shared_scale(*scheme) * scheme->formulation.acceleration_factor(rho);
-      store(&rates->acceleration_x[i], -factor * sum_x, count);
-      store(&rates->acceleration_z[i], -factor * sum_z - scheme->setting.gravity, count);
+      Number acceleration_x = -factor * sum_x, acceleration_z = -factor * sum_z;
+      tank->pull(scheme->setting.gravity, x, z, u, w, acceleration_x, acceleration_z);
+      store(&rates->acceleration_x[i], acceleration_x, count);
+      store(&rates->acceleration_z[i], acceleration_z, count);
     }
   }
 };
@@ -83,8 +88,9 @@ struct MomentumOfCluster {
 template <class Scheme>
 struct ContinuityOfCluster {
   template <Vector Number>
-  static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
-                  const DensityGradient* gradient, const Particles* particles, Rates* rates) {
+  static void run(const Scheme* scheme, const Tank<Scheme>* tank, const Cluster* cluster,
+                  const Source* sources, const DensityGradient* gradient,
+                  const Particles* particles, Rates* rates) {
     using Diffusion = typename Scheme::DensityDiffusion;
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
          i += lanes_of<Number>) {
@@ -92,7 +98,8 @@ struct ContinuityOfCluster {
       const auto [x, z, u, w, rho, spacing] = state_at<Scheme, Number>(*particles, i);
       Number own{}, gradient_x{}, gradient_z{}, divergence{}, diffusion{};
       if constexpr (Diffusion::active)
-        own = scheme->density_diffusion.diffused(scheme->state.pressure(rho), rho, z);
+        own = scheme->density_diffusion.diffused(scheme->state.pressure(rho), rho,
+                                                 tank->height(x, z));
       if constexpr (Diffusion::reads_gradient) {
         gradient_x = load<Number>(&gradient->x[i]);
         gradient_z = load<Number>(&gradient->z[i]);
@@ -126,22 +133,23 @@ struct ContinuityOfCluster {
 };
 
 template <class Scheme>
-void sum_momentum(const Scheme& scheme, const ClusterLists& clusters, const Source* sources,
-                  const Particles& particles, Rates& rates, InstructionSet set) {
+void sum_momentum(const Scheme& scheme, const Tank<Scheme>& tank, const ClusterLists& clusters,
+                  const Source* sources, const Particles& particles, Rates& rates,
+                  InstructionSet set) {
   clusters.for_each([&](const Cluster& cluster) {
-    call_in_registers<MomentumOfCluster<Scheme>>(set, &scheme, &cluster, sources, &particles,
+    call_in_registers<MomentumOfCluster<Scheme>>(set, &scheme, &tank, &cluster, sources, &particles,
                                                  &rates);
   });
 }
 
 // `gradient` is read by a scheme whose density diffusion asks for it, and may else be empty.
 template <class Scheme>
-void sum_continuity(const Scheme& scheme, const ClusterLists& clusters, const Source* sources,
-                    const DensityGradient& gradient, const Particles& particles, Rates& rates,
-                    InstructionSet set) {
+void sum_continuity(const Scheme& scheme, const Tank<Scheme>& tank, const ClusterLists& clusters,
+                    const Source* sources, const DensityGradient& gradient,
+                    const Particles& particles, Rates& rates, InstructionSet set) {
   clusters.for_each([&](const Cluster& cluster) {
-    call_in_registers<ContinuityOfCluster<Scheme>>(set, &scheme, &cluster, sources, &gradient,
-                                                   &particles, &rates);
+    call_in_registers<ContinuityOfCluster<Scheme>>(set, &scheme, &tank, &cluster, sources,
+                                                   &gradient, &particles, &rates);
   });
 }
 

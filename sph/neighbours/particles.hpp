@@ -29,7 +29,7 @@ struct VectorAllocator {
 template <class T>
 using Array = std::vector<T, VectorAllocator<T>>;
 
-// The state that is carried from step to step; positions and velocities in the earth's frame.
+// The state that is carried from step to step; positions and velocities in the scheme's frame.
 struct Particles {
   Array<double> x, z;                    // [m]
   Array<double> velocity_x, velocity_z;  // [m/s]
@@ -44,15 +44,15 @@ struct Particles {
   std::size_t size() const { return x.size(); }
   double spacing_of(std::size_t i) const { return spacing.empty() ? lattice_spacing : spacing[i]; }
 
-  // To 2 v_wall - v, now and a step earlier.
-  void turn_velocity_x(std::size_t i, double wall_velocity) {
-    velocity_x[i] = 2 * wall_velocity - velocity_x[i];
-    if (!earlier_velocity_x.empty())
-      earlier_velocity_x[i] = 2 * wall_velocity - earlier_velocity_x[i];
-  }
-  void turn_velocity_z(std::size_t i) {
-    velocity_z[i] = -velocity_z[i];
-    if (!earlier_velocity_z.empty()) earlier_velocity_z[i] = -earlier_velocity_z[i];
+  // The component along a wall's unit normal to 2 v_wall - v, now and a step earlier.
+  void turn_velocity(std::size_t i, double normal_x, double normal_z, double wall_velocity) {
+    const auto turn = [=](double& u, double& w) {
+      const double excess = 2 * (u * normal_x + w * normal_z - wall_velocity);
+      u -= excess * normal_x;
+      w -= excess * normal_z;
+    };
+    turn(velocity_x[i], velocity_z[i]);
+    if (!earlier_velocity_x.empty()) turn(earlier_velocity_x[i], earlier_velocity_z[i]);
   }
 
   template <class Visit>

@@ -114,7 +114,7 @@ void sum_shifts(const Scheme& scheme, const NeighbourSources& neighbours,
   });
   shifts.fullness_of_sources.resize(neighbours.source_count());
   neighbours.for_each_image<typename Scheme::Mirror>(
-      scheme.setting.gravity, walls, [&](std::size_t k, std::size_t i, const MirrorMap&) {
+      walls, [&](std::size_t k, std::size_t i, const MirrorMap&) {
         shifts.fullness_of_sources[k] = shifts.fullness[i];
       });
   for (std::size_t k = neighbours.first_solid_source(); k < neighbours.source_count(); ++k)

@@ -12,7 +12,7 @@ namespace slosh::sph {
 namespace {
 
 double gauge(const Particles& particles, double x) {
-  return surface_elevation(particles, 0, 1, 0.35, x);
+  return surface_elevation(particles, 1, 0.35, x);
 }
 
 // Largest error [m] against a wave, at both walls, 0.05 m from them, on and off particles.
@@ -96,12 +96,13 @@ TEST(FreeSurfaceGauge, SeesAMissingRowOfParticles) {
   for (double x : {0.0, 0.05, 0.5, 1.0}) EXPECT_NEAR(gauge(particles, x), -0.01, 1e-6) << x;
 }
 
-TEST(FreeSurfaceGauge, IsCarriedByTheTank) {
-  const Wave wave{.mode = 1, .amplitude = 0.01};
-  Particles particles = waved_lattice(wave, 0.02, 0.02, 0);
-  const double at_rest = gauge(particles, 0.95);
-  for (double& x : particles.x) x += 0.37;
-  EXPECT_NEAR(surface_elevation(particles, 0.37, 1, 0.35, 0.95), at_rest, 1e-12);
+TEST(HighestSurface, IsTheUpperEdgeOfTheHighestParticleNearby) {
+  Particles particles = waved_lattice({.mode = 1, .amplitude = 0}, 0.01, 0.01, 0);
+  EXPECT_NEAR(highest_surface(particles, 0.35, 0.95), 0, 1e-12);
+  particles.x[7] = 0.955;
+  particles.z[7] = 0.6;
+  EXPECT_NEAR(highest_surface(particles, 0.35, 0.95), 0.255, 1e-12);
+  EXPECT_NEAR(highest_surface(particles, 0.35, 0.97), 0, 1e-12);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ void add(Particles& particles, double x, double z) {
   particles.z.push_back(z);
 }
 
-double front(const Particles& particles) { return front_position(particles, 0, dp); }
+double front(const Particles& particles) { return front_position(particles, dp); }
 
 TEST(FrontPosition, IsTheEdgeOfAColumnAtRest) {
   Particles column = layer(0.2);
@@ -62,12 +62,6 @@ TEST(FrontPosition, DoesNotDependOnTheOrderOfTheParticles) {
   Particles forward = layer(0.2), backward;
   for (std::size_t i = forward.size(); i-- > 0;) add(backward, forward.x[i], forward.z[i]);
   EXPECT_EQ(front(backward), front(forward));
-}
-
-TEST(FrontPosition, IsCarriedByTheTank) {
-  Particles liquid = layer(0.2);
-  for (double& x : liquid.x) x += 0.37;
-  EXPECT_NEAR(front_position(liquid, 0.37, dp), 0.2, 1e-12);
 }
 
 TEST(FrontPosition, IsTheWallWhereNothingStandsBeforeIt) {

@@ -56,19 +56,6 @@ TEST(InitialLattice, KnowsItsFlattestCell) {
   EXPECT_NEAR(flattest_cell(still_scene(0.02, 0)), 17.5 / 18, 1e-12);
 }
 
-TEST(InitialLattice, IsLaidInTheTankWhereverThatStartsAndMovesWithTheLiquid) {
-  Scene scene = still_scene(0.05, 0);
-  const Particles at_origin = initial_lattice(scene, water);
-  scene.displacement = [](double) { return 0.4; };
-  scene.initial_velocity = -0.3;
-  const Particles displaced = initial_lattice(scene, water);
-  for (std::size_t i = 0; i < displaced.size(); ++i) {
-    EXPECT_NEAR(displaced.x[i], at_origin.x[i] + 0.4, 1e-14);
-    EXPECT_EQ(displaced.velocity_x[i], -0.3);
-    EXPECT_EQ(displaced.velocity_z[i], 0);
-  }
-}
-
 TEST(InitialLattice, LaysTheFinerSpacingAtTheSurface) {
   Scene scene = still_scene(0.02, 0);
   scene.surface_particle_spacing = 0.01;

@@ -36,22 +36,21 @@ Scene dam(double spacing, double duration) {
 TEST(Projected, StartsAnImpulsiveSurgeWithoutTheRingingOfTheLattice) {
   Scene scene = surging_scene(0.02, 0.2);
   scene.sample_interval = 0.005;
-  const double rings = roughness(run_from(InitialState::lattice, scene).horizontal_force),
-               calm = roughness(run_from(InitialState::projected, scene).horizontal_force);
+  const double rings = roughness(run_from(InitialState::lattice, scene).force_x),
+               calm = roughness(run_from(InitialState::projected, scene).force_x);
   EXPECT_LE(calm, 0.05 * rings);
 }
 
 TEST(Projected, LetsADamGoWithoutRinging) {
-  const double rings = roughness(run_from(InitialState::lattice, dam(0.01, 0.05)).horizontal_force),
-               calm =
-                   roughness(run_from(InitialState::projected, dam(0.01, 0.05)).horizontal_force);
+  const double rings = roughness(run_from(InitialState::lattice, dam(0.01, 0.05)).force_x),
+               calm = roughness(run_from(InitialState::projected, dam(0.01, 0.05)).force_x);
   EXPECT_LE(calm, 0.1 * rings);
 }
 
 // The force on the wall behind a dam that was just let go, from the incompressible pressure, is
 // there from the first step. Measured: -45.0 to -45.9 N/m.
 TEST(Projected, HasTheForceOfTheMomentAfterADamIsLetGo) {
-  const History force = run_from(InitialState::projected, dam(0.005, 0.01)).horizontal_force;
+  const History force = run_from(InitialState::projected, dam(0.005, 0.01)).force_x;
   for (const double value : force.value) EXPECT_NEAR(value, force.value.front(), 0.1 * 45);
   EXPECT_NEAR(force.value.front(), -45, 5);
 }

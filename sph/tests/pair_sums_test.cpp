@@ -52,13 +52,14 @@ struct Neighbourhood {
     rates.resize(particles.size());
     sources.refresh_for_momentum(scheme, particles, walls);
     solids.refresh_for_momentum(scheme, sources, walls, set);
-    sum_momentum(scheme, sources.clusters(), sources.sources(), particles, rates, set);
+    sum_momentum(scheme, walls, sources.clusters(), sources.sources(), particles, rates, set);
     sources.refresh_for_continuity(scheme, particles, walls);
     solids.refresh_for_continuity(scheme, sources, walls, set);
     DensityGradient gradient;
     if constexpr (Choice::DensityDiffusion::reads_gradient)
       sum_density_gradient(scheme, sources, particles, walls, gradient, set);
-    sum_continuity(scheme, sources.clusters(), sources.sources(), gradient, particles, rates, set);
+    sum_continuity(scheme, walls, sources.clusters(), sources.sources(), gradient, particles, rates,
+                   set);
     return rates;
   }
 
@@ -256,12 +257,12 @@ TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
     p.x[i] += distance * std::cos(2.4 * static_cast<double>(i));
     p.z[i] += distance * std::sin(2.4 * static_cast<double>(i));
   }
-  ASSERT_FALSE(liquid.neighbours().stale(p, liquid.walls_at(0), 0));
+  ASSERT_FALSE(liquid.neighbours().stale(p, liquid.tank_at(0), 0));
   liquid.accelerate(0);
   liquid.compress(0);
   Particles nominal = p;
   nominal.lattice_spacing = 0.0103;
-  AllPairs oracle(scheme.setting, formulas_of<Recommended>(), nominal, liquid.walls_at(0));
+  AllPairs oracle(scheme.setting, formulas_of<Recommended>(), nominal, liquid.tank_at(0));
   EXPECT_LE(disagreement(liquid.rates, oracle.rates()), round_off);
 }
 

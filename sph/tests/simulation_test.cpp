@@ -70,7 +70,7 @@ TEST_P(EveryScheme, GivesTheSameBitsWithOneAndTwoThreads) {
   const RunOutput two = run_with_threads(2, GetParam(), scene);
   for (const Gauge& gauge : scene.gauges)
     expect_same_bits(one.elevation.at(gauge.name), two.elevation.at(gauge.name));
-  expect_same_bits(one.horizontal_force, two.horizontal_force);
+  expect_same_bits(one.force_x, two.force_x);
   expect_same_bits(one.kinetic_energy, two.kinetic_energy);
   expect_same_bits(one.potential_energy, two.potential_energy);
 }
@@ -89,7 +89,7 @@ TEST_P(EveryScheme, RecordsWhatTheSceneAsksFor) {
   ASSERT_EQ(right.time.size(), 11);
   EXPECT_EQ(right.time[3], 3 * 0.01);
   EXPECT_EQ(output.kinetic_energy.time, right.time);
-  EXPECT_EQ(output.horizontal_force.time.front(), 0.01);
+  EXPECT_EQ(output.force_x.time.front(), 0.01);
   EXPECT_EQ(output.particles, 140);
   EXPECT_GE(output.steps, 10);
   EXPECT_FALSE(output.active_terms.empty());
@@ -129,7 +129,7 @@ TEST_P(EveryScheme, GivesTheForceThatChangesTheLiquidsMomentum) {
     momentum.push_back(mass * std::accumulate(s.velocity_x.begin(), s.velocity_x.end(), 0.0));
   };
   const RunOutput output = run_it(scene);
-  const std::vector<double>& force = output.horizontal_force.value;
+  const std::vector<double>& force = output.force_x.value;
   ASSERT_EQ(output.steps, static_cast<double>(force.size()));
   ASSERT_EQ(momentum.size(), force.size() + 1);
   // Verlet's velocities are carried over two steps.
@@ -178,7 +178,7 @@ TEST(Recommended, StaysStillInStillAndInCarriedTanks) {
     const double carried = 0.5 * 1000 * 0.35 * speed * speed;  // but for the compression, 0.5 %
     EXPECT_NEAR(output.kinetic_energy.value.back(), carried, 0.01 * carried + 1e-4) << speed;
     EXPECT_LE(largest(output.potential_energy.value), 0.1) << speed;
-    EXPECT_LE(std::abs(output.horizontal_force.value.back()), 1e-2) << speed;
+    EXPECT_LE(std::abs(output.force_x.value.back()), 1e-2) << speed;
   }
 }
 

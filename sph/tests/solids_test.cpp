@@ -146,8 +146,8 @@ TEST(GhostSolids, HoldTheStillLiquidAroundAnObstacle) {
 template <class Choice>
 void expect_velocities(double side_u, double side_w, double bottom_u, double bottom_w) {
   Scene scene = still_scene(dp, 0);
-  scene.initial_velocity = 0.3;
   Particles liquid = lattice<Choice>(scene);
+  std::fill(liquid.velocity_x.begin(), liquid.velocity_x.end(), 0.3);
   std::fill(liquid.velocity_z.begin(), liquid.velocity_z.end(), -0.2);
   Beside<Choice> beside(scene, {0, 1, 0, 1, 0.5, 0}, liquid);
   beside.refresh_for_momentum();
@@ -198,8 +198,8 @@ double density_rate_beside_the_corner() {
   if constexpr (Choice::DensityDiffusion::reads_gradient)
     sum_density_gradient(beside.scheme, beside.sources, beside.particles, beside.walls, gradient,
                          InstructionSet::plain);
-  sum_continuity(beside.scheme, beside.sources.clusters(), beside.sources.sources(), gradient,
-                 beside.particles, rates, InstructionSet::plain);
+  sum_continuity(beside.scheme, beside.walls, beside.sources.clusters(), beside.sources.sources(),
+                 gradient, beside.particles, rates, InstructionSet::plain);
   return rates.density_rate[0];
 }
 

@@ -62,9 +62,11 @@ TEST(StabilityGuard, NamesTheParticleWhoseDensityIsOutOfRange) {
 }
 
 TEST(StabilityGuard, StopsARunThatDiverges) {
-  // A liquid thrown against the wall at its speed of sound.
+  // A liquid that a tank which stops at once throws against the wall faster than its sound.
   Scene scene = still_scene(0.025, 0.2);
-  scene.initial_velocity = 20;
+  scene.velocity = [](double t) { return t > 0 ? 0.0 : 20.0; };
+  scene.start = Start::tank;
+  scene.numbers.sound_speed_ratio = 0.9;
   for (const std::string& scheme : scheme_names())
     EXPECT_THROW(run(scheme, scene, {}), SimulationError) << scheme;
 }

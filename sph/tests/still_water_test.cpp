@@ -24,9 +24,9 @@ class StillWaterSeries : public testing::Test {
                                [](double density) { return state.pressure(density); }};
   Particles now = start;
 
-  double value(const std::string& name, double wall_left = 0) {
+  double value(const std::string& name) {
     std::vector<RecordedSeries> series;
-    still_water.record(now, wall_left, 1.5, series);
+    still_water.record(now, 1.5, series);
     for (const RecordedSeries& one : series)
       if (one.name == name) return one.history.value.back();
     ADD_FAILURE() << "no series " << name;
@@ -39,8 +39,8 @@ class StillWaterSeries : public testing::Test {
 
 TEST_F(StillWaterSeries, AreZeroOnTheStillLattice) {
   std::vector<RecordedSeries> series;
-  still_water.record(now, 0, 0, series);
-  still_water.record(now, 0, 0.5, series);
+  still_water.record(now, 0, series);
+  still_water.record(now, 0.5, series);
   ASSERT_EQ(series.size(), 4);
   for (const RecordedSeries& one : series) {
     EXPECT_EQ(one.unit, "1");
@@ -116,7 +116,7 @@ TEST_F(StillWaterSeries, SeeNoGapWhereAnObstacleStands) {
   now = initial_lattice(with_obstacle, [](double pressure) { return state.density(pressure); });
   const StillWater around(with_obstacle, now, [](double d) { return state.pressure(d); });
   std::vector<RecordedSeries> series;
-  around.record(now, 0, 0, series);
+  around.record(now, 0, series);
   for (const RecordedSeries& one : series) EXPECT_NEAR(one.history.value[0], 0, 1e-11) << one.name;
 }
 

@@ -66,7 +66,8 @@ FreeOscillation free_oscillation(const std::string& scheme, double spacing, doub
                                  const std::string& variant = "") {
   Scene scene = still_scene(spacing, duration);
   scene.variant = variant;
-  scene.initial_velocity = 0.03;
+  scene.velocity = [](double t) { return t > 0 ? 0.0 : 0.03; };
+  scene.start = Start::tank;
   scene.gauges.clear();
   const int gauges = 20;
   for (int i = 0; i < gauges; ++i)

@@ -31,7 +31,7 @@ inline Scene carried_scene(double particle_spacing, double duration, double spee
   Scene scene = still_scene(particle_spacing, duration);
   scene.displacement = [=](double t) { return speed * t; };
   scene.velocity = [=](double) { return speed; };
-  scene.initial_velocity = speed;
+  scene.start = Start::tank;
   return scene;
 }
 

@@ -73,7 +73,7 @@ TEST(RepulsiveWall, IsNotFeltByTheStillLatticeOfLisScheme) {
         initial_lattice(scene, [&](double pressure) { return scheme.state.density(pressure); });
     Rates rates;
     rates.resize(particles.size());
-    scheme.wall_contact.push(particles, {0, 1, 0, 1, 0, 0}, rates);
+    scheme.wall_contact.push(particles, TankWalls{0, 1, 0, 1, 0, 0}, rates);
     for (std::size_t i = 0; i < particles.size(); ++i) {
       EXPECT_NEAR(rates.acceleration_x[i], 0, 1e-9) << spacing;
       EXPECT_NEAR(rates.acceleration_z[i], 0, 1e-9) << spacing;

@@ -25,13 +25,11 @@ inline constexpr int reflection_count = in_right + in_roof + 1;
 struct MirrorMap {
   double scale_x = 1, offset_x = 0, scale_z = 1, offset_z = 0;  // position
   double velocity_scale_x = 1, velocity_offset_x = 0, velocity_scale_z = 1;
-  // The image's pressure exceeds its owner's by rho gravity . (r_image - r_owner).
-  double gravity_x = 0, gravity_z = 0;
 };
 
 // Free slip: the velocity normal to the wall is 2 v_wall - v, the tangential one is kept, and the
-// pressure grows through the wall as in a liquid that the wall accelerates,
-// dp/dn = rho (g - a_wall) . n.
+// pressure grows through the wall as in a liquid that the wall accelerates, from owner to image by
+// rho (g - a_wall) . (r_image - r_owner).
 struct FreeSlipMirror {
   static constexpr const char* name =
       "mirror particles, free slip, pressure gradient of the accelerated wall";
@@ -69,7 +67,7 @@ struct NoMirror {
 };
 
 template <class Mirror>
-std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls, double gravity) {
+std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls) {
   std::array<MirrorMap, reflection_count> maps;
   for (int bits = 1; bits < reflection_count; ++bits) {
     MirrorMap& map = maps[bits];
@@ -87,10 +85,6 @@ std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls, doub
     map.velocity_scale_x = turns_x ? -1 : 1;
     map.velocity_offset_x = turns_x ? 2 * walls.velocity : 0;
     map.velocity_scale_z = turns_z ? -1 : 1;
-    if (Mirror::hydrostatic) {
-      map.gravity_x = -walls.acceleration;
-      map.gravity_z = -gravity;
-    }
   }
   return maps;
 }

@@ -21,26 +21,6 @@ double snapped(double edge, double cell, double end) {
   return std::abs(edge - end) <= 0.5 * cell ? end : cell * std::round(edge / cell);
 }
 
-// The image of (x, z) in the nearest of the obstacle's faces, seen from within. One that lies
-// behind a wall of the tank is none.
-SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double tank_length,
-                               double tank_height) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const std::array<double, 4> depth{
-      r.left < 0 ? none : x - r.left, r.right > tank_length ? none : r.right - x,
-      r.bottom < 0 ? none : z - r.bottom, r.top > tank_height ? none : r.top - z};
-  switch (std::min_element(depth.begin(), depth.end()) - depth.begin()) {
-    case 0:
-      return {x, z, 2 * r.left - x, z, true, false};
-    case 1:
-      return {x, z, 2 * r.right - x, z, true, false};
-    case 2:
-      return {x, z, x, 2 * r.bottom - z, false, true};
-    default:
-      return {x, z, x, 2 * r.top - z, false, true};
-  }
-}
-
 // Brings a node that lies behind the tank's walls back into the tank.
 void fold_into_tank(SolidPlace& place, const Scene& scene) {
   const auto fold = [](double& at, bool& turns, double length) {
@@ -115,17 +95,21 @@ std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth) {
   return obstacles;
 }
 
-void expel(Particles& p, const TankWalls& walls, const Rectangle& obstacle) {
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double x = p.x[i] - walls.left, z = p.z[i] - walls.bottom;
-    if (!holds(obstacle, x, z)) continue;
-    const SolidPlace place =
-        behind_nearest_face(x, z, obstacle, walls.right - walls.left, walls.roof - walls.bottom);
-    p.x[i] = walls.left + place.node_x;
-    p.z[i] = walls.bottom + place.node_z;
-    if (place.turns_x) p.turn_velocity_x(i, walls.velocity);
-    if (place.turns_z) p.turn_velocity_z(i);
+SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double tank_length,
+                               double tank_height) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const std::array<double, 4> depth{
+      r.left < 0 ? none : x - r.left, r.right > tank_length ? none : r.right - x,
+      r.bottom < 0 ? none : z - r.bottom, r.top > tank_height ? none : r.top - z};
+  switch (std::min_element(depth.begin(), depth.end()) - depth.begin()) {
+    case 0:
+      return {x, z, 2 * r.left - x, z, true, false};
+    case 1:
+      return {x, z, 2 * r.right - x, z, true, false};
+    case 2:
+      return {x, z, x, 2 * r.bottom - z, false, true};
+    default:
+      return {x, z, x, 2 * r.top - z, false, true};
   }
 }
 

@@ -30,12 +30,42 @@ std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double
 // behind the walls that they touch by the whole layers that reach `depth`.
 std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth);
 
-// Brings particles that have come into the obstacle back out through its nearest face, their normal
-// velocity turned in the tank's frame, as ReflectingWall does at the tank's walls.
-void expel(Particles& particles, const TankWalls& walls, const Rectangle& obstacle);
-
 inline bool holds(const Rectangle& r, double x, double z) {
   return x > r.left && x < r.right && z > r.bottom && z < r.top;
+}
+
+// The image of a place in the obstacle in the nearest of its faces, seen from within; a face that
+// lies behind a wall of the tank is none.
+SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double tank_length,
+                               double tank_height);
+
+// Puts a particle to a place in the tank [m], its velocity against the tank turned along x or z.
+template <class Tank>
+void move_with_tank(Particles& p, std::size_t i, const Tank& tank, Vector2 place, bool turns_x,
+                    bool turns_z) {
+  const Vector2 wall = tank.wall_velocity(p.x[i], p.z[i]);
+  const auto turn = [&](Vector2 normal) {
+    p.turn_velocity(i, normal.x, normal.z, wall.x * normal.x + wall.z * normal.z);
+  };
+  if (turns_x) turn(tank.along_frame(1, 0));
+  if (turns_z) turn(tank.along_frame(0, 1));
+  const Vector2 to = tank.in_frame(place.x, place.z);
+  p.x[i] = to.x;
+  p.z[i] = to.z;
+}
+
+// Brings particles that have come into the obstacle back out through its nearest face, their normal
+// velocity turned in the tank's frame, as ReflectingWall does at the tank's walls.
+template <class Tank>
+void expel(Particles& p, const Tank& tank, const Rectangle& obstacle) {
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector2 at = tank.in_tank(p.x[i], p.z[i]);
+    if (!holds(obstacle, at.x, at.z)) continue;
+    const SolidPlace out =
+        behind_nearest_face(at.x, at.z, obstacle, tank.length(), tank.tank_height());
+    move_with_tank(p, i, tank, {out.node_x, out.node_z}, out.turns_x, out.turns_z);
+  }
 }
 
 }  // namespace slosh::sph

@@ -18,13 +18,15 @@
 namespace slosh::sph {
 
 // Puts a solid's particle where the wall has it, with the wall's velocity and a spacing's volume.
-template <class Scheme>
-void place(const Scheme& scheme, const SolidPlace& at, const TankWalls& walls, Source& source) {
+template <class Scheme, class Tank>
+void place(const Scheme& scheme, const SolidPlace& at, const Tank& tank, Source& source) {
   const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
-  source.x = walls.left + at.x;
-  source.z = walls.bottom + at.z;
-  source.velocity_x = walls.velocity;
-  source.velocity_z = 0;
+  const Vector2 place = tank.in_frame(at.x, at.z);
+  const Vector2 velocity = tank.wall_velocity(place.x, place.z);
+  source.x = place.x;
+  source.z = place.z;
+  source.velocity_x = velocity.x;
+  source.velocity_z = velocity.z;
   source.weight = scheme.formulation.weight(rho * dp * dp, rho);
   source.spacing = dp;
 }
@@ -66,9 +68,9 @@ class GhostSolids {
       : places_(solid_places(scene, tank_walls, depth)), nodes_(places_.size()) {}
   std::vector<SolidPlace>& places() { return places_; }
 
-  template <class Scheme>
-  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours,
-                            const TankWalls& walls, InstructionSet set) {
+  template <class Scheme, class Tank>
+  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+                            InstructionSet set) {
     look_up<&Source::strength>(scheme, neighbours, walls, set);
     const double rho = scheme.setting.rest_density;
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
@@ -81,9 +83,9 @@ class GhostSolids {
     });
   }
 
-  template <class Scheme>
-  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours,
-                              const TankWalls& walls, InstructionSet set) {
+  template <class Scheme, class Tank>
+  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+                              InstructionSet set) {
     look_up<&Source::density>(scheme, neighbours, walls, set);
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
       place(scheme, places_[i], walls, source);
@@ -91,7 +93,8 @@ class GhostSolids {
         if (!nodes_[i].found) {
           // As of a liquid without pressure.
           const double rho = scheme.setting.rest_density;
-          source.density = scheme.density_diffusion.diffused(0.0, rho, source.z);
+          source.density =
+              scheme.density_diffusion.diffused(0.0, rho, walls.height(source.x, source.z));
           return;
         }
       source.density = nodes_[i].value;
@@ -111,11 +114,12 @@ class GhostSolids {
   }
 
   // From the node to the particle [Pa].
-  template <class Scheme>
-  double pressure_rise(const Scheme& scheme, std::size_t i, const TankWalls& walls) const {
+  template <class Scheme, class Tank>
+  double pressure_rise(const Scheme& scheme, std::size_t i, const Tank& walls) const {
     const SolidPlace& at = places_[i];
-    return -scheme.setting.rest_density *
-           (walls.acceleration * (at.x - at.node_x) + scheme.setting.gravity * (at.z - at.node_z));
+    const Vector2 gravity = walls.apparent_gravity(scheme.setting.gravity, at.x, at.z, 0, 0);
+    return scheme.setting.rest_density *
+           (gravity.x * (at.x - at.node_x) + gravity.z * (at.z - at.node_z));
   }
 
   template <double Source::*value, class Scheme>
@@ -167,9 +171,9 @@ class DynamicSolids {
     }
   }
 
-  template <class Scheme>
-  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours,
-                            const TankWalls& walls, InstructionSet) {
+  template <class Scheme, class Tank>
+  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+                            InstructionSet) {
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
       place(scheme, places_[i], walls, source);
       const double rho = particles_.density[i];
@@ -179,23 +183,26 @@ class DynamicSolids {
   }
 
   // Also its own rate of density.
-  template <class Scheme>
-  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours,
-                              const TankWalls& walls, InstructionSet set) {
+  template <class Scheme, class Tank>
+  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+                              InstructionSet set) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      particles_.x[i] = walls.left + places_[i].x;
-      particles_.z[i] = walls.bottom + places_[i].z;
-      particles_.velocity_x[i] = walls.velocity;
+      const Vector2 place = walls.in_frame(places_[i].x, places_[i].z);
+      const Vector2 velocity = walls.wall_velocity(place.x, place.z);
+      particles_.x[i] = place.x;
+      particles_.z[i] = place.z;
+      particles_.velocity_x[i] = velocity.x;
+      particles_.velocity_z[i] = velocity.z;
     }
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
       place(scheme, places_[i], walls, source);
       if constexpr (Scheme::DensityDiffusion::active) {
         const double rho = particles_.density[i];
-        source.density =
-            scheme.density_diffusion.diffused(scheme.state.pressure(rho), rho, particles_.z[i]);
+        source.density = scheme.density_diffusion.diffused(
+            scheme.state.pressure(rho), rho, walls.height(particles_.x[i], particles_.z[i]));
       }
     });
-    sum_continuity(scheme, neighbours.solid_clusters(), neighbours.sources(), {}, particles_,
+    sum_continuity(scheme, walls, neighbours.solid_clusters(), neighbours.sources(), {}, particles_,
                    rates_, set);
   }
 

@@ -1,17 +1,126 @@
-// The rectangular tank as the particles meet it: four planes that move together along x. Positions
-// in the earth's frame, bottom at z = 0.
+// The rectangular tank as the particles meet it at one moment, seen from the frame that their
+// positions and velocities are taken in (frames.hpp chooses). Each kind answers alike:
+//   in_tank, in_frame         a place in the frame [m] as one in the tank, from its bottom left
+//                             corner, and back
+//   along_tank, along_frame   a vector's components along the tank's axes, and back
+//   wall_velocity             of the tank's material point at a place in the frame [m/s]
+//   height                    of a place above a level that does not change [m]
+//   apparent_gravity          what accelerates the liquid at a wall that holds it: gravity less the
+//                             wall's acceleration [m/s2]
+//   pull                      adds to an acceleration what acts on a particle beside the pairs
 #pragma once
+
+#include <cmath>
 
 namespace slosh::sph {
 
 // Whether the liquid slides along a wall or sticks to it.
 enum class Slip { free, none };
 
+// A place or a vector, along x and z.
+struct Vector2 {
+  double x, z;
+};
+
+// Four planes that stand along the frame's axes, bottom at z = 0, and move along x.
 struct TankWalls {
   double left, right;   // [m], at this moment
   double bottom, roof;  // [m]
   double velocity;      // X' [m/s]
   double acceleration;  // X'' [m/s2]
+
+  double length() const { return right - left; }
+  double tank_height() const { return roof - bottom; }
+
+  Vector2 in_tank(double x, double z) const { return {x - left, z}; }
+  Vector2 in_frame(double x, double z) const { return {left + x, z}; }
+  Vector2 along_tank(double x, double z) const { return {x, z}; }
+  Vector2 along_frame(double x, double z) const { return {x, z}; }
+  Vector2 wall_velocity(double, double) const { return {velocity, 0}; }
+
+  template <class Number>
+  Number height(Number, Number z) const {
+    return z;
+  }
+  Vector2 apparent_gravity(double gravity, double, double, double, double) const {
+    return {-acceleration, -gravity};
+  }
+  template <class Number>
+  void pull(double gravity, Number, Number, Number, Number, Number&, Number& acceleration_z) const {
+    acceleration_z -= gravity;
+  }
+};
+
+// The same walls, at rest in the tank's own frame, which moves and rolls. A particle at r from the
+// roll's axis with the velocity v against the tank has, besides the forces between particles, the
+// acceleration
+//   R^T (g - X'') - theta'' x r - theta' x (theta' x r) - 2 theta' x v,
+// R the rotation by theta about the axis (turning gravity, angular, centripetal and Coriolis term;
+// Zhao et al. 2021, section 2.4). theta is positive from x towards z.
+struct TankInItsFrame : TankWalls {
+  double axis_x, axis_z;        // of the roll [m]
+  double cosine, sine;          // of theta
+  double rate, rate_of_change;  // theta' [rad/s], theta'' [rad/s2]
+  double surge_acceleration;    // X'' of the axis, along the earth's horizontal [m/s2]
+
+  template <class Number>
+  Number height(Number x, Number z) const {
+    return sine * x + cosine * z;
+  }
+  Vector2 apparent_gravity(double gravity, double x, double z, double u, double w) const {
+    Vector2 sum{0, 0};
+    pull(gravity, x, z, u, w, sum.x, sum.z);
+    return sum;
+  }
+  template <class Number>
+  void pull(double gravity, Number x, Number z, Number u, Number w, Number& acceleration_x,
+            Number& acceleration_z) const {
+    const Number from_axis_x = x - axis_x, from_axis_z = z - axis_z;
+    acceleration_x += rate_of_change * from_axis_z + rate * (rate * from_axis_x + 2.0 * w) -
+                      (gravity * sine + surge_acceleration * cosine);
+    acceleration_z += rate * (rate * from_axis_z - 2.0 * u) - rate_of_change * from_axis_x -
+                      (gravity * cosine - surge_acceleration * sine);
+  }
+};
+
+// The walls of a tank that moves and rolls, seen from the earth: a place r from the axis in the
+// tank stands at axis + R r.
+struct RollingTank {
+  double tank_length, roof;   // [m]
+  double axis_x, axis_z;      // of the roll, in the tank [m]
+  double displacement;        // X of the axis, whose place in the earth is (X + axis_x, axis_z) [m]
+  double velocity;            // X' [m/s]
+  double cosine, sine, rate;  // of theta; theta' [rad/s]
+
+  double length() const { return tank_length; }
+  double tank_height() const { return roof; }
+
+  Vector2 in_tank(double x, double z) const {
+    const Vector2 from_axis = along_tank(x - displacement - axis_x, z - axis_z);
+    return {axis_x + from_axis.x, axis_z + from_axis.z};
+  }
+  Vector2 in_frame(double x, double z) const {
+    const Vector2 from_axis = along_frame(x - axis_x, z - axis_z);
+    return {displacement + axis_x + from_axis.x, axis_z + from_axis.z};
+  }
+  Vector2 along_tank(double x, double z) const {
+    return {cosine * x + sine * z, cosine * z - sine * x};
+  }
+  Vector2 along_frame(double x, double z) const {
+    return {cosine * x - sine * z, cosine * z + sine * x};
+  }
+  Vector2 wall_velocity(double x, double z) const {
+    return {velocity - rate * (z - axis_z), rate * (x - displacement - axis_x)};
+  }
+
+  template <class Number>
+  Number height(Number, Number z) const {
+    return z;
+  }
+  template <class Number>
+  void pull(double gravity, Number, Number, Number, Number, Number&, Number& acceleration_z) const {
+    acceleration_z -= gravity;
+  }
 };
 
 }  // namespace slosh::sph

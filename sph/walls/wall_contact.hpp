@@ -1,12 +1,13 @@
 // What the wall itself does to particles that come too near (beside the mirror particles'
 // pressure): `push` adds to their accelerations, `confine` corrects their state at the start of a
-// step.
+// step and tells of how many.
 #pragma once
 
 #include <cmath>
 
 #include "sph/neighbours/particles.hpp"
 #include "sph/setting.hpp"
+#include "sph/walls/solid_particles.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
@@ -20,28 +21,31 @@ struct ReflectingWall {
 
   explicit ReflectingWall(const Setting&) {}
 
-  void push(const Particles&, const TankWalls&, Rates&) const {}
+  template <class Tank>
+  void push(const Particles&, const Tank&, Rates&) const {}
 
-  void confine(Particles& p, const TankWalls& walls) const {
-#pragma omp parallel for schedule(static)
+  template <class Tank>
+  std::size_t confine(Particles& p, const Tank& tank) const {
+    std::size_t exchanged = 0;
+#pragma omp parallel for schedule(static) reduction(+ : exchanged)
     for (std::size_t i = 0; i < p.size(); ++i) {
-      if (!inside(p.x[i], walls.left, walls.right)) {
-        p.x[i] = reflected(p.x[i], walls.left, walls.right);
-        p.turn_velocity_x(i, walls.velocity);
-      }
-      if (!inside(p.z[i], walls.bottom, walls.roof)) {
-        p.z[i] = reflected(p.z[i], walls.bottom, walls.roof);
-        p.turn_velocity_z(i);
-      }
+      const Vector2 place = tank.in_tank(p.x[i], p.z[i]);
+      const bool out_x = !inside(place.x, tank.length()),
+                 out_z = !inside(place.z, tank.tank_height());
+      if (!out_x && !out_z) continue;
+      ++exchanged;
+      move_with_tank(p, i, tank,
+                     {out_x ? reflected(place.x, tank.length()) : place.x,
+                      out_z ? reflected(place.z, tank.tank_height()) : place.z},
+                     out_x, out_z);
     }
+    return exchanged;
   }
 
  private:
-  static bool inside(double position, double lower, double upper) {
-    return position > lower && position < upper;
-  }
-  static double reflected(double position, double lower, double upper) {
-    return 2 * (position <= lower ? lower : upper) - position;
+  static bool inside(double position, double length) { return position > 0 && position < length; }
+  static double reflected(double position, double length) {
+    return 2 * (position <= 0 ? 0 : length) - position;
   }
 };
 
@@ -58,7 +62,7 @@ struct RepulsiveWall {
       : strength(5 * s.gravity * s.fill_depth),  // Monaghan 1994
         range(0.5 * s.flattest_cell) {}
 
-  void confine(Particles&, const TankWalls&) const {}
+  std::size_t confine(Particles&, const TankWalls&) const { return 0; }
 
   void push(const Particles& p, const TankWalls& walls, Rates& rates) const {
 #pragma omp parallel for schedule(static)

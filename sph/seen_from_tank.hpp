@@ -1,0 +1,48 @@
+// The liquid as instruments that the tank carries see it, whatever the scheme's own frame.
+#pragma once
+
+#include "sph/liquid.hpp"
+#include "sph/walls/frames.hpp"
+
+namespace slosh::sph {
+
+struct SeenFromTank {
+  // At places in the tank, with velocities against the earth along the tank's axes.
+  Particles particles;
+  // What the other particles and the walls add to the acceleration of each: all but gravity and the
+  // frame's own forces, along the tank's axes [m/s2].
+  Array<double> push_x, push_z;
+};
+
+// `motion` of the liquid's time.
+template <class Scheme>
+void see_from_tank(const Liquid<Scheme>& liquid, const TankMotion& motion, SeenFromTank& seen) {
+  const Particles& p = liquid.particles;
+  const auto tank = liquid.tank_at(liquid.time);
+  const double gravity = liquid.scheme().setting.gravity;
+  Particles& view = seen.particles;
+  view.density = p.density;
+  view.mass = p.mass;
+  view.spacing = p.spacing;
+  view.lattice_spacing = p.lattice_spacing;
+  for (auto* field :
+       {&view.x, &view.z, &view.velocity_x, &view.velocity_z, &seen.push_x, &seen.push_z})
+    field->resize(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector2 place = tank.in_tank(p.x[i], p.z[i]);
+    const Vector2 wall = tank.wall_velocity(p.x[i], p.z[i]),
+                  of_tank = motion.velocity(place.x, place.z);
+    const Vector2 relative = tank.along_tank(p.velocity_x[i] - wall.x, p.velocity_z[i] - wall.z);
+    Vector2 push{liquid.rates.acceleration_x[i], liquid.rates.acceleration_z[i]}, pulled{0, 0};
+    tank.pull(gravity, p.x[i], p.z[i], p.velocity_x[i], p.velocity_z[i], pulled.x, pulled.z);
+    push = tank.along_tank(push.x - pulled.x, push.z - pulled.z);
+    view.x[i] = place.x;
+    view.z[i] = place.z;
+    view.velocity_x[i] = of_tank.x + relative.x;
+    view.velocity_z[i] = of_tank.z + relative.z;
+    seen.push_x[i] = push.x;
+    seen.push_z[i] = push.z;
+  }
+}
+
+}  // namespace slosh::sph

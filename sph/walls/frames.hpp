@@ -1,0 +1,109 @@
+// The frame in which a scheme follows the particles: where the tank is in it at a time, and the
+// liquid of the start.
+//   EarthFrame         the walls surge
+//   RollingEarthFrame  the walls surge and roll; only walls made of particles can
+//   TankFrame          the walls stand, and the liquid feels the tank's motion as forces
+#pragma once
+
+#include <cmath>
+
+#include "sph/neighbours/particles.hpp"
+#include "sph/simulation.hpp"
+#include "sph/walls/tank_walls.hpp"
+
+namespace slosh::sph {
+
+struct EarthFrame {
+  static constexpr const char* name = "walls move in the frame of the earth";
+  using Tank = TankWalls;
+  static constexpr bool takes_roll = false;
+
+  static Tank tank(const Scene& scene, double t) {
+    const double x = scene.displacement(t);
+    return {
+        x, x + scene.tank_length, 0, scene.tank_height, scene.velocity(t), scene.acceleration(t)};
+  }
+};
+
+struct RollingEarthFrame {
+  static constexpr const char* name = "walls move and roll in the frame of the earth";
+  using Tank = RollingTank;
+  static constexpr bool takes_roll = true;
+
+  static Tank tank(const Scene& scene, double t) {
+    const Roll roll = scene.roll.value_or(no_roll());
+    const double angle = roll.angle(t);
+    return {.tank_length = scene.tank_length,
+            .roof = scene.tank_height,
+            .axis_x = roll.axis_x,
+            .axis_z = roll.axis_z,
+            .displacement = scene.displacement(t),
+            .velocity = scene.velocity(t),
+            .cosine = std::cos(angle),
+            .sine = std::sin(angle),
+            .rate = roll.rate(t)};
+  }
+};
+
+struct TankFrame {
+  static constexpr const char* name =
+      "walls fixed, the tank's motion as forces (turning gravity, angular, centripetal, Coriolis)";
+  using Tank = TankInItsFrame;
+  static constexpr bool takes_roll = true;
+
+  static Tank tank(const Scene& scene, double t) {
+    const Roll roll = scene.roll.value_or(no_roll());
+    const double angle = roll.angle(t);
+    return {{0, scene.tank_length, 0, scene.tank_height, 0, 0},
+            roll.axis_x,
+            roll.axis_z,
+            std::cos(angle),
+            std::sin(angle),
+            roll.rate(t),
+            roll.acceleration(t),
+            scene.acceleration(t)};
+  }
+};
+
+// The tank's motion against the earth at one moment, along the tank's axes: what turns a place in
+// the tank and a velocity against it into those of the earth.
+class TankMotion {
+ public:
+  TankMotion(const Scene& scene, double t)
+      : seen_from_earth_(RollingEarthFrame::tank(scene, t)),
+        seen_from_tank_(TankFrame::tank(scene, t)) {}
+
+  // Of the tank's point at a place in the tank [m/s], along the tank's axes.
+  Vector2 velocity(double x, double z) const {
+    const Vector2 place = seen_from_earth_.in_frame(x, z);
+    const Vector2 velocity = seen_from_earth_.wall_velocity(place.x, place.z);
+    return seen_from_earth_.along_tank(velocity.x, velocity.z);
+  }
+  const RollingTank& in_earth() const { return seen_from_earth_; }
+  const TankInItsFrame& in_tank() const { return seen_from_tank_; }
+
+ private:
+  RollingTank seen_from_earth_;
+  TankInItsFrame seen_from_tank_;
+};
+
+// Particles at places in the tank, at rest against it, as the frame has them at the start: with the
+// tank, or at rest in the earth.
+template <class Frame>
+void enter(const Scene& scene, Particles& p) {
+  const typename Frame::Tank tank = Frame::tank(scene, 0);
+  const TankMotion motion(scene, 0);
+  constexpr bool against_tank = std::is_same_v<Frame, TankFrame>;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Vector2 velocity = motion.velocity(p.x[i], p.z[i]);
+    const double share = (scene.start == Start::tank ? 1 : 0) - (against_tank ? 1 : 0);
+    const Vector2 seen = tank.along_frame(share * velocity.x, share * velocity.z);
+    const Vector2 place = tank.in_frame(p.x[i], p.z[i]);
+    p.x[i] = place.x;
+    p.z[i] = place.z;
+    p.velocity_x[i] = seen.x;
+    p.velocity_z[i] = seen.z;
+  }
+}
+
+}  // namespace slosh::sph
