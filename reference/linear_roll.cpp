@@ -9,7 +9,11 @@
 // the mode.
 //
 // Convergence: as that of surge about z0 (linear_surge.cpp), since the walls' mean motion is a
-// surge by z0 theta; the rest of the forcing is one power of n smoother.
+// surge by z0 theta; the rest of the forcing is one power of n smoother. The tank of Zhao et al.
+// 2021 (0.92 m, 4 degrees at 2 rad/s), elevation at the wall, 0 to 12 s, against 8000 modes: set
+// off at once from rest in the earth's frame it errs by at most 0.59, 0.10, 0.034 and 0.018 mm (of
+// 36 mm) with 10, 200, 500 and 1000 modes; raised over pi seconds by 0.041, 0.0021, 0.0008 and
+// 0.0004 mm (of 34 mm). The pressure 0.295 m below the surface is settled to 1e-9 Pa with 40.
 #include "reference/linear_roll.hpp"
 
 #include <cmath>

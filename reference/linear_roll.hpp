@@ -27,7 +27,7 @@
 namespace slosh::reference {
 
 struct RollMotion {
-  std::function<double(double)> angle, rate, acceleration;  // theta, theta', theta'' [rad, rad/s..]
+  std::function<double(double)> angle, rate, acceleration;  // theta and its derivatives, rad, s
   double axis_x, axis_z;  // [m]: X0 from the tank's centre, z0 above the still surface
   double duration, step;  // [s]; theta'' is taken linear between 0, step, 2 step, ...
 };

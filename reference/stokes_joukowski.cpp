@@ -7,7 +7,7 @@
 namespace slosh::reference {
 namespace {
 
-// Leaves sum 8 length^2/(pi m)^3 over odd m > 4000, 4e-9 length^2, at a corner of the liquid.
+// Leaves sum 8 length^2/(pi m)^3 over odd m > 4000, 4.03e-9 length^2, at a corner of the liquid.
 constexpr int most_terms = 2000;
 // exp(-40) = 4e-18: a term below this share of the first adds nothing.
 constexpr double negligible_exponent = 40;
