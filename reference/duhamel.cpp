@@ -35,9 +35,9 @@ struct Propagator {
 
 }  // namespace
 
-DuhamelModes::DuhamelModes(std::vector<SurgeMode> modes, const AnySurge& motion)
+DuhamelModes::DuhamelModes(std::vector<TankMode> modes, const SampledMotion& motion)
     : modes_(std::move(modes)), step_(motion.step) {
-  constexpr auto where = "LinearSurge";
+  const std::string_view where = motion.solution;
   require(motion.duration > 0 && std::isfinite(motion.duration), where, "duration", motion.duration,
           "a time > 0 s");
   require(motion.step > 0 && motion.step <= motion.duration, where, "step", motion.step,
@@ -50,12 +50,12 @@ DuhamelModes::DuhamelModes(std::vector<SurgeMode> modes, const AnySurge& motion)
     acceleration_.push_back(motion.acceleration(times_.back()));
     require(std::isfinite(acceleration_.back()), where,
             fmt::format("acceleration at {} s", times_.back()), acceleration_.back(),
-            "a finite acceleration, m/s2");
+            "a finite acceleration");
   }
 
   nodes_.resize(times_.size() * modes_.size());
   for (std::size_t n = 0; n < modes_.size(); ++n) {
-    const SurgeMode& mode = modes_[n];
+    const TankMode& mode = modes_[n];
     const Propagator whole_step(mode.natural_frequency, step_);
     const Propagator last_step(mode.natural_frequency, times_[intervals] - times_[intervals - 1]);
     Node node{0, mode.initial_rate};
@@ -84,7 +84,7 @@ double DuhamelModes::acceleration(double t) const {
 }
 
 ModeState DuhamelModes::state(std::size_t n, double t) const {
-  const SurgeMode& mode = modes_[n];
+  const TankMode& mode = modes_[n];
   const std::size_t i = interval(t);
   const double s = t - times_[i];
   const double f0 = -mode.coupling * acceleration_[i], f1 = -mode.coupling * slope(i);

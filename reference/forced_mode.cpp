@@ -9,7 +9,7 @@ double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
 
 }  // namespace
 
-ModeState forced_mode(const SurgeMode& mode, const SineSurge& motion, double t) {
+ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
   const double omega = motion.angular_frequency;
   const double omega_n = mode.natural_frequency;
   const double force = mode.coupling * motion.amplitude * omega * omega;

@@ -10,11 +10,11 @@
 //   F/(2 omega^2) [sin(omega t) - omega t cos(omega t)].
 #pragma once
 
-#include "reference/surge_mode.hpp"
+#include "reference/tank_mode.hpp"
 
 namespace slosh::reference {
 
 // The mode at the time t [s] >= 0.
-ModeState forced_mode(const SurgeMode& mode, const SineSurge& motion, double t);
+ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t);
 
 }  // namespace slosh::reference

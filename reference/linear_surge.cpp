@@ -17,7 +17,6 @@
 // the surface every field converges exponentially.
 #include "reference/linear_surge.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -25,27 +24,12 @@
 #include "reference/duhamel.hpp"
 #include "reference/forced_mode.hpp"
 #include "reference/require.hpp"
+#include "reference/within.hpp"
 
 namespace slosh::reference {
 namespace {
 
 constexpr auto where = "LinearSurge";
-
-// By how much a position or a time may lie outside, relative to the tank or the record: rounding
-// only.
-constexpr double rounding = 1e-9;
-
-// C_n(z) and its companion S_n(z) = sinh(lambda_n(z+h))/cosh(lambda_n h), which for z <= 0 overflow
-// nowhere.
-struct DepthProfile {
-  double cosh, sinh;
-};
-
-DepthProfile depth_profile(double lambda, double z, double depth) {
-  const double surface_wave = std::exp(lambda * z) / (1 + std::exp(-2 * lambda * depth));
-  const double bottom_image = std::exp(-2 * lambda * (z + depth));
-  return {surface_wave * (1 + bottom_image), surface_wave * (1 - bottom_image)};
-}
 
 const SineSurge& checked(const SineSurge& motion) {
   require(std::isfinite(motion.amplitude), where, "surge amplitude", motion.amplitude,
@@ -64,7 +48,7 @@ double initial_velocity(const AnySurge& motion) { return motion.initial_velocity
 
 struct LinearSurge::Modes {
   Tank tank;
-  std::vector<SurgeMode> modes;
+  std::vector<TankMode> modes;
   std::variant<SineSurge, DuhamelModes> motion;
 
   Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const SineSurge& sine,
@@ -77,27 +61,13 @@ struct LinearSurge::Modes {
         int count)
       : tank(tank),
         modes(surge_modes(tank, gas, start == Start::earth ? initial_velocity(any) : 0, count)),
-        motion(DuhamelModes(modes, any)) {}
+        motion(DuhamelModes(modes, {where, any.acceleration, any.duration, any.step})) {}
 
   // The time as the motion knows it, or an error.
   double checked_time(double t) const {
     const auto* duhamel = std::get_if<DuhamelModes>(&motion);
     const double last = duhamel ? duhamel->duration() : std::numeric_limits<double>::max();
-    require(t >= 0 && t <= last + rounding * last, where, "time", t,
-            fmt::format("a time from 0 to {} s", last));
-    return std::min(t, last);
-  }
-
-  void check_position(double x) const {
-    require(std::abs(x) <= (0.5 + rounding) * tank.length, where, "x", x,
-            fmt::format("a position within {} m of the tank's centre", tank.length / 2));
-  }
-
-  void check_position(double x, double z) const {
-    check_position(x);
-    require(
-        z <= rounding * tank.fill_depth && z >= -(1 + rounding) * tank.fill_depth, where, "z", z,
-        fmt::format("a height from {} m (the bottom) to 0 (the still surface)", -tank.fill_depth));
+    return time_within(where, t, last);
   }
 
   double tank_acceleration(double t) const {
@@ -136,10 +106,10 @@ double LinearSurge::elevation(double x, double t) const {
 }
 
 std::vector<double> LinearSurge::elevation(double x, std::span<const double> times) const {
-  modes_->check_position(x);
+  require_within(modes_->tank, where, x);
   std::vector<double> shape;
   shape.reserve(modes_->modes.size());
-  for (const SurgeMode& mode : modes_->modes) {
+  for (const TankMode& mode : modes_->modes) {
     shape.push_back(std::sin(mode.wave_number * x));
   }
   std::vector<double> series;
@@ -155,10 +125,10 @@ std::vector<double> LinearSurge::elevation(double x, std::span<const double> tim
 }
 
 LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const {
-  modes_->check_position(x, z);
+  require_within(modes_->tank, where, x, z);
   Velocity velocity{0, 0};
   modes_->for_each(modes_->checked_time(t), [&](std::size_t n, const ModeState& state) {
-    const SurgeMode& mode = modes_->modes[n];
+    const TankMode& mode = modes_->modes[n];
     const DepthProfile profile = depth_profile(mode.wave_number, z, modes_->tank.fill_depth);
     const double surge = state.rate / mode.depth_factor;
     velocity.x += surge * std::cos(mode.wave_number * x) * profile.cosh;
@@ -168,12 +138,12 @@ LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const 
 }
 
 double LinearSurge::pressure(double x, double z, double t) const {
-  modes_->check_position(x, z);
+  require_within(modes_->tank, where, x, z);
   const Tank& tank = modes_->tank;
   const double time = modes_->checked_time(t);
   double potential_rate = 0;
   modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
-    const SurgeMode& mode = modes_->modes[n];
+    const TankMode& mode = modes_->modes[n];
     potential_rate += std::sin(mode.wave_number * x) *
                       depth_profile(mode.wave_number, z, tank.fill_depth).cosh *
                       state.acceleration / (mode.wave_number * mode.depth_factor);

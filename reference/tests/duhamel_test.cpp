@@ -31,12 +31,16 @@ struct RampedSine {
   }
 };
 
+SampledMotion sampled_li(double step) {
+  return {"LinearSurge", sampled(li_surge, 12, step).acceleration, 12, step};
+}
+
 TEST(Duhamel, SolvesTheModesEquationForARamp) {
   const double omega = li_surge.angular_frequency;
   const RampedSine ramp{4 * std::numbers::pi / omega, omega, 0.02};
   const auto modes = surge_modes(li_tank, std::nullopt, 0, 6);
   // The interpolation errs by (omega step)^2/12 of the forcing: 2e-7 of some 3 mm.
-  const DuhamelModes duhamel(modes, {0, ramp, 12, 1e-3});
+  const DuhamelModes duhamel(modes, {"LinearSurge", ramp, 12, 1e-3});
   for (std::size_t n = 0; n < modes.size(); ++n) {
     const auto expected = mode_by_odeint(modes[n], ramp, times);
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -48,7 +52,7 @@ TEST(Duhamel, SolvesTheModesEquationForARamp) {
 
 TEST(Duhamel, EqualsTheClosedFormOnASine) {
   const auto modes = surge_modes(li_tank, std::nullopt, 0.02 * li_surge.angular_frequency, 300);
-  const DuhamelModes duhamel(modes, sampled(li_surge, 12, 1e-3));
+  const DuhamelModes duhamel(modes, sampled_li(1e-3));
   for (std::size_t n = 0; n < modes.size(); ++n) {
     for (const double t : times) {
       const ModeState state = duhamel.state(n, t), closed = forced_mode(modes[n], li_surge, t);
@@ -66,8 +70,8 @@ TEST(Duhamel, IsExactWhereTheAccelerationIsPiecewiseLinear) {
     return phase < 0.5 ? phase : 1 - phase;
   };
   const auto modes = surge_modes(li_tank, std::nullopt, 0.1, 50);
-  const DuhamelModes coarse(modes, {0.1, sawtooth, 5.25, 0.5});
-  const DuhamelModes fine(modes, {0.1, sawtooth, 5.25, 0.5 / 64});
+  const DuhamelModes coarse(modes, {"LinearSurge", sawtooth, 5.25, 0.5});
+  const DuhamelModes fine(modes, {"LinearSurge", sawtooth, 5.25, 0.5 / 64});
   EXPECT_EQ(coarse.duration(), 5.25);
   for (const double t : {0.1, 0.5, 1.7, 4.999, 5.2, 5.25}) {
     EXPECT_NEAR(coarse.acceleration(t), sawtooth(t), 1e-14);
@@ -81,7 +85,7 @@ TEST(Duhamel, IsExactWhereTheAccelerationIsPiecewiseLinear) {
 TEST(Duhamel, FallsToTheSecondOrderOfTheStep) {
   const auto modes = surge_modes(li_tank, std::nullopt, 0, 1);
   const auto error = [&](double step) {
-    return DuhamelModes(modes, sampled(li_surge, 12, step)).state(0, 12).elevation -
+    return DuhamelModes(modes, sampled_li(step)).state(0, 12).elevation -
            forced_mode(modes[0], li_surge, 12).elevation;
   };
   EXPECT_NEAR(error(0.05) / error(0.025), 4, 0.02);
@@ -91,11 +95,12 @@ TEST(Duhamel, RefusesWhatItCannotSample) {
   const auto modes = surge_modes(li_tank, std::nullopt, 0, 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto still = [](double) { return 0.0; };
-  EXPECT_THROW(DuhamelModes(modes, {0, still, 0, 0.1}), std::invalid_argument);
-  EXPECT_THROW(DuhamelModes(modes, {0, still, 1, 0}), std::invalid_argument);
-  EXPECT_THROW(DuhamelModes(modes, {0, still, 1, 2}), std::invalid_argument);
-  EXPECT_THROW(DuhamelModes(modes, {0, [=](double t) { return t > 0.5 ? nan : 0; }, 1, 0.1}),
-               std::invalid_argument);
+  EXPECT_THROW(DuhamelModes(modes, {"LinearSurge", still, 0, 0.1}), std::invalid_argument);
+  EXPECT_THROW(DuhamelModes(modes, {"LinearSurge", still, 1, 0}), std::invalid_argument);
+  EXPECT_THROW(DuhamelModes(modes, {"LinearSurge", still, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(
+      DuhamelModes(modes, {"LinearSurge", [=](double t) { return t > 0.5 ? nan : 0; }, 1, 0.1}),
+      std::invalid_argument);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ double initial_velocity(const SineSurge& sine) { return sine.amplitude * sine.an
 void expect_solves_the_modes(const SineSurge& sine, double start_velocity) {
   const auto modes = surge_modes(li_tank, std::nullopt, start_velocity, 6);
   const auto acceleration = sampled(sine, 12, 1).acceleration;
-  for (const SurgeMode& mode : modes) {
+  for (const TankMode& mode : modes) {
     const auto expected = mode_by_odeint(mode, acceleration, times);
     for (std::size_t i = 0; i < times.size(); ++i) {
       const ModeState state = forced_mode(mode, sine, times[i]);
@@ -43,7 +43,7 @@ TEST(ForcedMode, SolvesTheModesEquationAtExactResonance) {
 
 TEST(ForcedMode, GrowsLinearlyAtExactResonance) {
   const double omega = natural_frequency(li_tank, 1);
-  const SurgeMode mode = surge_modes(li_tank, std::nullopt, 0, 1).front();
+  const TankMode mode = surge_modes(li_tank, std::nullopt, 0, 1).front();
   const double force = mode.coupling * 0.02 * omega * omega;
   for (const double t : times) {
     EXPECT_NEAR(
@@ -58,7 +58,7 @@ TEST(ForcedMode, GrowsLinearlyAtExactResonance) {
 // omega = omega_n.
 TEST(ForcedMode, PassesThroughResonanceWithoutCancellation) {
   const double omega_n = natural_frequency(li_tank, 1), b = 0.02, t = 7;
-  const SurgeMode mode = surge_modes(li_tank, std::nullopt, 0, 1).front();
+  const TankMode mode = surge_modes(li_tank, std::nullopt, 0, 1).front();
   const auto elevation = [&](double omega) { return forced_mode(mode, {b, omega}, t).elevation; };
   const auto textbook = [&](long double omega) {
     const long double wn = omega_n;
@@ -77,7 +77,7 @@ TEST(ForcedMode, PassesThroughResonanceWithoutCancellation) {
 }
 
 TEST(ForcedMode, HasRatesThatAreItsDerivatives) {
-  const SurgeMode mode = surge_modes(li_tank, std::nullopt, initial_velocity(li_surge), 3).back();
+  const TankMode mode = surge_modes(li_tank, std::nullopt, initial_velocity(li_surge), 3).back();
   const double step = 1e-4;
   for (const double t : times) {
     const auto at = [&](double time) { return forced_mode(mode, li_surge, time); };

@@ -5,6 +5,7 @@
 
 #include "reference/linear_surge.hpp"
 #include "reference/tests/li_tank.hpp"
+#include "reference/tests/quadrature.hpp"
 
 namespace slosh::reference {
 namespace {
@@ -23,17 +24,6 @@ double tank_acceleration(double time) {
 }
 
 constexpr Start starts[] = {Start::earth, Start::tank};
-
-// Integral of f over [from, to] by Simpson's rule.
-template <class Function>
-double integral(double from, double to, int intervals, Function f) {
-  const double step = (to - from) / intervals;
-  double sum = f(from) + f(to);
-  for (int i = 1; i < intervals; ++i) {
-    sum += (i % 2 == 1 ? 4 : 2) * f(from + i * step);
-  }
-  return sum * step / 3;
-}
 
 TEST(LinearSurgeField, IsFreeOfDivergenceAndOfRotation) {
   const double d = 1e-4;

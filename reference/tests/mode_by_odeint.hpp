@@ -6,13 +6,13 @@
 #include <functional>
 #include <vector>
 
-#include "reference/surge_mode.hpp"
+#include "reference/tank_mode.hpp"
 
 namespace slosh::reference {
 
 // eta_n and eta_n' at each of the rising times, from t = 0.
 inline std::vector<std::array<double, 2>> mode_by_odeint(
-    const SurgeMode& mode, const std::function<double(double)>& tank_acceleration,
+    const TankMode& mode, const std::function<double(double)>& tank_acceleration,
     const std::vector<double>& times) {
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 2>;

@@ -1,0 +1,69 @@
+#include "reference/tank_mode.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "reference/require.hpp"
+
+namespace slosh::reference {
+namespace {
+
+// The modes of the tank at rest: neither a coupling nor an initial rate.
+std::vector<TankMode> still_modes(const Tank& tank, const std::optional<Gas>& gas, int count,
+                                  std::string_view where) {
+  require(count >= 1, where, "number of modes", count, "1 or more (500 for a converged elevation)");
+  require(tank.density > 0 && std::isfinite(tank.density), where, "liquid density", tank.density,
+          "a density > 0 kg/m3");
+  std::vector<TankMode> modes;
+  modes.reserve(count);
+  for (int n = 0; n < count; ++n) {
+    const int m = 2 * n + 1;
+    const double omega = gas ? natural_frequency(tank, *gas, m) : natural_frequency(tank, m);
+    const double lambda = m * std::numbers::pi / tank.length;
+    const double sign = n % 2 == 0 ? 1 : -1;
+    modes.push_back({.wave_number = lambda,
+                     .depth_factor = std::tanh(lambda * tank.fill_depth),
+                     .line = sign * 4 / (tank.length * lambda * lambda),
+                     .coupling = 0,
+                     .natural_frequency = omega,
+                     .initial_rate = 0});
+  }
+  return modes;
+}
+
+}  // namespace
+
+std::vector<TankMode> surge_modes(const Tank& tank, const std::optional<Gas>& gas,
+                                  double initial_velocity, int count) {
+  constexpr auto where = "LinearSurge";
+  require(std::isfinite(initial_velocity), where, "initial velocity", initial_velocity,
+          "a finite velocity, m/s");
+  auto modes = still_modes(tank, gas, count, where);
+  for (TankMode& mode : modes) {
+    mode.coupling = mode.line * mode.wave_number * mode.depth_factor;
+    mode.initial_rate = -mode.coupling * initial_velocity;
+  }
+  return modes;
+}
+
+std::vector<TankMode> roll_modes(const Tank& tank, const std::optional<Gas>& gas,
+                                 const RollStart& roll, int count) {
+  constexpr auto where = "LinearRoll";
+  require(std::isfinite(roll.axis_z), where, "axis_z", roll.axis_z, "a finite height, m");
+  require(std::isfinite(roll.rate), where, "initial rate", roll.rate, "a finite rate, rad/s");
+  auto modes = still_modes(tank, gas, count, where);
+  for (TankMode& mode : modes) {
+    mode.coupling = mode.line * (roll.axis_z * mode.wave_number * mode.depth_factor + 1 -
+                                 2 / std::cosh(mode.wave_number * tank.fill_depth));
+    mode.initial_rate = (roll.start == Start::earth ? -mode.coupling : mode.line) * roll.rate;
+  }
+  return modes;
+}
+
+DepthProfile depth_profile(double lambda, double z, double depth) {
+  const double surface_wave = std::exp(lambda * z) / (1 + std::exp(-2 * lambda * depth));
+  const double bottom_image = std::exp(-2 * lambda * (z + depth));
+  return {surface_wave * (1 + bottom_image), surface_wave * (1 - bottom_image)};
+}
+
+}  // namespace slosh::reference
