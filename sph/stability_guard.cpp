@@ -17,11 +17,11 @@ void throw_bad_particle(const Particles& p, std::size_t i, double time, const ch
 }
 
 void check_state(const Particles& p, double rest_density, double time) {
-  constexpr double largest_compression = 0.3;
+  constexpr double highest = 1.3, lowest = 0.2;  // of the rest density
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!std::isfinite(p.x[i] + p.z[i] + p.velocity_x[i] + p.velocity_z[i] + p.density[i]))
       throw_bad_particle(p, i, time, "not finite");
-    if (!(std::abs(p.density[i] - rest_density) <= largest_compression * rest_density))
+    if (!(p.density[i] <= highest * rest_density && p.density[i] >= lowest * rest_density))
       throw_bad_particle(p, i, time, "out of the density range");
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <random>
+#include <type_traits>
 
 #include "sph/neighbours/particles.hpp"
 #include "sph/tests/surging_scene.hpp"
@@ -18,6 +19,23 @@ inline constexpr TankWalls moving_tank{.left = 0.137,
                                        .roof = 0.16,
                                        .velocity = 0.3,
                                        .acceleration = -2.1};
+
+// The same walls as a scheme's frame has them.
+template <class Frame>
+typename Frame::Tank tank_of(const TankWalls& walls) {
+  if constexpr (std::is_same_v<typename Frame::Tank, RollingTank>)
+    return {.tank_length = walls.length(),
+            .roof = walls.roof,
+            .axis_x = 0,
+            .axis_z = 0,
+            .displacement = walls.left,
+            .velocity = walls.velocity,
+            .cosine = 1,
+            .sine = 0,
+            .rate = 0};
+  else
+    return walls;
+}
 
 // That of both tanks, with a viscosity that shows.
 inline Scene small_scene(double surface_spacing = small_spacing) {

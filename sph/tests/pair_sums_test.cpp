@@ -48,17 +48,18 @@ struct Neighbourhood {
 
   Rates rates(const Particles& particles, const TankWalls& walls,
               InstructionSet set = widest_instruction_set()) {
+    const auto tank = tank_of<typename Choice::Frame>(walls);
     Rates rates;
     rates.resize(particles.size());
-    sources.refresh_for_momentum(scheme, particles, walls);
-    solids.refresh_for_momentum(scheme, sources, walls, set);
-    sum_momentum(scheme, walls, sources.clusters(), sources.sources(), particles, rates, set);
-    sources.refresh_for_continuity(scheme, particles, walls);
-    solids.refresh_for_continuity(scheme, sources, walls, set);
+    sources.refresh_for_momentum(scheme, particles, tank);
+    solids.refresh_for_momentum(scheme, sources, tank, set);
+    sum_momentum(scheme, tank, sources.clusters(), sources.sources(), particles, rates, set);
+    sources.refresh_for_continuity(scheme, particles, tank);
+    solids.refresh_for_continuity(scheme, sources, tank, set);
     DensityGradient gradient;
     if constexpr (Choice::DensityDiffusion::reads_gradient)
-      sum_density_gradient(scheme, sources, particles, walls, gradient, set);
-    sum_continuity(scheme, walls, sources.clusters(), sources.sources(), gradient, particles, rates,
+      sum_density_gradient(scheme, sources, particles, tank, gradient, set);
+    sum_continuity(scheme, tank, sources.clusters(), sources.sources(), gradient, particles, rates,
                    set);
     return rates;
   }

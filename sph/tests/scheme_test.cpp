@@ -154,8 +154,8 @@ TEST(Simulation, RefusesAVariantOfASchemeThatHasNone) {
   }
 }
 
-TEST(Simulation, HasTwentyTwoVariantsOfTheRecommendedScheme) {
-  EXPECT_EQ(variant_names().size(), 22);
+TEST(Simulation, HasTwentyThreeVariantsOfTheRecommendedScheme) {
+  EXPECT_EQ(variant_names().size(), 23);
   EXPECT_EQ(scheme_names().size(), 5);
 }
 

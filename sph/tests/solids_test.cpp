@@ -10,6 +10,7 @@
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
+#include "sph/tests/disordered_liquid.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph {
@@ -37,7 +38,7 @@ struct Beside {
   Scene scene;
   Scheme<Choice> scheme;
   double support = kernel_support * scheme.setting.smoothing_length();
-  TankWalls walls;
+  typename Choice::Frame::Tank walls;
   NeighbourSources sources;
   typename Choice::Solids solids;
   Particles particles;
@@ -45,7 +46,7 @@ struct Beside {
   Beside(const Scene& in, const TankWalls& walls_in, Particles liquid)
       : scene(in),
         scheme(scene),
-        walls(walls_in),
+        walls(tank_of<typename Choice::Frame>(walls_in)),
         sources(walls, scene.particle_spacing, support),
         solids(scene, !Choice::Mirror::exists, support),
         particles(std::move(liquid)) {

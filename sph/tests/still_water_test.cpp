@@ -105,11 +105,6 @@ TEST_F(StillWaterSeries, SeeAWallWithoutAnyParticle) {
   EXPECT_GT(value("wall_gap"), 10);
 }
 
-TEST_F(StillWaterSeries, AreMeasuredInTheTank) {
-  for (double& x : now.x) x += 0.4;
-  EXPECT_NEAR(value("wall_gap", 0.4), 0, 1e-9);
-}
-
 TEST_F(StillWaterSeries, SeeNoGapWhereAnObstacleStands) {
   Scene with_obstacle = scene;
   with_obstacle.obstacles = {{0.4, 0.6, 0, 0.2}};
