@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam {
@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Two columns whose filling differs, so that a wrong column or weight shows.
-SurgingTank tank_with_one_gauge() {
-  SurgingTank tank = small_tank();
+SloshingTank tank_with_one_gauge() {
+  SloshingTank tank = small_tank();
   tank.length = 1;
   tank.height = 1;
   tank.fill_depth = 0.35;
@@ -36,7 +36,9 @@ class Harvested : public ::testing::Test {
     write("column_19", "volFieldValue.dat", "# Cells             : 10\n", right_filling);
     write("liquid_volume", "volFieldValue.dat", "# Cells             : 200\n",
           [](int) { return 0.35; });
-    write_force();
+    write_vectors("wall_force", "force.dat");
+    write_vectors("liquid_momentum", "volFieldValue.dat");
+    write_gauge_cells(10);
   }
 
   fs::path series(const std::string& name, const std::string& file = "volFieldValue.dat") {
@@ -52,13 +54,32 @@ class Harvested : public ::testing::Test {
     for (int i = 1; i <= samples; ++i) out << 0.01 * i << "          \t" << value(i) << "\n";
   }
 
-  void write_force() {
-    fs::create_directories(series("wall_force").parent_path());
-    std::ofstream out(series("wall_force", "force.dat"));
-    out << "# Force\n";
+  // Rows of three vectors, whose first three samples are an impulse's.
+  void write_vectors(const std::string& name, const std::string& file) {
+    fs::create_directories(series(name).parent_path());
+    std::ofstream out(series(name, file));
+    out << "# Cells : 200\n# Time\n";
+    const bool is_force = name == "wall_force";
     for (int i = 1; i <= 100; ++i) {
-      const double value = i == 1 ? -1e5 : 10 * i;
-      out << 0.01 * i << "\t(" << value << " 0 -3441)\t(" << value << " 0 -3441)\t(0 0 0)\n";
+      const double value = is_force && i == 1 ? -1e5 : 10 * i;
+      out << 0.01 * i << "\t(" << value << " " << 2 * i << " -3441)";
+      if (is_force) out << "\t(" << value << " 0 -3441)\t(0 0 0)";
+      out << "\n";
+    }
+  }
+
+  // The gauge's column, 19, with a drop in the fourth cell from above in the 30th sample.
+  void write_gauge_cells(int cells) {
+    fs::create_directories(series("gauge_cells").parent_path());
+    std::ofstream out(series("gauge_cells", "alpha.liquid"));
+    out << "# Probe 0 (0.975 0.5 0.05)\n#       Time\n";
+    for (int i = 1; i <= 100; ++i) {
+      out << 0.01 * i;
+      for (int cell = 0; cell < cells; ++cell) {
+        const double share = std::clamp(right_filling(i) / 0.1 - cell, 0.0, 1.0);
+        out << " " << (i == 30 && cell == 6 ? 0.8 : share);
+      }
+      out << "\n";
     }
   }
 
@@ -86,7 +107,7 @@ TEST_F(Harvested, GivesTheElevationBetweenTwoColumns) {
 
 // Of the steps at 4, 8 and 12 ms one sample, at 10 ms, lies within the first three.
 TEST_F(Harvested, DropsTheForceOfTheFirstThreeSteps) {
-  const History force = harvest(tank_with_one_gauge(), directory_.path()).horizontal_force;
+  const History force = harvest(tank_with_one_gauge(), directory_.path()).force_x;
   ASSERT_EQ(force.time.size(), 99u);
   EXPECT_NEAR(force.time.front(), 0.02, 1e-12);
   EXPECT_EQ(force.value.front(), 20);
@@ -116,7 +137,7 @@ class HarvestedColumn : public Harvested {
   }
 
   Harvest harvest_column() {
-    SurgingTank tank = tank_with_one_gauge();
+    SloshingTank tank = tank_with_one_gauge();
     tank.column_width = 0.1;
     return harvest(tank, directory_.path());
   }

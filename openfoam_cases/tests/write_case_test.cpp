@@ -4,7 +4,7 @@
 #include <regex>
 #include <sstream>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam {
@@ -32,7 +32,7 @@ std::vector<double> list_after(std::string text, const std::string& key) {
 
 class WrittenCase : public ::testing::Test {
  protected:
-  void write(const SurgingTank& tank) { write_case(tank, template_directory, directory_.path()); }
+  void write(const SloshingTank& tank) { write_case(tank, template_directory, directory_.path()); }
   std::string file(const std::string& name) { return contents(directory_.path() / name); }
   TemporaryDirectory directory_;
 };
@@ -49,7 +49,7 @@ TEST_F(WrittenCase, LeavesNoPlaceholderUnfilled) {
 }
 
 TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.length = 1.0 / 3;
   tank.gauges = {{"middle", tank.length / 2}};
   tank.liquid.density = std::nextafter(1000.0, 0);
@@ -66,7 +66,7 @@ TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
 }
 
 TEST_F(WrittenCase, StartsWithTheExactVolumeForALevelInsideACell) {
-  const SurgingTank tank = small_tank();  // the level is at 2.746 cells
+  const SloshingTank tank = small_tank();  // the level is at 2.746 cells
   write(tank);
   const std::vector<double> fractions = list_after(file("0/alpha.liquid"), "nonuniform");
   ASSERT_EQ(fractions.size(), 200u);
@@ -79,7 +79,7 @@ TEST_F(WrittenCase, StartsWithTheExactVolumeForALevelInsideACell) {
 }
 
 TEST_F(WrittenCase, TabulatesTheAccelerationFinelyAndPastTheEnd) {
-  const SurgingTank tank = small_tank();
+  const SloshingTank tank = small_tank();
   write(tank);
   const std::vector<double> rows = list_after(file("constant/acceleration"), "");
   ASSERT_EQ(rows.size() % 10, 0u);
@@ -104,7 +104,7 @@ TEST_F(WrittenCase, AveragesEachColumnThatAGaugeReads) {
 
 // The order of the cells is the mesh's: below the step's top 18 cells a row, then 2 and 18.
 TEST_F(WrittenCase, NumbersTheLiquidsCellsBlockByBlock) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.gauges = {};
   tank.obstacles = {{0, 0.11, 0, 0.26}};
   write(tank);
@@ -118,7 +118,7 @@ TEST_F(WrittenCase, NumbersTheLiquidsCellsBlockByBlock) {
 }
 
 TEST_F(WrittenCase, ProbesTheLowestRowForTheFrontOfAColumn) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.column_width = 0.4;
   tank.obstacles = {{0.55, 0.66, 0, 0.13}};
   write(tank);
@@ -131,38 +131,39 @@ TEST_F(WrittenCase, ProbesTheLowestRowForTheFrontOfAColumn) {
 
 TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   const auto refused = [this](auto change) {
-    SurgingTank tank = small_tank();
+    SloshingTank tank = small_tank();
     change(tank);
     return message_of<std::invalid_argument>([&] { write(tank); });
   };
-  EXPECT_EQ(refused([](SurgingTank& t) { t.fill_depth = 1.4; }),
+  EXPECT_EQ(refused([](SloshingTank& t) { t.fill_depth = 1.4; }),
             "OpenFOAM tank: fill_depth = 1.4: expected less than the height of 1.3 m");
-  EXPECT_EQ(refused([](SurgingTank& t) { t.length = std::nan(""); }),
+  EXPECT_EQ(refused([](SloshingTank& t) { t.length = std::nan(""); }),
             "OpenFOAM tank: length = nan: expected a positive number of m");
-  EXPECT_NE(refused([](SurgingTank& t) { t.gauges[0].x = 1.2; }).find("gauge x"),
+  EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].x = 1.2; }).find("gauge x"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) { t.gauges[0].name = "left"; }).find("two gauges"),
+  EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].name = "left"; }).find("two gauges"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) { t.processes = 21; }).find("processes"), std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) { t.processes = 21; }).find("processes"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.acceleration = [](double time) { return time > 0.5 ? NAN : 0; };
             }).find("acceleration"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) { t.column_width = 1.1; }).find("column_width = 1.1"),
+  EXPECT_NE(refused([](SloshingTank& t) { t.column_width = 1.1; }).find("column_width = 1.1"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.obstacles = {{0.1, 0.22, 0, 0.13}};
             }).find("obstacle left = 0.1"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.obstacles = {{0.99, 1.1, 0, 1.3}};
             }).find("gauge x = 1.05: expected a place where the obstacles leave room"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.column_width = 0.11, t.obstacles = {{0, 0.22, 0, 0.52}};
             }).find("liquid volume"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.column_width = 0.5, t.obstacles = {{0, 1.1, 0, 0.13}};
             }).find("column_width = 0.5: expected a bottom"),
             std::string::npos);
