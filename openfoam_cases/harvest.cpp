@@ -164,8 +164,8 @@ std::map<std::string, History> wall_pressures(const SloshingTank& tank, const Ta
     faces += shares.back().size();
   }
   const fs::path gas_file = series_file(case_directory, "gas_pressure", "volFieldValue.dat");
-  check_cell_count(gas_file, mesh.free_cells());
   const Rows gas = after_start(read_rows(tank, gas_file, 2), log);
+  check_cell_count(gas_file, mesh.free_cells());
   const fs::path file = series_file(case_directory, "wall_pressure", "p");
   const Rows rows = after_start(read_rows(tank, file, 1 + faces), log);
   if (rows.time != gas.time) refuse(file, "not sampled at the times of " + gas_file.string());
@@ -186,8 +186,8 @@ std::map<std::string, History> wall_pressures(const SloshingTank& tank, const Ta
 void set_momentum(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
                   Harvest& harvest) {
   const fs::path file = series_file(case_directory, "liquid_momentum", "volFieldValue.dat");
-  check_cell_count(file, mesh.free_cells());
   const Rows rows = read_rows(tank, file, 1 + 3);
+  check_cell_count(file, mesh.free_cells());
   harvest.momentum_x = column_of(rows, 0, tank.liquid.density);
   harvest.momentum_z = column_of(rows, 2, tank.liquid.density);
   const double mass = tank.liquid.density * initial_volume(tank, mesh);

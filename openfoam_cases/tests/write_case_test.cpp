@@ -4,7 +4,9 @@
 #include <regex>
 #include <sstream>
 
+#include "openfoam_cases/frame_motion.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam {
@@ -129,6 +131,79 @@ TEST_F(WrittenCase, ProbesTheLowestRowForTheFrontOfAColumn) {
   EXPECT_EQ(places[5], 0.065);
 }
 
+// The roll's axis is the origin of the mesh, and all that is placed in it moves along.
+TEST_F(WrittenCase, PutsTheOriginOnTheRollsAxis) {
+  SloshingTank tank = small_tank();
+  tank.roll = harmonic_roll(0.1, 2, 0.25, -0.5);
+  tank.pressure_gauges = {{"right", PressureGauge::Wall::right, 0.065, 0}};
+  tank.column_width = 0.4;
+  write(tank);
+  const std::vector<double> vertices = list_after(file("system/blockMeshDict"), "vertices");
+  EXPECT_EQ(vertices[0], -0.25);
+  EXPECT_EQ(vertices[2], 0.5);
+  EXPECT_NEAR(vertices[18], 1.1 - 0.25, 1e-15);
+  EXPECT_NEAR(vertices[20], 1.3 + 0.5, 1e-15);
+  EXPECT_NE(file("system/fvSolution").find("pRefPoint           (0.3275"), std::string::npos);
+  EXPECT_NE(file("system/topoSetDict").find("box     (-0.23625 0 0.5) (-0.20875 1 1.8);"),
+            std::string::npos)
+      << file("system/topoSetDict");
+  const std::string control = file("system/controlDict");
+  const auto places = [&](const char* object) {
+    return list_after(control.substr(control.find(object)), "probeLocations");
+  };
+  EXPECT_NEAR(places("bottom_row")[0], 0.0275 - 0.25, 1e-15);
+  EXPECT_NEAR(places("bottom_row")[2], 0.065 + 0.5, 1e-15);
+  EXPECT_NEAR(places("gauge_cells")[0], 0.0275 - 0.25, 1e-15);
+  ASSERT_EQ(places("gauge_cells").size(), 2 * 10 * 3u);
+  ASSERT_EQ(places("wall_pressure").size(), 2 * 3u);
+  EXPECT_NEAR(places("wall_pressure")[0], 1.1 - 0.25, 1e-15);
+  EXPECT_NEAR(places("wall_pressure")[2], 0.065 + 0.5, 1e-15);
+  EXPECT_EQ(control.find("liquid_momentum"), std::string::npos);
+}
+
+TEST_F(WrittenCase, TabulatesTheRoll) {
+  SloshingTank tank = small_tank();
+  tank.roll = harmonic_roll(0.1, 2, 0.25, -0.5);
+  write(tank);
+  const std::vector<double> rows = list_after(file("constant/acceleration"), "");
+  ASSERT_EQ(rows.size() % 10, 0u);
+  for (std::size_t row = 0; row < rows.size(); row += 10) {
+    const FrameMotion motion = frame_motion(tank, rows[row]);
+    EXPECT_EQ(rows[row + 1], motion.acceleration_x);
+    EXPECT_EQ(rows[row + 3], motion.acceleration_z);
+    EXPECT_EQ(rows[row + 5], motion.omega_y);
+    EXPECT_EQ(rows[row + 8], motion.omega_y_derivative);
+    for (const int zero : {2, 4, 6, 7, 9}) EXPECT_EQ(rows[row + zero], 0);
+  }
+}
+
+TEST_F(WrittenCase, StartsARollAtRestInTheEarthsFrameCellByCell) {
+  SloshingTank tank = small_tank();
+  tank.roll = harmonic_roll(0.1, 2, 0.25, -0.5);
+  tank.roll->initial_relative_rate = -0.2;
+  write(tank);
+  const std::vector<double> field = list_after(file("0/U"), "nonuniform");
+  ASSERT_EQ(field.size(), 200 * 3u);
+  const Velocity last = initial_velocity(tank, TankMesh(tank), {19, 9});
+  EXPECT_EQ(field[3 * 199], last.x);
+  EXPECT_EQ(field[3 * 199 + 2], last.z);
+  const std::string control = file("system/controlDict");
+  EXPECT_NEAR(std::stod(entry(control, "deltaT")), 0.01 * std::stod(entry(control, "maxDeltaT")),
+              1e-12);
+}
+
+TEST_F(WrittenCase, WritesTheFieldsOnceAtEachSnapshotsTime) {
+  SloshingTank tank = small_tank();
+  tank.snapshot_times = {0.25, 0.8};
+  write(tank);
+  std::string control = file("system/controlDict");
+  control = control.substr(control.find("snapshot_1"));
+  EXPECT_EQ(entry(control, "objects"), "(alpha.liquid U p)");
+  EXPECT_EQ(std::stod(entry(control, "writeInterval")), 0.8);
+  EXPECT_GT(std::stod(entry(control, "timeEnd")), 0.8);
+  EXPECT_LT(std::stod(entry(control, "timeEnd")), 1.6);
+}
+
 TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   const auto refused = [this](auto change) {
     SloshingTank tank = small_tank();
@@ -166,6 +241,40 @@ TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   EXPECT_NE(refused([](SloshingTank& t) {
               t.column_width = 0.5, t.obstacles = {{0, 1.1, 0, 0.13}};
             }).find("column_width = 0.5: expected a bottom"),
+            std::string::npos);
+  const auto rolled = [&](auto change) {
+    return refused([&](SloshingTank& t) {
+      t.roll = harmonic_roll(0.1, 2, 0.5, 0);
+      change(*t.roll);
+    });
+  };
+  EXPECT_EQ(rolled([](Roll& roll) { roll.axis_x = INFINITY; }),
+            "OpenFOAM tank: roll axis x = inf: expected a finite place in m");
+  EXPECT_NE(rolled([](Roll& roll) { roll.axis_z = NAN; }).find("roll axis z = nan"),
+            std::string::npos);
+  EXPECT_NE(rolled([](Roll& roll) { roll.initial_relative_rate = NAN; }).find("rate = nan"),
+            std::string::npos);
+  EXPECT_NE(rolled([](Roll& roll) {
+              roll.angle = [](double time) { return time > 0.5 ? NAN : 0; };
+            }).find("roll angle = nan"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) {
+              t.pressure_gauges = {{"high", PressureGauge::Wall::left, 1.31, 0}};
+            }).find("pressure gauge position = 1.31"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) {
+              t.pressure_gauges = {{"one", PressureGauge::Wall::left, 0.1, 0},
+                                   {"one", PressureGauge::Wall::right, 0.1, 0}};
+            }).find("two pressure gauges are named \"one\""),
+            std::string::npos);
+  EXPECT_EQ(
+      refused([](SloshingTank& t) {
+        t.snapshot_times = {0.5, 1.01};
+      }),
+      "OpenFOAM tank: snapshot time = 1.01: expected above 0 and at most the duration of 1 s");
+  EXPECT_NE(refused([](SloshingTank& t) { t.snapshot_times = {0}; }).find("snapshot time = 0:"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) { t.snapshot_times = {NAN}; }).find("snapshot time = nan"),
             std::string::npos);
   EXPECT_TRUE(fs::is_empty(directory_.path())) << "a refused tank leaves nothing behind";
 }
