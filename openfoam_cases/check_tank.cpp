@@ -8,6 +8,7 @@
 #include "openfoam_cases/geometry/front_position.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/geometry/wall_faces.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -17,7 +18,7 @@ void require_positive(const char* key, double value, const char* unit) {
           fmt::format("a positive number of {}", unit));
 }
 
-void check_numbers(const SurgingTank& tank) {
+void check_numbers(const SloshingTank& tank) {
   require_positive("length", tank.length, "m");
   require_positive("height", tank.height, "m");
   require_positive("fill_depth", tank.fill_depth, "m");
@@ -41,7 +42,7 @@ void check_numbers(const SurgingTank& tank) {
           "between 1 and cells_x");
 }
 
-void check_gauges(const SurgingTank& tank, const TankMesh& mesh) {
+void check_gauges(const SloshingTank& tank, const TankMesh& mesh) {
   std::set<std::string> names;
   for (const Gauge& gauge : tank.gauges) {
     require(gauge.x >= 0 && gauge.x <= tank.length, "gauge x", gauge.x,
@@ -55,7 +56,32 @@ void check_gauges(const SurgingTank& tank, const TankMesh& mesh) {
   }
 }
 
-void check_liquid(const SurgingTank& tank, const TankMesh& mesh) {
+void check_pressure_gauges(const SloshingTank& tank, const TankMesh& mesh) {
+  std::set<std::string> names;
+  for (const PressureGauge& gauge : tank.pressure_gauges) {
+    face_shares(mesh, gauge);
+    if (!names.insert(gauge.name).second) {
+      throw std::invalid_argument("OpenFOAM tank: two pressure gauges are named \"" + gauge.name +
+                                  "\"");
+    }
+  }
+}
+
+void check_roll(const Roll& roll) {
+  require(std::isfinite(roll.axis_x), "roll axis x", roll.axis_x, "a finite place in m");
+  require(std::isfinite(roll.axis_z), "roll axis z", roll.axis_z, "a finite place in m");
+  require(std::isfinite(roll.initial_relative_rate), "roll initial_relative_rate",
+          roll.initial_relative_rate, "a finite rate in rad/s");
+}
+
+void check_snapshots(const SloshingTank& tank) {
+  for (const double time : tank.snapshot_times) {
+    require(time > 0 && time <= tank.duration, "snapshot time", time,
+            fmt::format("above 0 and at most the duration of {} s", tank.duration));
+  }
+}
+
+void check_liquid(const SloshingTank& tank, const TankMesh& mesh) {
   if (tank.column_width) {
     require(*tank.column_width > 0 && *tank.column_width < tank.length, "column_width",
             *tank.column_width, fmt::format("between the walls, 0 and {} m", tank.length));
@@ -78,10 +104,13 @@ void require(bool condition, const char* key, double value, const std::string& e
   }
 }
 
-void check_tank(const SurgingTank& tank) {
+void check_tank(const SloshingTank& tank) {
   check_numbers(tank);
   const TankMesh mesh(tank);
+  if (tank.roll) check_roll(*tank.roll);
+  check_snapshots(tank);
   check_gauges(tank, mesh);
+  check_pressure_gauges(tank, mesh);
   check_liquid(tank, mesh);
 }
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 
@@ -11,6 +11,6 @@ namespace slosh::openfoam {
 void require(bool condition, const char* key, double value, const std::string& expected);
 
 // Throws std::invalid_argument; the motion is checked where it is tabulated.
-void check_tank(const SurgingTank& tank);
+void check_tank(const SloshingTank& tank);
 
 }  // namespace slosh::openfoam

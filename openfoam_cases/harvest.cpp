@@ -7,10 +7,13 @@
 
 #include "openfoam_cases/geometry/front_position.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
+#include "openfoam_cases/geometry/highest_surface.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/geometry/wall_faces.hpp"
 #include "openfoam_cases/read_log.hpp"
 #include "openfoam_cases/read_series.hpp"
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/read_snapshot.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -34,7 +37,7 @@ void check_cell_count(const fs::path& file, int expected) {
 }
 
 // The height of the surface in a column of cells, from the start on.
-History column_level(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+History column_level(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
                      int column) {
   const fs::path file = series_file(case_directory, column_name(column), "volFieldValue.dat");
   const History filling = read_series(tank, file, 2);
@@ -49,7 +52,7 @@ History column_level(const SurgingTank& tank, const TankMesh& mesh, const fs::pa
   return level;
 }
 
-History elevation(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+History elevation(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
                   const Gauge& gauge) {
   const GaugeColumns columns = gauge_columns(mesh, gauge.x);
   History history = column_level(tank, mesh, case_directory, columns.left);
@@ -61,7 +64,40 @@ History elevation(const SurgingTank& tank, const TankMesh& mesh, const fs::path&
   return history;
 }
 
-History front(const SurgingTank& tank, const TankMesh& mesh, const fs::path& case_directory) {
+// By the index of each probed column: what the probes of its cells show, from the start on.
+std::map<int, History> highest_surfaces(const SloshingTank& tank, const TankMesh& mesh,
+                                        const fs::path& case_directory) {
+  std::map<int, History> surfaces;
+  std::size_t cells = 0;
+  for (const int column : probed_columns(tank, mesh)) {
+    std::vector<double> at_start;
+    for (const int row : free_rows(mesh, column)) {
+      at_start.push_back(liquid_share(tank, {column, row}));
+    }
+    surfaces[column] = {{0}, {highest_surface(mesh, column, at_start)}};
+    cells += at_start.size();
+  }
+  if (surfaces.empty()) return surfaces;
+  const Rows rows =
+      read_rows(tank, series_file(case_directory, "gauge_cells", "alpha.liquid"), 1 + cells);
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    auto next = rows.values[i].begin();
+    for (auto& [column, history] : surfaces) {
+      const auto end = next + mesh.free_cells(column);
+      history.time.push_back(rows.time[i]);
+      history.value.push_back(highest_surface(mesh, column, {next, end}));
+      next = end;
+    }
+  }
+  return surfaces;
+}
+
+History above(double level, History heights) {
+  for (double& value : heights.value) value -= level;
+  return heights;
+}
+
+History front(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory) {
   const Rows rows = read_rows(tank, series_file(case_directory, "bottom_row", "alpha.liquid"),
                               1 + bottom_columns(mesh).size());
   std::vector<double> at_start;
@@ -74,7 +110,7 @@ History front(const SurgingTank& tank, const TankMesh& mesh, const fs::path& cas
   return history;
 }
 
-History liquid_volume(const SurgingTank& tank, const TankMesh& mesh,
+History liquid_volume(const SloshingTank& tank, const TankMesh& mesh,
                       const fs::path& case_directory) {
   const fs::path file = series_file(case_directory, "liquid_volume", "volFieldValue.dat");
   History volume = read_series(tank, file, 2);
@@ -92,23 +128,77 @@ History liquid_volume(const SurgingTank& tank, const TankMesh& mesh,
   return volume;
 }
 
+// One value of each row, times a factor.
+History column_of(const Rows& rows, std::size_t index, double factor) {
+  History history{rows.time, {}};
+  for (const std::vector<double>& row : rows.values) history.value.push_back(factor * row[index]);
+  return history;
+}
+
 // The start sets fluid and tank in relative motion at once: the pressure of the first steps is an
 // impulse divided by the time step and says nothing of the flow. Samples of the first three are
 // dropped.
-History horizontal_force(const SurgingTank& tank, const fs::path& case_directory,
-                         const LogReader& log) {
-  History force =
-      read_series(tank, series_file(case_directory, "wall_force", "force.dat"), 1 + 3 * 3);
-  const auto kept = std::upper_bound(force.time.begin(), force.time.end(), log.third_step_time());
-  const auto dropped = kept - force.time.begin();
-  force.time.erase(force.time.begin(), kept);
-  force.value.erase(force.value.begin(), force.value.begin() + dropped);
-  return force;
+Rows after_start(Rows rows, const LogReader& log) {
+  const auto kept = std::upper_bound(rows.time.begin(), rows.time.end(), log.third_step_time());
+  rows.values.erase(rows.values.begin(), rows.values.begin() + (kept - rows.time.begin()));
+  rows.time.erase(rows.time.begin(), kept);
+  return rows;
+}
+
+// Vectors of the total, the pressure's and the viscous share.
+Rows wall_loads(const SloshingTank& tank, const fs::path& case_directory, const char* name,
+                const LogReader& log) {
+  const fs::path file = series_file(case_directory, "wall_force", name);
+  return after_start(read_rows(tank, file, 1 + 3 * 3), log);
+}
+
+std::map<std::string, History> wall_pressures(const SloshingTank& tank, const TankMesh& mesh,
+                                              const fs::path& case_directory,
+                                              const LogReader& log) {
+  std::map<std::string, History> pressures;
+  if (tank.pressure_gauges.empty()) return pressures;
+  std::vector<std::vector<FaceShare>> shares;
+  std::size_t faces = 0;
+  for (const PressureGauge& gauge : tank.pressure_gauges) {
+    shares.push_back(face_shares(mesh, gauge));
+    faces += shares.back().size();
+  }
+  const fs::path gas_file = series_file(case_directory, "gas_pressure", "volFieldValue.dat");
+  const Rows gas = after_start(read_rows(tank, gas_file, 2), log);
+  check_cell_count(gas_file, mesh.free_cells());
+  const fs::path file = series_file(case_directory, "wall_pressure", "p");
+  const Rows rows = after_start(read_rows(tank, file, 1 + faces), log);
+  if (rows.time != gas.time) refuse(file, "not sampled at the times of " + gas_file.string());
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    auto face = rows.values[i].begin();
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      double pressure = -gas.values[i][0];
+      for (const FaceShare& share : shares[k]) pressure += share.weight * *face++;
+      History& history = pressures[tank.pressure_gauges[k].name];
+      history.time.push_back(rows.time[i]);
+      history.value.push_back(pressure);
+    }
+  }
+  return pressures;
+}
+
+// In the earth's frame: the liquid moves with the tank, and against it as the mesh's velocity says.
+void set_momentum(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                  Harvest& harvest) {
+  const fs::path file = series_file(case_directory, "liquid_momentum", "volFieldValue.dat");
+  const Rows rows = read_rows(tank, file, 1 + 3);
+  check_cell_count(file, mesh.free_cells());
+  harvest.momentum_x = column_of(rows, 0, tank.liquid.density);
+  harvest.momentum_z = column_of(rows, 2, tank.liquid.density);
+  const double mass = tank.liquid.density * initial_volume(tank, mesh);
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    harvest.momentum_x.value[i] += mass * tank.velocity(rows.time[i]);
+  }
 }
 
 }  // namespace
 
-Harvest harvest(const SurgingTank& tank, const fs::path& case_directory) {
+Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
   const fs::path log_file = case_directory / "log.interFoam";
   const LogReader log = read_log(log_file);
   if (const std::string failure = log.failure(); !failure.empty()) {
@@ -117,10 +207,24 @@ Harvest harvest(const SurgingTank& tank, const fs::path& case_directory) {
   const TankMesh mesh(tank);
   Harvest harvest;
   harvest.cells = mesh.free_cells();
+  const std::map<int, History> surfaces = highest_surfaces(tank, mesh, case_directory);
   for (const Gauge& gauge : tank.gauges) {
     harvest.elevation[gauge.name] = elevation(tank, mesh, case_directory, gauge);
+    harvest.highest_surface[gauge.name] =
+        above(tank.fill_depth, surfaces.at(nearest_column(mesh, gauge.x)));
   }
-  harvest.horizontal_force = horizontal_force(tank, case_directory, log);
+  harvest.wall_pressure = wall_pressures(tank, mesh, case_directory, log);
+  const Rows force = wall_loads(tank, case_directory, "force.dat", log);
+  harvest.force_x = column_of(force, 0, 1);
+  harvest.force_z = column_of(force, 2, 1);
+  if (tank.roll) {  // y points away from the viewer: clockwise about it is positive
+    harvest.moment = column_of(wall_loads(tank, case_directory, "moment.dat", log), 1, -1);
+  } else {
+    set_momentum(tank, mesh, case_directory, harvest);
+  }
+  for (const double time : tank.snapshot_times) {
+    harvest.snapshots.push_back(read_snapshot(tank, mesh, case_directory, time));
+  }
   if (tank.column_width) harvest.front_position = front(tank, mesh, case_directory);
   harvest.liquid_volume = liquid_volume(tank, mesh, case_directory);
   const std::vector<double>& volume = harvest.liquid_volume.value;

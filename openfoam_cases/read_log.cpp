@@ -8,7 +8,7 @@
 #include <fstream>
 #include <optional>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 namespace {

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Samples must come at every interval up to the end.
-void check_times(const SurgingTank& tank, const std::vector<double>& times, const fs::path& file) {
+void check_times(const SloshingTank& tank, const std::vector<double>& times, const fs::path& file) {
   const double interval = tank.sample_interval;
   double previous = 0;
   for (const double time : times) {
@@ -55,7 +55,7 @@ fs::path series_file(const fs::path& case_directory, const std::string& function
   return case_directory / "postProcessing" / function_object / "0" / name;
 }
 
-Rows read_rows(const SurgingTank& tank, const fs::path& file, std::size_t columns) {
+Rows read_rows(const SloshingTank& tank, const fs::path& file, std::size_t columns) {
   std::ifstream in(file);
   if (!in) refuse(file, "missing: a function object has not run");
   Rows rows;
@@ -76,7 +76,7 @@ Rows read_rows(const SurgingTank& tank, const fs::path& file, std::size_t column
   return rows;
 }
 
-History read_series(const SurgingTank& tank, const fs::path& file, std::size_t columns) {
+History read_series(const SloshingTank& tank, const fs::path& file, std::size_t columns) {
   Rows rows = read_rows(tank, file, columns);
   History history{std::move(rows.time), {}};
   for (const std::vector<double>& values : rows.values) history.value.push_back(values[0]);

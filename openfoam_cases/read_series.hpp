@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 
@@ -26,10 +26,10 @@ struct Rows {
 
 // Rows of a time and `columns` - 1 values. Throws RunError for a missing file, a number that is not
 // finite, a row of another length, and samples that do not come at every interval up to the end.
-Rows read_rows(const SurgingTank& tank, const std::filesystem::path& file, std::size_t columns);
+Rows read_rows(const SloshingTank& tank, const std::filesystem::path& file, std::size_t columns);
 
 // The first value of each row.
-History read_series(const SurgingTank& tank, const std::filesystem::path& file,
+History read_series(const SloshingTank& tank, const std::filesystem::path& file,
                     std::size_t columns);
 
 }  // namespace slosh::openfoam

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "openfoam_cases/read_log.hpp"
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -135,7 +135,7 @@ void run_stage(const std::string& stage, const std::vector<std::string>& command
 
 }  // namespace
 
-void run_case(const SurgingTank& tank, const fs::path& case_directory, const Progress& progress) {
+void run_case(const SloshingTank& tank, const fs::path& case_directory, const Progress& progress) {
   run_stage("blockMesh", {"blockMesh"}, case_directory, {});
   run_stage("topoSet", {"topoSet"}, case_directory, {});
   if (tank.processes == 1) {
@@ -151,6 +151,9 @@ void run_case(const SurgingTank& tank, const fs::path& case_directory, const Pro
              std::to_string(tank.processes), "env", fmt::format("PWD={}", plain_path), "interFoam",
              "-parallel"},
             case_directory, progress);
+  if (!tank.snapshot_times.empty()) {
+    run_stage("reconstructPar", {"reconstructPar"}, case_directory, {});
+  }
 }
 
 std::string installed_version() {

@@ -29,7 +29,7 @@ slosh::Installation installation() {
           executable.parent_path() / "slosh.solver",
           source / "verification/cases",
           source / "verification/campaigns",
-          source / "openfoam_cases/surging_tank",
+          source / "openfoam_cases/sloshing_tank",
           source / "build"};
 }
 

@@ -24,7 +24,8 @@ class Vertices {
         numbers_.try_emplace({column, y, row}, static_cast<int>(numbers_.size()));
     if (is_new) {
       append(text_, at->second % 4 == 0 ? "\n    " : " ",
-             fmt::format("({} {} {})", mesh_.face_x(column), y, mesh_.face_z(row)));
+             fmt::format("({} {} {})", mesh_.face_x(column) - mesh_.origin_x(), y,
+                         mesh_.face_z(row) - mesh_.origin_z()));
     }
     return at->second;
   }

@@ -1,7 +1,6 @@
 #include "openfoam_cases/geometry/front_position.hpp"
 
-#include <algorithm>
-#include <cassert>
+#include "openfoam_cases/geometry/half_full.hpp"
 
 namespace slosh::openfoam {
 
@@ -14,17 +13,7 @@ std::vector<int> bottom_columns(const TankMesh& mesh) {
 }
 
 double front_position(const TankMesh& mesh, const std::vector<double>& fractions) {
-  const std::vector<int> columns = bottom_columns(mesh);
-  assert(fractions.size() == columns.size());
-  for (std::size_t i = columns.size(); i-- > 0;) {
-    const double share = fractions[i];
-    if (!(share >= 0.5)) continue;
-    const bool before_wall = i + 1 == columns.size() || columns[i + 1] != columns[i] + 1;
-    const double in_cell =
-        before_wall ? std::min(share, 1.0) : 0.5 + (share - 0.5) / (share - fractions[i + 1]);
-    return (columns[i] + in_cell) * mesh.cell_width();
-  }
-  return 0;
+  return last_half_full(bottom_columns(mesh), fractions).value_or(0) * mesh.cell_width();
 }
 
 }  // namespace slosh::openfoam

@@ -13,19 +13,24 @@ constexpr double film_tolerance = 0.01;
 
 }  // namespace
 
+int nearest_column(const TankMesh& mesh, double x) {
+  const double column = x / mesh.length() * mesh.columns();
+  return std::clamp(static_cast<int>(std::floor(column)), 0, mesh.columns() - 1);
+}
+
 GaugeColumns gauge_columns(const TankMesh& mesh, double x) {
   const int last = mesh.columns() - 1;
   const double column = x / mesh.length() * mesh.columns() - 0.5;  // from the first centre
   const int left = std::clamp(static_cast<int>(std::floor(column)), 0, last - 1);
   if (mesh.are_alike(left, left + 1)) return {left, left + 1, column - left};
-  const int own = std::clamp(static_cast<int>(std::floor(column + 0.5)), 0, last);
+  const int own = nearest_column(mesh, x);
   const int other = own == left ? own - 1 : own + 1;
   if (other < 0 || other > last || !mesh.are_alike(own, other)) return {own, own, 0};
   const int first = std::min(own, other);
   return {first, first + 1, column - first};
 }
 
-std::vector<int> columns_read(const SurgingTank& tank, const TankMesh& mesh) {
+std::vector<int> columns_read(const SloshingTank& tank, const TankMesh& mesh) {
   std::set<int> read;
   for (const Gauge& gauge : tank.gauges) {
     const GaugeColumns columns = gauge_columns(mesh, gauge.x);

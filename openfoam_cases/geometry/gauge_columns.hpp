@@ -17,11 +17,14 @@ struct GaugeColumns {
   double right_weight;
 };
 
+// The column that holds x [m]; the right one on the edge of two.
+int nearest_column(const TankMesh& mesh, double x);
+
 // A gauge on an obstacle's side reads what is to the right of it.
 GaugeColumns gauge_columns(const TankMesh& mesh, double x);
 
 // Every column that the tank's gauges read, ascending, each once.
-std::vector<int> columns_read(const SurgingTank& tank, const TankMesh& mesh);
+std::vector<int> columns_read(const SloshingTank& tank, const TankMesh& mesh);
 
 // The name of a column's cell zone and of the function object that averages it.
 std::string column_name(int index);

@@ -5,23 +5,23 @@
 namespace slosh::openfoam {
 namespace {
 
-double share_across(const SurgingTank& tank, int column) {
+double share_across(const SloshingTank& tank, int column) {
   if (!tank.column_width) return 1;
   return std::clamp(*tank.column_width / tank.length * tank.cells_x - column, 0.0, 1.0);
 }
 
-double share_up(const SurgingTank& tank, int row) {
+double share_up(const SloshingTank& tank, int row) {
   return std::clamp(tank.fill_depth / tank.height * tank.cells_z - row, 0.0, 1.0);
 }
 
 }  // namespace
 
-double liquid_share(const SurgingTank& tank, Cell cell) {
+double liquid_share(const SloshingTank& tank, Cell cell) {
   return share_across(tank, cell.column) * share_up(tank, cell.row);
 }
 
 // The whole rectangle less what is displaced: free of round-off without obstacles.
-double initial_volume(const SurgingTank& tank, const TankMesh& mesh) {
+double initial_volume(const SloshingTank& tank, const TankMesh& mesh) {
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {
     for (int column = 0; column < mesh.columns(); ++column) {
@@ -32,7 +32,7 @@ double initial_volume(const SurgingTank& tank, const TankMesh& mesh) {
          displaced * mesh.cell_width() * mesh.cell_height();
 }
 
-double initial_depth(const SurgingTank& tank, const TankMesh& mesh, int column) {
+double initial_depth(const SloshingTank& tank, const TankMesh& mesh, int column) {
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {
     if (!mesh.is_free({column, row})) displaced += share_up(tank, row);

@@ -7,12 +7,12 @@
 namespace slosh::openfoam {
 
 // How much of a cell's rectangle the liquid covers, 0 to 1; an obstacle's cells count like others.
-double liquid_share(const SurgingTank& tank, Cell cell);
+double liquid_share(const SloshingTank& tank, Cell cell);
 
 // Per metre of width [m2], what obstacles displace left out.
-double initial_volume(const SurgingTank& tank, const TankMesh& mesh);
+double initial_volume(const SloshingTank& tank, const TankMesh& mesh);
 
 // The liquid's depth in a column of cells [m], what obstacles displace left out.
-double initial_depth(const SurgingTank& tank, const TankMesh& mesh, int column);
+double initial_depth(const SloshingTank& tank, const TankMesh& mesh, int column);
 
 }  // namespace slosh::openfoam

@@ -35,11 +35,13 @@ void insert_sorted(std::vector<int>& breaks, int value) {
 
 }  // namespace
 
-TankMesh::TankMesh(const SurgingTank& tank)
+TankMesh::TankMesh(const SloshingTank& tank)
     : columns_(tank.cells_x),
       rows_(tank.cells_z),
       length_(tank.length),
       height_(tank.height),
+      origin_x_(tank.roll ? tank.roll->axis_x : 0),
+      origin_z_(tank.roll ? tank.roll->axis_z : 0),
       filled_(static_cast<std::size_t>(columns_) * rows_, false),
       column_breaks_{0, columns_},
       row_breaks_{0, rows_} {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 
@@ -24,17 +24,23 @@ class TankMesh {
  public:
   // Throws std::invalid_argument for an obstacle that is beyond the walls, off the cells' faces or
   // thinner than a cell, and for obstacles that leave no cell or cut the tank into several rooms.
-  explicit TankMesh(const SurgingTank& tank);
+  explicit TankMesh(const SloshingTank& tank);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   double length() const { return length_; }                 // [m]
   double cell_width() const { return length_ / columns_; }  // [m]
   double cell_height() const { return height_ / rows_; }    // [m]
-  double face_x(int column) const;                          // [m], of its left side
-  double face_z(int row) const;                             // [m], of its lower side
-  bool is_free(Cell cell) const;                            // false beyond the walls
-  bool are_alike(int column, int other) const;              // obstacles fill the same rows of both
+  // Where the mesh has its origin, [m] from the tank's bottom left corner: on the roll's axis,
+  // about which interFoam rotates, and in the corner without roll.
+  double origin_x() const { return origin_x_; }
+  double origin_z() const { return origin_z_; }
+  double face_x(int column) const;  // [m], of its left side
+  double face_z(int row) const;     // [m], of its lower side
+  double centre_x(int column) const { return (column + 0.5) * cell_width(); }  // [m]
+  double centre_z(int row) const { return (row + 0.5) * cell_height(); }       // [m]
+  bool is_free(Cell cell) const;                // false beyond the walls
+  bool are_alike(int column, int other) const;  // obstacles fill the same rows of both
   int free_cells(int column) const;
   int free_cells() const;
 
@@ -54,6 +60,7 @@ class TankMesh {
 
   int columns_, rows_;
   double length_, height_;
+  double origin_x_, origin_z_;
   std::vector<bool> filled_;                     // by obstacles
   std::vector<int> column_breaks_, row_breaks_;  // where blocks end, ascending, walls included
 };

@@ -16,7 +16,7 @@ std::ptrdiff_t entries(const std::string& list) {
 // A step in the left corner leaves an L of three blocks, whose eight corners in each of two planes
 // are shared where blocks touch.
 TEST(BlockMesh, LeavesOutTheBlockOfAStep) {
-  SurgingTank tank = still_tank();
+  SloshingTank tank = still_tank();
   tank.obstacles = {{0, 0.11, 0, 0.26}};
   const BlockMesh mesh = block_mesh(TankMesh(tank));
   ASSERT_EQ(mesh.hexahedra.size(), 3u);
@@ -30,7 +30,7 @@ TEST(BlockMesh, LeavesOutTheBlockOfAStep) {
 
 // Four walls outside and four inside.
 TEST(BlockMesh, GivesAnObstacleInTheMiddleItsWalls) {
-  SurgingTank tank = still_tank();
+  SloshingTank tank = still_tank();
   tank.obstacles = {{0.33, 0.44, 0.26, 0.39}};
   const BlockMesh mesh = block_mesh(TankMesh(tank));
   EXPECT_EQ(mesh.hexahedra.size(), 8u);

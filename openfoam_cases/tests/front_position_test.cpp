@@ -10,8 +10,8 @@
 namespace slosh::openfoam {
 namespace {
 
-SurgingTank metre_tank() {
-  SurgingTank tank = still_tank();
+SloshingTank metre_tank() {
+  SloshingTank tank = still_tank();
   tank.length = 1;
   tank.height = 1;
   tank.cells_x = 20;
@@ -67,7 +67,7 @@ TEST(FrontPosition, OverlooksBubblesBehindItAndIsTheWallWhereNothingIsWet) {
 }
 
 TEST(FrontPosition, StopsAtAnObstacleAndGoesOnBehindIt) {
-  SurgingTank tank = metre_tank();
+  SloshingTank tank = metre_tank();
   tank.obstacles = {{0.5, 0.7, 0, 0.2}};
   const TankMesh mesh(tank);
   ASSERT_EQ(bottom_columns(mesh).size(), 16u);

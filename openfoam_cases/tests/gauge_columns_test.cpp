@@ -7,8 +7,8 @@
 namespace slosh::openfoam {
 namespace {
 
-SurgingTank metre_tank(int cells_x) {
-  SurgingTank tank = small_tank();
+SloshingTank metre_tank(int cells_x) {
+  SloshingTank tank = small_tank();
   tank.length = 1;
   tank.cells_x = cells_x;
   return tank;
@@ -40,14 +40,14 @@ TEST(GaugeColumns, ReproduceALinearSurfaceFromWallToWall) {
 }
 
 TEST(GaugeColumns, AreListedOnceEach) {
-  SurgingTank tank = metre_tank(100);
+  SloshingTank tank = metre_tank(100);
   tank.gauges = {{"a", 0.95}, {"b", 0.941}, {"c", 0.95}};
   EXPECT_EQ(columns_read(tank, TankMesh(tank)), (std::vector<int>{93, 94, 95}));
 }
 
 // Cells of 0.05 m in a tank of 1 x 0.5 m.
 TankMesh mesh_with(std::vector<Obstacle> obstacles) {
-  SurgingTank tank = metre_tank(20);
+  SloshingTank tank = metre_tank(20);
   tank.height = 0.5;
   tank.obstacles = std::move(obstacles);
   return TankMesh(tank);

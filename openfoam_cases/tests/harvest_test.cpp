@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam {
@@ -13,8 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Two columns whose filling differs, so that a wrong column or weight shows.
-SurgingTank tank_with_one_gauge() {
-  SurgingTank tank = small_tank();
+SloshingTank tank_with_one_gauge() {
+  SloshingTank tank = small_tank();
   tank.length = 1;
   tank.height = 1;
   tank.fill_depth = 0.35;
@@ -36,7 +37,9 @@ class Harvested : public ::testing::Test {
     write("column_19", "volFieldValue.dat", "# Cells             : 10\n", right_filling);
     write("liquid_volume", "volFieldValue.dat", "# Cells             : 200\n",
           [](int) { return 0.35; });
-    write_force();
+    write_vectors("wall_force", "force.dat");
+    write_vectors("liquid_momentum", "volFieldValue.dat");
+    write_gauge_cells(10);
   }
 
   fs::path series(const std::string& name, const std::string& file = "volFieldValue.dat") {
@@ -52,13 +55,32 @@ class Harvested : public ::testing::Test {
     for (int i = 1; i <= samples; ++i) out << 0.01 * i << "          \t" << value(i) << "\n";
   }
 
-  void write_force() {
-    fs::create_directories(series("wall_force").parent_path());
-    std::ofstream out(series("wall_force", "force.dat"));
-    out << "# Force\n";
+  // Rows of three vectors, whose first three samples are an impulse's.
+  void write_vectors(const std::string& name, const std::string& file) {
+    fs::create_directories(series(name).parent_path());
+    std::ofstream out(series(name, file));
+    out << "# Cells : 200\n# Time\n";
+    const bool is_force = name == "wall_force";
     for (int i = 1; i <= 100; ++i) {
-      const double value = i == 1 ? -1e5 : 10 * i;
-      out << 0.01 * i << "\t(" << value << " 0 -3441)\t(" << value << " 0 -3441)\t(0 0 0)\n";
+      const double value = is_force && i == 1 ? -1e5 : 10 * i;
+      out << 0.01 * i << "\t(" << value << " " << 2 * i << " -3441)";
+      if (is_force) out << "\t(" << value << " 0 -3441)\t(0 0 0)";
+      out << "\n";
+    }
+  }
+
+  // The gauge's column, 19, with a drop in the fourth cell from above in the 30th sample.
+  void write_gauge_cells(int cells) {
+    fs::create_directories(series("gauge_cells").parent_path());
+    std::ofstream out(series("gauge_cells", "alpha.liquid"));
+    out << "# Probe 0 (0.975 0.5 0.05)\n#       Time\n";
+    for (int i = 1; i <= 100; ++i) {
+      out << 0.01 * i;
+      for (int cell = 0; cell < cells; ++cell) {
+        const double share = std::clamp(right_filling(i) / 0.1 - cell, 0.0, 1.0);
+        out << " " << (i == 30 && cell == 6 ? 0.8 : share);
+      }
+      out << "\n";
     }
   }
 
@@ -86,11 +108,105 @@ TEST_F(Harvested, GivesTheElevationBetweenTwoColumns) {
 
 // Of the steps at 4, 8 and 12 ms one sample, at 10 ms, lies within the first three.
 TEST_F(Harvested, DropsTheForceOfTheFirstThreeSteps) {
-  const History force = harvest(tank_with_one_gauge(), directory_.path()).horizontal_force;
+  const History force = harvest(tank_with_one_gauge(), directory_.path()).force_x;
   ASSERT_EQ(force.time.size(), 99u);
   EXPECT_NEAR(force.time.front(), 0.02, 1e-12);
   EXPECT_EQ(force.value.front(), 20);
   EXPECT_EQ(force.value.back(), 1000);
+}
+
+TEST_F(Harvested, GivesTheMomentumInTheEarthsFrame) {
+  SloshingTank tank = tank_with_one_gauge();
+  tank.velocity = [](double time) { return 3 * time; };
+  const Harvest result = harvest(tank, directory_.path());
+  ASSERT_EQ(result.momentum_x.time.size(), 100u);
+  const double mass = tank.liquid.density * 0.35;
+  EXPECT_NEAR(result.momentum_x.value[49], tank.liquid.density * 500 + mass * 1.5, 1e-6);
+  EXPECT_NEAR(result.momentum_z.value[49], tank.liquid.density * -3441, 1e-6);
+  EXPECT_TRUE(result.moment.time.empty());
+}
+
+// The drop's cell is 0.8 full, the next empty: 0.375 of a cell above its centre at 0.65 m.
+TEST_F(Harvested, GivesTheHighestSurfaceFromTheStartOn) {
+  const History highest =
+      harvest(tank_with_one_gauge(), directory_.path()).highest_surface.at("gauge");
+  ASSERT_EQ(highest.time.size(), 101u);
+  EXPECT_NEAR(highest.value[0], 0, 0.009);
+  EXPECT_NEAR(highest.value[30], 0.6875 - 0.35, 1e-12);
+  EXPECT_NEAR(highest.value[31], 0.0093, 0.009);
+}
+
+// Of a tank that rolls there is a moment, clockwise in OpenFOAM, and no momentum.
+TEST_F(Harvested, GivesTheMomentOfATankThatRolls) {
+  SloshingTank tank = tank_with_one_gauge();
+  tank.roll = harmonic_roll(0.1, 2, 0.5, 0);
+  write_vectors("wall_force", "moment.dat");
+  const Harvest result = harvest(tank, directory_.path());
+  ASSERT_EQ(result.moment.time.size(), 99u);
+  EXPECT_EQ(result.moment.value.front(), -4);
+  EXPECT_EQ(result.force_z.value.front(), -3441);
+  EXPECT_TRUE(result.momentum_x.time.empty());
+  EXPECT_TRUE(result.momentum_z.time.empty());
+}
+
+// Two gauges in the middle between two faces each, and a gas whose pressure shifts.
+class HarvestedPressure : public Harvested {
+ protected:
+  void SetUp() override {
+    Harvested::SetUp();
+    write("gas_pressure", "volFieldValue.dat", "# Cells : 200\n", gas);
+    write_faces(4);
+  }
+
+  static double gas(int sample) { return sample < 50 ? 0 : 300; }
+
+  void write_faces(int faces, int first = 1) {
+    fs::create_directories(series("wall_pressure").parent_path());
+    std::ofstream out(series("wall_pressure", "p"));
+    for (int i = first; i <= 100; ++i) {
+      out << 0.01 * i;
+      for (int face = 0; face < faces; ++face) out << " " << 100 * face + i + gas(i);
+      out << "\n";
+    }
+  }
+
+  Harvest harvest_pressure() {
+    SloshingTank tank = tank_with_one_gauge();
+    tank.pressure_gauges = {{"left", PressureGauge::Wall::left, 0.2, 0},
+                            {"bottom", PressureGauge::Wall::bottom, 0.5, 0}};
+    return harvest(tank, directory_.path());
+  }
+
+  std::string pressure_refusal() {
+    return message_of<RunError>([this] { harvest_pressure(); });
+  }
+};
+
+TEST_F(HarvestedPressure, IsTheFacesMeanLessTheGass) {
+  const auto pressure = harvest_pressure().wall_pressure;
+  ASSERT_EQ(pressure.at("left").time.size(), 99u) << "without the first three steps";
+  for (int i = 2; i <= 100; ++i) {
+    EXPECT_NEAR(pressure.at("left").value[i - 2], 50 + i, 1e-9);
+    EXPECT_NEAR(pressure.at("bottom").value[i - 2], 250 + i, 1e-9);
+  }
+}
+
+TEST_F(HarvestedPressure, IsRefusedWithoutAFaceASampleOrTheGas) {
+  write_faces(3);
+  EXPECT_NE(pressure_refusal().find("expected 5 finite numbers"), std::string::npos);
+  write_faces(4, 4);
+  EXPECT_NE(pressure_refusal().find("a sample at 0.04 s follows one at 0 s"), std::string::npos)
+      << pressure_refusal();
+  write_faces(4);
+  write("gas_pressure", "volFieldValue.dat", "# Cells : 199\n", gas);
+  EXPECT_NE(pressure_refusal().find("expected 200"), std::string::npos) << pressure_refusal();
+  fs::remove(series("gas_pressure"));
+  EXPECT_NE(pressure_refusal().find("missing"), std::string::npos) << pressure_refusal();
+}
+
+TEST_F(Harvested, RefusesAGaugesCellsThatAreNotAllThere) {
+  write_gauge_cells(9);
+  EXPECT_NE(refusal().find("expected 11 finite numbers"), std::string::npos) << refusal();
 }
 
 // A column whose front runs a cell every ten samples.
@@ -116,7 +232,7 @@ class HarvestedColumn : public Harvested {
   }
 
   Harvest harvest_column() {
-    SurgingTank tank = tank_with_one_gauge();
+    SloshingTank tank = tank_with_one_gauge();
     tank.column_width = 0.1;
     return harvest(tank, directory_.path());
   }

@@ -7,7 +7,7 @@
 namespace slosh::openfoam {
 namespace {
 
-double volume_of_cells(const SurgingTank& tank) {
+double volume_of_cells(const SloshingTank& tank) {
   const TankMesh mesh(tank);
   double volume = 0;
   for (const Cell cell : mesh.cells()) volume += liquid_share(tank, cell);
@@ -15,7 +15,7 @@ double volume_of_cells(const SurgingTank& tank) {
 }
 
 TEST(InitialLiquid, OfAColumnHasItsExactVolumeWhereverItsEdgesAre) {
-  SurgingTank tank = still_tank();
+  SloshingTank tank = still_tank();
   for (const double width : {0.0013, 0.055, 0.3571, 1.0999}) {
     for (const double depth : {0.0021, 0.13, 0.3577, 1.2999}) {
       tank.column_width = width;
@@ -27,7 +27,7 @@ TEST(InitialLiquid, OfAColumnHasItsExactVolumeWhereverItsEdgesAre) {
 }
 
 TEST(InitialLiquid, StandsInAColumnAtTheLeftWall) {
-  SurgingTank tank = still_tank();  // cells of 0.055 x 0.13 m
+  SloshingTank tank = still_tank();  // cells of 0.055 x 0.13 m
   tank.column_width = 0.0825;
   tank.fill_depth = 0.195;
   EXPECT_EQ(liquid_share(tank, {0, 0}), 1);
@@ -40,7 +40,7 @@ TEST(InitialLiquid, StandsInAColumnAtTheLeftWall) {
 
 // Two of them overlap, one pierces the surface, one hangs above it.
 TEST(InitialLiquid, LeavesOutWhatObstaclesDisplace) {
-  SurgingTank tank = still_tank();
+  SloshingTank tank = still_tank();
   tank.obstacles = {{0.11, 0.33, 0, 0.13},
                     {0.22, 0.44, 0, 0.13},
                     {0.55, 0.66, 0.26, 0.52},

@@ -1,10 +1,11 @@
-// A tank without a column and without obstacles costs nothing of either: its dictionaries are, byte
-// for byte, those that interFoam's results were first obtained with.
+// A tank without a column, obstacles, roll, pressure gauges and snapshots costs nothing of any: its
+// dictionaries are, byte for byte, those that interFoam's results were first obtained with, but for
+// the momentum.
 #include <gtest/gtest.h>
 
 #include <regex>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam {
@@ -93,6 +94,19 @@ functions
         writeControl    adjustableRunTime;
         writeInterval   0.01;
     }
+    liquid_momentum
+    {
+        type            volFieldValue;
+        libs            ("libfieldFunctionObjects.so");
+        regionType      all;
+        operation       weightedVolIntegrate;
+        weightField     alpha.liquid;
+        fields          (U);
+        writeFields     no;
+        log             no;
+        writeControl    adjustableRunTime;
+        writeInterval   0.01;
+    }
 }
 )";
 
@@ -101,13 +115,13 @@ class PlainTank : public ::testing::Test {
   void SetUp() override { write_case(tank_, template_directory, directory_.path()); }
   std::string file(const std::string& name) { return contents(directory_.path() / name); }
 
-  static SurgingTank tank_without_gauges() {
-    SurgingTank tank = small_tank();
+  static SloshingTank tank_without_gauges() {
+    SloshingTank tank = small_tank();
     tank.gauges = {};
     return tank;
   }
 
-  SurgingTank tank_ = tank_without_gauges();
+  SloshingTank tank_ = tank_without_gauges();
   TemporaryDirectory directory_;
 };
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
 namespace slosh::openfoam {
@@ -22,7 +22,7 @@ std::vector<pid_t> child_processes() {
 
 // Linear theory of the antisymmetric modes that X(t) = b sin(omega t) excites from rest in the
 // earth's frame (Faltinsen 1978): eta_n'' + omega_n^2 eta_n = -c_n lambda_n tanh(lambda_n h) X''.
-double linear_elevation(const SurgingTank& tank, double time, double gauge_x) {
+double linear_elevation(const SloshingTank& tank, double time, double gauge_x) {
   double elevation = 0;
   for (int n = 0; n < 100; ++n) {
     const double lambda = (2 * n + 1) * std::numbers::pi / tank.length;
@@ -40,7 +40,7 @@ double linear_elevation(const SurgingTank& tank, double time, double gauge_x) {
 }
 
 TEST_F(RunCase, GivesAWholeRecordOfAWaveAndKeepsTheLiquid) {
-  const SurgingTank tank = small_tank();
+  const SloshingTank tank = small_tank();
   const Harvest result = run(tank);
   EXPECT_EQ(result.version, installed_version());
   EXPECT_LT(std::abs(result.relative_mass_loss), 1e-9);
@@ -63,7 +63,7 @@ TEST_F(RunCase, GivesAWholeRecordOfAWaveAndKeepsTheLiquid) {
 }
 
 TEST_F(RunCase, ReportsItsProgress) {
-  const SurgingTank tank = small_tank();
+  const SloshingTank tank = small_tank();
   write_case(tank, template_directory, directory_.path());
   double last_time = 0, last_steps = 0;
   run_case(tank, directory_.path(), [&](double time, double steps) {
@@ -77,7 +77,7 @@ TEST_F(RunCase, ReportsItsProgress) {
 }
 
 TEST_F(RunCase, GivesTheSameOnTwoProcessesAsOnOne) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.duration = 0.3;
   const Harvest serial = run(tank);
   tank.processes = 2;
@@ -94,7 +94,7 @@ TEST_F(RunCase, GivesTheSameOnTwoProcessesAsOnOne) {
 }
 
 TEST_F(RunCase, SaysSoWhenTheSolverIsKilled) {
-  const SurgingTank tank = small_tank();
+  const SloshingTank tank = small_tank();
   write_case(tank, template_directory, directory_.path());
   const std::string message = message_of<RunError>([&] {
     run_case(tank, directory_.path(), [](double, double) {
@@ -108,7 +108,7 @@ TEST_F(RunCase, SaysSoWhenTheSolverIsKilled) {
 
 TEST_F(RunCase, LeavesNoProcessBehindWhenTheCallerThrows) {
   for (const int processes : {1, 2}) {
-    SurgingTank tank = small_tank();
+    SloshingTank tank = small_tank();
     tank.duration = 100;
     tank.processes = processes;
     TemporaryDirectory directory;
@@ -124,7 +124,7 @@ TEST_F(RunCase, LeavesNoProcessBehindWhenTheCallerThrows) {
 }
 
 TEST_F(RunCase, ShowsTheLinesOfAFatalError) {
-  const SurgingTank tank = small_tank();
+  const SloshingTank tank = small_tank();
   write_case(tank, template_directory, directory_.path());
   std::string schemes = contents(directory_.path() / "system/fvSchemes");
   schemes.replace(schemes.find("default Euler"), 13, "default Eular");
@@ -135,7 +135,7 @@ TEST_F(RunCase, ShowsTheLinesOfAFatalError) {
 }
 
 TEST_F(RunCase, RefusesARunThatOnlyWarns) {
-  const SurgingTank tank = small_tank();
+  const SloshingTank tank = small_tank();
   write_case(tank, template_directory, directory_.path());
   std::string control = contents(directory_.path() / "system/controlDict");
   control.replace(control.find("libforces"), 9, "libfroces");

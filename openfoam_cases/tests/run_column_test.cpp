@@ -10,9 +10,9 @@ namespace {
 
 // The column of Martin & Moyce 1952, figure 3: 2.25 in wide and twice as high, in a tank that the
 // front crosses within the run.
-SurgingTank dam() {
+SloshingTank dam() {
   constexpr double width = 0.05715;
-  SurgingTank tank = still_tank();
+  SloshingTank tank = still_tank();
   tank.length = 6 * width;
   tank.height = 3 * width;
   tank.fill_depth = 2 * width;
@@ -34,7 +34,7 @@ double value_at(const History& history, double time) {
 using RunColumn = RunCase;
 
 TEST_F(RunColumn, KeepsItsVolumeFromTheFirstStepOn) {
-  SurgingTank tank = dam();
+  SloshingTank tank = dam();
   tank.column_width = 0.0591, tank.fill_depth = 0.1103;  // inside cells
   tank.duration = 0.1;
   const Harvest result = run(tank);
@@ -49,7 +49,7 @@ TEST_F(RunColumn, KeepsItsVolumeFromTheFirstStepOn) {
 // so its speed is compared, which comes out 4 % higher here (5 % at 120 x 60), with walls that
 // slip.
 TEST_F(RunColumn, RunsItsFrontBetweenTheExperimentsAndTheIdealOne) {
-  const SurgingTank tank = dam();
+  const SloshingTank tank = dam();
   const double width = *tank.column_width;
   const Harvest result = run(tank);
   const History& front = result.front_position;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam {
@@ -14,9 +14,9 @@ class RunCase : public ::testing::Test {
     if (installed_version().empty()) GTEST_SKIP() << "interFoam is not installed";
   }
 
-  Harvest run(const SurgingTank& tank) { return run_in(directory_, tank); }
+  Harvest run(const SloshingTank& tank) { return run_in(directory_, tank); }
 
-  static Harvest run_in(const TemporaryDirectory& directory, const SurgingTank& tank) {
+  static Harvest run_in(const TemporaryDirectory& directory, const SloshingTank& tank) {
     write_case(tank, template_directory, directory.path());
     run_case(tank, directory.path(), {});
     return harvest(tank, directory.path());

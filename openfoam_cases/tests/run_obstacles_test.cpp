@@ -26,8 +26,8 @@ double largest_velocity(const std::filesystem::path& time_directory) {
 
 // A step in the corner, a submerged one, two that touch at a corner, one that pierces the surface
 // and one that hangs from the roof.
-SurgingTank crowded_tank() {
-  SurgingTank tank = still_tank();
+SloshingTank crowded_tank() {
+  SloshingTank tank = still_tank();
   tank.length = 1;
   tank.height = 0.5;
   tank.fill_depth = 0.23;  // inside a cell
@@ -42,7 +42,7 @@ SurgingTank crowded_tank() {
 // A net force at rest would be a wall of an obstacle that is missing: the left step's alone bears
 // 230 N/m.
 TEST_F(RunObstacles, LeaveStillLiquidStill) {
-  const SurgingTank tank = crowded_tank();
+  const SloshingTank tank = crowded_tank();
   const Harvest result = run(tank);
   EXPECT_EQ(result.cells, 800 - 24 - 8 - 4 - 4 - 24 - 48);
   for (const double volume : result.liquid_volume.value) {
@@ -51,14 +51,14 @@ TEST_F(RunObstacles, LeaveStillLiquidStill) {
   for (const auto& [gauge, elevation] : result.elevation) {
     for (const double value : elevation.value) EXPECT_NEAR(value, 0, 1e-6) << gauge;
   }
-  for (const double force : result.horizontal_force.value) EXPECT_NEAR(force, 0, 0.01);
+  for (const double force : result.force_x.value) EXPECT_NEAR(force, 0, 0.01);
   EXPECT_LT(largest_velocity(directory_.path() / "1"), 1e-4);
 }
 
 // Surged to the left with everything turned round the tank gives the same turned round; a cell in a
 // wrong place or an obstacle's wall left out of the force does not.
 TEST_F(RunObstacles, GiveTheSameTurnedRound) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.duration = 0.4;
   tank.obstacles = {{0.11, 0.22, 0, 0.26}, {0.99, 1.1, 0.39, 0.52}};
   tank.gauges = {{"beside", 0.05}, {"over", 0.17}, {"middle", 0.5}};
@@ -81,16 +81,16 @@ TEST_F(RunObstacles, GiveTheSameTurnedRound) {
     }
     EXPECT_GT(highest, 1e-3) << gauge;
   }
-  const History& force = result.horizontal_force;
+  const History& force = result.force_x;
   for (std::size_t i = 0; i < force.value.size(); ++i) {
-    EXPECT_NEAR(force.value[i], -turned.horizontal_force.value.at(i), 0.01);
+    EXPECT_NEAR(force.value[i], -turned.force_x.value.at(i), 0.01);
   }
 }
 
 // A short run, because processes that wait for each other on busy cores are slow. The divide lies
 // in the obstacle.
 TEST_F(RunObstacles, GiveTheSameOnTwoProcessesAsOnOne) {
-  SurgingTank tank = still_tank();
+  SloshingTank tank = still_tank();
   tank.duration = 0.05;
   tank.column_width = 0.42;
   tank.obstacles = {{0.495, 0.605, 0, 0.26}};

@@ -9,18 +9,18 @@
 #include <iterator>
 #include <string>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 
 inline const std::filesystem::path template_directory =
-    std::filesystem::path(SLOSH_SOURCE_DIR) / "openfoam_cases/surging_tank";
+    std::filesystem::path(SLOSH_SOURCE_DIR) / "openfoam_cases/sloshing_tank";
 
 inline constexpr double surge_amplitude = 0.02;  // [m]
 inline constexpr double surge_frequency = 1.5;   // [rad/s]
 
 // In X(t) = b sin(omega t), set off at once with the liquid at rest in the earth's frame.
-inline SurgingTank small_tank() {
+inline SloshingTank small_tank() {
   const double b = surge_amplitude, omega = surge_frequency;
   return {.length = 1.1,
           .height = 1.3,
@@ -28,6 +28,7 @@ inline SurgingTank small_tank() {
           .gravity = 9.81,
           .liquid = {.density = 998.2, .kinematic_viscosity = 1.004e-6},
           .gas = {.density = 1.2, .kinematic_viscosity = 1.5e-5},
+          .velocity = [=](double t) { return b * omega * std::cos(omega * t); },
           .acceleration = [=](double t) { return -b * omega * omega * std::sin(omega * t); },
           .initial_relative_velocity = -b * omega,
           .duration = 1.0,
@@ -38,9 +39,9 @@ inline SurgingTank small_tank() {
 }
 
 // The same at rest.
-inline SurgingTank still_tank() {
-  SurgingTank tank = small_tank();
-  tank.acceleration = [](double) { return 0.0; };
+inline SloshingTank still_tank() {
+  SloshingTank tank = small_tank();
+  tank.velocity = tank.acceleration = [](double) { return 0.0; };
   tank.initial_relative_velocity = 0;
   return tank;
 }

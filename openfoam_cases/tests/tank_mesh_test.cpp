@@ -9,8 +9,8 @@
 namespace slosh::openfoam {
 namespace {
 
-SurgingTank tank_with(std::vector<Obstacle> obstacles) {
-  SurgingTank tank = still_tank();
+SloshingTank tank_with(std::vector<Obstacle> obstacles) {
+  SloshingTank tank = still_tank();
   tank.length = 1;
   tank.height = 0.5;
   tank.cells_x = 20;

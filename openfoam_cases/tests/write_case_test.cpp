@@ -4,7 +4,9 @@
 #include <regex>
 #include <sstream>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/frame_motion.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam {
@@ -32,7 +34,7 @@ std::vector<double> list_after(std::string text, const std::string& key) {
 
 class WrittenCase : public ::testing::Test {
  protected:
-  void write(const SurgingTank& tank) { write_case(tank, template_directory, directory_.path()); }
+  void write(const SloshingTank& tank) { write_case(tank, template_directory, directory_.path()); }
   std::string file(const std::string& name) { return contents(directory_.path() / name); }
   TemporaryDirectory directory_;
 };
@@ -49,7 +51,7 @@ TEST_F(WrittenCase, LeavesNoPlaceholderUnfilled) {
 }
 
 TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.length = 1.0 / 3;
   tank.gauges = {{"middle", tank.length / 2}};
   tank.liquid.density = std::nextafter(1000.0, 0);
@@ -66,7 +68,7 @@ TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
 }
 
 TEST_F(WrittenCase, StartsWithTheExactVolumeForALevelInsideACell) {
-  const SurgingTank tank = small_tank();  // the level is at 2.746 cells
+  const SloshingTank tank = small_tank();  // the level is at 2.746 cells
   write(tank);
   const std::vector<double> fractions = list_after(file("0/alpha.liquid"), "nonuniform");
   ASSERT_EQ(fractions.size(), 200u);
@@ -79,7 +81,7 @@ TEST_F(WrittenCase, StartsWithTheExactVolumeForALevelInsideACell) {
 }
 
 TEST_F(WrittenCase, TabulatesTheAccelerationFinelyAndPastTheEnd) {
-  const SurgingTank tank = small_tank();
+  const SloshingTank tank = small_tank();
   write(tank);
   const std::vector<double> rows = list_after(file("constant/acceleration"), "");
   ASSERT_EQ(rows.size() % 10, 0u);
@@ -104,7 +106,7 @@ TEST_F(WrittenCase, AveragesEachColumnThatAGaugeReads) {
 
 // The order of the cells is the mesh's: below the step's top 18 cells a row, then 2 and 18.
 TEST_F(WrittenCase, NumbersTheLiquidsCellsBlockByBlock) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.gauges = {};
   tank.obstacles = {{0, 0.11, 0, 0.26}};
   write(tank);
@@ -118,7 +120,7 @@ TEST_F(WrittenCase, NumbersTheLiquidsCellsBlockByBlock) {
 }
 
 TEST_F(WrittenCase, ProbesTheLowestRowForTheFrontOfAColumn) {
-  SurgingTank tank = small_tank();
+  SloshingTank tank = small_tank();
   tank.column_width = 0.4;
   tank.obstacles = {{0.55, 0.66, 0, 0.13}};
   write(tank);
@@ -129,42 +131,150 @@ TEST_F(WrittenCase, ProbesTheLowestRowForTheFrontOfAColumn) {
   EXPECT_EQ(places[5], 0.065);
 }
 
+// The roll's axis is the origin of the mesh, and all that is placed in it moves along.
+TEST_F(WrittenCase, PutsTheOriginOnTheRollsAxis) {
+  SloshingTank tank = small_tank();
+  tank.roll = harmonic_roll(0.1, 2, 0.25, -0.5);
+  tank.pressure_gauges = {{"right", PressureGauge::Wall::right, 0.065, 0}};
+  tank.column_width = 0.4;
+  write(tank);
+  const std::vector<double> vertices = list_after(file("system/blockMeshDict"), "vertices");
+  EXPECT_EQ(vertices[0], -0.25);
+  EXPECT_EQ(vertices[2], 0.5);
+  EXPECT_NEAR(vertices[18], 1.1 - 0.25, 1e-15);
+  EXPECT_NEAR(vertices[20], 1.3 + 0.5, 1e-15);
+  EXPECT_NE(file("system/fvSolution").find("pRefPoint           (0.3275"), std::string::npos);
+  EXPECT_NE(file("system/topoSetDict").find("box     (-0.23625 0 0.5) (-0.20875 1 1.8);"),
+            std::string::npos)
+      << file("system/topoSetDict");
+  const std::string control = file("system/controlDict");
+  const auto places = [&](const char* object) {
+    return list_after(control.substr(control.find(object)), "probeLocations");
+  };
+  EXPECT_NEAR(places("bottom_row")[0], 0.0275 - 0.25, 1e-15);
+  EXPECT_NEAR(places("bottom_row")[2], 0.065 + 0.5, 1e-15);
+  EXPECT_NEAR(places("gauge_cells")[0], 0.0275 - 0.25, 1e-15);
+  ASSERT_EQ(places("gauge_cells").size(), 2 * 10 * 3u);
+  ASSERT_EQ(places("wall_pressure").size(), 2 * 3u);
+  EXPECT_NEAR(places("wall_pressure")[0], 1.1 - 0.25, 1e-15);
+  EXPECT_NEAR(places("wall_pressure")[2], 0.065 + 0.5, 1e-15);
+  EXPECT_EQ(control.find("liquid_momentum"), std::string::npos);
+}
+
+TEST_F(WrittenCase, TabulatesTheRoll) {
+  SloshingTank tank = small_tank();
+  tank.roll = harmonic_roll(0.1, 2, 0.25, -0.5);
+  write(tank);
+  const std::vector<double> rows = list_after(file("constant/acceleration"), "");
+  ASSERT_EQ(rows.size() % 10, 0u);
+  for (std::size_t row = 0; row < rows.size(); row += 10) {
+    const FrameMotion motion = frame_motion(tank, rows[row]);
+    EXPECT_EQ(rows[row + 1], motion.acceleration_x);
+    EXPECT_EQ(rows[row + 3], motion.acceleration_z);
+    EXPECT_EQ(rows[row + 5], motion.omega_y);
+    EXPECT_EQ(rows[row + 8], motion.omega_y_derivative);
+    for (const int zero : {2, 4, 6, 7, 9}) EXPECT_EQ(rows[row + zero], 0);
+  }
+}
+
+TEST_F(WrittenCase, StartsARollAtRestInTheEarthsFrameCellByCell) {
+  SloshingTank tank = small_tank();
+  tank.roll = harmonic_roll(0.1, 2, 0.25, -0.5);
+  tank.roll->initial_relative_rate = -0.2;
+  write(tank);
+  const std::vector<double> field = list_after(file("0/U"), "nonuniform");
+  ASSERT_EQ(field.size(), 200 * 3u);
+  const Velocity last = initial_velocity(tank, TankMesh(tank), {19, 9});
+  EXPECT_EQ(field[3 * 199], last.x);
+  EXPECT_EQ(field[3 * 199 + 2], last.z);
+  const std::string control = file("system/controlDict");
+  EXPECT_NEAR(std::stod(entry(control, "deltaT")), 0.01 * std::stod(entry(control, "maxDeltaT")),
+              1e-12);
+}
+
+TEST_F(WrittenCase, WritesTheFieldsOnceAtEachSnapshotsTime) {
+  SloshingTank tank = small_tank();
+  tank.snapshot_times = {0.25, 0.8};
+  write(tank);
+  std::string control = file("system/controlDict");
+  control = control.substr(control.find("snapshot_1"));
+  EXPECT_EQ(entry(control, "objects"), "(alpha.liquid U p)");
+  EXPECT_EQ(std::stod(entry(control, "writeInterval")), 0.8);
+  EXPECT_GT(std::stod(entry(control, "timeEnd")), 0.8);
+  EXPECT_LT(std::stod(entry(control, "timeEnd")), 1.6);
+}
+
 TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   const auto refused = [this](auto change) {
-    SurgingTank tank = small_tank();
+    SloshingTank tank = small_tank();
     change(tank);
     return message_of<std::invalid_argument>([&] { write(tank); });
   };
-  EXPECT_EQ(refused([](SurgingTank& t) { t.fill_depth = 1.4; }),
+  EXPECT_EQ(refused([](SloshingTank& t) { t.fill_depth = 1.4; }),
             "OpenFOAM tank: fill_depth = 1.4: expected less than the height of 1.3 m");
-  EXPECT_EQ(refused([](SurgingTank& t) { t.length = std::nan(""); }),
+  EXPECT_EQ(refused([](SloshingTank& t) { t.length = std::nan(""); }),
             "OpenFOAM tank: length = nan: expected a positive number of m");
-  EXPECT_NE(refused([](SurgingTank& t) { t.gauges[0].x = 1.2; }).find("gauge x"),
+  EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].x = 1.2; }).find("gauge x"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) { t.gauges[0].name = "left"; }).find("two gauges"),
+  EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].name = "left"; }).find("two gauges"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) { t.processes = 21; }).find("processes"), std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) { t.processes = 21; }).find("processes"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.acceleration = [](double time) { return time > 0.5 ? NAN : 0; };
             }).find("acceleration"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) { t.column_width = 1.1; }).find("column_width = 1.1"),
+  EXPECT_NE(refused([](SloshingTank& t) { t.column_width = 1.1; }).find("column_width = 1.1"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.obstacles = {{0.1, 0.22, 0, 0.13}};
             }).find("obstacle left = 0.1"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.obstacles = {{0.99, 1.1, 0, 1.3}};
             }).find("gauge x = 1.05: expected a place where the obstacles leave room"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.column_width = 0.11, t.obstacles = {{0, 0.22, 0, 0.52}};
             }).find("liquid volume"),
             std::string::npos);
-  EXPECT_NE(refused([](SurgingTank& t) {
+  EXPECT_NE(refused([](SloshingTank& t) {
               t.column_width = 0.5, t.obstacles = {{0, 1.1, 0, 0.13}};
             }).find("column_width = 0.5: expected a bottom"),
+            std::string::npos);
+  const auto rolled = [&](auto change) {
+    return refused([&](SloshingTank& t) {
+      t.roll = harmonic_roll(0.1, 2, 0.5, 0);
+      change(*t.roll);
+    });
+  };
+  EXPECT_EQ(rolled([](Roll& roll) { roll.axis_x = INFINITY; }),
+            "OpenFOAM tank: roll axis x = inf: expected a finite place in m");
+  EXPECT_NE(rolled([](Roll& roll) { roll.axis_z = NAN; }).find("roll axis z = nan"),
+            std::string::npos);
+  EXPECT_NE(rolled([](Roll& roll) { roll.initial_relative_rate = NAN; }).find("rate = nan"),
+            std::string::npos);
+  EXPECT_NE(rolled([](Roll& roll) {
+              roll.angle = [](double time) { return time > 0.5 ? NAN : 0; };
+            }).find("roll angle = nan"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) {
+              t.pressure_gauges = {{"high", PressureGauge::Wall::left, 1.31, 0}};
+            }).find("pressure gauge position = 1.31"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) {
+              t.pressure_gauges = {{"one", PressureGauge::Wall::left, 0.1, 0},
+                                   {"one", PressureGauge::Wall::right, 0.1, 0}};
+            }).find("two pressure gauges are named \"one\""),
+            std::string::npos);
+  EXPECT_EQ(
+      refused([](SloshingTank& t) {
+        t.snapshot_times = {0.5, 1.01};
+      }),
+      "OpenFOAM tank: snapshot time = 1.01: expected above 0 and at most the duration of 1 s");
+  EXPECT_NE(refused([](SloshingTank& t) { t.snapshot_times = {0}; }).find("snapshot time = 0:"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) { t.snapshot_times = {NAN}; }).find("snapshot time = nan"),
             std::string::npos);
   EXPECT_TRUE(fs::is_empty(directory_.path())) << "a refused tank leaves nothing behind";
 }

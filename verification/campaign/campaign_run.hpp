@@ -17,7 +17,7 @@ struct CampaignSettings {
   std::filesystem::path output;        // <output>/runs/<case>/<run>.h5, .log and work directories
   std::filesystem::path executable;    // this tool, which runs one run as `slosh run`
   std::filesystem::path solver_build;  // as run_key() takes it
-  std::filesystem::path openfoam_templates;  // openfoam_cases/surging_tank
+  std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
   bool quick = false;                        // only the runs marked so
   bool solve = true;                         // false: only read what is there
   int at_once = 1;                           // processes

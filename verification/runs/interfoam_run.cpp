@@ -1,16 +1,16 @@
 #include <stdexcept>
 
 #include "openfoam_cases/check_tank.hpp"
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/solver_runs.hpp"
 
 namespace slosh {
 namespace {
 
-openfoam::SurgingTank tank_of(const InterFoamRun& run, const CaseDefinition& definition) {
+openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
-  openfoam::SurgingTank tank{
+  openfoam::SloshingTank tank{
       .length = definition.tank.length,
       .height = definition.tank.height,
       .fill_depth = definition.liquid.fill_depth,
@@ -19,6 +19,7 @@ openfoam::SurgingTank tank_of(const InterFoamRun& run, const CaseDefinition& def
       .gravity = definition.gravity,
       .liquid = {definition.liquid.density, definition.liquid.kinematic_viscosity},
       .gas = {definition.gas.density, definition.gas.kinematic_viscosity},
+      .velocity = motion.velocity,
       .acceleration = motion.acceleration,
       .initial_relative_velocity = definition.start == Start::earth ? -motion.velocity(0) : 0,
       .duration = definition.duration,
@@ -48,7 +49,7 @@ void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definiti
 }
 
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request) {
-  const openfoam::SurgingTank tank = tank_of(interfoam, request.definition);
+  const openfoam::SloshingTank tank = tank_of(interfoam, request.definition);
   const auto case_directory = request.settings.work_directory / (request.run.name + ".openfoam");
   std::filesystem::remove_all(case_directory);  // what an earlier, broken run may have left
   openfoam::write_case(tank, request.settings.openfoam_templates, case_directory);
@@ -62,7 +63,7 @@ RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request
   }
   if (!harvest.front_position.time.empty())
     result.series.push_back(series("front_position", "m", harvest.front_position));
-  result.series.push_back(series("horizontal_force", "N/m", harvest.horizontal_force));
+  result.series.push_back(series("horizontal_force", "N/m", harvest.force_x));
   result.series.push_back(series("liquid_volume", "m2", harvest.liquid_volume));
   result.active_terms = {"volume of fluid, liquid and gas", "laminar viscosity", "slip walls",
                          "acceleration in the tank's frame"};

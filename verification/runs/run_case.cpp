@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "sph/simulation.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/cost_meter.hpp"

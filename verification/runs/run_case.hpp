@@ -24,7 +24,7 @@ struct SolverError : std::runtime_error {
 
 struct RunSettings {
   std::filesystem::path work_directory;  // for OpenFOAM's case and the snapshots; made if need be
-  std::filesystem::path openfoam_templates;  // openfoam_cases/surging_tank
+  std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
   // [s], of an SPH run, a multiple of the sample interval; 0: no snapshots
   double snapshot_interval = 0;
   std::string key;      // run_key()'s, recorded

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/runs/content_hash.hpp"
 
 namespace slosh {

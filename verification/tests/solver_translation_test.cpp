@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "openfoam_cases/surging_tank.hpp"
+#include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -19,7 +19,7 @@ constexpr double allowed = 0.3;
 RunResult run(const CaseDefinition& definition, const decltype(RunDefinition::solver)& solver) {
   const TemporaryDirectory directory;
   const RunSettings settings{.work_directory = directory.path(),
-                             .openfoam_templates = SLOSH_SOURCE_DIR "/openfoam_cases/surging_tank",
+                             .openfoam_templates = SLOSH_SOURCE_DIR "/openfoam_cases/sloshing_tank",
                              .key = {},
                              .command = {}};
   return execute(definition, sample_run(solver), settings, [](double, double) {});

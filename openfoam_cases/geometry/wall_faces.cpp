@@ -1,0 +1,103 @@
+#include "openfoam_cases/geometry/wall_faces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "openfoam_cases/check_tank.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+using Wall = PressureGauge::Wall;
+
+// In faces: how far a gauge's end may pass a corner or an obstacle's edge by round-off.
+constexpr double end_tolerance = 1e-9;
+
+struct Span {
+  int first, last;
+};
+
+Cell cell_at(const TankMesh& mesh, Wall wall, int face) {
+  switch (wall) {
+    case Wall::left:
+      return {0, face};
+    case Wall::right:
+      return {mesh.columns() - 1, face};
+    case Wall::bottom:
+      break;
+  }
+  return {face, 0};
+}
+
+FaceShare share_of(const TankMesh& mesh, Wall wall, int face, double weight) {
+  switch (wall) {
+    case Wall::left:
+      return {0, mesh.centre_z(face), weight};
+    case Wall::right:
+      return {mesh.length(), mesh.centre_z(face), weight};
+    case Wall::bottom:
+      break;
+  }
+  return {mesh.centre_x(face), 0, weight};
+}
+
+void check_place(const PressureGauge& gauge, double length) {
+  require(gauge.width >= 0 && std::isfinite(gauge.width), "pressure gauge width", gauge.width,
+          "m, zero or above");
+  const double slack = end_tolerance * length;
+  require(gauge.position - gauge.width / 2 >= -slack &&
+              gauge.position + gauge.width / 2 <= length + slack,
+          "pressure gauge position", gauge.position,
+          fmt::format("with half the width of {} m to both sides between the wall's ends, 0 and "
+                      "{} m",
+                      gauge.width, length));
+}
+
+}  // namespace
+
+std::vector<FaceShare> face_shares(const TankMesh& mesh, const PressureGauge& gauge) {
+  const bool along_bottom = gauge.wall == Wall::bottom;
+  const int faces = along_bottom ? mesh.columns() : mesh.rows();
+  const double spacing = along_bottom ? mesh.cell_width() : mesh.cell_height();
+  check_place(gauge, spacing * faces);
+  // In faces from the wall's end.
+  const double begin = (gauge.position - gauge.width / 2) / spacing;
+  const double end = (gauge.position + gauge.width / 2) / spacing;
+  Span span{std::clamp(static_cast<int>(std::floor(begin + end_tolerance)), 0, faces - 1), 0};
+  span.last =
+      std::clamp(static_cast<int>(std::ceil(end - end_tolerance)) - 1, span.first, faces - 1);
+  const auto is_free = [&](int face) { return mesh.is_free(cell_at(mesh, gauge.wall, face)); };
+  for (int face = span.first; face <= span.last; ++face) {
+    require(is_free(face), "pressure gauge position", gauge.position,
+            "a part of the wall that no obstacle covers");
+  }
+  // The next face on either side takes part where the gauge ends before the last one's centre.
+  if (is_free(span.first - 1)) --span.first;
+  if (is_free(span.last + 1)) ++span.last;
+  if (span.first == span.last) return {share_of(mesh, gauge.wall, span.first, 1)};
+
+  // From centre to centre the pressure is linear: its mean is the value in the middle.
+  std::vector<double> cuts{begin - 0.5};  // in faces from the first centre
+  for (int face = span.first; face <= span.last; ++face) {
+    if (face > cuts.back() && face < end - 0.5) cuts.push_back(face);
+  }
+  cuts.push_back(end - 0.5);
+  std::map<int, double> weights;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double middle = (cuts[i] + cuts[i + 1]) / 2;
+    const double part = end > begin ? (cuts[i + 1] - cuts[i]) / (end - begin) : 1;
+    const int left = std::clamp(static_cast<int>(std::floor(middle)), span.first, span.last - 1);
+    weights[left] += part * (1 - (middle - left));
+    weights[left + 1] += part * (middle - left);
+  }
+  std::vector<FaceShare> shares;
+  for (const auto& [face, weight] : weights) {
+    shares.push_back(share_of(mesh, gauge.wall, face, weight));
+  }
+  return shares;
+}
+
+}  // namespace slosh::openfoam

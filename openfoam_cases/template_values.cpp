@@ -1,0 +1,191 @@
+#include "openfoam_cases/template_values.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "openfoam_cases/frame_motion.hpp"
+#include "openfoam_cases/geometry/block_mesh.hpp"
+#include "openfoam_cases/geometry/front_position.hpp"
+#include "openfoam_cases/geometry/gauge_columns.hpp"
+#include "openfoam_cases/geometry/highest_surface.hpp"
+#include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/time_step.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+using kainjow::mustache::data;
+
+std::string number(double value) { return fmt::format("{}", value); }
+
+// The liquid's share of each cell, in OpenFOAM's order.
+std::string liquid_fractions(const SloshingTank& tank, const TankMesh& mesh) {
+  std::vector<double> fractions;
+  for (const Cell cell : mesh.cells()) fractions.push_back(liquid_share(tank, cell));
+  return fmt::format("{}", fmt::join(fractions, "\n"));
+}
+
+// The solver ends with an error where the table does, so it goes on past the end; 2000 intervals
+// keep the spline's error below the time step's where samples are far apart.
+data motion_table(const SloshingTank& tank) {
+  const double step = std::min(tank.sample_interval, tank.duration / 2000);
+  const int count = static_cast<int>(std::ceil(tank.duration / step)) + 10;
+  data table(data::type::list);
+  for (int i = 0; i < count; ++i) {
+    const FrameMotion motion = frame_motion(tank, i * step);
+    data row;
+    row.set("time", number(i * step));
+    row.set("acceleration_x", number(motion.acceleration_x));
+    row.set("acceleration_z", number(motion.acceleration_z));
+    row.set("omega_y", number(motion.omega_y));
+    row.set("omega_y_derivative", number(motion.omega_y_derivative));
+    table << row;
+  }
+  return table;
+}
+
+// The same for every cell where nothing rolls.
+std::string initial_field(const SloshingTank& tank, const TankMesh& mesh) {
+  const auto vector = [&](Cell cell) {
+    const Velocity velocity = initial_velocity(tank, mesh, cell);
+    return fmt::format("({} 0 {})", velocity.x, velocity.z);
+  };
+  if (!tank.roll) return "uniform " + vector({0, 0});
+  std::vector<std::string> vectors;
+  for (const Cell cell : mesh.cells()) vectors.push_back(vector(cell));
+  return fmt::format("nonuniform List<vector> {}\n(\n{}\n)", vectors.size(),
+                     fmt::join(vectors, "\n"));
+}
+
+// A place in the mesh's axes.
+data place(const TankMesh& mesh, double x, double z) {
+  data place;
+  place.set("x", number(x - mesh.origin_x()));
+  place.set("z", number(z - mesh.origin_z()));
+  return place;
+}
+
+// A list of places as a section of its own; false, which leaves the section out, where it is empty.
+data section(const data& places) {
+  if (places.list_value().empty()) return data(false);
+  data section;
+  section.set("places", places);
+  return section;
+}
+
+// Boxes around the columns' cell centres; their faces stay off every centre.
+data column_boxes(const SloshingTank& tank, const TankMesh& mesh) {
+  const double width = tank.length / tank.cells_x;
+  data columns(data::type::list);
+  for (const int index : columns_read(tank, mesh)) {
+    data column;
+    column.set("name", column_name(index));
+    column.set("x_min", number((index + 0.25) * width - mesh.origin_x()));
+    column.set("x_max", number((index + 0.75) * width - mesh.origin_x()));
+    columns << column;
+  }
+  return columns;
+}
+
+data blocks(const std::vector<BlockMesh::Hexahedron>& hexahedra) {
+  data list(data::type::list);
+  for (const BlockMesh::Hexahedron& hexahedron : hexahedra) {
+    data block;
+    block.set("corners", hexahedron.corners);
+    block.set("block_cells_x", number(hexahedron.cells_x));
+    block.set("block_cells_z", number(hexahedron.cells_z));
+    list << block;
+  }
+  return list;
+}
+
+// The centres of the lowest row of cells, where a front runs.
+data bottom_row(const SloshingTank& tank, const TankMesh& mesh) {
+  data places(data::type::list);
+  if (tank.column_width) {
+    for (const int column : bottom_columns(mesh)) {
+      places << place(mesh, mesh.centre_x(column), mesh.centre_z(0));
+    }
+  }
+  return section(places);
+}
+
+// The centres of the cells in which the gauges look for the highest surface.
+data gauge_cells(const SloshingTank& tank, const TankMesh& mesh) {
+  data places(data::type::list);
+  for (const int column : probed_columns(tank, mesh)) {
+    for (const int row : free_rows(mesh, column)) {
+      places << place(mesh, mesh.centre_x(column), mesh.centre_z(row));
+    }
+  }
+  return section(places);
+}
+
+// The centres of the faces that the pressure gauges read, gauge by gauge.
+data wall_pressure(const SloshingTank& tank, const TankMesh& mesh) {
+  data places(data::type::list);
+  for (const PressureGauge& gauge : tank.pressure_gauges) {
+    for (const FaceShare& face : face_shares(mesh, gauge)) places << place(mesh, face.x, face.z);
+  }
+  return section(places);
+}
+
+// Each is written once: its object ends before twice its time.
+data snapshots(const SloshingTank& tank) {
+  data list(data::type::list);
+  for (std::size_t i = 0; i < tank.snapshot_times.size(); ++i) {
+    data snapshot;
+    snapshot.set("name", fmt::format("snapshot_{}", i));
+    snapshot.set("time", number(tank.snapshot_times[i]));
+    snapshot.set("time_end", number(1.5 * tank.snapshot_times[i]));
+    list << snapshot;
+  }
+  return list;
+}
+
+}  // namespace
+
+data template_values(const SloshingTank& tank) {
+  const TankMesh mesh(tank);
+  const BlockMesh block_mesh = openfoam::block_mesh(mesh);
+  const Cell reference = mesh.reference_cell();
+  data values;
+  const auto set = [&values](const char* name, double value) { values.set(name, number(value)); };
+  set("roof_z", tank.height - mesh.origin_z());
+  set("bottom_z", 0 - mesh.origin_z());
+  values.set("vertices", block_mesh.vertices);
+  values.set("blocks", blocks(block_mesh.hexahedra));
+  values.set("wall_faces", block_mesh.wall_faces);
+  values.set("front_and_back_faces", block_mesh.front_and_back_faces);
+  set("cell_count", mesh.free_cells());
+  set("gravity", tank.gravity);
+  set("liquid_density", tank.liquid.density);
+  set("liquid_kinematic_viscosity", tank.liquid.kinematic_viscosity);
+  set("gas_density", tank.gas.density);
+  set("gas_kinematic_viscosity", tank.gas.kinematic_viscosity);
+  values.set("initial_velocity", initial_field(tank, mesh));
+  set("duration", tank.duration);
+  set("sample_interval", tank.sample_interval);
+  set("max_time_step", max_time_step(tank));
+  set("first_time_step", first_time_step(tank));
+  set("processes", tank.processes);
+  set("reference_x", (reference.column + 0.5) * tank.length / tank.cells_x - mesh.origin_x());
+  set("reference_z", (reference.row + 0.5) * tank.height / tank.cells_z - mesh.origin_z());
+  values.set("liquid_fractions", liquid_fractions(tank, mesh));
+  const data table = motion_table(tank);
+  set("motion_count", table.list_value().size());
+  values.set("motion", table);
+  values.set("columns", column_boxes(tank, mesh));
+  values.set("bottom_row", bottom_row(tank, mesh));
+  values.set("gauge_cells", gauge_cells(tank, mesh));
+  values.set("wall_pressure", wall_pressure(tank, mesh));
+  values.set("momentum", data(!tank.roll));
+  values.set("snapshots", snapshots(tank));
+  return values;
+}
+
+}  // namespace slosh::openfoam

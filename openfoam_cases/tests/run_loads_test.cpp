@@ -1,0 +1,93 @@
+// Wall pressure, force, moment, momentum and fields of the installed interFoam, against statics and
+// mechanics.
+#include <gtest/gtest.h>
+
+#include "openfoam_cases/tests/motions.hpp"
+#include "openfoam_cases/tests/run_fixture.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+using RunLoads = RunCase;
+using Wall = PressureGauge::Wall;
+
+// Less the gas's mean: the gas between the surface and its middle adds its own.
+double still_pressure(const SloshingTank& tank, double z) {
+  return tank.gravity * (tank.liquid.density * (tank.fill_depth - z) +
+                         tank.gas.density * (tank.height - tank.fill_depth) / 2);
+}
+
+// A roll that never leaves 0 asks for the moment. The level lies inside a cell, and the axis off
+// the middle.
+TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
+  SloshingTank tank = still_tank();
+  tank.cells_z = 52;
+  tank.duration = 0.1;
+  tank.snapshot_times = {0.05};
+  tank.roll = harmonic_roll(0, 1, 0.3, 1.7);
+  tank.pressure_gauges = {{"left", Wall::left, 0.17, 0},
+                          {"right", Wall::right, 0.01, 0},
+                          {"wide", Wall::right, 0.15, 0.2},
+                          {"corner", Wall::bottom, 0, 0},
+                          {"bottom", Wall::bottom, 0.7, 0.05}};
+  const Harvest result = run(tank);
+  // What the half-filled cells, which bear a part of the liquid above them, add to the gas's mean.
+  const double pressure_tolerance = 1;
+  for (const PressureGauge& gauge : tank.pressure_gauges) {
+    const double expected = still_pressure(tank, gauge.wall == Wall::bottom ? 0 : gauge.position);
+    for (const double pressure : result.wall_pressure.at(gauge.name).value) {
+      EXPECT_NEAR(pressure, expected, pressure_tolerance) << gauge.name;
+    }
+  }
+  const double weight =
+      tank.gravity * tank.length *
+      (tank.liquid.density * tank.fill_depth + tank.gas.density * (tank.height - tank.fill_depth));
+  for (std::size_t i = 0; i < result.force_x.value.size(); ++i) {
+    EXPECT_NEAR(result.force_x.value[i], 0, 1e-5 * weight);
+    EXPECT_NEAR(result.force_z.value[i], -weight, 1e-5 * weight);
+    EXPECT_NEAR(result.moment.value[i], -(tank.length / 2 - 0.3) * weight, 1e-5 * weight);
+  }
+  const FieldSnapshot& fields = result.snapshots.at(0);
+  EXPECT_NEAR(fields.time, 0.05, 1e-9);
+  ASSERT_EQ(fields.liquid_share.size(), 1040u);
+  double liquid = 0;
+  for (std::size_t cell = 0; cell < 1040; ++cell) {
+    liquid += fields.liquid_share[cell] * fields.cell_width * fields.cell_height;
+    EXPECT_NEAR(fields.velocity_x[cell], 0, 1e-4);
+    EXPECT_NEAR(fields.velocity_z[cell], 0, 1e-4);
+    if (fields.liquid_share[cell] == 1) {
+      EXPECT_NEAR(fields.pressure[cell], still_pressure(tank, fields.z[cell]), pressure_tolerance);
+    }
+  }
+  EXPECT_NEAR(liquid, tank.length * tank.fill_depth, 1e-9);
+}
+
+// The liquid takes the tank's velocity before it moves against it, and then changes its momentum by
+// what the walls give it and its weight: Newton's second law, which ties the momentum to the
+// forces. The gas's share of the forces is 0.3 % here.
+TEST_F(RunLoads, ChangeTheMomentum) {
+  SloshingTank tank = small_tank();
+  tank.initial_relative_velocity = 0;
+  tank.gauges = {};
+  tank.velocity = [](double t) { return 0.2 * std::cos(3 * t); };
+  tank.acceleration = [](double t) { return -0.6 * std::sin(3 * t); };
+  const Harvest result = run(tank);
+  const double mass = tank.liquid.density * tank.length * tank.fill_depth;
+  const double gas_weight =
+      tank.gravity * tank.gas.density * tank.length * (tank.height - tank.fill_depth);
+  EXPECT_NEAR(result.momentum_x.value[0], mass * 0.2, 1e-3 * mass * 0.2);
+  // Samples line up at their ends: the force leaves out the first ones.
+  const std::size_t dropped = result.momentum_x.time.size() - result.force_x.time.size();
+  double mx = result.momentum_x.value[dropped], mz = result.momentum_z.value[dropped];
+  for (std::size_t i = 1; i < result.force_x.time.size(); ++i) {
+    const double dt = result.force_x.time[i] - result.force_x.time[i - 1];
+    mx -= dt * (result.force_x.value[i] + result.force_x.value[i - 1]) / 2;
+    mz -= dt * ((result.force_z.value[i] + result.force_z.value[i - 1]) / 2 + mass * tank.gravity +
+                gas_weight);
+    EXPECT_NEAR(mx, result.momentum_x.value[i + dropped], 0.01 * mass * 0.2) << i;
+    EXPECT_NEAR(mz, result.momentum_z.value[i + dropped], 0.1 * 1.78) << i;  // of the largest
+  }
+}
+
+}  // namespace
+}  // namespace slosh::openfoam
