@@ -58,8 +58,8 @@ std::vector<std::optional<ImpactPeak>> impact_peaks(const TimeSeries& pressure,
                                                     double threshold) {
   if (windows.empty()) throw ComparisonError(pressure.name + ": no windows to seek impacts in");
   if (!(threshold > 0) || !std::isfinite(threshold)) {
-    throw ComparisonError(fmt::format("{}: an impact's threshold = {} Pa: expected a number > 0",
-                                      pressure.name, threshold));
+    throw ComparisonError(fmt::format(
+        "{}: an impact's threshold = {}: expected a number > 0, in Pa", pressure.name, threshold));
   }
   std::vector<std::optional<ImpactPeak>> peaks;
   for (std::size_t i = 0; i < windows.size(); ++i) {

@@ -9,9 +9,8 @@
 // of K.
 //
 // With equal intervals a straight line passes unchanged but for the last 5 sigma at either end,
-// where the mean is one-sided; with unequal ones it is bent a little where the
-// intervals change (intervals of 2.5 to 7.5 ms at random, cutoff 5 Hz: by 1 % of what the line
-// changes by in an interval).
+// where the mean is one-sided; with unequal ones it is bent a little where the intervals change
+// (2.5 to 7.5 ms at random, cutoff 5 Hz: by 1 % of what the line changes by in an interval).
 #pragma once
 
 #include <string>

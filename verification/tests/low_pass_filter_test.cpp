@@ -64,7 +64,7 @@ TEST(LowPass, HalvesThePowerAtTheCutoffWithoutALag) {
 }
 
 TEST(LowPass, HasTheGainOfAGaussianAtOtherFrequencies) {
-  // exp(-(ln 2 / 2) (f / f_c)^2): 2^-(f / f_c)^2 / 2.
+  // exp(-(ln 2 / 2) r^2) = 2^(-r^2 / 2), r = f / f_c.
   for (const auto& [frequency, gain] :
        std::vector<std::pair<double, double>>{{2.5, 0.917004}, {10, 0.25}, {15, 0.0441942}}) {
     const auto sine = [f = frequency](double t) { return std::sin(two_pi * f * t); };

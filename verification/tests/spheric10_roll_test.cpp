@@ -85,7 +85,7 @@ TEST(Spheric10Roll, IsSampledFinelyEnoughForACubicSpline) {
   }
   EXPECT_LT(largest[0], 2.1e-7);
   EXPECT_LT(largest[1], 1.3e-4);
-  EXPECT_LT(largest[2], 0.15);  // at t = 0; the acceleration itself reaches 67
+  EXPECT_LT(largest[2], 0.15);  // at t = 0; the acceleration itself reaches 68
 }
 
 TEST(Spheric10Roll, LagsBehindThePapersSineByASixthOfASecondAndMore) {
