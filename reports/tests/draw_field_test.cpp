@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "reports/field_layout.hpp"
 #include "reports/tests/path_variable.hpp"
 #include "reports/tests/picture_pixels.hpp"
 #include "reports/tests/sample_report.hpp"
@@ -19,24 +20,28 @@ namespace {
 
 constexpr Colour lowest{0x44, 0x01, 0x54}, highest{0xfd, 0xe7, 0x25};  // of the palette
 
-// A tank with a place of the lowest value and one of the highest, 0.3 m apart.
+// A tank with a place of the lowest value and one of the highest, 0.4 m apart, beside three empty
+// ones: the picture is small.
 FieldFigure two_places(double angle, bool upright) {
   FieldPanel panel;
   panel.label = "panel";
   panel.angle = angle;
   panel.axis_x = 0.2;
   panel.tank_length = 1;
-  panel.tank_height = 0.5;
-  panel.point_width = panel.point_height = 0.04;
-  panel.x = {0.4, upright ? 0.4 : 0.7};
-  panel.z = {0.1, upright ? 0.4 : 0.1};
+  panel.tank_height = 0.6;
+  panel.point_width = panel.point_height = 0.08;
+  panel.x = {0.4, upright ? 0.4 : 0.8};
+  panel.z = {0.1, upright ? 0.5 : 0.1};
   panel.value = {0, 1};
   FieldFigure figure;
   figure.id = "two-places";
   figure.title = "title";
   figure.value_label = "speed (m/s)";
   figure.value_range = {0, 1};
-  figure.panels = {panel};
+  figure.columns = 4;
+  figure.panels.assign(4, panel);
+  for (std::size_t i = 1; i < 4; ++i)
+    figure.panels[i].x = figure.panels[i].z = figure.panels[i].value = {};
   return figure;
 }
 
@@ -93,7 +98,7 @@ TEST(DrawnFieldPicture, HasTheSizeThatItStates) {
 TEST(DrawnFieldPicture, HasOneScaleOnBothAxes) {
   const auto [right, no_rise] = lowest_to_highest(two_places(0, false));
   const auto [no_shift, up] = lowest_to_highest(two_places(0, true));
-  EXPECT_GT(right, 200);
+  EXPECT_GT(right, 100);
   EXPECT_NEAR(up, right, 1);
   EXPECT_NEAR(no_rise, 0, 1);
   EXPECT_NEAR(no_shift, 0, 1);
@@ -102,7 +107,7 @@ TEST(DrawnFieldPicture, HasOneScaleOnBothAxes) {
 TEST(DrawnFieldPicture, TurnsATankCounterClockwiseByItsRoll) {
   for (const double angle : {-0.2, 0.15, 1.2}) {
     const auto [right, rise] = lowest_to_highest(two_places(angle, false));
-    EXPECT_NEAR(std::atan2(rise, right), angle, 0.01);  // 1 px in 100
+    EXPECT_NEAR(std::atan2(rise, right), angle, 0.01);  // 1 px in 110
     const auto [shift, up] = lowest_to_highest(two_places(angle, true));
     EXPECT_NEAR(std::atan2(up, shift), angle + std::numbers::pi / 2, 0.01);
   }
@@ -112,12 +117,12 @@ TEST(DrawnFieldPicture, GivesEachPlaceItsRectangle) {
   for (const double angle : {0.0, 0.3}) {
     FieldFigure figure = two_places(angle, false);
     const double pixels_per_metre =
-        std::hypot(lowest_to_highest(figure).first, lowest_to_highest(figure).second) / 0.3;
-    figure.panels[0].point_width = 0.08;
+        std::hypot(lowest_to_highest(figure).first, lowest_to_highest(figure).second) / 0.4;
+    figure.panels[0].point_width = 0.16;
     const ScratchDirectory scratch;
     const PicturePixels picture =
         picture_pixels(draw_field(figure, scratch.path()).png, scratch.path());
-    const double area = 0.08 * 0.04 * pixels_per_metre * pixels_per_metre;
+    const double area = 0.16 * 0.08 * pixels_per_metre * pixels_per_metre;
     EXPECT_NEAR(patch(picture, highest).pixels, area, 0.05 * area);
     EXPECT_NEAR(patch(picture, lowest).pixels, area, 0.05 * area);
   }
@@ -161,7 +166,7 @@ TEST(DrawnFieldPicture, WithNothingToDrawIsAnEmptyTank) {
 TEST(DrawnFieldPicture, ShowsArrowsInTheTanksDirections) {
   FieldFigure still = two_places(0, false);
   still.panels[0].x = still.panels[0].z = still.panels[0].value = {};
-  still.arrow_scale = 0.1;
+  still.arrow_scale = 0.2;
   FieldFigure moving = still;
   moving.panels[0].arrow_x = {0.5};
   moving.panels[0].arrow_z = {0.25};
@@ -181,9 +186,9 @@ TEST(DrawnFieldPicture, ShowsArrowsInTheTanksDirections) {
       highest_row = std::max(highest_row, y);
     }
   }
-  const double middle = with.width / 2.0;  // the tail: half the tank's length
-  EXPECT_NEAR(rightmost, middle, 4);
-  EXPECT_NEAR(rightmost - leftmost, 0.1 * 1086, 8);  // 0.1 m of a tank of 1 m, 0.5 m in 554 px
+  const auto pixels_per_metre = lowest_to_highest(two_places(0, false)).first / 0.4;
+  EXPECT_NEAR(rightmost - leftmost, 0.2 * pixels_per_metre, 4);
+  EXPECT_NEAR(rightmost, canvas_margin + 0.5 * pixels_per_metre, 6);  // the tail
   EXPECT_LT(highest_row - lowest_row, 12);
 }
 
@@ -213,7 +218,8 @@ TEST(DrawnFieldPicture, SurvivesValuesThatAreNearlyEqualHugeOrTiny) {
 TEST(FieldDescription, NamesThePanelsTheQuantityAndItsRange) {
   FieldFigure figure = two_places(0, false);
   figure.panels[0].value = {-3, 0.5};
-  EXPECT_EQ(description(figure), "title. Panels: panel. Colour: speed (m/s) from ≤ 0 to 1.");
+  EXPECT_EQ(description(figure),
+            "title. Panels: panel; panel; panel; panel. Colour: speed (m/s) from ≤ 0 to 1.");
 }
 
 TEST(DataAddress, IsBase64AsTheStandardsExamplesAre) {
