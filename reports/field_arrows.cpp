@@ -13,10 +13,10 @@ namespace {
 
 constexpr double smallest_square = 26;  // px
 constexpr double typical_length = 1.8;  // squares
-constexpr double longest_arrow = 6;   // squares: longer ones, of a jet, would hide its surroundings
+constexpr double longest_arrow = 3;   // squares: longer ones, of a jet, would hide its surroundings
 constexpr double shortest_arrow = 2;  // px: a dot tells no direction
 constexpr double slowest = 1e-200;    // m/s: water at rest, and no overflow of its inverse
-constexpr double legend_length = 90;  // px, at most
+constexpr double legend_length = 75;  // px, at most
 
 // Velocities turned with the tank: [px] of the tank's scale per second.
 std::vector<DrawnArrow> drawable_arrows(const FieldPanel& panel, const PlacedPanel& placed) {
@@ -82,7 +82,9 @@ FieldArrows field_arrows(const FieldFigure& figure, const FieldLayout& layout) {
                                                    : typical_length * square / typical_speed;
   arrows.legend_speed = round_tick(legend_length / arrows.pixels_per_speed, false);
   const double longest = std::max(longest_arrow * square, legend_length);
-  for (auto& panel : arrows.panels) {
+  for (std::size_t i = 0; i < arrows.panels.size(); ++i) {
+    auto& panel = arrows.panels[i];
+    const PlacedPanel& placed = layout.panels[i];
     for (DrawnArrow& arrow : panel) {
       double factor = arrows.pixels_per_speed / layout.scale;
       const double length = factor * std::hypot(arrow.length.x, arrow.length.y);
@@ -92,8 +94,9 @@ FieldArrows field_arrows(const FieldFigure& figure, const FieldLayout& layout) {
       }
       arrow.length = {factor * arrow.length.x, factor * arrow.length.y};
     }
-    std::erase_if(panel, [](const DrawnArrow& arrow) {
-      return !(std::hypot(arrow.length.x, arrow.length.y) >= shortest_arrow);
+    std::erase_if(panel, [&](const DrawnArrow& arrow) {
+      const Pixel head{arrow.tail.x + arrow.length.x, arrow.tail.y + arrow.length.y};
+      return !(std::hypot(arrow.length.x, arrow.length.y) >= shortest_arrow) || !placed.holds(head);
     });
   }
   return arrows;

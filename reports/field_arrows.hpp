@@ -23,7 +23,8 @@ inline constexpr std::size_t most_arrows = 300;  // a panel
 
 // One arrow of each square of the canvas, the nearest to its centre; the squares have one size in
 // all panels, as small as arrows can be told apart and as most_arrows allows. With an automatic
-// scale the 95th percentile of all speeds is as long as two squares.
+// scale the 95th percentile of all speeds is a little shorter than two squares. An arrow that would
+// end outside its panel's cell is left out: it would lie on the next one or on a label.
 FieldArrows field_arrows(const FieldFigure& figure, const FieldLayout& layout);
 
 }  // namespace slosh::reports

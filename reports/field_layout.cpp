@@ -40,16 +40,30 @@ Extent turned_tanks(const FieldFigure& figure) {
   return extent;
 }
 
-// Broken between words; a word that is wider than the cell stays whole.
+void append(std::vector<std::string>& lines, const std::string& words, double width) {
+  std::string longer = lines.back();
+  if (!longer.empty()) longer += ' ';
+  longer += words;
+  if (lines.back().empty() || text_width(longer, label_character) <= width)
+    lines.back() = longer;
+  else
+    lines.push_back(words);
+}
+
+// Broken after commas, and between words only where what stands between two commas is too wide; a
+// word that is wider than the cell stays whole.
 std::vector<std::string> wrapped(const std::string& label, double width) {
-  std::vector<std::string> lines{""};
-  std::istringstream words(label);
-  for (std::string word; words >> word;) {
-    const std::string longer = lines.back().empty() ? word : lines.back() + ' ' + word;
-    if (lines.back().empty() || text_width(longer, label_character) <= width)
-      lines.back() = longer;
-    else
-      lines.push_back(word);
+  std::vector<std::string> lines(1);
+  for (std::size_t start = 0; start < label.size();) {
+    const std::size_t comma = std::min(label.find(", ", start), label.size() - 1);
+    const std::string clause = label.substr(start, comma + 1 - start);
+    start = std::min(label.find_first_not_of(' ', comma + 1), label.size());
+    if (text_width(clause, label_character) <= width) {
+      append(lines, clause, width);
+      continue;
+    }
+    std::istringstream words(clause);
+    for (std::string word; words >> word;) append(lines, word, width);
   }
   return lines;
 }

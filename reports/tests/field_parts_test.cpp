@@ -120,14 +120,17 @@ TEST(Layout, KeepsEveryTurnedTankInsideItsCellAndTheCellsApart) {
   }
 }
 
-TEST(Layout, BreaksALabelThatIsWiderThanItsPanel) {
+TEST(Layout, BreaksALabelThatIsWiderThanItsPanelAfterACommaIfItCan) {
   FieldFigure figure = one_panel();
   figure.panels.resize(4, figure.panels[0]);
   figure.columns = 4;
-  figure.panels[2].label = "zhao2021_moving, particle spacing 2 mm, t = 3.45 s";
+  figure.panels[1].label = "a label without any comma that is rather long";
+  figure.panels[2].label = "zhao2021_moving, dp = 2 mm, t = 3.45 s";
   const FieldLayout layout = field_layout(figure);
+  EXPECT_EQ(layout.panels[1].label,
+            (std::vector<std::string>{"a label without any comma that", "is rather long"}));
   EXPECT_EQ(layout.panels[2].label,
-            (std::vector<std::string>{"zhao2021_moving, particle", "spacing 2 mm, t = 3.45 s"}));
+            (std::vector<std::string>{"zhao2021_moving, dp = 2 mm,", "t = 3.45 s"}));
   EXPECT_EQ(layout.panels[0].bottom, layout.panels[2].bottom);
 }
 
@@ -226,6 +229,18 @@ TEST(Arrows, HaveTheLengthOfTheirScaleUpToTheCut) {
   }
   EXPECT_NEAR(cut_length, arrows.cut_speed * arrows.pixels_per_speed, 1e-9);
   EXPECT_NEAR(std::atan2(arrows.panels[0][0].length.y, arrows.panels[0][0].length.x), 0.25, 1e-12);
+}
+
+TEST(Arrows, StayInsideTheirPanelsCell) {
+  FieldFigure figure = one_panel();
+  FieldPanel& panel = figure.panels[0];
+  panel.arrow_x = {0.01, 0.01};
+  panel.arrow_z = {0.2, 0.3};
+  panel.arrow_u = {1, -1};
+  panel.arrow_w = {0, 0};
+  const FieldArrows arrows = field_arrows(figure, field_layout(figure));
+  ASSERT_EQ(arrows.panels[0].size(), 1u);
+  EXPECT_GT(arrows.panels[0][0].length.x, 0);
 }
 
 TEST(Arrows, OfWaterAtRestAreNone) {
