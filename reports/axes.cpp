@@ -7,6 +7,14 @@
 #include <limits>
 
 namespace slosh::reports {
+
+double round_tick(double value, bool up) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  const double mantissa = value / decade;
+  if (up) return decade * (mantissa <= 1 ? 1 : mantissa <= 2 ? 2 : mantissa <= 5 ? 5 : 10);
+  return decade * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
+}
+
 namespace {
 
 constexpr double point_margin = 0.04;  // of the axis, so that no point sits on the frame
@@ -31,14 +39,6 @@ struct Extent {
   }
   bool empty() const { return !(lower <= upper); }
 };
-
-// The nearest 1, 2 or 5 times a power of ten at or beyond the value.
-double round_tick(double value, bool up) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  const double mantissa = value / decade;
-  if (up) return decade * (mantissa <= 1 ? 1 : mantissa <= 2 ? 2 : mantissa <= 5 ? 5 : 10);
-  return decade * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
-}
 
 AxisRange padded(const Extent& extent, bool logarithmic, double margin) {
   if (extent.empty()) return logarithmic ? AxisRange{0.1, 1} : AxisRange{0, 1};

@@ -14,6 +14,9 @@ struct AxisRange {
   double lower, upper;  // lower < upper, both finite; both positive on a logarithmic axis
 };
 
+// The nearest 1, 2 or 5 times a power of ten at or beyond the value, which is above zero.
+double round_tick(double value, bool up);
+
 // The given x_range, or what holds every drawable sample and marker: flush with lines, with a
 // margin for points.
 AxisRange horizontal_range(const Figure& figure);

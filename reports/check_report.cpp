@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "reports/field_range.hpp"
 #include "reports/write_report.hpp"
 
 namespace slosh::reports {
@@ -51,6 +52,56 @@ void check_figure(const Figure& figure) {
   }
 }
 
+void check_panel(const FieldFigure& figure, const FieldPanel& panel) {
+  const auto refuse = [&](const std::string& why) {
+    throw ReportError(fmt::format("figure '{}', panel '{}': {}", figure.id, panel.label, why));
+  };
+  if (panel.x.size() != panel.z.size() || panel.x.size() != panel.value.size()) {
+    refuse(fmt::format("{} x, {} z, {} values, expected equally many", panel.x.size(),
+                       panel.z.size(), panel.value.size()));
+  }
+  const std::size_t arrows = panel.arrow_x.size();
+  if (panel.arrow_z.size() != arrows || panel.arrow_u.size() != arrows ||
+      panel.arrow_w.size() != arrows) {
+    refuse(fmt::format("{} arrow_x, {} arrow_z, {} arrow_u, {} arrow_w, expected equally many",
+                       arrows, panel.arrow_z.size(), panel.arrow_u.size(), panel.arrow_w.size()));
+  }
+  for (const auto& [name, value] :
+       {std::pair{"tank_length", panel.tank_length}, std::pair{"tank_height", panel.tank_height},
+        std::pair{"point_width", panel.point_width},
+        std::pair{"point_height", panel.point_height}}) {
+    if (!(value > 0) || !std::isfinite(value))
+      refuse(fmt::format("{} {}, expected a finite length above zero [m]", name, value));
+  }
+  for (const auto& [name, value] :
+       {std::pair{"angle", panel.angle}, std::pair{"axis_x", panel.axis_x},
+        std::pair{"axis_z", panel.axis_z}}) {
+    if (!std::isfinite(value)) refuse(fmt::format("{} {}, expected a finite value", name, value));
+  }
+}
+
+void check_field(const FieldFigure& figure) {
+  if (figure.panels.empty()) throw ReportError(fmt::format("figure '{}': no panels", figure.id));
+  if (figure.columns < 1) {
+    throw ReportError(
+        fmt::format("figure '{}': columns {}, expected 1 or more", figure.id, figure.columns));
+  }
+  if (!(figure.arrow_scale >= 0) || !std::isfinite(figure.arrow_scale)) {
+    throw ReportError(
+        fmt::format("figure '{}': arrow_scale {}, expected 0 (automatic) or metres "
+                    "per metre a second above it",
+                    figure.id, figure.arrow_scale));
+  }
+  const auto [lower, upper] = figure.value_range;
+  if (lower != upper && !is_range(lower, upper)) {
+    throw ReportError(
+        fmt::format("figure '{}': value_range {} to {}, expected increasing finite "
+                    "values, or equal ones for an automatic range",
+                    figure.id, lower, upper));
+  }
+  for (const FieldPanel& panel : figure.panels) check_panel(figure, panel);
+}
+
 }  // namespace
 
 void check_report(const Report& report) {
@@ -64,6 +115,10 @@ void check_report(const Report& report) {
     for (const Figure& figure : section.figures) {
       check_id("figure", figure.id, figures);
       check_figure(figure);
+    }
+    for (const FieldFigure& figure : section.fields) {
+      check_id("figure", figure.id, figures);
+      check_field(figure);
     }
   }
   try {

@@ -6,8 +6,8 @@
 namespace slosh::reports {
 
 // Throws ReportError, naming the section, table or figure, for an id that is unfit or taken,
-// columns or samples of unequal number, an x_range that no axis can show, or results_json that is
-// not JSON.
+// columns or samples of unequal number, a range that no axis or colour bar can show, a field
+// without panels or with sizes that nothing can be drawn in, or results_json that is not JSON.
 void check_report(const Report& report);
 
 }  // namespace slosh::reports

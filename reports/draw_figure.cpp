@@ -2,21 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <boost/process.hpp>
 #include <kainjow/mustache.hpp>
-#include <system_error>
+#include <string>
+#include <vector>
 
 #include "reports/figure_palette.hpp"
 #include "reports/gnuplot_script.hpp"
+#include "reports/run_gnuplot.hpp"
 #include "reports/svg_markup.hpp"
 #include "reports/templates.hpp"
-#include "reports/text_file.hpp"
-#include "reports/write_report.hpp"
 
 namespace slosh::reports {
 namespace {
-
-namespace process = boost::process;
 
 // The figure in words, for its <desc>: axes and what is drawn.
 std::string description(const Figure& figure) {
@@ -31,29 +28,8 @@ std::string description(const Figure& figure) {
 }  // namespace
 
 DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory) {
-  const auto gnuplot = process::search_path("gnuplot");
-  if (gnuplot.empty()) {
-    throw ReportError(
-        "gnuplot, which draws the report's figures, is not on the PATH (Debian: apt-get install "
-        "gnuplot-nox)");
-  }
-  const auto script = scratch_directory / (figure.id + ".gp");
-  const auto output = scratch_directory / (figure.id + ".raw.svg");
-  const auto messages = scratch_directory / (figure.id + ".log");
-  write_text(script, gnuplot_script(figure));
-  std::error_code failure;
-  const int status =
-      process::system(gnuplot, "--default-settings", script.string(),
-                      process::std_in<process::null, process::std_out> output.string(),
-                      process::std_err > messages.string(), failure);
-  if (failure)
-    throw ReportError(
-        fmt::format("figure '{}': gnuplot did not start: {}", figure.id, failure.message()));
-  if (status != 0) {
-    throw ReportError(fmt::format("figure '{}': gnuplot ended with status {}: {}", figure.id,
-                                  status, read_text(messages)));
-  }
-  return {shared_markup(read_text(output), figure.id), canvas_width, canvas_height(figure)};
+  const std::string output = run_gnuplot(gnuplot_script(figure), figure.id, scratch_directory);
+  return {shared_markup(output, figure.id), canvas_width, canvas_height(figure)};
 }
 
 std::string svg_element(const Figure& figure, const DrawnFigure& drawn, SvgPlace place) {

@@ -35,6 +35,14 @@ inline constexpr std::array<PaletteColour, 6> curve_colours{{{"#0069a8", "#3f97d
 inline constexpr std::array<PaletteColour, 3> band_colours{
     {{"#00936b", "#1fae84"}, {"#3d9ad6", "#9fd8ff"}, {"#a88400", "#e8bc3c"}}};
 
+// A scalar of a flow field, from low to high: viridis at tenths (S. van der Walt and N. Smith,
+// 2015; the ten colours as in R's viridisLite), perceptually uniform and monotonous in lightness
+// for those with colour blindness too; between them colours are mixed linearly. The same on every
+// paper: these pictures bring their own.
+inline constexpr std::array<const char*, 10> field_colours{
+    "#440154", "#482878", "#3e4a89", "#31688e", "#26828e",
+    "#1f9e89", "#35b779", "#6dcd59", "#b4de2c", "#fde725"};
+
 // gnuplot dash types, cycled by the curves of one style: mostly drawn for lines, mostly gaps for
 // dashed ones.
 inline constexpr std::array<const char*, 4> line_dashes{"solid", "(14,3)", "(14,3,2,3)",

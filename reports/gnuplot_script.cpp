@@ -8,6 +8,7 @@
 
 #include "reports/axes.hpp"
 #include "reports/figure_palette.hpp"
+#include "reports/gnuplot_text.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -26,25 +27,6 @@ constexpr double key_sample_width =
     55;                  // px, the line before a legend entry and the space after it
 constexpr int foot = 8;  // px, below the legend: its descenders
 
-// A string literal of gnuplot. Control characters would break the script's lines and the SVG's
-// validity.
-std::string quoted(const std::string& text) {
-  std::string literal = "'";
-  for (const char c : text) {
-    if (c == '\'') literal += '\'';
-    literal += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-  }
-  return literal + "'";
-}
-
-// Width in px as drawn, near enough to lay labels out; UTF-8 continuation bytes have none.
-double text_width(const std::string& text) {
-  const auto characters = std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  });
-  return character_width * static_cast<double>(characters);
-}
-
 struct KeyLayout {
   int columns, rows;
   double narrower;  // characters to take off each entry: gnuplot reckons with wide ones, 0.7 of the
@@ -53,8 +35,10 @@ struct KeyLayout {
 
 KeyLayout key_layout(const Figure& figure) {
   double widest = 0;
-  for (const Curve& curve : figure.curves) widest = std::max(widest, text_width(curve.label));
-  for (const Band& band : figure.bands) widest = std::max(widest, text_width(band.label));
+  for (const Curve& curve : figure.curves)
+    widest = std::max(widest, text_width(curve.label, character_width));
+  for (const Band& band : figure.bands)
+    widest = std::max(widest, text_width(band.label, character_width));
   const int columns = std::max(1, static_cast<int>(key_width / (widest + key_sample_width)));
   const int entries = static_cast<int>(figure.curves.size() + figure.bands.size());
   const double reckoned_width = 0.7 * 13;
@@ -81,7 +65,7 @@ std::vector<PlacedMarker> placed_markers(const Figure& figure, const AxisRange& 
   for (PlacedMarker& label : placed) {
     const double centre = plot_width * (scale(label.marker->x) - scale(range.lower)) /
                           (scale(range.upper) - scale(range.lower));
-    const double half = text_width(label.marker->label) / 2 + character_width / 2;
+    const double half = text_width(label.marker->label, character_width) / 2 + character_width / 2;
     const auto free_row = std::find_if(row_ends.begin(), row_ends.end(),
                                        [&](double end) { return end <= centre - half; });
     label.row = static_cast<int>(free_row - row_ends.begin());

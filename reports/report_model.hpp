@@ -3,7 +3,7 @@
 // Ids (of sections, tables and figures) are made of ASCII letters, digits, '-' and '_', and are
 // unique among their kind. In paragraphs, captions and cells, text between `backticks` is shown as
 // code. Values that are not finite leave a gap in a curve; markers and bands that are not finite
-// are not drawn.
+// are not drawn, nor are places and arrows of a field that are not.
 #pragma once
 
 #include <string>
@@ -44,9 +44,34 @@ struct Figure {
   std::vector<Marker> markers;
 };
 
-// The cells "pass", "FAIL", "violated", "solver failed", "not compared", "no result", "not
-// selected", "out of range" (in any case) get a sign and a colour. Columns of numbers are aligned
-// right.
+// A tank at one moment, its water coloured by a scalar (the pressure, the speed): the particles of
+// SPH or the wet cells of a mesh. Places are the tank's own: x [m] from its left wall, z [m] from
+// its bottom, whatever its roll.
+struct FieldPanel {
+  std::string label;                         // "li2010 2 mm, t = 3.45 s"
+  double angle = 0;                          // the roll [rad], counter-clockwise about the axis
+  double axis_x = 0, axis_z = 0;             // [m]
+  double tank_length = 0, tank_height = 0;   // [m], above zero
+  double point_width = 0, point_height = 0;  // [m], above zero: the rectangle at each place
+  std::vector<double> x, z, value;           // [m], [m], of equal length
+  std::vector<double> arrow_x, arrow_z;      // [m], of equal length with the next two, or empty
+  std::vector<double> arrow_u, arrow_w;      // [m/s], the velocity in the tank's own directions
+};
+
+// Panels in rows, to one scale, under one colour bar and with one length of arrows.
+struct FieldFigure {
+  std::string id;  // unique among the figures too: file name stem, and the anchor is "figure-<id>"
+  std::string title, caption;
+  std::string value_label;                      // with its unit: "pressure (Pa)"
+  std::pair<double, double> value_range{0, 0};  // equal ends: the middle 98 % of all values
+  double arrow_scale = 0;                       // m of the tank per m/s; 0: automatic
+  int columns = 1;                              // panels a row
+  std::vector<FieldPanel> panels;               // row by row
+};
+
+// The cells "pass", "confirmed", "FAIL", "violated", "refuted", "solver failed", "not compared",
+// "no result", "not selected", "not supplied", "not decidable", "out of range", "skipped" (in any
+// case) get a sign and a colour. Columns of numbers are aligned right.
 struct Table {
   std::string id, title, caption;  // the anchor is "table-<id>"
   std::vector<std::string> header;
@@ -58,6 +83,7 @@ struct Section {
   std::vector<std::string> paragraphs;
   std::vector<Table> tables;
   std::vector<Figure> figures;
+  std::vector<FieldFigure> fields;  // after the figures, and numbered on
 };
 
 struct Report {

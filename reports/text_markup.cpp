@@ -82,11 +82,13 @@ std::string markdown_text(const std::string& text) {
 }
 
 CellVerdict cell_verdict(const std::string& cell) {
-  static const std::set<std::string> bad{"fail",          "failed",       "violated",
+  static const std::set<std::string> good{"pass", "passed", "confirmed"};
+  static const std::set<std::string> bad{"fail",          "failed",       "violated", "refuted",
                                          "solver failed", "not compared", "no result"};
-  static const std::set<std::string> neutral{"not selected", "out of range", "skipped"};
+  static const std::set<std::string> neutral{"not selected", "not supplied", "not decidable",
+                                             "out of range", "skipped"};
   const std::string word = boost::to_lower_copy(boost::trim_copy(cell));
-  if (word == "pass" || word == "passed") return CellVerdict::good;
+  if (good.contains(word)) return CellVerdict::good;
   if (bad.contains(word)) return CellVerdict::bad;
   return neutral.contains(word) ? CellVerdict::neutral : CellVerdict::none;
 }

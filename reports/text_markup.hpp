@@ -13,8 +13,9 @@ std::string markdown_text(const std::string& text);
 // What a cell of a table says about a check.
 enum class CellVerdict { none, good, bad, neutral };
 
-// "pass" is good; "FAIL", "violated", "solver failed", "not compared", "no result" are bad; "not
-// selected", "out of range", "skipped" are neutral; in any case. All else says nothing.
+// "pass", "confirmed" are good; "FAIL", "violated", "refuted", "solver failed", "not compared", "no
+// result" are bad; "not selected", "not supplied", "not decidable", "out of range", "skipped" are
+// neutral; in any case. All else says nothing.
 CellVerdict cell_verdict(const std::string& cell);
 
 // A sign to stand before the cell's text, so that colour is not alone: "✓", "✗", "–", or nothing.

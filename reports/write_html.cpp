@@ -73,30 +73,48 @@ mustache::data table_data(const Table& table, int number) {
   return data;
 }
 
-mustache::data figure_data(const Figure& figure, const DrawnFigure& drawn, int number) {
+template <typename AnyFigure>
+mustache::data heading_data(const AnyFigure& figure, int number) {
   mustache::data data;
   data.set("id", figure.id);
   data.set("number", std::to_string(number));
   data.set("title", html_text(figure.title));
   data.set("caption", html_text(figure.caption));
+  return data;
+}
+
+mustache::data figure_data(const Figure& figure, const DrawnFigure& drawn, int number) {
+  mustache::data data = heading_data(figure, number);
   data.set("svg", svg_element(figure, drawn, SvgPlace::in_page));
   return data;
 }
 
-mustache::data sections_data(const Report& report, const std::vector<DrawnFigure>& drawings) {
+mustache::data field_data(const FieldFigure& figure, const DrawnField& drawn, int number) {
+  mustache::data picture;
+  picture.set("width", std::to_string(drawn.width));
+  picture.set("height", std::to_string(drawn.height));
+  picture.set("description", description(figure));
+  picture.set("address", data_address(drawn));
+  mustache::data data = heading_data(figure, number);
+  data.set("picture", picture);
+  return data;
+}
+
+mustache::data sections_data(const Report& report, const Drawings& drawings) {
   mustache::data sections(mustache::data::type::list);
-  int table_number = 0;
-  std::size_t figure_number = 0;
+  int table_number = 0, figure_number = 0;
+  auto drawn_figure = drawings.figures.begin();
+  auto drawn_field = drawings.fields.begin();
   for (const Section& section : report.sections) {
     mustache::data paragraphs(mustache::data::type::list), tables(mustache::data::type::list),
         figures(mustache::data::type::list);
     for (const std::string& paragraph : section.paragraphs)
       paragraphs << mustache::data{"text", html_text(paragraph)};
     for (const Table& table : section.tables) tables << table_data(table, ++table_number);
-    for (const Figure& figure : section.figures) {
-      const DrawnFigure& drawn = drawings[figure_number++];
-      figures << figure_data(figure, drawn, static_cast<int>(figure_number));
-    }
+    for (const Figure& figure : section.figures)
+      figures << figure_data(figure, *drawn_figure++, ++figure_number);
+    for (const FieldFigure& figure : section.fields)
+      figures << field_data(figure, *drawn_field++, ++figure_number);
     mustache::data data;
     data.set("id", section.id);
     data.set("title", section.title);
@@ -110,7 +128,7 @@ mustache::data sections_data(const Report& report, const std::vector<DrawnFigure
 
 }  // namespace
 
-std::string html_page(const Report& report, const std::vector<DrawnFigure>& drawings) {
+std::string html_page(const Report& report, const Drawings& drawings) {
   mustache::mustache page(page_template);
   mustache::data data;
   data.set("title", report.title);

@@ -48,9 +48,13 @@ mustache::data sections_data(const Report& report) {
       data.set("rows", rows);
       tables << data;
     }
-    for (const Figure& figure : section.figures) {
-      figures << heading_data(figure.id, figure.title, figure.caption, ++figure_number);
-    }
+    const auto add_figure = [&](const auto& figure, const std::string& file_ending) {
+      mustache::data data = heading_data(figure.id, figure.title, figure.caption, ++figure_number);
+      data.set("file", figure.id + file_ending);
+      figures << data;
+    };
+    for (const Figure& figure : section.figures) add_figure(figure, ".svg");
+    for (const FieldFigure& figure : section.fields) add_figure(figure, ".png");
     mustache::data data = heading_data(section.id, section.title, "", 0);
     data.set("paragraphs", paragraphs);
     data.set("tables", tables);

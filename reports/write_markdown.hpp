@@ -1,4 +1,5 @@
-// The report as GitHub-flavoured Markdown, its figures linked as figures/<id>.svg.
+// The report as GitHub-flavoured Markdown, its figures linked as figures/<id>.svg, its fields as
+// figures/<id>.png.
 #pragma once
 
 #include <string>

@@ -11,9 +11,9 @@
 #include <cstring>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "reports/check_report.hpp"
+#include "reports/draw_field.hpp"
 #include "reports/draw_figure.hpp"
 #include "reports/text_file.hpp"
 #include "reports/write_html.hpp"
@@ -54,12 +54,16 @@ class TemporaryDirectory {
 void write_files(const Report& report, const fs::path& scratch, const fs::path& directory) {
   fs::create_directory(scratch);
   fs::create_directories(directory / "figures");
-  std::vector<DrawnFigure> drawings;
+  Drawings drawings;
   for (const Section& section : report.sections) {
     for (const Figure& figure : section.figures) {
-      drawings.push_back(draw_figure(figure, scratch));
+      drawings.figures.push_back(draw_figure(figure, scratch));
       write_text(directory / "figures" / (figure.id + ".svg"),
-                 svg_element(figure, drawings.back(), SvgPlace::own_file));
+                 svg_element(figure, drawings.figures.back(), SvgPlace::own_file));
+    }
+    for (const FieldFigure& figure : section.fields) {
+      drawings.fields.push_back(draw_field(figure, scratch));
+      write_text(directory / "figures" / (figure.id + ".png"), drawings.fields.back().png);
     }
   }
   write_text(directory / "index.html", html_page(report, drawings));

@@ -1,7 +1,7 @@
-// Writes a report: <directory>/index.html (self-contained, figures inline as SVG), report.md,
-// results.json and figures/*.svg. All of it goes to a temporary directory beside the target first
-// and is swapped in when complete, so that there is always one whole report under the name: the old
-// one until the new one is done.
+// Writes a report: <directory>/index.html (self-contained, figures inline as SVG and PNG),
+// report.md, results.json, figures/*.svg and figures/*.png. All of it goes to a temporary directory
+// beside the target first and is swapped in when complete, so that there is always one whole report
+// under the name: the old one until the new one is done.
 #pragma once
 
 #include <filesystem>

@@ -30,7 +30,10 @@ void expect_legible_report(const ScratchDirectory& scratch, bool dark) {
     EXPECT_EQ(page.at("tables"), 2);
     EXPECT_EQ(page.at("captions"), 2);
     EXPECT_EQ(page.at("headers_without_scope"), 0);
-    EXPECT_EQ(page.at("figures"), 4);
+    EXPECT_EQ(page.at("figures"), 5);
+    EXPECT_EQ(page.at("pictures"), 1);
+    EXPECT_GE(page.at("smallest_picture"), 100);
+    EXPECT_GE(page.at("picture_colours"), 30);  // of the 64 levels
     EXPECT_EQ(page.at("drawings"), 4);
     EXPECT_GE(page.at("smallest_drawing"), 100);  // clipped at 100 by the measure
     EXPECT_EQ(page.at("drawn_curves"), 11);       // three, two, three and three
@@ -52,10 +55,12 @@ TEST_F(Browser, ShowsEveryTableAndFigureLegiblyOnAPhoneAndADesk) {
 TEST_F(Browser, ShowsTheSameInTheDarkScheme) { expect_legible_report(scratch_, true); }
 
 TEST_F(Browser, SeesAPageThatIsBroken) {
-  write_text(scratch_ / "broken.html",
-             "<body style='background:#fff'><div style='width:800px'>wide</div><p id=a><p id=a><a "
-             "href='#nowhere'>x</a>"
-             "<svg><text fill='#ddd'>faint</text></svg><script>console.error('trouble')</script>");
+  write_text(
+      scratch_ / "broken.html",
+      "<body style='background:#fff'><div style='width:800px'>wide</div><p id=a><p id=a><a "
+      "href='#nowhere'>x</a>"
+      "<svg><text fill='#ddd'>faint</text></svg><figure><img src='nowhere.png' alt='a picture "
+      "that is missing'></figure><script>console.error('trouble')</script>");
   const BrowserRun run = open_in_browser(scratch_.path(), "broken.html", false);
   EXPECT_NE(run.log.find("CONSOLE"), std::string::npos) << run.log;
   EXPECT_GT(run.phone.at("scroll_width"), 390);
@@ -63,6 +68,7 @@ TEST_F(Browser, SeesAPageThatIsBroken) {
   EXPECT_EQ(run.phone.at("repeated_ids"), 1);
   EXPECT_EQ(run.phone.at("broken_links"), 1);
   EXPECT_EQ(run.phone.at("drawings"), 0);
+  EXPECT_EQ(run.phone.at("pictures"), 0);
 }
 
 }  // namespace

@@ -31,11 +31,25 @@ const contrast = (a, b) => {
   const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
   return (high + 0.05) / (low + 0.05);
 };
+// How many saturated colours a picture shows; its text and lines are grey.
+const colours = picture => {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [picture.naturalWidth, picture.naturalHeight];
+  const context = canvas.getContext('2d');
+  context.drawImage(picture, 0, 0);
+  const bytes = context.getImageData(0, 0, canvas.width, canvas.height).data, found = new Set();
+  for (let i = 0; i < bytes.length; i += 4) {
+    const pixel = [...bytes.slice(i, i + 3)];
+    if (Math.max(...pixel) - Math.min(...pixel) > 80) found.add(pixel.join());
+  }
+  return found.size;
+};
 const measure = frame => {
   const page = frame.contentDocument, all = query => [...page.querySelectorAll(query)];
   const style = element => frame.contentWindow.getComputedStyle(element);
   const background = style(page.body).backgroundColor;
   const lowest = values => Math.min(100, ...values);
+  const pictures = all('figure img').filter(picture => picture.alt.length > 20 && picture.naturalWidth > 0 && picture.naturalWidth == picture.getAttribute('width') && picture.naturalHeight == picture.getAttribute('height'));
   const ids = all('[id]').map(element => element.id);
   return {
     width: page.documentElement.clientWidth,
@@ -46,6 +60,9 @@ const measure = frame => {
     figures: all('figure > figcaption').length,
     drawings: all('figure svg[role=img] > title').length,
     smallest_drawing: lowest(all('figure svg').map(svg => Math.min(svg.getBoundingClientRect().width, svg.getBoundingClientRect().height))),
+    pictures: pictures.length,
+    smallest_picture: lowest(pictures.map(picture => Math.min(picture.getBoundingClientRect().width, picture.getBoundingClientRect().height))),
+    picture_colours: lowest(pictures.map(colours)),
     drawn_curves: all('svg [id*=gnuplot_plot] path').filter(path => path.getTotalLength() > 100).length,
     text_contrast: lowest(all('svg text').map(text => contrast(style(text).fill, background))),
     curve_contrast: lowest(all('svg [id*=gnuplot_plot] path').filter(p => style(p).stroke !== 'none').map(p => contrast(style(p).stroke, background))),

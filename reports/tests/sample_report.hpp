@@ -10,4 +10,8 @@ Report sample_report();
 // A figure as heavy as a campaign's heaviest: six curves of 2001 samples.
 Figure heavy_figure(const std::string& id);
 
+// Three panels a moment, of which one has particles of this spacing [m] (0.072 m^2 of water in
+// each).
+FieldFigure sloshing_field(const std::string& id, int moments, double spacing);
+
 }  // namespace slosh::reports

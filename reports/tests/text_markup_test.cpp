@@ -41,11 +41,15 @@ TEST(MarkdownText, StartsNoListByAccident) {
 TEST(CellVerdicts, AreReadInAnyCaseAndOnlyFromTheWholeCell) {
   EXPECT_EQ(cell_verdict("pass"), CellVerdict::good);
   EXPECT_EQ(cell_verdict("PASS"), CellVerdict::good);
-  for (const char* bad : {"FAIL", "violated", "solver failed", "Not compared", "no result"}) {
+  EXPECT_EQ(cell_verdict("Confirmed"), CellVerdict::good);
+  for (const char* bad :
+       {"FAIL", "violated", "solver failed", "Not compared", "no result", "refuted"}) {
     EXPECT_EQ(cell_verdict(bad), CellVerdict::bad) << bad;
   }
-  EXPECT_EQ(cell_verdict("not selected"), CellVerdict::neutral);
-  EXPECT_EQ(cell_verdict("out of range"), CellVerdict::neutral);
+  for (const char* neutral :
+       {"not selected", "out of range", "not decidable", "Not supplied", "skipped"}) {
+    EXPECT_EQ(cell_verdict(neutral), CellVerdict::neutral) << neutral;
+  }
   EXPECT_EQ(cell_verdict("low-pass filter"), CellVerdict::none);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <regex>
 #include <set>
 
@@ -32,7 +33,7 @@ TEST(WrittenReport, HasAllItsFilesAndLeavesNothingBeside) {
   const ScratchDirectory scratch;
   write_report(sample_report(), scratch / "campaign/report/");
   for (const char* name : {"index.html", "report.md", "results.json", "figures/time-history.svg",
-                           "figures/cost.svg"}) {
+                           "figures/cost.svg", "figures/pressure-field.png"}) {
     EXPECT_TRUE(fs::is_regular_file(scratch / "campaign/report" / name)) << name;
   }
   EXPECT_EQ(entries(scratch / "campaign"), 1u);
@@ -59,7 +60,7 @@ TEST(WrittenReport, AsksNothingOfTheNetwork) {
   write_report(sample_report(), scratch / "report");
   const std::string page = read_text(scratch / "report/index.html");
   EXPECT_EQ(occurrences(page, "://"), occurrences(page, "xmlns=\"http://www.w3.org/2000/svg\""));
-  EXPECT_EQ(occurrences(page, " src="), 0u);
+  EXPECT_EQ(occurrences(page, " src="), occurrences(page, " src=\"data:image/png;base64,"));
   EXPECT_EQ(occurrences(page, "<script"), 0u);
   EXPECT_EQ(occurrences(page, "@import"), 0u);
 }
@@ -85,6 +86,7 @@ TEST(WrittenReport, HasTablesOfEqualRowsAndLinkedFiguresInItsMarkdown) {
   write_report(sample_report(), scratch / "report");
   const std::string markdown = read_text(scratch / "report/report.md");
   EXPECT_NE(markdown.find("](figures/time-history.svg)"), std::string::npos);
+  EXPECT_NE(markdown.find("](figures/pressure-field.png)"), std::string::npos);
   EXPECT_EQ(markdown.find("<script>"), std::string::npos);
   const std::regex row(R"((?:^|\n)(\|[^\n]*\|)(?=\n))"), bar(R"([^\\]\|)");
   std::size_t rows = 0;
@@ -96,6 +98,24 @@ TEST(WrittenReport, HasTablesOfEqualRowsAndLinkedFiguresInItsMarkdown) {
     EXPECT_TRUE(bars == 6 || bars == 4) << line;
   }
   EXPECT_EQ(rows, 7u + 4u);  // header, rule and rows of both tables
+}
+
+TEST(WrittenReport, NumbersFieldsAfterTheFiguresOfTheirSectionInBothForms) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  for (const char* file : {"report/index.html", "report/report.md"}) {
+    const std::string text = read_text(scratch / file);
+    EXPECT_NE(text.find("Figure 4. Pressure in the rolling tank"), std::string::npos) << file;
+    EXPECT_NE(text.find("Figure 5. Error against run time"), std::string::npos) << file;
+  }
+}
+
+TEST(WrittenReport, TellsWhatAPictureShowsToThoseWhoDoNotSeeIt) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  EXPECT_NE(page.find("alt=\"Pressure in the rolling tank. Panels: SPH &lt;recommended&gt;"),
+            std::string::npos);
 }
 
 TEST(WrittenReport, ReplacesTheOldOneWhole) {
@@ -155,6 +175,29 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
   expect_refused("short bars",
                  [](Report& r) { r.sections[2].figures[0].curves[0].y_error.pop_back(); });
   expect_refused("turned range", [](Report& r) { r.sections[1].figures[0].x_range = {2, 1}; });
+  const auto spoilt_field = [&](const char* why, const auto& spoil) {
+    expect_refused(why, [&](Report& r) { spoil(r.sections[1].fields[0]); });
+  };
+  const auto spoilt_panel = [&](const char* why, const auto& spoil) {
+    spoilt_field(why, [&](FieldFigure& field) { spoil(field.panels[3]); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  spoilt_field("a figure's id", [](FieldFigure& f) { f.id = "cost"; });
+  spoilt_field("no panels", [](FieldFigure& f) { f.panels.clear(); });
+  spoilt_field("no columns", [](FieldFigure& f) { f.columns = 0; });
+  spoilt_field("turned colours", [](FieldFigure& f) { f.value_range = {1, 0}; });
+  spoilt_field("undefined colours", [&](FieldFigure& f) { f.value_range = {nan, nan}; });
+  spoilt_field("colours that are one", [](FieldFigure& f) { f.value_range = {1000, 1000 + 1e-9}; });
+  spoilt_field("negative arrows", [](FieldFigure& f) { f.arrow_scale = -1; });
+  spoilt_field("undefined arrows", [&](FieldFigure& f) { f.arrow_scale = nan; });
+  spoilt_panel("short values", [](FieldPanel& p) { p.value.pop_back(); });
+  spoilt_panel("short places", [](FieldPanel& p) { p.z.pop_back(); });
+  spoilt_panel("short arrows", [](FieldPanel& p) { p.arrow_w.pop_back(); });
+  spoilt_panel("flat tank", [](FieldPanel& p) { p.tank_height = 0; });
+  spoilt_panel("undefined tank", [&](FieldPanel& p) { p.tank_length = nan; });
+  spoilt_panel("points of no size", [](FieldPanel& p) { p.point_width = -0.01; });
+  spoilt_panel("undefined roll", [&](FieldPanel& p) { p.angle = nan; });
+  spoilt_panel("undefined axis", [&](FieldPanel& p) { p.axis_z = nan; });
   expect_refused("zero on a logarithmic axis", [](Report& r) {
     r.sections[2].figures[0].x_range = {0, 1};
   });

@@ -1,0 +1,15 @@
+// Runs gnuplot on a program.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace slosh::reports {
+
+// What gnuplot (found on the PATH, without a shell and without the user's start-up files) writes to
+// its standard output. The files about it go to the scratch directory, under the figure's id.
+// Throws ReportError with gnuplot's own words when it is missing or fails.
+std::string run_gnuplot(const std::string& script, const std::string& figure_id,
+                        const std::filesystem::path& scratch_directory);
+
+}  // namespace slosh::reports
