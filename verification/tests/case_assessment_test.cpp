@@ -300,7 +300,7 @@ TEST(FittedModes, FollowTheTank) {
 
 TEST(FittedModes, HaveNoForcingWhereAMotionHasNoFrequency) {
   CaseDefinition definition = surge_case();
-  definition.motion = TableSurge{};
+  definition.motion.surge = TableMotion{};
   const auto modes = fitted_modes(definition);
   ASSERT_EQ(modes.size(), 1u);
   EXPECT_EQ(modes[0].name, "natural_1");

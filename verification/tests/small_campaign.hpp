@@ -32,8 +32,8 @@ kinematic_viscosity_m2_s = 1e-6
 [gas]
 density_kg_m3 = 1.2
 kinematic_viscosity_m2_s = 1.5e-5
-[motion]
-type = "sine_surge"
+[motion.surge]
+type = "sine"
 amplitude_m = 0.02
 angular_frequency_rad_s = 3.0
 [time]
