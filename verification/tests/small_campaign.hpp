@@ -130,6 +130,7 @@ class SmallCampaign : public ::testing::Test {
     namespace bp = boost::process;
     bp::environment environment = boost::this_process::environment();
     environment["OMP_NUM_THREADS"] = "1";
+    environment.erase("SLOSH_EXPERIMENTS");  // what the user has is no part of a test
     for (const auto& [name, value] : more) environment[name] = value;
     const std::string out = (temporary_.path() / "out").string(),
                       err = (temporary_.path() / "err").string();
