@@ -16,15 +16,14 @@
 //                 type = "table": file (CSV: time_s,angle_deg, from 0; relative to the case file)
 //                 both: axis_x_m (from the left wall), axis_z_m (from the bottom); the axis moves
 //                 with the tank and may lie outside it
-//   [time]        start = "earth" | "tank", duration_s, sample_interval_s, snapshot_times_s? =
-//   [...]
-//                 (increasing multiples of sample_interval_s)
-//   [[gauge]]     name, x_m (from the left wall; SPH measures the depth of liquid there, which over
+//   [time]        start = "earth" | "tank", duration_s, sample_interval_s, snapshot_times_s?
+//                 (a list of increasing multiples of sample_interval_s)
+//   [[gauge]]?    name, x_m (from the left wall; SPH measures the depth of liquid there, which over
 //                 an obstacle, and within six particle spacings of one, lacks the obstacle's share)
-//   [[pressure_gauge]] name, wall = "left" | "right" | "bottom", position_m (of the sensor's middle
-//                 above the bottom; on the bottom from the left wall), width_m? (of the sensor
-//                 along the wall; 0: a point), filter_cutoff_Hz? (of a low-pass filter, below half
-//                 the sampling rate). At least one gauge of either kind
+//   [[pressure_gauge]]? name, wall = "left" | "right" | "bottom", position_m (of the
+//                 sensor's middle above the bottom; on the bottom from the left wall), width_m? (of
+//                 the sensor along the wall; 0: a point), filter_cutoff_Hz? (of a low-pass filter,
+//                 below half the sampling rate). At least one gauge of either kind
 //   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m),
 //                 forcing_angular_frequency_rad_s? (of a table that nearly is a sine)
 //   [[run]]       name, quick?, and
