@@ -31,7 +31,8 @@ std::string gate_line(const CaseAssessment& assessment, const GateOutcome& outco
 
 void print(const CaseAssessment& assessment) {
   for (const auto& [run, status] : assessment.runs.status)
-    if (status.state == RunState::failed || status.state == RunState::missing)
+    if (status.state == RunState::failed || status.state == RunState::missing ||
+        status.state == RunState::not_supplied)
       std::cerr << fmt::format("{}/{}: {}: {}\n", assessment.definition.name, run,
                                state_name(status.state), status.message);
   for (const GateOutcome& outcome : assessment.gate)
@@ -45,10 +46,11 @@ void require_window(const CaseDefinition& definition) try {
 }
 
 // All that a campaign's cases get wrong is found before anything runs.
-std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign) {
+std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
+                                       const fs::path& experiments) {
   std::vector<CaseDefinition> cases;
   for (const fs::path& file : campaign.cases) {
-    CaseDefinition definition = read_case(file);
+    CaseDefinition definition = read_case(file, experiments);
     for (const CaseDefinition& other : cases)
       if (other.name == definition.name)
         throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
@@ -64,6 +66,15 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign) {
 std::string name_or_path(const fs::path& file, const fs::path& shipped) {
   if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();
   return fmt::format("'{}'", fs::absolute(file).lexically_normal().string());
+}
+
+fs::path whole(const fs::path& path) {
+  return path.empty() ? path : fs::absolute(path).lexically_normal();
+}
+
+// What a command needs to find the user's records again.
+std::string experiments_option(const fs::path& experiments) {
+  return experiments.empty() ? "" : fmt::format(" --experiments '{}'", experiments.string());
 }
 
 std::vector<fs::path> definitions_in(const fs::path& directory) {
@@ -94,7 +105,8 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                  const std::atomic<bool>& stop) {
   const CampaignDefinition campaign =
       read_campaign(find_campaign(options.campaign, installation.campaigns), installation.cases);
-  const std::vector<CaseDefinition> cases = read_cases(campaign);
+  const fs::path experiments = whole(options.experiments);
+  const std::vector<CaseDefinition> cases = read_cases(campaign, experiments);
   const std::string form = options.quick ? "-quick" : "";
   const CampaignSettings settings{
       fs::absolute(options.output.empty()
@@ -103,6 +115,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
       installation.executable,
       installation.solver_build,
       installation.openfoam_templates,
+      experiments,
       options.quick,
       options.solve,
       options.at_once};
@@ -114,8 +127,8 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     print(assessed.back());
   }
   const std::string command =
-      fmt::format("./slosh campaign {}{}", name_or_path(campaign.file, installation.campaigns),
-                  options.quick ? " --quick" : "");
+      fmt::format("./slosh campaign {}{}{}", name_or_path(campaign.file, installation.campaigns),
+                  options.quick ? " --quick" : "", experiments_option(experiments));
   const fs::path report = settings.output / "report";
   reports::write_report(campaign_report(campaign, options.quick, command, assessed), report);
   std::cout << (exit_status(assessed) == exit_pass ? "PASS: " : "FAIL: ")
@@ -125,7 +138,9 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
 }
 
 int run_one(const RunOptions& options, const Installation& installation) {
-  const CaseDefinition definition = read_case(find_case(options.case_name, installation.cases));
+  const fs::path experiments = whole(options.experiments);
+  const CaseDefinition definition =
+      read_case(find_case(options.case_name, installation.cases), experiments);
   const auto run = std::find_if(definition.runs.begin(), definition.runs.end(),
                                 [&](const RunDefinition& one) { return one.name == options.run; });
   if (run == definition.runs.end()) {
@@ -144,9 +159,10 @@ int run_one(const RunOptions& options, const Installation& installation) {
   settings.snapshot_interval = options.snapshot_interval;
   settings.key =
       run_key(definition, *run, installation.solver_build, installation.openfoam_templates);
-  settings.command =
-      fmt::format("./slosh run {} {} --output {}.h5",
-                  name_or_path(definition.file, installation.cases), run->name, run->name);
+  settings.command = fmt::format(
+      "./slosh run {} {} --output {}.h5{}", name_or_path(definition.file, installation.cases),
+      run->name, run->name,
+      std::holds_alternative<RecordRun>(run->solver) ? experiments_option(experiments) : "");
   write_result(execute(definition, *run, settings,
                        progress_writer(options.progress_file, definition.duration)),
                file);

@@ -19,6 +19,7 @@ struct CampaignOptions {
   bool quick = false;
   bool solve = true;  // false: `slosh report`
   int at_once = 1;
+  std::filesystem::path experiments;  // empty: none is named
   std::filesystem::path
       output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
 };
@@ -26,7 +27,8 @@ struct CampaignOptions {
 struct RunOptions {
   std::string case_name, run;
   std::filesystem::path output, progress_file;
-  double snapshot_interval = 0;  // [s]
+  std::filesystem::path experiments;  // empty: none is named
+  double snapshot_interval = 0;       // [s]
 };
 
 int run_campaign(const CampaignOptions& options, const Installation& installation,

@@ -43,6 +43,15 @@ constexpr const char* closing_words =
     "  ./slosh campaign small_amplitude --quick\n"
     "  ./slosh run li2010_small_amplitude linear --output linear.h5";
 
+void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
+  command
+      .add_option("--experiments", experiments,
+                  "Directory of the experimental records that you have; without it the runs that "
+                  "need one are told as not supplied")
+      ->envname("SLOSH_EXPERIMENTS")
+      ->check(CLI::ExistingDirectory);
+}
+
 void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
   command
       .add_option("name", options.campaign,
@@ -53,6 +62,7 @@ void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
       "-o,--output", options.output,
       "Directory of the results and the report (default: build/campaigns/NAME, with -quick "
       "after the NAME of a quick form)");
+  add_experiments_option(command, options.experiments);
 }
 
 void add_run_options(CLI::App& command, slosh::RunOptions& options) {
@@ -67,6 +77,7 @@ void add_run_options(CLI::App& command, slosh::RunOptions& options) {
           "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of the "
           "case's sample_interval_s")
       ->check(CLI::PositiveNumber);
+  add_experiments_option(command, options.experiments);
   command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
 }
 

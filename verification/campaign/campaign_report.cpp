@@ -1,6 +1,7 @@
 #include "verification/campaign/campaign_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -11,6 +12,7 @@
 #include "verification/campaign/order_table.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
+#include "verification/case_file/motion_table.hpp"
 #include "verification/runs/provenance.hpp"
 
 namespace slosh {
@@ -38,14 +40,29 @@ int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
   return n;
 }
 
+std::string history_text(const SineMotion& sine, double si_per_unit, const char* unit) {
+  return fmt::format(
+      "{:.6g} {} sin({:.6g} rad/s t){}", sine.amplitude / si_per_unit, unit, sine.angular_frequency,
+      sine.ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine.ramp_periods) : "");
+}
+
+std::string history_text(const TableMotion& table, double, const char*) {
+  return "the table " + table.file.filename().string();
+}
+
 std::string motion_text(const CaseDefinition& definition) {
-  if (const auto* sine = std::get_if<SineSurge>(&definition.motion))
-    return fmt::format(
-        "surge X = {} m sin({:.6g} rad/s t){}", sine->amplitude, sine->angular_frequency,
-        sine->ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine->ramp_periods) : "");
-  if (const auto* table = std::get_if<TableSurge>(&definition.motion))
-    return "surge after the table " + table->file.filename().string();
-  return std::holds_alternative<Still>(definition.motion) ? "at rest" : "roll";
+  const auto& [surge, roll] = definition.motion;
+  const auto text = [](const MotionHistory& history, double si_per_unit, const char* unit) {
+    return std::visit([&](const auto& one) { return history_text(one, si_per_unit, unit); },
+                      history);
+  };
+  std::vector<std::string> parts;
+  if (surge) parts.push_back("surge X = " + text(*surge, 1, "m"));
+  if (roll)
+    parts.push_back(
+        fmt::format("roll = {} about the point {} m from the left wall and {} m above the bottom",
+                    text(roll->angle, radians_per_degree, "deg"), roll->axis_x, roll->axis_z));
+  return parts.empty() ? "at rest" : fmt::format("{}", fmt::join(parts, " and "));
 }
 
 std::string liquid_text(const CaseDefinition& definition) {
@@ -74,6 +91,9 @@ Section case_section(const CaseAssessment& assessment) {
     if (status.state == RunState::out_of_range)
       section.paragraphs.push_back("The reference `" + run + "` " + status.message +
                                    ": it is drawn and never gates.");
+    else if (status.state == RunState::not_supplied)
+      section.paragraphs.push_back("The record `" + run + "` is not supplied: " + status.message +
+                                   ". Rows that need it neither pass nor fail.");
   for (const std::string& pair : assessment.not_comparable)
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
@@ -106,6 +126,8 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases) {
   add(pairs_not_comparable(cases), "pairs not comparable");
   add(count(cases, RunState::failed), "runs failed");
   add(count(cases, RunState::missing), "runs without a result");
+  add(count(cases, RunState::not_supplied), "records not supplied");
+  add(count(cases, Verdict::not_supplied), "gate rows without their record");
   add(count(cases, Verdict::not_selected), "left out of this quick form");
   return text + ".";
 }

@@ -11,6 +11,7 @@
 
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/runs/progress_display.hpp"
+#include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/runs/run_pool.hpp"
 
@@ -71,6 +72,8 @@ Job job_for(const CaseDefinition& definition, const RunDefinition& run,
                  result.string(),
                  "--progress-file",
                  job.progress_file.string()};
+  if (!settings.experiments.empty())
+    job.command.insert(job.command.end(), {"--experiments", settings.experiments.string()});
   return job;
 }
 
@@ -97,6 +100,11 @@ std::vector<PendingRun> take_stock(const std::vector<CaseDefinition>& cases,
       RunStatus& status = outcome[c].status[run.name];
       if (settings.quick && !run.quick) {
         status = {RunState::not_selected, ""};
+        continue;
+      }
+      const auto* record = std::get_if<RecordRun>(&run.solver);
+      if (record && !record->supplied) {
+        status = {RunState::not_supplied, where_to_get(*record, cases[c])};
         continue;
       }
       try {

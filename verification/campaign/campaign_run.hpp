@@ -18,6 +18,7 @@ struct CampaignSettings {
   std::filesystem::path executable;    // this tool, which runs one run as `slosh run`
   std::filesystem::path solver_build;  // as run_key() takes it
   std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
+  std::filesystem::path experiments;         // of the user's records; empty: none is named
   bool quick = false;                        // only the runs marked so
   bool solve = true;                         // false: only read what is there
   int at_once = 1;                           // processes

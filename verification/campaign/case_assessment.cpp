@@ -84,15 +84,15 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   return pairs;
 }
 
-// A record is compared on what it recorded; any two solvers on the elevations, and on a front where
-// both follow one.
+// A record is compared on what it recorded; any two solvers on what the case's gauges ask for, and
+// on whatever else both left.
 std::vector<std::string> quantities_of(const CaseDefinition& definition, const CaseRuns& runs,
                                        const Pair& pair) {
   if (const RecordRun* record = solver_as<RecordRun>(definition, pair.second))
     return {record->quantity};
   std::vector<std::string> quantities = compared_quantities(definition);
   std::erase_if(quantities, [&](const std::string& quantity) {
-    return !has_modes(quantity) &&
+    return !is_gauged(quantity) &&
            !(has_series(runs, pair.first, quantity) && has_series(runs, pair.second, quantity));
   });
   return quantities;

@@ -52,7 +52,8 @@ bool has_series(const CaseRuns& runs, const std::string& run, const std::string&
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
 
 // Exit status of the whole: a run that failed or has no result counts even where no gate row names
-// it, and so does a case of which no pair could be compared.
+// it, and so does a case of which no pair could be compared. A record that is not supplied does
+// not.
 int exit_status(const std::vector<CaseAssessment>& cases);
 
 }  // namespace slosh

@@ -23,12 +23,29 @@ std::string first_quantity(const CaseDefinition& definition) {
   return compared_quantities(definition).front();
 }
 
-bool follows_a_front(const CaseDefinition& definition) {
-  return first_quantity(definition) == "front_position";
+// How the figures show the case's first quantity, which is one of these three.
+struct ShownQuantity {
+  std::string word, title;
+  std::string unit;  // on the axis: millimetres for metres
+  double scale;      // from SI
+};
+
+std::string wall_text(const PressureGaugeDefinition& gauge) {
+  if (gauge.wall == Wall::bottom)
+    return fmt::format("on the bottom {:.3g} m from the left wall", gauge.position);
+  return fmt::format("on the {} wall {:.3g} m above the bottom",
+                     gauge.wall == Wall::left ? "left" : "right", gauge.position);
 }
 
-const char* quantity_word(const CaseDefinition& definition) {
-  return follows_a_front(definition) ? "front position" : "elevation";
+ShownQuantity shown_quantity(const CaseDefinition& definition) {
+  if (definition.liquid.column_width)
+    return {"front position", "Front of the breaking dam, from the left wall", "mm", 1000};
+  if (!definition.gauges.empty())
+    return {
+        "elevation",
+        fmt::format("Surface elevation {:.3g} m from the left wall", definition.gauges.front().x),
+        "mm", 1000};
+  return {"pressure", "Pressure " + wall_text(definition.pressure_gauges.front()), "Pa", 1};
 }
 
 // SPH by its scheme, the others by their kind: the runs of a family differ in resolution alone.
@@ -73,8 +90,8 @@ std::vector<std::string> finest_runs(const CaseAssessment& assessment) {
   return names;
 }
 
-std::vector<double> in_millimetres(std::vector<double> values) {
-  for (double& value : values) value *= 1000;
+std::vector<double> scaled(std::vector<double> values, double scale) {
+  for (double& value : values) value *= scale;
   return values;
 }
 
@@ -88,10 +105,11 @@ std::string label(const CaseAssessment& assessment, const std::string& run) {
 Curve history_curve(const CaseAssessment& assessment, const std::string& run) {
   const CaseDefinition& definition = assessment.definition;
   const TimeSeries& series = assessment.runs.results.at(run).at(first_quantity(definition));
-  Curve curve{label(assessment, run), series.time, in_millimetres(series.value), {}, {}};
+  const double scale = shown_quantity(definition).scale;
+  Curve curve{label(assessment, run), series.time, scaled(series.value, scale), {}, {}};
   if (const auto* record = std::get_if<RecordRun>(&run_named(definition, run).solver)) {
     curve.style = Curve::Style::points;
-    if (record->uncertainty) curve.y_error.assign(curve.y.size(), 1000 * *record->uncertainty);
+    if (record->uncertainty) curve.y_error.assign(curve.y.size(), scale * *record->uncertainty);
   }
   return curve;
 }
@@ -100,24 +118,22 @@ Figure history(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
   figure.id = definition.name + "-history";
-  figure.title = follows_a_front(definition)
-                     ? "Front of the breaking dam, from the left wall"
-                     : fmt::format("Surface elevation {:.3g} m from the left wall",
-                                   definition.gauges.front().x);
+  const ShownQuantity shown = shown_quantity(definition);
+  figure.title = shown.title;
   figure.caption =
       "Time history: the references and the finest run of each solver; bars are a record's 95 % "
       "interval. " +
       definition.source + ".";
   figure.x_label = "time [s]";
-  figure.y_label = fmt::format("{} [mm]", quantity_word(definition));
+  figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
   figure.x_range = {0, definition.duration};
   for (const std::string& run : finest_runs(assessment))
     figure.curves.push_back(history_curve(assessment, run));
   return figure;
 }
 
-// The limit of the case's normalised_rms row, as an elevation: rms error allowed [m]; zero where no
-// row gives one.
+// The limit of the case's normalised_rms row in the quantity's own unit: rms error allowed; zero
+// where no row gives one.
 double tolerated_residual(const CaseAssessment& assessment, const Comparison& comparison) {
   for (const GateRow& row : assessment.definition.gate)
     if (row.metric == Metric::normalised_rms && row.limit &&
@@ -141,17 +157,18 @@ Figure residuals(const CaseAssessment& assessment) {
       "solver. A band is the rms "
       "residual that the gate tolerates.";
   figure.x_label = "time [s]";
-  figure.y_label = "residual [mm]";
+  const ShownQuantity shown = shown_quantity(definition);
+  figure.y_label = fmt::format("residual [{}]", shown.unit);
   const auto finest = finest_runs(assessment);
   for (const Comparison* judging : judging_comparisons(assessment)) {
     const Comparison& comparison = *judging;
     if (std::find(finest.begin(), finest.end(), comparison.candidate) == finest.end()) continue;
     figure.curves.push_back({comparison.candidate + " - " + comparison.reference,
                              comparison.residual.time,
-                             in_millimetres(comparison.residual.value),
+                             scaled(comparison.residual.value, shown.scale),
                              {},
                              {}});
-    if (const double band = 1000 * tolerated_residual(assessment, comparison); band > 0)
+    if (const double band = shown.scale * tolerated_residual(assessment, comparison); band > 0)
       figure.bands.push_back({"tolerance, " + comparison.candidate, -band, band});
   }
   return figure;
@@ -172,9 +189,9 @@ Figure spectra(const CaseAssessment& assessment) {
   // A tank that stands, a dam that breaks: there is no tone to look for.
   if (fitted_modes(definition).empty()) return figure;
   figure.id = definition.name + "-spectrum";
-  figure.title = "Spectrum of the elevation";
+  figure.title = "Spectrum of the " + shown_quantity(definition).word;
   figure.x_label = "frequency [Hz]";
-  figure.y_label = "power [m2]";
+  figure.y_label = fmt::format("power [{}2]", unit_of(first_quantity(definition)));
   figure.log_y = true;
   double highest = 0, apart = 0;
   constexpr int marked_natural_modes = 3;

@@ -50,10 +50,22 @@ std::string measure_name(const GateRow& row) {
   return (row.mode == "whole" ? "" : row.mode + " ") + metric + " of " + row.quantity;
 }
 
-std::string peaks(const std::vector<SpectralPeak>& found) {
+// Of waves millimetres are read more easily than metres.
+std::string length_in_mm(double value, const std::string& unit) {
+  return unit == "m" ? fmt::format("{:.3f} mm", 1000 * value)
+                     : fmt::format("{:.4g} {}", value, unit);
+}
+
+// "m" gives "m2", "N/m" "(N/m)2".
+std::string squared(const std::string& unit) {
+  return unit.find('/') == unit.npos ? unit + "2" : "(" + unit + ")2";
+}
+
+std::string peaks(const std::vector<SpectralPeak>& found, const std::string& unit) {
   std::vector<std::string> texts;
   for (const SpectralPeak& peak : found)
-    texts.push_back(fmt::format("{:.3f} Hz ({:.2e} m2)", peak.frequency, peak.power));
+    texts.push_back(
+        fmt::format("{:.3f} Hz ({:.2e} {})", peak.frequency, peak.power, squared(unit)));
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
@@ -127,9 +139,10 @@ Table history_table(const CaseAssessment& assessment) {
   for (const Comparison& pair : assessment.comparisons) {
     std::vector<std::string> row{pair.candidate, reference_name(assessment, pair), pair.quantity,
                                  fmt::format("{:.2f} %", 100 * pair.normalised_rms),
-                                 fmt::format("{:.3f} mm", 1000 * pair.maximum_residual)};
+                                 length_in_mm(pair.maximum_residual, pair.unit)};
     if (swings)
-      row.insert(row.end(), {peaks(pair.candidate_peaks), peaks(pair.reference_peaks)});
+      row.insert(row.end(),
+                 {peaks(pair.candidate_peaks, pair.unit), peaks(pair.reference_peaks, pair.unit)});
     else if (std::isnan(pair.alignment.lag))
       row.insert(row.end(), {"none found", ""});
     else

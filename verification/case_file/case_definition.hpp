@@ -44,31 +44,34 @@ struct GasDefinition {
   double kinematic_viscosity;  // [m2/s]
 };
 
-// X(t) = amplitude sin(omega t), times a smooth ramp over the first ramp_periods periods (0: none).
-struct SineSurge {
-  double amplitude;          // [m]
+// amplitude sin(omega t), times a smooth ramp over the first ramp_periods periods (0: none).
+struct SineMotion {
+  double amplitude;          // [m], or [rad]
   double angular_frequency;  // [rad/s]
   double ramp_periods = 0;
 };
 
-// X(t) from a CSV file with the columns time_s, displacement_m (path relative to the case file).
-struct TableSurge {
+// From a CSV file (path relative to the case file), at least four points.
+struct TableMotion {
   std::filesystem::path file;
-  std::vector<double> time, displacement;
+  std::vector<double> time, value;  // [s]; [m], or [rad]
 };
 
-// The tank stands.
-struct Still {};
+using MotionHistory = std::variant<SineMotion, TableMotion>;
 
-// theta(t) = amplitude sin(omega t) about an axis; declared here, not solved yet.
-struct SineRoll {
-  double amplitude;          // [rad] (the file gives degrees)
-  double angular_frequency;  // [rad/s]
-  double axis_x, axis_z;     // [m] from the tank's bottom left corner
-  SourceLocation where;
+// theta(t), positive counter-clockwise, about a point that the tank carries; it may lie outside it.
+struct RollDefinition {
+  MotionHistory angle;
+  double axis_x, axis_z;  // [m] from the left wall and from the bottom
 };
 
-using MotionDefinition = std::variant<SineSurge, TableSurge, SineRoll, Still>;
+// The tank surges, rolls, does both or stands.
+struct MotionDefinition {
+  std::optional<MotionHistory> surge = {};
+  std::optional<RollDefinition> roll = {};
+
+  bool still() const { return !surge && !roll; }
+};
 
 // At rest in the earth's frame (the tank is set off with X'(0)), or at rest relative to the tank.
 enum class Start { earth, tank };
@@ -77,6 +80,19 @@ enum class Start { earth, tank };
 struct GaugeDefinition {
   std::string name;
   double x;  // [m] from the left wall
+};
+
+enum class Wall { left, right, bottom };
+
+// Pressure on a wall of the tank above that of the gas, the mean over a sensor's width; 0: at a
+// point. With a cutoff it is also recorded through a low-pass filter.
+struct PressureGaugeDefinition {
+  std::string name;
+  Wall wall;
+  double position;                           // [m], of the sensor's middle: above the bottom; on
+                                             // the bottom from the left wall
+  double width = 0;                          // [m], along the wall
+  std::optional<double> filter_cutoff = {};  // [Hz]
 };
 
 // What a run changes of its scheme's own numbers, none of which has a unit; absent: as the scheme
@@ -120,13 +136,14 @@ struct LinearRun {
   double valid_elevation_over_depth;
 };
 
-// A published record of one quantity, from a CSV file (path relative to the case file); it may
-// gate.
+// A published record of one quantity, from a CSV file; it may gate. What the project ships is
+// there; what only its user has may not be.
 struct RecordRun {
-  std::filesystem::path file;
+  std::filesystem::path file;  // where it lies, or where it was looked for
   std::string quantity, unit;
-  std::vector<double> time, value;    // [s], unit
+  std::vector<double> time, value;    // [s], unit; none where it is not supplied
   std::optional<double> uncertainty;  // half width of the values' 95 % interval, in the unit
+  bool supplied = true;
 };
 
 struct RunDefinition {
@@ -153,7 +170,7 @@ enum class Metric {
 // given.
 struct GateRow {
   std::string candidate, reference;  // run names; no reference where the metric needs none
-  // "elevation@<gauge>", "front_position"; of the candidate alone any series of its result.
+  // One of compared_quantities(); of the candidate alone any series of its result.
   std::string quantity;
   // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first), "whole"
   std::string mode;
@@ -178,10 +195,15 @@ struct CaseDefinition {
   Start start;
   double duration;         // [s]
   double sample_interval;  // [s], of every recorded series
+  // [s], when a run leaves its whole fields; increasing multiples of the sample interval
+  std::vector<double> snapshot_times;
   std::vector<GaugeDefinition> gauges;
+  std::vector<PressureGaugeDefinition> pressure_gauges;
   // The comparison: the window and how many natural modes (of those that surge excites, lowest
   // first) are fitted beside the forced one.
   double window_begin, window_end;  // [s]
+  // [rad/s], of a tank that nearly follows a sine, but after a table
+  std::optional<double> declared_forcing_frequency;
   int natural_modes;
   std::vector<RunDefinition> runs;
   std::vector<GateRow> gate;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/definition_file.hpp"
 #include "verification/case_file/toml_reader.hpp"
@@ -41,8 +43,14 @@ GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid) {
           .kinematic_viscosity = gas.get("kinematic_viscosity_m2_s", not_negative("m2/s"))};
 }
 
+// Of numbers written with a few decimals, whose quotient rounding spoils in the last digits.
+bool is_multiple(double value, double interval) {
+  const double quotient = value / interval;
+  return std::abs(quotient - std::round(quotient)) <= 1e-9 * quotient;
+}
+
 void read_time(const TomlTable& time, CaseDefinition& definition) {
-  time.allow_only({"start", "duration_s", "sample_interval_s"});
+  time.allow_only({"start", "duration_s", "sample_interval_s", "snapshot_times_s"});
   definition.start = time.choice("start", "the frame in which the liquid is first at rest",
                                  {"earth", "tank"}) == "earth"
                          ? Start::earth
@@ -52,10 +60,25 @@ void read_time(const TomlTable& time, CaseDefinition& definition) {
       "sample_interval_s",
       {fmt::format("a number > 0 and <= the duration ({}), in s", definition.duration),
        [most = definition.duration](double value) { return value > 0 && value <= most; }});
+  definition.snapshot_times = time.increasing_numbers(
+      "snapshot_times_s",
+      {fmt::format("a number > 0 and <= the duration ({}), a multiple of sample_interval_s ({}), "
+                   "in s",
+                   definition.duration, definition.sample_interval),
+       [&](double value) {
+         return value > 0 && value <= definition.duration &&
+                is_multiple(value, definition.sample_interval);
+       }});
+}
+
+bool follows_a_table(const MotionDefinition& motion) {
+  return (motion.surge && std::holds_alternative<TableMotion>(*motion.surge)) ||
+         (motion.roll && std::holds_alternative<TableMotion>(motion.roll->angle));
 }
 
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
-  comparison.allow_only({"window_begin_s", "window_end_s", "natural_modes"});
+  comparison.allow_only(
+      {"window_begin_s", "window_end_s", "natural_modes", "forcing_angular_frequency_rad_s"});
   definition.window_begin = comparison.get("window_begin_s", not_negative("s"));
   definition.window_end = comparison.get<double>(
       "window_end_s",
@@ -68,6 +91,11 @@ void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
                                 {"0 of a dam about to break, which linear theory does not know",
                                  [](int modes) { return modes == 0; }})
           : comparison.get("natural_modes", at_least(0));
+  definition.declared_forcing_frequency =
+      comparison.find("forcing_angular_frequency_rad_s", positive("rad/s"));
+  if (definition.declared_forcing_frequency && !follows_a_table(definition.motion))
+    comparison.refuse("forcing_angular_frequency_rad_s",
+                      "no such key where no motion is a table: a sine has its own");
 }
 
 // Each [[key]] by `read`, no name twice.
@@ -85,27 +113,11 @@ std::vector<Definition> read_named(const TomlTable& root, const char* key, Read 
   return definitions;
 }
 
-template <class Definition, class Read>
-std::vector<Definition> read_some_named(const TomlTable& root, const char* key, Read read) {
-  auto definitions = read_named<Definition>(root, key, read);
-  if (definitions.empty()) root.refuse(key, fmt::format("at least one [[{}]]", key));
-  return definitions;
-}
-
-GaugeDefinition read_gauge(const TomlTable& gauge, const TankDefinition& tank) {
-  gauge.allow_only({"name", "x_m"});
-  const Rule<double> inside_tank{
-      fmt::format("a number from 0 to the tank's length ({}), in m from the left wall",
-                  tank.length),
-      [length = tank.length](double x) { return x >= 0 && x <= length; }};
-  return {.name = gauge.get("name", file_safe_name()), .x = gauge.get("x_m", inside_tank)};
-}
-
 void read_head(const TomlTable& root, CaseDefinition& definition) {
   root.get("schema_version", exactly(schema_version));
   root.allow_only({"schema_version", "name", "title", "source", "tags", "gravity_m_s2", "tank",
-                   "liquid", "gas", "obstacle", "motion", "time", "gauge", "comparison", "run",
-                   "gate"});
+                   "liquid", "gas", "obstacle", "motion", "time", "gauge", "pressure_gauge",
+                   "comparison", "run", "gate"});
   definition.name = root.get("name", file_safe_name());
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
@@ -113,9 +125,21 @@ void read_head(const TomlTable& root, CaseDefinition& definition) {
   definition.gravity = root.get("gravity_m_s2", positive("m/s2"));
 }
 
+// At least one of either kind.
+void read_gauges(const TomlTable& root, CaseDefinition& definition) {
+  definition.gauges = read_named<GaugeDefinition>(
+      root, "gauge", [&](const TomlTable& gauge) { return read_gauge(gauge, definition); });
+  definition.pressure_gauges = read_named<PressureGaugeDefinition>(
+      root, "pressure_gauge",
+      [&](const TomlTable& gauge) { return read_pressure_gauge(gauge, definition); });
+  if (definition.gauges.empty() && definition.pressure_gauges.empty())
+    root.refuse("gauge", "at least one [[gauge]] or [[pressure_gauge]]");
+}
+
 }  // namespace
 
-CaseDefinition read_case(const std::filesystem::path& file) {
+CaseDefinition read_case(const std::filesystem::path& file,
+                         const std::filesystem::path& experiments) {
   CaseDefinition definition{};
   definition.file = file;
   definition.text = read_definition_text("case", file);
@@ -125,16 +149,16 @@ CaseDefinition read_case(const std::filesystem::path& file) {
   definition.liquid = read_liquid(root.table("liquid"), definition.tank);
   definition.gas = read_gas(root.table("gas"), definition.liquid);
   read_time(root.table("time"), definition);
-  definition.motion = read_motion(root.table("motion"), file, definition.duration);
-  definition.gauges = read_some_named<GaugeDefinition>(
-      root, "gauge", [&](const TomlTable& gauge) { return read_gauge(gauge, definition.tank); });
+  definition.motion = read_motion(root.table("motion"), definition);
+  read_gauges(root, definition);
   definition.obstacles = read_named<ObstacleDefinition>(
       root, "obstacle",
       [&](const TomlTable& obstacle) { return read_obstacle(obstacle, definition); });
   refuse_overlaps(root.tables("obstacle"), definition.obstacles);
   read_comparison(root.table("comparison"), definition);
-  definition.runs = read_some_named<RunDefinition>(
-      root, "run", [&](const TomlTable& run) { return read_run(run, definition); });
+  definition.runs = read_named<RunDefinition>(
+      root, "run", [&](const TomlTable& run) { return read_run(run, definition, experiments); });
+  if (definition.runs.empty()) root.refuse("run", "at least one [[run]]");
   for (const TomlTable& row : root.tables("gate")) {
     definition.gate.push_back(read_gate_row(row, definition));
   }

@@ -9,15 +9,23 @@
 //                 about to break: the liquid stands from the left wall to there)
 //   [gas]         density_kg_m3, kinematic_viscosity_m2_s
 //   [[obstacle]]? name, left_m, right_m (from the left wall), bottom_m, top_m (from the bottom)
-//   [motion]      type = "still"
-//                 type = "sine_surge": amplitude_m, angular_frequency_rad_s, ramp_periods?
-//                 type = "table_surge": file (CSV: time_s,displacement_m; relative to the case
-//                 file) type = "sine_roll": amplitude_deg, angular_frequency_rad_s, axis_x_m,
-//                 axis_z_m
-//   [time]        start = "earth" | "tank", duration_s, sample_interval_s
-//   [[gauge]]     name, x_m (from the left wall; SPH measures the depth of liquid there, which over
+//   [motion]      still = true, or at least one of the two tables
+//   [motion.surge]? type = "sine": amplitude_m, angular_frequency_rad_s, ramp_periods?
+//                 type = "table": file (CSV: time_s,displacement_m; relative to the case file)
+//   [motion.roll]? type = "sine": amplitude_deg, angular_frequency_rad_s, ramp_periods?
+//                 type = "table": file (CSV: time_s,angle_deg, from 0; relative to the case file)
+//                 both: axis_x_m (from the left wall), axis_z_m (from the bottom); the axis moves
+//                 with the tank and may lie outside it
+//   [time]        start = "earth" | "tank", duration_s, sample_interval_s, snapshot_times_s?
+//                 (a list of increasing multiples of sample_interval_s)
+//   [[gauge]]?    name, x_m (from the left wall; SPH measures the depth of liquid there, which over
 //                 an obstacle, and within six particle spacings of one, lacks the obstacle's share)
-//   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m)
+//   [[pressure_gauge]]? name, wall = "left" | "right" | "bottom", position_m (of the
+//                 sensor's middle above the bottom; on the bottom from the left wall), width_m? (of
+//                 the sensor along the wall; 0: a point), filter_cutoff_Hz? (of a low-pass filter,
+//                 below half the sampling rate). At least one gauge of either kind
+//   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m),
+//                 forcing_angular_frequency_rad_s? (of a table that nearly is a sine)
 //   [[run]]       name, quick?, and
 //                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
 //                 variant?, initial_state? = "lattice" | "settled" | "projected", and changes of
@@ -25,14 +33,17 @@
 //                 courant_number?, artificial_viscosity?, density_diffusion?
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
-//                 solver = "record": file (CSV: time_s and front_position_m or elevation@<gauge>_m;
-//                 relative to the case file), uncertainty_m? (half width of its 95 % interval, in
-//                 the record's unit)
-//   [[gate]]?     candidate, reference, quantity = "elevation@<gauge>" | "front_position" (of a
-//                 breaking dam), mode, metric, unit, one of limit | lower with upper | improves_on,
-//                 reason, source; with metric = "largest_magnitude", which is measured on the
-//                 candidate alone: no reference, quantity = any series of its result, its unit;
-//                 metric = "time_lag" and "aligned_rms" are of a front_position alone
+//                 solver = "record": a published series, with uncertainty? (half width of its 95 %
+//                 interval, in the record's unit), either shipped: file (CSV: time_s and a compared
+//                 quantity with its unit, as in front_position_m; relative to the case file), or
+//                 supplied by the user: experiment (a CSV file's path below a directory that the
+//                 user names), time_column (in s) and value_column (their names in the file's first
+//                 line), quantity, unit (of a pressure "Pa" | "kPa" | "mbar", of any other its own)
+//   [[gate]]?     candidate, reference, quantity (one of quantities.hpp's that the case has), mode,
+//                 metric, unit, one of limit | lower with upper | improves_on, reason, source; with
+//                 metric = "largest_magnitude", which is measured on the candidate alone: no
+//                 reference, quantity = any series of its result, its unit; metric = "time_lag" and
+//                 "aligned_rms" are of quantities without modes alone
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.
@@ -46,8 +57,10 @@
 
 namespace slosh {
 
-// Throws CaseFileError.
-CaseDefinition read_case(const std::filesystem::path& file);
+// `experiments` is the directory of the user's records, empty where none is named; a record that is
+// not there is read as not supplied. Throws CaseFileError.
+CaseDefinition read_case(const std::filesystem::path& file,
+                         const std::filesystem::path& experiments = {});
 
 // The file of a case: a path (it holds a / or ends in .toml), or the name of a case in the
 // directory. Throws CaseFileError when there is none, with the nearest names.

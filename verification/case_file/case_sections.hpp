@@ -9,9 +9,14 @@
 
 namespace slosh {
 
-// [motion]; the tables' files are relative to the case file and must cover the duration [s].
-MotionDefinition read_motion(const TomlTable& motion, const std::filesystem::path& case_file,
-                             double duration);
+// [motion], of a case whose tank and duration have been read; the tables' files are relative to the
+// case file.
+MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition);
+
+// [[gauge]] and [[pressure_gauge]], of a case whose tank and sample interval have been read.
+GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definition);
+PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
+                                            const CaseDefinition& definition);
 
 // [[obstacle]], of a case whose tank, liquid and gauges have been read.
 ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
@@ -20,9 +25,10 @@ ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition
 void refuse_overlaps(const std::vector<TomlTable>& tables,
                      const std::vector<ObstacleDefinition>& obstacles);
 
-// [[run]], of a case whose liquid and gauges have been read; the files of records are relative to
-// the case file.
-RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition);
+// [[run]], of a case whose liquid, motion and gauges have been read; the files of records are
+// relative to the case file, those of experiments to that directory, which may be empty.
+RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
+                       const std::filesystem::path& experiments);
 
 // [[gate]], of a case whose motion, gauges, comparison and runs have been read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);

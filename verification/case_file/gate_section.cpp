@@ -19,7 +19,7 @@ enum class MeasuredOn { any_mode, natural_mode, whole_window, run_away, own_seri
 struct MetricEntry {
   const char* name;
   Metric metric;
-  const char* unit;
+  const char* unit;  // "": the quantity's
   MeasuredOn measured_on;
 };
 
@@ -29,7 +29,7 @@ constexpr std::array<MetricEntry, 9> metrics{{
     {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
     {"decay_rate", Metric::decay_rate, "1/s", MeasuredOn::natural_mode},
     {"normalised_rms", Metric::normalised_rms, "1", MeasuredOn::whole_window},
-    {"maximum_residual", Metric::maximum_residual, "m", MeasuredOn::whole_window},
+    {"maximum_residual", Metric::maximum_residual, "", MeasuredOn::whole_window},
     {"time_lag", Metric::time_lag, "s", MeasuredOn::run_away},
     {"aligned_rms", Metric::aligned_rms, "1", MeasuredOn::run_away},
     {"largest_magnitude", Metric::largest_magnitude, "", MeasuredOn::own_series},
@@ -115,18 +115,24 @@ void read_compared_series(const TomlTable& row, const MetricEntry& metric,
   gate_row.quantity =
       record ? row.choice("quantity", "the record's quantity", {record->quantity})
              : row.choice("quantity", "a compared quantity", compared_quantities(definition));
-  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+  const std::string unit = *metric.unit ? metric.unit : unit_of(gate_row.quantity);
+  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {unit});
 }
 
-// Which series a solver records, and in what unit, is known when it has run: the gate finds a wrong
-// name or unit then, and compares nothing.
-void read_own_series(const TomlTable& row, const MetricEntry& metric, GateRow& gate_row) {
+// What else than the compared quantities a solver records, and in what unit, is known when it has
+// run: the gate finds a wrong name or unit then, and compares nothing.
+void read_own_series(const TomlTable& row, const MetricEntry& metric,
+                     const CaseDefinition& definition, GateRow& gate_row) {
   if (row.has("reference")) {
     row.refuse("reference",
                fmt::format("no reference: {} is measured on the candidate alone", metric.name));
   }
   gate_row.quantity = row.get("quantity", any_text());
-  gate_row.unit = row.get("unit", any_text());
+  const auto compared = compared_quantities(definition);
+  gate_row.unit = std::find(compared.begin(), compared.end(), gate_row.quantity) == compared.end()
+                      ? row.get("unit", any_text())
+                      : row.choice("unit", fmt::format("the unit of {}", gate_row.quantity),
+                                   {unit_of(gate_row.quantity)});
 }
 
 }  // namespace
@@ -139,7 +145,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   const MetricEntry& metric = read_metric(row);
   gate_row.metric = metric.metric;
   if (metric.measured_on == MeasuredOn::own_series) {
-    read_own_series(row, metric, gate_row);
+    read_own_series(row, metric, definition, gate_row);
   } else {
     read_compared_series(row, metric, definition, gate_row);
   }

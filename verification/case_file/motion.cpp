@@ -1,10 +1,9 @@
 #include "verification/case_file/motion.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "verification/case_file/cubic_spline.hpp"
 
@@ -24,13 +23,17 @@ Ramp smooth_ramp(double t, double length) {
           60 * s * (1 - s) * (1 - 2 * s) / (length * length)};
 }
 
-SurgeMotion motion_of(const SineSurge& sine) {
+struct History {
+  std::function<double(double)> value, rate, acceleration;
+};
+
+History history_of(const SineMotion& sine) {
   const double amplitude = sine.amplitude, omega = sine.angular_frequency;
   const double length = sine.ramp_periods * 2 * std::numbers::pi / omega;
   return {
-      .displacement =
+      .value =
           [=](double t) { return amplitude * smooth_ramp(t, length).value * std::sin(omega * t); },
-      .velocity =
+      .rate =
           [=](double t) {
             const Ramp ramp = smooth_ramp(t, length);
             return amplitude *
@@ -45,37 +48,53 @@ SurgeMotion motion_of(const SineSurge& sine) {
           }};
 }
 
-SurgeMotion motion_of(const TableSurge& table) {
-  const auto spline = std::make_shared<const CubicSpline>(table.time, table.displacement);
-  return {.displacement = [spline](double t) { return spline->value(t); },
-          .velocity = [spline](double t) { return spline->first_derivative(t); },
+History history_of(const TableMotion& table) {
+  const auto spline = std::make_shared<const CubicSpline>(table.time, table.value);
+  return {.value = [spline](double t) { return spline->value(t); },
+          .rate = [spline](double t) { return spline->first_derivative(t); },
           .acceleration = [spline](double t) { return spline->second_derivative(t); }};
 }
 
-SurgeMotion motion_of(const Still&) {
-  const auto zero = [](double) { return 0.0; };
-  return {.displacement = zero, .velocity = zero, .acceleration = zero};
+History history_of(const MotionHistory& history) {
+  return std::visit([](const auto& chosen) { return history_of(chosen); }, history);
 }
 
-SurgeMotion motion_of(const SineRoll& roll) {
-  throw CaseFileError(fmt::format(
-      "{}:{}: motion.type = \"sine_roll\": expected \"still\", \"sine_surge\" or \"table_surge\"; "
-      "no solver takes a roll yet",
-      roll.where.file, roll.where.line));
+double frequency_of(const MotionHistory& history) {
+  const auto* sine = std::get_if<SineMotion>(&history);
+  return sine ? sine->angular_frequency : 0;
 }
-
-double frequency_of(const TableSurge&) { return 0; }
-double frequency_of(const Still&) { return 0; }
-double frequency_of(const auto& sine) { return sine.angular_frequency; }
 
 }  // namespace
 
 SurgeMotion surge_motion(const CaseDefinition& definition) {
-  return std::visit([](const auto& motion) { return motion_of(motion); }, definition.motion);
+  if (!definition.motion.surge) {
+    const auto zero = [](double) { return 0.0; };
+    return {.displacement = zero, .velocity = zero, .acceleration = zero};
+  }
+  History history = history_of(*definition.motion.surge);
+  return {.displacement = std::move(history.value),
+          .velocity = std::move(history.rate),
+          .acceleration = std::move(history.acceleration)};
+}
+
+std::optional<RollMotion> roll_motion(const CaseDefinition& definition) {
+  if (!definition.motion.roll) return std::nullopt;
+  const RollDefinition& roll = *definition.motion.roll;
+  History history = history_of(roll.angle);
+  return RollMotion{.angle = std::move(history.value),
+                    .rate = std::move(history.rate),
+                    .acceleration = std::move(history.acceleration),
+                    .axis_x = roll.axis_x,
+                    .axis_z = roll.axis_z};
 }
 
 double forcing_frequency(const CaseDefinition& definition) {
-  return std::visit([](const auto& motion) { return frequency_of(motion); }, definition.motion);
+  if (definition.declared_forcing_frequency) return *definition.declared_forcing_frequency;
+  const auto& [surge, roll] = definition.motion;
+  if (!surge && !roll) return 0;
+  if (!surge) return frequency_of(roll->angle);
+  if (!roll) return frequency_of(*surge);
+  return frequency_of(*surge) == frequency_of(roll->angle) ? frequency_of(*surge) : 0;
 }
 
 }  // namespace slosh

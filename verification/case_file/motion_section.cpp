@@ -1,53 +1,94 @@
-#include <numbers>
+#include <fmt/format.h>
 
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/surge_table.hpp"
+#include "verification/case_file/motion_table.hpp"
 
 namespace slosh {
 namespace {
 
-SineSurge read_sine_surge(const TomlTable& motion) {
-  motion.allow_only({"type", "amplitude_m", "angular_frequency_rad_s", "ramp_periods"});
-  return {.amplitude = motion.get("amplitude_m", positive("m")),
-          .angular_frequency = motion.get("angular_frequency_rad_s", positive("rad/s")),
-          .ramp_periods = motion.find("ramp_periods", not_negative("periods")).value_or(0)};
-}
+// An axis beyond this many tank lengths makes a surge of a roll and noise of its rounding errors.
+constexpr double farthest_axis = 1000;
 
-TableSurge read_table_surge(const TomlTable& motion, const std::filesystem::path& case_file,
-                            double duration) {
-  motion.allow_only({"type", "file"});
-  const std::filesystem::path file = case_file.parent_path() / motion.get("file", any_text());
+// Where the motion's table lies, and how long it must be.
+struct TableScope {
+  std::filesystem::path case_file;
+  double duration;  // [s]
+};
+
+// What a surge and a roll do not share of their histories.
+struct HistoryForm {
+  std::string amplitude_key;
+  Rule<double> amplitude;
+  double si_per_unit;
+  TableMotion (*read_table)(const std::filesystem::path&, double);
+  std::vector<std::string> other_keys;
+};
+
+std::filesystem::path file_beside(const TomlTable& table, const std::filesystem::path& case_file) {
+  const std::filesystem::path file = case_file.parent_path() / table.get("file", any_text());
   if (!std::filesystem::is_regular_file(file)) {
-    motion.refuse("file",
-                  "a CSV file's path relative to the case file; there is no " + file.string());
+    table.refuse("file",
+                 "a CSV file's path relative to the case file; there is no " + file.string());
   }
-  return read_surge_table(file, duration);
+  return file;
 }
 
-SineRoll read_sine_roll(const TomlTable& motion) {
-  motion.allow_only({"type", "amplitude_deg", "angular_frequency_rad_s", "axis_x_m", "axis_z_m"});
-  return {.amplitude = motion.get("amplitude_deg", positive("deg")) * std::numbers::pi / 180,
-          .angular_frequency = motion.get("angular_frequency_rad_s", positive("rad/s")),
-          .axis_x = motion.get("axis_x_m", any_number("m from the left wall")),
-          .axis_z = motion.get("axis_z_m", any_number("m from the bottom")),
-          .where = motion.where()};
+MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
+                           const TableScope& scope) {
+  const auto allow = [&](std::vector<std::string> keys) {
+    keys.insert(keys.end(), form.other_keys.begin(), form.other_keys.end());
+    table.allow_only(keys);
+  };
+  allow({"type", form.amplitude_key, "angular_frequency_rad_s", "ramp_periods", "file"});
+  if (table.choice("type", "a motion", {"sine", "table"}) == "table") {
+    allow({"type", "file"});
+    return form.read_table(file_beside(table, scope.case_file), scope.duration);
+  }
+  allow({"type", form.amplitude_key, "angular_frequency_rad_s", "ramp_periods"});
+  return SineMotion{
+      .amplitude = table.get(form.amplitude_key, form.amplitude) * form.si_per_unit,
+      .angular_frequency = table.get("angular_frequency_rad_s", positive("rad/s")),
+      .ramp_periods = table.find("ramp_periods", not_negative("periods")).value_or(0)};
+}
+
+MotionHistory read_surge(const TomlTable& surge, const TableScope& scope) {
+  return read_history(surge, {"amplitude_m", positive("m"), 1, read_surge_table, {}}, scope);
+}
+
+Rule<double> near_the_tank(double tank_length, const char* unit) {
+  const double farthest = farthest_axis * tank_length;
+  return {fmt::format("a number from -{0} to {0} ({1} tank lengths), in {2}", farthest,
+                      farthest_axis, unit),
+          [farthest](double place) { return place >= -farthest && place <= farthest; }};
+}
+
+RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double tank_length) {
+  const Rule<double> amplitude{
+      fmt::format("a number > 0 and <= {}, in deg", largest_angle),
+      [](double degrees) { return degrees > 0 && degrees <= largest_angle; }};
+  const HistoryForm form{
+      "amplitude_deg", amplitude, radians_per_degree, read_roll_table, {"axis_x_m", "axis_z_m"}};
+  return {.angle = read_history(roll, form, scope),
+          .axis_x = roll.get("axis_x_m", near_the_tank(tank_length, "m from the left wall")),
+          .axis_z = roll.get("axis_z_m", near_the_tank(tank_length, "m from the bottom"))};
 }
 
 }  // namespace
 
-MotionDefinition read_motion(const TomlTable& motion, const std::filesystem::path& case_file,
-                             double duration) {
-  motion.allow_only({"type", "amplitude_m", "amplitude_deg", "angular_frequency_rad_s",
-                     "ramp_periods", "file", "axis_x_m", "axis_z_m"});
-  const std::string type =
-      motion.choice("type", "a motion", {"still", "sine_surge", "table_surge", "sine_roll"});
-  if (type == "still") {
-    motion.allow_only({"type"});
-    return Still{};
-  }
-  if (type == "sine_surge") return read_sine_surge(motion);
-  if (type == "table_surge") return read_table_surge(motion, case_file, duration);
-  return read_sine_roll(motion);
+MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition) {
+  motion.allow_only({"still", "surge", "roll"});
+  const TableScope scope{definition.file, definition.duration};
+  MotionDefinition read;
+  if (motion.has("surge")) read.surge = read_surge(motion.table("surge"), scope);
+  if (motion.has("roll"))
+    read.roll = read_roll(motion.table("roll"), scope, definition.tank.length);
+  const bool says_still = motion.flag("still");
+  if (motion.has("still") && says_still != read.still())
+    motion.refuse("still", read.still() ? "true, or [motion.surge] or [motion.roll] instead"
+                                        : "no such key beside [motion.surge] or [motion.roll]");
+  if (read.still() && !says_still)
+    motion.refuse_table("{}", "still = true, [motion.surge], [motion.roll] or both of these");
+  return read;
 }
 
 }  // namespace slosh

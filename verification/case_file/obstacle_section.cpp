@@ -25,6 +25,25 @@ void refuse_swallowed_gauges(const TomlTable& table, const ObstacleDefinition& o
   }
 }
 
+// A sensor that touches an obstacle at its wall measures the obstacle.
+void refuse_covered_sensors(const TomlTable& table, const ObstacleDefinition& obstacle,
+                            const CaseDefinition& definition) {
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
+    const bool along_bottom = gauge.wall == Wall::bottom;
+    const bool at_wall = along_bottom               ? obstacle.bottom == 0
+                         : gauge.wall == Wall::left ? obstacle.left == 0
+                                                    : obstacle.right == definition.tank.length;
+    const double first = along_bottom ? obstacle.left : obstacle.bottom;
+    const double last = along_bottom ? obstacle.right : obstacle.top;
+    if (!at_wall || gauge.position + gauge.width / 2 < first ||
+        gauge.position - gauge.width / 2 > last)
+      continue;
+    table.refuse("name", fmt::format("an obstacle elsewhere: it covers the pressure gauge {} at {} "
+                                     "m",
+                                     gauge.name, gauge.position));
+  }
+}
+
 bool overlap(const ObstacleDefinition& a, const ObstacleDefinition& b) {
   return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
 }
@@ -45,6 +64,7 @@ ObstacleDefinition read_obstacle(const TomlTable& table, const CaseDefinition& d
                                         "obstacle from the left wall: it must leave a way past it",
                                         tank.length));
   refuse_swallowed_gauges(table, obstacle, definition);
+  refuse_covered_sensors(table, obstacle, definition);
   return obstacle;
 }
 

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/case_file/time_table.hpp"
@@ -23,7 +26,10 @@ const std::vector<std::string> keys_of_sph{"scheme",
                                            "density_diffusion"};
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
-const std::vector<std::string> keys_of_record{"file", "uncertainty_m"};
+const std::vector<std::string> keys_of_any_record{"uncertainty"};
+const std::vector<std::string> keys_of_shipped_record{"file"};
+const std::vector<std::string> keys_of_experiment{"experiment", "time_column", "value_column",
+                                                  "quantity", "unit"};
 
 std::vector<std::string> together(const std::vector<std::vector<std::string>>& lists) {
   std::vector<std::string> all;
@@ -46,7 +52,8 @@ const Rule<std::string> an_initial_state{
     }};
 
 SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
-  run.allow_only(together({keys_of_all, keys_of_sph}));
+  run.allow_only(together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear,
+                           keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
   const double coarsest = liquid.fill_depth / least_particles_per_depth;
   const double spacing = run.get<double>(
       "particle_spacing_m",
@@ -82,29 +89,84 @@ LinearRun read_linear(const TomlTable& run) {
       .valid_elevation_over_depth = run.get("valid_elevation_over_depth", positive("fill depths"))};
 }
 
-RecordRun read_record(const TomlTable& run, const CaseDefinition& definition) {
-  run.allow_only(together({keys_of_all, keys_of_record}));
+RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& definition) {
+  run.allow_only(together({keys_of_all, keys_of_any_record, keys_of_shipped_record}));
   const std::filesystem::path file = definition.file.parent_path() / run.get("file", any_text());
   if (!std::filesystem::is_regular_file(file)) {
     run.refuse("file", "a CSV file's path relative to the case file; there is no " + file.string());
   }
-  const std::string unit = compared_unit, ending = "_" + unit;
-  std::vector<std::string> columns = compared_quantities(definition);
-  for (std::string& column : columns) column += ending;
+  std::vector<std::string> columns;
+  for (const std::string& quantity : compared_quantities(definition))
+    columns.push_back(quantity + "_" + unit_of(quantity));
   TimeTable table = read_time_table(file, columns);
+  const std::string quantity = table.column.substr(0, table.column.find_last_of('_'));
   return {.file = file,
-          .quantity = table.column.substr(0, table.column.size() - ending.size()),
-          .unit = unit,
+          .quantity = quantity,
+          .unit = unit_of(quantity),
           .time = std::move(table.time),
           .value = std::move(table.value),
-          .uncertainty = run.find("uncertainty_m", positive(unit))};
+          .uncertainty = run.find("uncertainty", positive(unit_of(quantity)))};
+}
+
+struct Unit {
+  std::string name;
+  double si;
+};
+
+// What others write a quantity in.
+std::vector<Unit> units_of(const std::string& quantity) {
+  if (unit_of(quantity) == "Pa") return {{"Pa", 1}, {"kPa", 1e3}, {"mbar", 1e2}};
+  return {{unit_of(quantity), 1}};
+}
+
+Unit read_unit(const TomlTable& run, const std::string& quantity) {
+  const std::vector<Unit> units = units_of(quantity);
+  std::vector<std::string> names;
+  for (const Unit& unit : units) names.push_back(unit.name);
+  const std::string name = run.choice("unit", "a unit of " + quantity, names);
+  return *std::find_if(units.begin(), units.end(),
+                       [&](const Unit& unit) { return unit.name == name; });
+}
+
+const Rule<std::string> a_path_below{
+    "a CSV file's path below the directory of the experiments", [](const std::string& text) {
+      const std::filesystem::path path = std::filesystem::path(text).lexically_normal();
+      return !text.empty() && path.is_relative() && *path.begin() != "..";
+    }};
+
+// All that the case says is checked, be the record there or not.
+RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition,
+                          const std::filesystem::path& experiments) {
+  run.allow_only(together({keys_of_all, keys_of_any_record, keys_of_experiment}));
+  const std::string quantity =
+      run.choice("quantity", "a compared quantity", compared_quantities(definition));
+  const Unit unit = read_unit(run, quantity);
+  const TimeColumns columns{run.get("time_column", any_text()), run.get("value_column", any_text()),
+                            unit.name};
+  const bool named = !experiments.empty();
+  RecordRun record{.file = (named ? experiments : "SLOSH_EXPERIMENTS") /
+                           std::filesystem::path(run.get("experiment", a_path_below)),
+                   .quantity = quantity,
+                   .unit = unit_of(quantity),
+                   .time = {},
+                   .value = {},
+                   .uncertainty = run.find("uncertainty", positive(unit.name))};
+  if (record.uncertainty) *record.uncertainty *= unit.si;
+  record.supplied = named && std::filesystem::is_regular_file(record.file);
+  if (!record.supplied) return record;
+  TimeTable table = read_time_columns(record.file, columns);
+  record.time = std::move(table.time);
+  record.value = std::move(table.value);
+  for (double& value : record.value) value *= unit.si;
+  return record;
 }
 
 }  // namespace
 
-RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition) {
-  run.allow_only(
-      together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_record}));
+RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
+                       const std::filesystem::path& experiments) {
+  run.allow_only(together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear,
+                           keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
   RunDefinition read{.name = run.get("name", file_safe_name()),
                      .solver = {},
                      .quick = run.flag("quick"),
@@ -114,7 +176,9 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition) {
   if (solver == "sph") read.solver = read_sph(run, definition.liquid);
   if (solver == "interfoam") read.solver = read_interfoam(run);
   if (solver == "linear") read.solver = read_linear(run);
-  if (solver == "record") read.solver = read_record(run, definition);
+  if (solver == "record")
+    read.solver = run.has("experiment") ? read_experiment(run, definition, experiments)
+                                        : read_shipped_record(run, definition);
   return read;
 }
 

@@ -144,6 +144,26 @@ std::vector<PlacedText> TomlTable::texts(std::string_view key,
   return values;
 }
 
+std::vector<double> TomlTable::increasing_numbers(std::string_view key,
+                                                  const Rule<double>& each) const {
+  std::vector<double> values;
+  const toml::node* node = content_->table->get(key);
+  if (!node) return values;
+  if (!node->is_array()) refuse(key, "an array of numbers, each " + each.expected);
+  for (const toml::node& element : *node->as_array()) {
+    const auto value = converted<double>(element);
+    const bool increases = value && (values.empty() || *value > values.back());
+    if (!value || !each.holds(*value) || !increases) {
+      throw CaseFileError(fmt::format(
+          "{}: {}{} = {}: expected {}", content_->place(element), content_->path, key,
+          as_written(element),
+          value && each.holds(*value) ? "a number above the one before it" : each.expected));
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
 TomlTable TomlTable::table(std::string_view key) const {
   const toml::node* node = content_->table->get(key);
   if (!node || !node->is_table()) refuse(key, fmt::format("a table, [{}{}]", content_->path, key));

@@ -43,6 +43,8 @@ class TomlTable {
   std::string choice(std::string_view key, std::string_view expected,
                      const std::vector<std::string>& known) const;
   std::vector<PlacedText> texts(std::string_view key, const Rule<std::string>& each) const;
+  // Strictly increasing; empty when absent.
+  std::vector<double> increasing_numbers(std::string_view key, const Rule<double>& each) const;
 
   TomlTable table(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  // [[key]]; empty when absent

@@ -148,8 +148,9 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
     Verdict verdict;
     const char* text;
   };
-  constexpr std::array<Obstacle, 4> obstacles{{
+  constexpr std::array<Obstacle, 5> obstacles{{
       {RunState::not_selected, Verdict::not_selected, "is not part of this form of the campaign"},
+      {RunState::not_supplied, Verdict::not_supplied, "is not supplied"},
       {RunState::failed, Verdict::solver_failed, "failed"},
       {RunState::missing, Verdict::not_compared, "has no result"},
       {RunState::out_of_range, Verdict::not_compared, "is outside its declared range"},
@@ -208,6 +209,8 @@ std::string verdict_name(Verdict verdict) {
       return "not compared";
     case Verdict::not_selected:
       return "not selected";
+    case Verdict::not_supplied:
+      return "not supplied";
   }
   throw std::logic_error("a verdict without a name");
 }
@@ -222,6 +225,8 @@ std::string state_name(RunState state) {
       return "no result";
     case RunState::not_selected:
       return "not selected";
+    case RunState::not_supplied:
+      return "not supplied";
     case RunState::out_of_range:
       return "out of range";
   }

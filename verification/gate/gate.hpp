@@ -26,6 +26,7 @@ enum class RunState {
   failed,        // the solver failed: message says how
   missing,       // no result to use: message says why
   not_selected,  // not part of this campaign's form (--quick)
+  not_supplied,  // a record that its user does not have: message says where to get it
   out_of_range   // a reference outside its declared range: drawn, never gates
 };
 
@@ -34,7 +35,7 @@ struct RunStatus {
   std::string message;
 };
 
-enum class Verdict { pass, violated, solver_failed, not_compared, not_selected };
+enum class Verdict { pass, violated, solver_failed, not_compared, not_selected, not_supplied };
 
 struct GateOutcome {
   GateRow row;
@@ -63,12 +64,12 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
                      const GateEvidence& evidence);
 
 // The worst of all: solver failed (3) over violated (1) over not compared (4); no row evaluated at
-// all is 4.
+// all is 4. A row that is not selected or not supplied counts for nothing.
 int exit_status(const std::vector<GateOutcome>& outcomes);
 
-std::string verdict_name(
-    Verdict verdict);  // "pass", "violated", "solver failed", "not compared", "not selected"
-// "finished", "solver failed", "no result", "not selected", "out of range"
+// "pass", "violated", "solver failed", "not compared", "not selected", "not supplied"
+std::string verdict_name(Verdict verdict);
+// "finished", "solver failed", "no result", "not selected", "not supplied", "out of range"
 std::string state_name(RunState state);
 std::string metric_name(Metric metric);  // as in the case file
 std::string metric_unit(Metric metric, const std::string& quantity_unit);

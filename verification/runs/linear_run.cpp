@@ -23,9 +23,11 @@ std::vector<double> sample_times(const CaseDefinition& definition) {
   return times;
 }
 
-bool has_closed_form(const CaseDefinition& definition) {
-  const auto* sine = std::get_if<SineSurge>(&definition.motion);
-  return sine && sine->ramp_periods == 0;
+// The surge where it has a closed form: a sine without a ramp.
+const SineMotion* sine_surge(const CaseDefinition& definition) {
+  if (!definition.motion.surge) return nullptr;
+  const auto* sine = std::get_if<SineMotion>(&*definition.motion.surge);
+  return sine && sine->ramp_periods == 0 ? sine : nullptr;
 }
 
 template <class Motion>
@@ -42,12 +44,10 @@ reference::LinearSurge solution(const LinearRun& linear, const CaseDefinition& d
 }
 
 reference::LinearSurge solution(const LinearRun& linear, const CaseDefinition& definition) {
-  const SurgeMotion motion = surge_motion(definition);  // refuses a roll
-  if (has_closed_form(definition)) {
-    const auto& sine = std::get<SineSurge>(definition.motion);
+  if (const SineMotion* sine = sine_surge(definition))
     return solution(linear, definition,
-                    reference::SineSurge{sine.amplitude, sine.angular_frequency});
-  }
+                    reference::SineSurge{sine->amplitude, sine->angular_frequency});
+  const SurgeMotion motion = surge_motion(definition);
   return solution(linear, definition,
                   reference::AnySurge{motion.velocity(0), motion.acceleration, definition.duration,
                                       definition.sample_interval / motion_samples_per_sample});
@@ -70,9 +70,9 @@ void require_scene(const LinearRun&, const CaseDefinition& definition, const Run
     throw refused(run,
                   "linear theory takes no [[obstacle]]: its modes are those of a tank "
                   "without one");
-  if (std::holds_alternative<Still>(definition.motion))
+  if (definition.motion.still())
     throw refused(run,
-                  "linear theory of motion.type = \"still\" is a level surface, against "
+                  "linear theory of motion.still = true is a level surface, against "
                   "which nothing can be compared; expected a tank that moves");
 }
 
@@ -99,10 +99,9 @@ RunResult run_linear(const LinearRun& linear, const RunRequest& request) {
   result.diagnostics = {{"modes", linear.modes},
                         {"highest_elevation_m", highest},
                         {"highest_elevation_over_depth", highest / definition.liquid.fill_depth}};
-  result.active_terms = {"linear potential flow",
-                         fmt::format("{} antisymmetric modes", linear.modes),
-                         has_closed_form(definition) ? "closed form of a sine surge"
-                                                     : "Duhamel's integral of the motion"};
+  result.active_terms = {
+      "linear potential flow", fmt::format("{} antisymmetric modes", linear.modes),
+      sine_surge(definition) ? "closed form of a sine surge" : "Duhamel's integral of the motion"};
   if (linear.two_layer) result.active_terms.push_back("gas in the dispersion relation");
   return result;
 }

@@ -34,14 +34,18 @@ struct RunSettings {
 // Called now and then with the simulated time [s] and the steps so far.
 using Progress = std::function<void(double time, double steps)>;
 
-// Throws CaseFileError (file:line) for what execute() would refuse of a case (a roll, an unknown
+// What is missing where a record is not supplied.
+std::string where_to_get(const RecordRun& record, const CaseDefinition& definition);
+
+// Throws CaseFileError (file:line) for what execute() would refuse of a case but for a record that
+// is not supplied (a roll, an unknown
 // scheme, a spacing that does not fit the tank, a dam for linear theory): for whoever wants to know
 // before anything runs.
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run);
 
 // Throws CaseFileError (file:line) for a roll, an unknown scheme, anything else that the solver
-// does not take and snapshots that it cannot make, SolverError, and ResultError where a snapshot
-// cannot be written.
+// does not take, snapshots that it cannot make and a record that is not supplied, SolverError, and
+// ResultError where a snapshot cannot be written.
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress);
 

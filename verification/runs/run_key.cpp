@@ -15,18 +15,10 @@ json number_or_null(const std::optional<double>& number) {
   return number ? json(*number) : json(nullptr);
 }
 
-json description(const SineSurge& motion) {
-  return {{"sine_surge", {motion.amplitude, motion.angular_frequency, motion.ramp_periods}}};
+json description(const SineMotion& motion) {
+  return {{"sine", {motion.amplitude, motion.angular_frequency, motion.ramp_periods}}};
 }
-json description(const TableSurge& motion) {
-  return {{"table_surge", {motion.time, motion.displacement}}};
-}
-json description(const SineRoll& motion) {
-  return {
-      {"sine_roll", {motion.amplitude, motion.angular_frequency, motion.axis_x, motion.axis_z}}};
-}
-
-json description(const Still&) { return "still"; }
+json description(const TableMotion& motion) { return {{"table", {motion.time, motion.value}}}; }
 
 json description(const SphRun& run) {
   json numbers = json::object();
@@ -51,9 +43,30 @@ json description(const std::variant<Types...>& choice) {
   return std::visit([](const auto& chosen) { return description(chosen); }, choice);
 }
 
+json description(const MotionDefinition& motion) {
+  json surge = nullptr, roll = nullptr;
+  if (motion.surge) surge = description(*motion.surge);
+  if (motion.roll)
+    roll = {description(motion.roll->angle), motion.roll->axis_x, motion.roll->axis_z};
+  return {{"surge", surge}, {"roll", roll}};
+}
+
+json description(const PressureGaugeDefinition& gauge) {
+  return {gauge.name, static_cast<int>(gauge.wall), gauge.position, gauge.width,
+          number_or_null(gauge.filter_cutoff)};
+}
+
+bool leaves_fields(const RunDefinition& run) {
+  return std::holds_alternative<SphRun>(run.solver) ||
+         std::holds_alternative<InterFoamRun>(run.solver);
+}
+
 json physics(const CaseDefinition& definition) {
   json gauges = json::array();
   for (const GaugeDefinition& gauge : definition.gauges) gauges.push_back({gauge.name, gauge.x});
+  json pressure_gauges = json::array();
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    pressure_gauges.push_back(description(gauge));
   json obstacles = json::array();
   for (const ObstacleDefinition& one : definition.obstacles)
     obstacles.push_back({one.left, one.right, one.bottom, one.top});
@@ -68,7 +81,8 @@ json physics(const CaseDefinition& definition) {
           {"start", definition.start == Start::earth ? "earth" : "tank"},
           {"duration", definition.duration},
           {"sample_interval", definition.sample_interval},
-          {"gauges", gauges}};
+          {"gauges", gauges},
+          {"pressure_gauges", pressure_gauges}};
 }
 
 void add_directory(ContentHash& hash, const std::filesystem::path& directory) {
@@ -89,7 +103,9 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& solver_build,
                     const std::filesystem::path& openfoam_templates) {
   ContentHash question, answer;
-  question.add(json{{"case", physics(definition)}, {"run", description(run.solver)}}.dump());
+  json asked{{"case", physics(definition)}, {"run", description(run.solver)}};
+  if (leaves_fields(run)) asked["snapshot_times"] = definition.snapshot_times;
+  question.add(asked.dump());
   answer.add_file(solver_build);
   if (std::holds_alternative<InterFoamRun>(run.solver)) {
     answer.add(openfoam::installed_version());

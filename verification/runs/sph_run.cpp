@@ -16,6 +16,7 @@ std::optional<sph::InitialState> initial_state(const SphRun& sph) {
 
 sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
+  const bool still_water = definition.motion.still() && !definition.liquid.column_width;
   sph::Scene scene{.tank_length = definition.tank.length,
                    .tank_height = definition.tank.height,
                    .fill_depth = definition.liquid.fill_depth,
@@ -39,8 +40,7 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                                .density_diffusion = sph.numbers.density_diffusion},
                    .initial_state = initial_state(sph),
                    .gauges = {},
-                   .record_still_water = std::holds_alternative<Still>(definition.motion) &&
-                                         !definition.liquid.column_width,
+                   .record_still_water = still_water,
                    .record_snapshot = {}};
   for (const GaugeDefinition& gauge : definition.gauges)
     scene.gauges.push_back({gauge.name, gauge.x});

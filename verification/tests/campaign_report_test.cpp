@@ -58,6 +58,10 @@ TEST(VerdictSentence, NamesEveryKindOfTrouble) {
             "0 of 3 gate rows hold, 3 not compared, 1 runs without a result.");
   EXPECT_EQ(verdict_sentence(without(RunState::not_selected)),
             "0 of 0 gate rows hold, 3 left out of this quick form.");
+  EXPECT_EQ(verdict_sentence(
+                {assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "x")),
+                 good()}),
+            "3 of 3 gate rows hold, 1 records not supplied, 3 gate rows without their record.");
 }
 
 std::vector<std::string> section_ids(const reports::Report& report) {
@@ -180,6 +184,66 @@ TEST(ResultsJson, HasTheFieldsOfItsSchema) {
   EXPECT_EQ(row.at("metric"), "amplitude_error");
   EXPECT_EQ(row.at("limit"), 0.05);
   EXPECT_EQ(row.at("line"), 50);
+}
+
+TEST(CampaignReport, TellsPlainlyOfARecordThatIsNotSupplied) {
+  const reports::Report report =
+      report_of(surge_campaign(),
+                {assess(surge_case(), surge_runs_without("theory", RunState::not_supplied,
+                                                         "expected SLOSH_EXPERIMENTS/a.csv"))});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(report.sections.at(1).paragraphs.at(1),
+            "The record `theory` is not supplied: expected SLOSH_EXPERIMENTS/a.csv. Rows that need "
+            "it neither pass nor fail.");
+  EXPECT_EQ(report.sections[0].tables.at(0).rows.at(0).at(0), "not supplied");
+}
+
+TEST(CampaignReport, TellsHowTheTankMoves) {
+  const auto motion = [](const MotionDefinition& motion) {
+    CaseAssessment assessment = good();
+    assessment.definition.motion = motion;
+    const std::string text =
+        report_of(surge_campaign(), {assessment}).sections.at(1).paragraphs.at(0);
+    const std::size_t begin = text.find("deep; ") + 6;
+    return text.substr(begin, text.find("; 20 s from rest") - begin);
+  };
+  EXPECT_EQ(motion({}), "at rest");
+  const SineMotion surge{0.02, 1.5};
+  const RollDefinition roll{SineMotion{4 * 3.14159265358979 / 180, 2, 1}, 0.5, 0.1};
+  EXPECT_EQ(motion({surge, {}}), "surge X = 0.02 m sin(1.5 rad/s t)");
+  EXPECT_EQ(motion({surge, roll}),
+            "surge X = 0.02 m sin(1.5 rad/s t) and roll = 4 deg sin(2 rad/s t), ramped over 1 "
+            "periods about the point 0.5 m from the left wall and 0.1 m above the bottom");
+  EXPECT_EQ(motion({TableMotion{"tables/a.csv", {}, {}}, {}}), "surge X = the table a.csv");
+}
+
+// The surge's elevations taken for pressures, a thousand pascals to the metre.
+TEST(CampaignReport, ShowsPressureInPascalWhereTheCaseIsAboutIt) {
+  CaseDefinition definition = surge_case();
+  definition.gauges.clear();
+  definition.pressure_gauges = {{"b", Wall::left, 0.093}};
+  definition.gate.clear();
+  CaseRuns runs = surge_runs();
+  for (auto& [name, result] : runs.results) {
+    result.series.resize(1);
+    result.series[0].name = "wall_pressure@b";
+    result.series[0].unit = "Pa";
+    for (double& value : result.series[0].value) value *= name == "particles" ? 1010 : 1000;
+  }
+  const reports::Report report = report_of(surge_campaign(), {assess(definition, runs)});
+  EXPECT_NO_THROW(reports::check_report(report));
+  const reports::Section& section = report.sections.at(1);
+  EXPECT_EQ(section.figures.at(0).title, "Pressure on the left wall 0.093 m above the bottom");
+  EXPECT_EQ(section.figures[0].y_label, "pressure [Pa]");
+  EXPECT_EQ(section.figures[0].curves.at(0).y, runs.results.at("theory").series[0].value);
+  EXPECT_EQ(section.figures.at(1).y_label, "residual [Pa]");
+  EXPECT_EQ(section.figures.at(2).title, "Spectrum of the pressure");
+  EXPECT_EQ(section.figures[2].y_label, "power [Pa2]");
+  for (const reports::Table& table : section.tables)
+    if (table.id == "small_surge-histories") {
+      EXPECT_TRUE(table.rows.at(0).at(4).ends_with(" Pa")) << table.rows[0][4];
+      EXPECT_NE(table.rows[0].at(5).find(" Pa2)"), std::string::npos) << table.rows[0][5];
+    }
 }
 
 TEST(ResultsJson, WritesANumberThatIsNoneAsNull) {

@@ -144,6 +144,45 @@ TEST(CaseAssessment, CountsAMissingRunThatNoGateRowNames) {
   EXPECT_EQ(exit_status({assessment}), exit_not_compared);
 }
 
+TEST(CaseAssessment, IsNotFailedByARecordThatIsNotSupplied) {
+  const CaseAssessment ungated =
+      assess(surge_case(), surge_runs_without("coarse_mesh", RunState::not_supplied, "x.csv"));
+  EXPECT_EQ(verdicts(ungated), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({ungated}), exit_pass);
+  const CaseAssessment gated =
+      assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "x.csv"));
+  EXPECT_EQ(verdicts(gated), std::set{Verdict::not_supplied});
+  EXPECT_EQ(exit_status({gated, ungated}), exit_pass);
+  EXPECT_EQ(exit_status({gated}), exit_not_compared) << "nothing at all was compared";
+}
+
+TEST(CaseAssessment, ComparesAForceWhereBothRunsLeftOne) {
+  CaseRuns runs = surge_runs();
+  TimeSeries force = elevation_of({});
+  force.name = "force_x";
+  force.unit = "N/m";
+  for (const char* run : {"particles", "fine_mesh"}) runs.results.at(run).series.push_back(force);
+  CaseDefinition definition = surge_case();
+  GateRow row = surge_row("whole", Metric::maximum_residual, "N/m", 0.1);
+  row.quantity = "force_x";
+  row.reference = "fine_mesh";
+  definition.gate = {row};
+  const CaseAssessment assessment = assess(definition, runs);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass}) << assessment.gate[0].message;
+  EXPECT_TRUE(assessment.not_comparable.empty());
+  int forces = 0;
+  for (const Comparison& one : assessment.comparisons) forces += one.quantity == "force_x";
+  EXPECT_EQ(forces, 1);
+}
+
+TEST(CaseAssessment, TellsOfAWallPressureThatARunDoesNotHave) {
+  CaseDefinition definition = surge_case();
+  definition.pressure_gauges = {{"b", Wall::left, 0.1}};
+  const CaseAssessment assessment = assess(definition, surge_runs());
+  ASSERT_FALSE(assessment.not_comparable.empty());
+  EXPECT_NE(assessment.not_comparable[0].find("has no series wall_pressure@b"), std::string::npos);
+}
+
 TEST(CaseAssessment, PassesNothingWhereNoRowWasSelected) {
   const CaseAssessment assessment =
       assess(surge_case(), surge_runs_without("particles", RunState::not_selected, ""));
@@ -300,7 +339,7 @@ TEST(FittedModes, FollowTheTank) {
 
 TEST(FittedModes, HaveNoForcingWhereAMotionHasNoFrequency) {
   CaseDefinition definition = surge_case();
-  definition.motion = TableSurge{};
+  definition.motion.surge = TableMotion{};
   const auto modes = fitted_modes(definition);
   ASSERT_EQ(modes.size(), 1u);
   EXPECT_EQ(modes[0].name, "natural_1");

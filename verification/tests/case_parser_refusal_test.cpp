@@ -50,12 +50,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "OfAnotherMotion",
             {"amplitude_m", "amplitude_deg"},
-            "trial.toml:19: motion.amplitude_deg = 0.02: expected only these keys here: type, "
-            "amplitude_m, angular_frequency_rad_s, ramp_periods; nearest known key: amplitude_m"},
+            "trial.toml:19: motion.surge.amplitude_deg = 0.02: expected only these keys here: "
+            "type, amplitude_m, angular_frequency_rad_s, ramp_periods, file; nearest known key: "
+            "amplitude_m"},
         Mistake{"MissingType",
-                {"type = \"sine_surge\"\n", ""},
-                "trial.toml:17: motion.type is missing: expected a motion, one of still, "
-                "sine_surge, table_surge, sine_roll"},
+                {"type = \"sine\"\n", ""},
+                "trial.toml:17: motion.surge.type is missing: expected a motion, one of sine, "
+                "table"},
         Mistake{"MissingNumber",
                 {"height_m = 1.0\n", ""},
                 "trial.toml:7: tank.height_m is missing: expected a number > 0, in m"},
@@ -112,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:6: gravity_m_s2 = nan: expected a number > 0, in m/s2"},
         Mistake{"Infinite",
                 {"amplitude_m = 0.02", "amplitude_m = inf"},
-                "trial.toml:19: motion.amplitude_m = inf: expected a number > 0, in m"},
+                "trial.toml:19: motion.surge.amplitude_m = inf: expected a number > 0, in m"},
         Mistake{"Syntax", {"length_m = 2", "length_m = = 2"}, "trial.toml:8:12: not TOML: "}),
     [](const auto& info) { return info.param.name; });
 
@@ -154,9 +155,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ModesOfABreakingDam",
                 {"viscosity_m2_s = 1e-6", "viscosity_m2_s = 1e-6\ncolumn_width_m = 0.5"},
                 "trial.toml:35: comparison.natural_modes = 2: expected 0 of a dam about to break"},
-        Mistake{"AmplitudeOfAStillTank",
-                {"sine_surge", "still"},
-                "trial.toml:19: motion.amplitude_m = 0.02: expected only these keys here: type"},
         Mistake{"NegativeViscosity",
                 {"1e-6", "-1e-6"},
                 "trial.toml:13: liquid.kinematic_viscosity_m2_s = -1e-06: expected a number >= 0, "
@@ -166,15 +164,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:15: gas.density_kg_m3 = 1000: expected a number > 0 and below the "
                 "liquid's density (1000), in kg/m3"},
         Mistake{"UnknownMotion",
-                {"sine_surge", "sine_surg"},
-                "trial.toml:18: motion.type = \"sine_surg\": expected a motion, one of still, "
-                "sine_surge, table_surge, sine_roll; nearest: sine_surge"},
+                {"\"sine\"", "\"sin\""},
+                "trial.toml:18: motion.surge.type = \"sin\": expected a motion, one of sine, "
+                "table; nearest: sine"},
         Mistake{"NoAmplitude",
                 {"amplitude_m = 0.02", "amplitude_m = 0"},
-                "trial.toml:19: motion.amplitude_m = 0: expected a number > 0, in m"},
-        Mistake{"NegativeRamp",
-                {"= 1.5\n", "= 1.5\nramp_periods = -1\n"},
-                "trial.toml:21: motion.ramp_periods = -1: expected a number >= 0, in periods"},
+                "trial.toml:19: motion.surge.amplitude_m = 0: expected a number > 0, in m"},
+        Mistake{
+            "NegativeRamp",
+            {"= 1.5\n", "= 1.5\nramp_periods = -1\n"},
+            "trial.toml:21: motion.surge.ramp_periods = -1: expected a number >= 0, in periods"},
         Mistake{"UnknownStart",
                 {"\"earth\"", "\"Earth\""},
                 "trial.toml:22: time.start = \"Earth\": expected the frame in which the liquid is "
@@ -342,7 +341,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownGauge",
                 {"elevation@right", "elevation@rigth"},
                 "trial.toml:55: gate.quantity = \"elevation@rigth\": expected a compared "
-                "quantity, one of elevation@right, elevation@left; nearest: elevation@right"},
+                "quantity, one of elevation@right, elevation@left, force_x, force_z, momentum_x, "
+                "momentum_z, highest_surface@right, highest_surface@left; nearest: "
+                "elevation@right"},
         Mistake{"UnknownQuantity",
                 {"elevation@right", "pressure@right"},
                 "trial.toml:55: gate.quantity = \"pressure@right\": expected"},

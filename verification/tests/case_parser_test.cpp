@@ -1,5 +1,5 @@
-// The case parser on files that are right, on motion tables, and on files that are not there; every
-// other mistake is in case_parser_refusal_test.cpp.
+// The case parser on files that are right and on files that are not there; motions and pressure
+// gauges are in tests of their own, every other mistake in case_parser_refusal_test.cpp.
 #include "verification/case_file/case_parser.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(CaseParser, ReadsThePapersSmallAmplitudeCase) {
   EXPECT_EQ(definition.tank.length, 1.0);
   EXPECT_EQ(definition.liquid.fill_depth, 0.35);
   EXPECT_EQ(definition.gas.density, 1.2);
-  const auto& motion = std::get<SineSurge>(definition.motion);
+  const auto& motion = std::get<SineMotion>(definition.motion.surge.value());
   EXPECT_EQ(motion.amplitude, 0.02);
   EXPECT_NEAR(motion.angular_frequency, 0.3 * 4.94488, 1e-9);
   EXPECT_EQ(motion.ramp_periods, 0);
@@ -49,12 +49,12 @@ TEST(CaseParser, ReadsThePapersSmallAmplitudeCase) {
 
 TEST(CaseParser, ReadsTheVariantsOfThePapersCases) {
   const auto ramped = read_case(cases / "li2010_small_amplitude_ramp.toml");
-  EXPECT_EQ(std::get<SineSurge>(ramped.motion).ramp_periods, 2);
+  EXPECT_EQ(std::get<SineMotion>(ramped.motion.surge.value()).ramp_periods, 2);
   EXPECT_EQ(read_case(cases / "li2010_small_amplitude_tank_start.toml").start, Start::tank);
   const auto resonant = read_case(cases / "li2010_resonant_T13_b025.toml");
-  EXPECT_DOUBLE_EQ(std::get<SineSurge>(resonant.motion).angular_frequency,
+  EXPECT_DOUBLE_EQ(std::get<SineMotion>(resonant.motion.surge.value()).angular_frequency,
                    2 * std::numbers::pi / 1.3);
-  EXPECT_EQ(std::get<SineSurge>(resonant.motion).amplitude, 0.025);
+  EXPECT_EQ(std::get<SineMotion>(resonant.motion.surge.value()).amplitude, 0.025);
 }
 
 TEST(CaseParser, ReadsTheBreakingDamWithItsRecord) {
@@ -141,31 +141,18 @@ TEST(CaseParser, ReadsAGateRowOnARunsOwnSeries) {
   EXPECT_EQ(row.unit, "m2");
 }
 
-TEST(CaseParser, ReadsARollAlthoughNothingSolvesItYet) {
-  const auto definition =
-      read_text(edited({"type = \"sine_surge\"\namplitude_m = 0.02",
-                        "type = \"sine_roll\"\namplitude_deg = 4\naxis_x_m = 1.0\naxis_z_m = 0"}));
-  const auto& roll = std::get<SineRoll>(definition.motion);
-  EXPECT_DOUBLE_EQ(roll.amplitude, 4 * std::numbers::pi / 180);
-  EXPECT_EQ(roll.where.line, 17);
-}
-
 TEST(CaseParser, ReadsATankThatStands) {
-  std::string text =
-      edited({"type = \"sine_surge\"\namplitude_m = 0.02\n"
-              "angular_frequency_rad_s = 1.5\n",
-              "type = \"still\"\n"});
+  std::string text = edited({sine_surge, "[motion]\nstill = true\n"});
   text = text.substr(0, text.find("[[gate]]"));
-  EXPECT_TRUE(std::holds_alternative<Still>(read_text(text).motion));
+  EXPECT_TRUE(read_text(text).motion.still());
   const std::string earth = "start = \"earth\"";
   text.replace(text.find(earth), earth.size(), "start = \"tank\"");
-  EXPECT_TRUE(std::holds_alternative<Still>(read_text(text).motion));
+  EXPECT_TRUE(read_text(text).motion.still());
+  EXPECT_FALSE(read_text(valid_text).motion.still());
 }
 
 TEST(CaseParser, KnowsNoForcedModeOfATankThatStands) {
-  const std::string message =
-      complaint_about({"type = \"sine_surge\"\namplitude_m = 0.02\nangular_frequency_rad_s = 1.5\n",
-                       "type = \"still\"\n"});
+  const std::string message = complaint_about({sine_surge, "[motion]\nstill = true\n"});
   EXPECT_TRUE(message.starts_with("trial.toml:54: gate.mode = \"forced\": expected")) << message;
 }
 
@@ -199,68 +186,7 @@ TEST(CaseParser, RefusesACaseWithoutRunsOrGauges) {
             "a.toml:1: run is missing: expected at least one [[run]]");
   EXPECT_EQ(complaint(workspace.write(
                 "b.toml", valid_text.substr(0, gauges) + valid_text.substr(comparison))),
-            "b.toml:1: gauge is missing: expected at least one [[gauge]]");
-}
-
-const Edit by_table{"type = \"sine_surge\"\namplitude_m = 0.02\nangular_frequency_rad_s = 1.5\n",
-                    "type = \"table_surge\"\nfile = \"motion.csv\"\n"};
-
-std::string complaint_about_table(const std::string& csv) {
-  const Workspace workspace;
-  workspace.write("motion.csv", csv);
-  std::string text = edited(by_table);
-  return complaint(workspace.write("trial.toml", text.substr(0, text.find("[[gate]]"))));
-}
-
-TEST(CaseParser, ReadsAMotionTableBesideTheCase) {
-  const Workspace workspace;
-  workspace.write("motion.csv", "time_s,displacement_m\r\n0,0\r\n1, 0.1\r\n2.5,-2e-1\r\n20,0\r\n");
-  const std::string text = edited(by_table);
-  const auto definition =
-      read_case(workspace.write("trial.toml", text.substr(0, text.find("[[gate]]"))));
-  const auto& table = std::get<TableSurge>(definition.motion);
-  EXPECT_EQ(table.time, (std::vector<double>{0, 1, 2.5, 20}));
-  EXPECT_EQ(table.displacement, (std::vector<double>{0, 0.1, -0.2, 0}));
-}
-
-TEST(CaseParser, KnowsNoForcedModeOfAMotionTable) {
-  const Workspace workspace;
-  workspace.write("motion.csv", "time_s,displacement_m\n0,0\n1,0\n2,0\n20,0\n");
-  const std::string message = complaint(workspace.write("trial.toml", edited(by_table)));
-  EXPECT_TRUE(message.starts_with("trial.toml:55: gate.mode = \"forced\": expected")) << message;
-}
-
-TEST(CaseParser, RefusesABadMotionTableByItsOwnLine) {
-  const std::string head = "time_s,displacement_m\n";
-  const std::vector<std::pair<std::string, std::string>> tables{
-      {"", "motion.csv:1: header = : expected time_s,displacement_m"},
-      {"t,x\n0,0\n", "motion.csv:1: header = t,x: expected time_s,displacement_m"},
-      {head + "0,0\n1,0\n20,0\n", "motion.csv:4: rows = 3: expected at least 4"},
-      {head + "0,0\n1,0\n2,0\n19.9,0\n",
-       "motion.csv:5: time_s = 19.9: expected a last time of at least the case's duration (20), in "
-       "s"},
-      {head + "0.1,0\n1,0\n2,0\n20,0\n",
-       "motion.csv:2: time_s = 0.1: expected 0 in the first row, in s"},
-      {head + "0,0\n2,0\n1,0\n20,0\n",
-       "motion.csv:4: time_s = 1: expected a number above the last row's 2, in s"},
-      {head + "0,0\n1,0\n1,0\n20,0\n", "motion.csv:4: time_s = 1: expected"},
-      {head + "0,0\n1,nan\n2,0\n20,0\n",
-       "motion.csv:3: displacement_m = nan: expected a number, in m"},
-      {head + "0,0\n1,0,5\n2,0\n20,0\n",
-       "motion.csv:3: displacement_m = 0,5: expected a number, in m"},
-      {head + "0,0\none,0\n2,0\n20,0\n", "motion.csv:3: time_s = one: expected a number, in s"},
-      {head + "0,0\n1 0\n2,0\n20,0\n", "motion.csv:3: row = 1 0: expected two numbers"}};
-  for (const auto& [csv, wanted] : tables) {
-    const std::string message = complaint_about_table(csv);
-    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
-  }
-}
-
-TEST(CaseParser, RefusesAMotionTableThatIsNotThere) {
-  const std::string message = complaint_about(by_table);
-  EXPECT_TRUE(message.starts_with(
-      "trial.toml:19: motion.file = \"motion.csv\": expected a CSV file's path"))
-      << message;
+            "b.toml:1: gauge is missing: expected at least one [[gauge]] or [[pressure_gauge]]");
 }
 
 TEST(CaseParser, RefusesAFileThatCannotBeRead) {

@@ -41,7 +41,7 @@ TEST(RecordOfACase, IsReadWithItsQuantityUnitAndUncertainty) {
   const Workspace workspace;
   workspace.write("front.csv", front);
   const CaseDefinition definition = read_case(
-      workspace.write("dam.toml", dam_text("file = \"front.csv\"\nuncertainty_m = 0.01\n")));
+      workspace.write("dam.toml", dam_text("file = \"front.csv\"\nuncertainty = 0.01\n")));
   const auto& record = std::get<RecordRun>(definition.runs.at(1).solver);
   EXPECT_EQ(record.quantity, "front_position");
   EXPECT_EQ(record.unit, "m");
@@ -64,7 +64,7 @@ TEST(RecordOfACase, IsRefusedByItsOwnLine) {
   const std::vector<std::pair<std::string, std::string>> records{
       {"t,x\n",
        "front.csv:1: header = t,x: expected one of time_s,front_position_m | "
-       "time_s,elevation@right_m | time_s,elevation@left_m"},
+       "time_s,elevation@right_m | time_s,elevation@left_m | time_s,force_x_N/m | "},
       {"time_s,front_position_mm\n", "front.csv:1: header = time_s,front_position_mm: expected"},
       {"time_s,elevation@middle_m\n", "front.csv:1: header = time_s,elevation@middle_m: expected"},
       {head + "0,1\n1,2\n2,3\n", "front.csv:4: rows = 3: expected at least 4"},
@@ -74,7 +74,7 @@ TEST(RecordOfACase, IsRefusedByItsOwnLine) {
       {head + "0,1\nnan,2\n2,3\n3,4\n", "front.csv:3: time_s = nan: expected a number, in s"},
       {head + "0,1\n2,2\n2,3\n3,4\n",
        "front.csv:4: time_s = 2: expected a number above the last row's 2, in s"},
-      {head + "0,1\n1;2\n", "front.csv:3: row = 1;2: expected two numbers"}};
+      {head + "0,1\n1;2\n", "front.csv:3: row = 1;2: expected 2 values"}};
   for (const auto& [csv, wanted] : records) {
     const std::string message = complaint_about(dam_text(), csv);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
@@ -85,11 +85,11 @@ TEST(RecordOfACase, HasAFileAndAPositiveUncertainty) {
   const std::vector<std::pair<std::string, std::string>> keys{
       {"", "dam.toml:41: run.file is missing: expected a text that is not empty"},
       {"file = \"none.csv\"\n", "dam.toml:44: run.file = \"none.csv\": expected a CSV file's path"},
-      {"file = \"front.csv\"\nuncertainty_m = 0\n",
-       "dam.toml:45: run.uncertainty_m = 0: expected a number > 0, in m"},
+      {"file = \"front.csv\"\nuncertainty = 0\n",
+       "dam.toml:45: run.uncertainty = 0: expected a number > 0, in m"},
       {"file = \"front.csv\"\nscheme = \"any\"\n",
        "dam.toml:45: run.scheme = \"any\": expected only these keys here: name, solver, quick, "
-       "file, uncertainty_m"}};
+       "uncertainty, file"}};
   for (const auto& [record, wanted] : keys) {
     const std::string message = complaint_about(dam_text(record), front);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;

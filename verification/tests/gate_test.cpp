@@ -225,6 +225,18 @@ TEST(Gate, SkipsARowOfARunThatIsNotSelectedWhateverBecameOfTheOther) {
   EXPECT_EQ(judge(amplitude_row, runs).verdict, Verdict::not_selected);
 }
 
+TEST(Gate, NeitherPassesNorFailsARowWhoseRecordIsNotSupplied) {
+  auto runs = with("linear", RunState::not_supplied, "expected a.csv");
+  const GateOutcome outcome = judge(amplitude_row, runs);
+  EXPECT_EQ(outcome.verdict, Verdict::not_supplied);
+  EXPECT_EQ(outcome.message, "the reference linear is not supplied: expected a.csv");
+  EXPECT_TRUE(std::isnan(outcome.value.value));
+  runs["sph"] = {RunState::failed, ""};
+  EXPECT_EQ(judge(amplitude_row, runs).verdict, Verdict::not_supplied);
+  runs["sph"] = {RunState::not_selected, ""};
+  EXPECT_EQ(judge(amplitude_row, runs).verdict, Verdict::not_selected);
+}
+
 TEST(Gate, DoesNotCompareAModeThatWasNotFitted) {
   const GateOutcome outcome =
       judge(row_of(Metric::frequency_error, "natural_2", "1", 0.1), comparison_of(0));
@@ -388,9 +400,12 @@ TEST(GateExitStatus, IsThatOfTheWorstOutcome) {
   const auto pass = outcome_of(Verdict::pass), violated = outcome_of(Verdict::violated),
              failed = outcome_of(Verdict::solver_failed),
              missing = outcome_of(Verdict::not_compared),
-             skipped = outcome_of(Verdict::not_selected);
+             skipped = outcome_of(Verdict::not_selected),
+             not_there = outcome_of(Verdict::not_supplied);
   EXPECT_EQ(exit_status({pass, pass}), 0);
   EXPECT_EQ(exit_status({pass, skipped}), 0);
+  EXPECT_EQ(exit_status({pass, not_there}), 0);
+  EXPECT_EQ(exit_status({violated, not_there}), 1);
   EXPECT_EQ(exit_status({pass, missing}), 4);
   EXPECT_EQ(exit_status({pass, missing, violated}), 1);
   EXPECT_EQ(exit_status({missing, violated, failed}), 3);
@@ -399,6 +414,7 @@ TEST(GateExitStatus, IsThatOfTheWorstOutcome) {
 TEST(GateExitStatus, IsNotComparedWhereNoRowWasEvaluated) {
   EXPECT_EQ(exit_status({}), 4);
   EXPECT_EQ(exit_status({outcome_of(Verdict::not_selected), outcome_of(Verdict::not_selected)}), 4);
+  EXPECT_EQ(exit_status({outcome_of(Verdict::not_supplied)}), 4);
 }
 
 TEST(GateMetrics, HaveNamesAndUnits) {

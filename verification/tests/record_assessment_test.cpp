@@ -43,7 +43,7 @@ RecordRun record() {
 CaseDefinition dam_case() {
   CaseDefinition definition = surge_case();
   definition.liquid.column_width = width;
-  definition.motion = Still{};
+  definition.motion = {};
   definition.duration = duration;
   definition.window_begin = 0;
   definition.window_end = duration;

@@ -44,13 +44,13 @@ TEST(LinearRunOfACase, GivesTheKnownElevationsOfAStartInTheTanksFrame) {
 
 TEST(LinearRunOfACase, GivesTheSameForASineAndForATableOfIt) {
   CaseDefinition tabulated = sample_case();
-  const auto sine = std::get<SineSurge>(tabulated.motion);
-  TableSurge table;
+  const auto sine = std::get<SineMotion>(*tabulated.motion.surge);
+  TableMotion table;
   for (double t = 0; t < 2.1; t += 0.005) {
     table.time.push_back(t);
-    table.displacement.push_back(sine.amplitude * std::sin(sine.angular_frequency * t));
+    table.value.push_back(sine.amplitude * std::sin(sine.angular_frequency * t));
   }
-  tabulated.motion = table;
+  tabulated.motion.surge = table;
   const RunResult closed = execute(sample_case(), linear, {}, no_progress);
   const RunResult integrated = execute(tabulated, linear, {}, no_progress);
   for (const char* name : {"elevation@right", "horizontal_force"}) {
@@ -63,7 +63,7 @@ TEST(LinearRunOfACase, GivesTheSameForASineAndForATableOfIt) {
 
 TEST(LinearRunOfACase, BeginsCalmlyWithARamp) {
   CaseDefinition ramped = sample_case();
-  std::get<SineSurge>(ramped.motion).ramp_periods = 2;
+  std::get<SineMotion>(*ramped.motion.surge).ramp_periods = 2;
   const RunResult result = execute(ramped, linear, {}, no_progress);
   EXPECT_LT(std::abs(at_time(result.at("elevation@right"), 0.1)), 1e-6);
   EXPECT_GT(std::abs(at_time(result.at("elevation@right"), 2)), 1e-5);
@@ -114,15 +114,6 @@ TEST(RunOfACase, RecordsWhatItWasAndWhatItTook) {
   EXPECT_GT(result.cost.peak_memory, 1e6);
 }
 
-TEST(RunOfACase, RefusesARoll) {
-  CaseDefinition definition = sample_case();
-  definition.motion =
-      SineRoll{.amplitude = 0.07, .angular_frequency = 2, .axis_x = 0.5, .axis_z = 0, .where = {}};
-  EXPECT_THROW(execute(definition, linear, {}, no_progress), CaseFileError);
-  EXPECT_THROW(execute(definition, coarse_sph, {}, no_progress), CaseFileError);
-  EXPECT_THROW(require_runnable(definition, linear), CaseFileError);
-}
-
 std::string refusal(const CaseDefinition& definition, const RunDefinition& run) {
   try {
     require_runnable(definition, run);
@@ -130,6 +121,25 @@ std::string refusal(const CaseDefinition& definition, const RunDefinition& run) 
   } catch (const CaseFileError& error) {
     EXPECT_THROW(execute(definition, run, {}, no_progress), CaseFileError);
     return error.what();
+  }
+}
+
+TEST(RunOfACase, RefusesARoll) {
+  CaseDefinition definition = sample_case();
+  definition.motion.roll = {.angle = SineMotion{0.07, 2}, .axis_x = 0.5, .axis_z = 0};
+  EXPECT_THROW(execute(definition, linear, {}, no_progress), CaseFileError);
+  EXPECT_THROW(execute(definition, coarse_sph, {}, no_progress), CaseFileError);
+  EXPECT_THROW(require_runnable(definition, linear), CaseFileError);
+}
+
+TEST(RunOfACase, RefusesPressureGaugesAndSnapshotTimesWithTheirPlace) {
+  CaseDefinition pressed = sample_case(), pictured = sample_case();
+  pressed.pressure_gauges = {{"a", Wall::left, 0.1}};
+  pictured.snapshot_times = {1};
+  for (const RunDefinition& run : {linear, coarse_sph, sample_run(InterFoamRun{20, 20, 1})}) {
+    EXPECT_EQ(refusal(pressed, run).find("small_surge.toml:42: run a_run: pressure_gauge: "), 0u);
+    EXPECT_EQ(refusal(pictured, run).find("small_surge.toml:42: run a_run: time.snapshot_times_s"),
+              0u);
   }
 }
 
@@ -156,8 +166,8 @@ TEST(RunOfACase, RefusesADamAndAnObstacleThatTheSolverDoesNotTake) {
 
 TEST(RunOfACase, RefusesLinearTheoryOfATankThatStands) {
   CaseDefinition still = sample_case();
-  still.motion = Still{};
-  EXPECT_NE(refusal(still, linear).find("motion.type = \"still\""), std::string::npos);
+  still.motion = {};
+  EXPECT_NE(refusal(still, linear).find("motion.still = true"), std::string::npos);
   EXPECT_EQ(refusal(still, coarse_sph), "");
 }
 
@@ -170,6 +180,30 @@ TEST(RecordRunOfACase, GivesTheRecordAsItIs) {
   EXPECT_EQ(result.at("elevation@left").value, record.value);
   EXPECT_EQ(result.at("elevation@left").unit, "m");
   EXPECT_EQ(result.diagnostics.at("uncertainty_m"), 0.25);
+}
+
+TEST(RecordRunOfACase, StandsInACaseThatNoSolverTakes) {
+  CaseDefinition rolling = sample_case();
+  rolling.motion.roll = {.angle = SineMotion{0.07, 2}, .axis_x = 0.5, .axis_z = 0};
+  const RecordRun record{"a.csv", "moment", "N", {0.5, 0.7, 1.0, 1.1}, {1, 2, 3, 4}, {}};
+  EXPECT_EQ(execute(rolling, sample_run(record), {}, no_progress).at("moment").value, record.value);
+}
+
+TEST(RecordRunOfACase, IsRefusedWhereItIsNotSupplied) {
+  CaseDefinition definition = sample_case();
+  definition.source = "a paper";
+  const RunDefinition run =
+      sample_run(RecordRun{"SLOSH_EXPERIMENTS/a.csv", "elevation@left", "m", {}, {}, {}, false});
+  EXPECT_NO_THROW(require_runnable(definition, run)) << "the other runs of the case may go on";
+  try {
+    execute(definition, run, {}, no_progress);
+    FAIL() << "a record that is not there was read";
+  } catch (const CaseFileError& error) {
+    EXPECT_STREQ(error.what(),
+                 "small_surge.toml:42: run a_run: expected SLOSH_EXPERIMENTS/a.csv, below the "
+                 "directory of --experiments or SLOSH_EXPERIMENTS; where to get the original: a "
+                 "paper");
+  }
 }
 
 TEST(RunOfACase, RefusesAnUnknownSchemeWithItsPlaceAndTheKnownOnes) {
@@ -266,7 +300,7 @@ TEST_F(SphRunOfACase, SetsTheLiquidOffWithTheFrameThatItStartsIn) {
   EXPECT_NEAR(initial_velocity(directory.path() / "a_run.snapshots.h5"), 0, 1e-12);
   definition.start = Start::tank;
   execute(definition, coarse_sph, settings, no_progress);
-  const auto sine = std::get<SineSurge>(definition.motion);
+  const auto sine = std::get<SineMotion>(*definition.motion.surge);
   EXPECT_NEAR(initial_velocity(directory.path() / "a_run.snapshots.h5"),
               sine.amplitude * sine.angular_frequency, 1e-12);
 }

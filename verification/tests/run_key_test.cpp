@@ -47,30 +47,73 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       [](auto& c) {
         c.obstacles.push_back({"baffle", 0.4, 0.5, 0, 0.2});
       },
-      [](auto& c) { c.motion = Still{}; },
+      [](auto& c) { c.motion = {}; },
       [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
       [](auto& c) { c.gas.density = 1.3; },
-      [](auto& c) { std::get<SineSurge>(c.motion).amplitude += 1e-15; },
-      [](auto& c) { std::get<SineSurge>(c.motion).ramp_periods = 2; },
+      [](auto& c) { std::get<SineMotion>(*c.motion.surge).amplitude += 1e-15; },
+      [](auto& c) { std::get<SineMotion>(*c.motion.surge).ramp_periods = 2; },
       [](auto& c) {
-        c.motion = TableSurge{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
+        c.motion.surge = TableMotion{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
+      },
+      [](auto& c) {
+        c.motion = {.roll = RollDefinition{SineMotion{0.02, 0.3 * 4.94488}, 0.5, 0}};
+      },
+      [](auto& c) {
+        c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.5, 0};
+      },
+      [](auto& c) {
+        c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.5, 0.1};
+      },
+      [](auto& c) {
+        c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.4, 0};
+      },
+      [](auto& c) {
+        c.motion.roll = RollDefinition{SineMotion{0.03, 2}, 0.5, 0};
+      },
+      [](auto& c) {
+        c.pressure_gauges = {{"left", Wall::left, 0.1}};
+      },
+      [](auto& c) {
+        c.pressure_gauges = {{"left", Wall::right, 0.1}};
+      },
+      [](auto& c) {
+        c.pressure_gauges = {{"left", Wall::left, 0.2}};
+      },
+      [](auto& c) {
+        c.pressure_gauges = {{"left", Wall::left, 0.1, 0.01}};
+      },
+      [](auto& c) {
+        c.pressure_gauges = {{"left", Wall::left, 0.1, 0, 10}};
       },
       [](auto& c) { c.start = Start::tank; },
       [](auto& c) { c.duration = 3; },
       [](auto& c) { c.sample_interval = 0.01; },
       [](auto& c) { c.gauges[1].x = 0.9; },
       [](auto& c) { c.gauges.pop_back(); }};
+  std::set<std::string> keys{before};
   for (std::size_t i = 0; i < changes.size(); ++i) {
     CaseDefinition changed = sample_case();
     changes[i](changed);
-    EXPECT_NE(key(changed, sph), before) << "change " << i;
+    EXPECT_TRUE(keys.insert(key(changed, sph)).second) << "change " << i;
   }
+}
+
+TEST_F(RunKey, ChangesWithTheSnapshotTimesOfASolverThatLeavesFieldsAlone) {
+  const RunDefinition linear = sample_run(LinearRun{500, false, 0.1});
+  CaseDefinition definition = sample_case();
+  definition.snapshot_times = {0.5, 1};
+  EXPECT_NE(key(definition, sph), key(sample_case(), sph));
+  EXPECT_NE(key(definition, interfoam), key(sample_case(), interfoam));
+  EXPECT_EQ(key(definition, linear), key(sample_case(), linear));
 }
 
 TEST_F(RunKey, ChangesWithTheContentOfAMotionTable) {
   CaseDefinition a = sample_case(), b = sample_case();
-  a.motion = TableSurge{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
-  b.motion = TableSurge{"table.csv", {0, 1, 2}, {0, 0.02, 0}};
+  a.motion.surge = TableMotion{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
+  b.motion.surge = TableMotion{"table.csv", {0, 1, 2}, {0, 0.02, 0}};
+  EXPECT_NE(key(a, sph), key(b, sph));
+  a.motion = {.roll = RollDefinition{*a.motion.surge, 0, 0}};
+  b.motion = {.roll = RollDefinition{*b.motion.surge, 0, 0}};
   EXPECT_NE(key(a, sph), key(b, sph));
 }
 
@@ -109,6 +152,7 @@ TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
   CaseDefinition definition = sample_case();
   definition.title = "another title";
   definition.window_begin = 1;
+  definition.declared_forcing_frequency = 3.8;
   definition.gate.push_back({});
   definition.text += "# a comment";
   RunDefinition run = sph;

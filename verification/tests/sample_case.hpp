@@ -13,7 +13,7 @@ inline CaseDefinition sample_case() {
   definition.tank = {1, 1};
   definition.liquid = {0.35, 1000, 1e-6};
   definition.gas = {1.2, 1.5e-5};
-  definition.motion = SineSurge{.amplitude = 0.02, .angular_frequency = 0.3 * 4.94488};
+  definition.motion.surge = SineMotion{.amplitude = 0.02, .angular_frequency = 0.3 * 4.94488};
   definition.start = Start::earth;
   definition.duration = 2;
   definition.sample_interval = 0.02;

@@ -168,6 +168,84 @@ TEST_F(Tool, TellsTheGateEvenWhereTheReportCannotBeDrawn) {
   EXPECT_FALSE(fs::exists(report()));
 }
 
+// A record of the elevation that the user supplies: theory's own, read back from a table.
+const std::string experiment_run = R"([[run]]
+name = "probe"
+solver = "record"
+experiment = "tests/probe.csv"
+time_column = "t_s"
+value_column = "eta"
+quantity = "elevation@right"
+unit = "m"
+[[gate]]
+candidate = "particles"
+reference = "probe"
+quantity = "elevation@right"
+mode = "whole"
+metric = "normalised_rms"
+unit = "1"
+limit = 0.5
+reason = "The runs are coarse."
+source = "made for a test"
+)";
+
+TEST_F(Tool, TellsOfARecordThatIsNotSuppliedAndTakesItWhereItIs) {
+  write_campaign(particles_case + experiment_run);
+  const Ended without = campaign();
+  EXPECT_EQ(without.status, 0) << without.err;
+  EXPECT_TRUE(holds(without.err,
+                    "small/probe: not supplied: expected "
+                    "SLOSH_EXPERIMENTS/tests/probe.csv, below the directory of "
+                    "--experiments or SLOSH_EXPERIMENTS; where to get the original: "
+                    "made for a test"));
+  EXPECT_TRUE(holds(without.out, "not supplied   small particles whole normalised_rms"));
+  EXPECT_TRUE(holds(without.out,
+                    "PASS: 1 of 1 gate rows hold, 1 records not supplied, 1 gate rows "
+                    "without their record."));
+  const Ended refused = tool({"run", "./small.toml", "probe"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(holds(refused.err, "run probe: expected SLOSH_EXPERIMENTS/tests/probe.csv"));
+
+  ASSERT_EQ(tool({"run", "./small.toml", "theory"}).status, 0);
+  const TimeSeries theory = read_result(directory() / "theory.h5").at("elevation@right");
+  std::ostringstream csv;
+  csv << "t_s,eta\n";
+  for (std::size_t i = 0; i < theory.time.size(); i += 5)
+    csv << theory.time[i] << "," << theory.value[i] << "\n";
+  fs::create_directories(directory() / "records/tests");
+  write("records/tests/probe.csv", csv.str());
+  const Ended with_variable = tool({"campaign", "./surges.toml", "--output", "out"},
+                                   {{"SLOSH_EXPERIMENTS", (directory() / "records").string()}});
+  EXPECT_EQ(with_variable.status, 0) << with_variable.err;
+  EXPECT_TRUE(holds(with_variable.out, "PASS: 2 of 2 gate rows hold."));
+  const Ended with_option =
+      tool({"report", "./surges.toml", "--output", "out", "--experiments", "records"},
+           {{"SLOSH_EXPERIMENTS", directory().string()}});
+  EXPECT_TRUE(holds(with_option.out, "PASS: 2 of 2 gate rows hold."));
+  EXPECT_TRUE(holds(read(report() / "index.html"), "--experiments"));
+  EXPECT_EQ(read_result(result("probe")).provenance.at("command"),
+            "./slosh run '" + (directory() / "small.toml").string() +
+                "' probe --output probe.h5 --experiments '" + (directory() / "records").string() +
+                "'");
+  const Ended again = campaign();
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_TRUE(holds(again.out, "1 records not supplied")) << "a record of earlier was taken";
+}
+
+TEST_F(Tool, RefusesADirectoryOfRecordsOrARecordThatIsNotWhatItShouldBe) {
+  write_campaign(particles_case + experiment_run);
+  const Ended nowhere =
+      tool({"campaign", "./surges.toml", "--output", "out", "--experiments", "nowhere"});
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_TRUE(holds(nowhere.err, "nowhere"));
+  fs::create_directories(directory() / "records/tests");
+  write("records/tests/probe.csv", "t_s,eta\n0,0\n1,none\n");
+  const Ended malformed =
+      tool({"campaign", "./surges.toml", "--output", "out", "--experiments", "records"});
+  EXPECT_EQ(malformed.status, 2);
+  EXPECT_TRUE(holds(malformed.err, "tests/probe.csv:3: eta = none: expected a number, in m"));
+}
+
 TEST_F(Tool, LeavesSnapshotsForParaView) {
   write_campaign(particles_case);
   const Ended run = tool({"run", "./small.toml", "particles", "--snapshots", "2"});

@@ -28,8 +28,8 @@ kinematic_viscosity_m2_s = 1e-6
 [gas]
 density_kg_m3 = 1.2
 kinematic_viscosity_m2_s = 1.5e-5
-[motion]
-type = "sine_surge"
+[motion.surge]
+type = "sine"
 amplitude_m = 0.02
 angular_frequency_rad_s = 1.5
 [time]
@@ -75,6 +75,9 @@ reason = "a reason"
 source = "a source"
 )";
 
+inline const std::string sine_surge =
+    "[motion.surge]\ntype = \"sine\"\namplitude_m = 0.02\nangular_frequency_rad_s = 1.5\n";
+
 // A directory of the test's own, removed with all its files.
 class Workspace {
  public:
@@ -84,6 +87,7 @@ class Workspace {
     directory_ = name;
   }
   ~Workspace() { std::filesystem::remove_all(directory_); }
+  const std::filesystem::path& path() const { return directory_; }
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(directory_ / name, std::ios::binary) << text;
     return directory_ / name;
@@ -99,9 +103,10 @@ inline CaseDefinition read_text(const std::string& text) {
 }
 
 // The parser's message without the directory of the file; "" when it found nothing wrong.
-inline std::string complaint(const std::filesystem::path& file) {
+inline std::string complaint(const std::filesystem::path& file,
+                             const std::filesystem::path& experiments = {}) {
   try {
-    read_case(file);
+    read_case(file, experiments);
     return "";
   } catch (const CaseFileError& error) {
     const std::string directory = file.parent_path().string() + "/";

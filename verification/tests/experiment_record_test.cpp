@@ -1,0 +1,190 @@
+// Records that the user supplies: read from the directory that is named, read as not supplied where
+// they are not there, refused by their own line where they are not what the case says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string columns = "time_column = \"t_s\"\nvalue_column = \"p\"\n";
+const std::string experiment =
+    "experiment = \"probe.csv\"\nquantity = \"wall_pressure@b\"\nunit = \"kPa\"\n" + columns;
+
+// The trial case with a pressure gauge and a record, whose keys stand from line 59 on.
+std::string text_with(const std::string& record) {
+  std::string text = edited({"[comparison]",
+                             "[[pressure_gauge]]\nname = \"b\"\nwall = \"left\"\n"
+                             "position_m = 0.17\n[comparison]"});
+  text = text.substr(0, text.find("[[gate]]"));
+  return text + "[[run]]\nname = \"probe\"\nsolver = \"record\"\n" + record;
+}
+
+RecordRun record_of(const CaseDefinition& definition) {
+  return std::get<RecordRun>(definition.runs.back().solver);
+}
+
+RecordRun read_record(const std::string& record, const std::string& csv) {
+  const Workspace workspace;
+  workspace.write("probe.csv", csv);
+  return record_of(read_case(workspace.write("trial.toml", text_with(record)), workspace.path()));
+}
+
+std::string complaint_about_record(const std::string& record, const std::string& csv) {
+  const Workspace workspace;
+  workspace.write("probe.csv", csv);
+  return complaint(workspace.write("trial.toml", text_with(record)), workspace.path());
+}
+
+constexpr const char* probe = "t_s,p\n0.036,3.226\n0.418,3.491\n0.5,-0.1\n0.61,0\n";
+
+TEST(ExperimentRecord, IsReadInSiUnits) {
+  const RecordRun record = read_record(experiment + "uncertainty = 0.05\n", probe);
+  EXPECT_TRUE(record.supplied);
+  EXPECT_EQ(record.quantity, "wall_pressure@b");
+  EXPECT_EQ(record.unit, "Pa");
+  EXPECT_EQ(record.time, (std::vector<double>{0.036, 0.418, 0.5, 0.61}));
+  EXPECT_EQ(record.value, (std::vector<double>{3226, 3491, -100, 0}));
+  EXPECT_EQ(record.uncertainty, 50);
+}
+
+TEST(ExperimentRecord, MayBeWrittenInAnyOfThePressureUnitsOrInTheQuantitysOwn) {
+  const auto first_value = [](const std::string& quantity, const std::string& unit) {
+    const std::string keys = "experiment = \"probe.csv\"\nquantity = \"" + quantity +
+                             "\"\nunit = \"" + unit + "\"\n" + columns;
+    return read_record(keys, "t_s,p\n0,2\n1,3\n2,4\n3,5\n").value.at(0);
+  };
+  EXPECT_EQ(first_value("wall_pressure@b", "Pa"), 2);
+  EXPECT_EQ(first_value("wall_pressure@b", "kPa"), 2000);
+  EXPECT_EQ(first_value("wall_pressure@b", "mbar"), 200);
+  EXPECT_EQ(first_value("elevation@right", "m"), 2);
+}
+
+TEST(ExperimentRecord, IsTakenFromAFileOfMoreColumns) {
+  const RecordRun record =
+      read_record(experiment, "p,note,t_s\r\n1,first peak,0\r\n2,,0.5\r\n3,,1\r\n4,,2\r\n");
+  EXPECT_EQ(record.time, (std::vector<double>{0, 0.5, 1, 2}));
+  EXPECT_EQ(record.value, (std::vector<double>{1000, 2000, 3000, 4000}));
+}
+
+TEST(ExperimentRecord, IsNotSuppliedWhereNoDirectoryIsNamedOrTheFileIsNotThere) {
+  const Workspace workspace, empty;
+  workspace.write("probe.csv", probe);
+  const fs::path file =
+      workspace.write("trial.toml", text_with(experiment + "uncertainty = 0.05\n"));
+  const RecordRun unnamed = record_of(read_case(file));
+  EXPECT_FALSE(unnamed.supplied);
+  EXPECT_EQ(unnamed.file, "SLOSH_EXPERIMENTS/probe.csv");
+  EXPECT_EQ(unnamed.quantity, "wall_pressure@b");
+  EXPECT_EQ(unnamed.uncertainty, 50);
+  EXPECT_TRUE(unnamed.time.empty() && unnamed.value.empty());
+  const RecordRun absent = record_of(read_case(file, empty.path()));
+  EXPECT_FALSE(absent.supplied);
+  EXPECT_EQ(absent.file, empty.path() / "probe.csv");
+  EXPECT_TRUE(record_of(read_case(file, workspace.path())).supplied);
+}
+
+TEST(ExperimentRecord, IsRefusedByItsOwnLine) {
+  const std::vector<std::pair<std::string, std::string>> records{
+      {"", "probe.csv:1: header = : expected the columns t_s and p"},
+      {"t,p\n", "probe.csv:1: header = t,p: expected the columns t_s and p"},
+      {"t_s,p\n0,1\n1,2\n2,3\n", "probe.csv:4: rows = 3: expected at least 4"},
+      {"t_s,p\n0,1\n1,x\n", "probe.csv:3: p = x: expected a number, in kPa"},
+      {"t_s,p\n0,1\n1,nan\n", "probe.csv:3: p = nan: expected a number, in kPa"},
+      {"t_s,p\n0,1\n1,\n", "probe.csv:3: p = : expected a number, in kPa"},
+      {"t_s,p\n0,1\nx,2\n", "probe.csv:3: t_s = x: expected a number, in s"},
+      {"t_s,p\n0,1\n0,2\n", "probe.csv:3: t_s = 0: expected a number above the last row's 0, in s"},
+      {"t_s,p\n1,1\n0,2\n", "probe.csv:3: t_s = 0: expected a number above the last row's 1"},
+      {"t_s,p\n0,1,2\n", "probe.csv:2: row = 0,1,2: expected 2 values with commas between them"},
+      {"t_s,p\n0,1\n\n", "probe.csv:3: row = : expected 2 values"}};
+  for (const auto& [csv, wanted] : records) {
+    const std::string message = complaint_about_record(experiment, csv);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+TEST(ExperimentRecord, HasKeysThatMakeSenseEvenWhereItIsNotSupplied) {
+  const std::string file = "experiment = \"none.csv\"\n";
+  const std::string quantity = "quantity = \"wall_pressure@b\"\n", unit = "unit = \"Pa\"\n";
+  const std::vector<std::pair<std::string, std::string>> keys{
+      {file + unit + columns,
+       "trial.toml:56: run.quantity is missing: expected a compared quantity, one of "
+       "elevation@right, elevation@left, wall_pressure@b, force_x"},
+      {file + "quantity = \"wall_pressure@a\"\n",
+       "trial.toml:60: run.quantity = \"wall_pressure@a\": expected a compared quantity"},
+      {file + quantity + columns,
+       "trial.toml:56: run.unit is missing: expected a unit of wall_pressure@b, one of Pa, kPa, "
+       "mbar"},
+      {file + quantity + "unit = \"bar\"\n",
+       "trial.toml:61: run.unit = \"bar\": expected a unit of wall_pressure@b, one of Pa, kPa, "
+       "mbar; nearest: "},
+      {file + "quantity = \"elevation@left\"\nunit = \"mm\"\n",
+       "trial.toml:61: run.unit = \"mm\": expected a unit of elevation@left, which is m"},
+      {file + quantity + unit + "time_column = \"t_s\"\n",
+       "trial.toml:56: run.value_column is missing: expected a text that is not empty"},
+      {file + quantity + unit + columns + "uncertainty = 0\n",
+       "trial.toml:64: run.uncertainty = 0: expected a number > 0, in Pa"},
+      {file + quantity + unit + columns + "file = \"a.csv\"\n",
+       "trial.toml:64: run.file = \"a.csv\": expected only these keys here: name, solver, quick, "
+       "uncertainty, experiment"},
+      {quantity + unit + columns + "experiment = \"../none.csv\"\n",
+       "trial.toml:63: run.experiment = \"../none.csv\": expected a CSV file's path below the "
+       "directory of the experiments"},
+      {quantity + unit + columns + "experiment = \"/none.csv\"\n",
+       "trial.toml:63: run.experiment = \"/none.csv\": expected a CSV file's path below"},
+      {"experimnt = \"none.csv\"\n",
+       "trial.toml:59: run.experimnt = \"none.csv\": expected only these keys here: "}};
+  for (const auto& [record, wanted] : keys) {
+    const std::string message = complaint_about_record(record, probe);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+  EXPECT_NE(complaint_about_record("experimnt = \"none.csv\"\n", probe)
+                .find("nearest known key: experiment"),
+            std::string::npos);
+}
+
+// The records themselves, where they are: beside the source tree or where the user says.
+fs::path experiments() {
+  const char* named = std::getenv("SLOSH_EXPERIMENTS");
+  return named ? fs::path(named) : fs::path(SLOSH_SOURCE_DIR) / "../shared/experiments";
+}
+
+RecordRun published(const std::string& file, const std::string& value_column,
+                    const std::string& unit) {
+  const Workspace workspace;
+  return record_of(read_case(
+      workspace.write("trial.toml",
+                      text_with("experiment = \"" + file + "\"\nquantity = \"wall_pressure@b\"\n" +
+                                "unit = \"" + unit + "\"\ntime_column = \"t_s\"\n" +
+                                "value_column = \"" + value_column + "\"\n")),
+      experiments()));
+}
+
+TEST(PublishedRecord, OfTheLateralImpactHasItsFirstPeak) {
+  const RecordRun record =
+      published("spheric_test10/pressure_sensor1_lateral_water_1kHz.csv", "p_Pa", "Pa");
+  if (!record.supplied) GTEST_SKIP() << "not supplied: " << record.file;
+  ASSERT_EQ(record.time.size(), 8351u);
+  EXPECT_EQ(record.time.back(), 8.35);
+  EXPECT_EQ(record.value.front(), 9.9928);
+  // The impact at 2.375 s; nothing comes near it before.
+  for (std::size_t i = 0; record.time[i] < 2.35; ++i) EXPECT_LT(record.value[i], 500);
+  EXPECT_GT(*std::max_element(record.value.begin() + 2370, record.value.begin() + 2390), 1000);
+}
+
+TEST(PublishedRecord, OfAkyildizAndUnalIsInPascal) {
+  const RecordRun record =
+      published("akyildiz_unal_2006/akyildiz_unal2006_fig5_probe2_p.csv", "p_kPa", "kPa");
+  if (!record.supplied) GTEST_SKIP() << "not supplied: " << record.file;
+  EXPECT_EQ(record.time.size(), 27u);
+  EXPECT_EQ(record.time.front(), 0.036);
+  EXPECT_DOUBLE_EQ(record.value.front(), 3226);
+}
+
+}  // namespace
+}  // namespace slosh
