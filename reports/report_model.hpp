@@ -83,7 +83,7 @@ struct Section {
   std::vector<std::string> paragraphs;
   std::vector<Table> tables;
   std::vector<Figure> figures;
-  std::vector<FieldFigure> fields;  // after the figures, and numbered on
+  std::vector<FieldFigure> fields = {};  // after the figures, and numbered on
 };
 
 struct Report {

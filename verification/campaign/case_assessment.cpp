@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "reference/linear_surge.hpp"
+#include "verification/campaign/filtered_pressure.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/metrics/windowed_series.hpp"
@@ -186,7 +187,8 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
 
 CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
   mark_references_out_of_range(definition, runs);
-  CaseAssessment assessment{definition, std::move(runs), {}, {}, {}};
+  std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
+  CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
   const std::vector<ToneRequest> modes = fitted_modes(definition);
   std::map<std::string, Comparison> computed;
   const FindComparison find = [&](const std::string& candidate, const std::string& reference,

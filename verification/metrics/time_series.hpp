@@ -14,7 +14,7 @@ struct ComparisonError : std::runtime_error {
 };
 
 struct TimeSeries {
-  std::string name;           // "elevation@right", "horizontal_force", ...
+  std::string name;           // "elevation@right", "force_x", ...
   std::string unit;           // SI, as written in the result file: "m", "N/m", "J/m", "Pa"
   std::vector<double> time;   // [s], strictly increasing
   std::vector<double> value;  // same length as time

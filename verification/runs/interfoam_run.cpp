@@ -1,3 +1,4 @@
+#include <optional>
 #include <stdexcept>
 
 #include "openfoam_cases/check_tank.hpp"
@@ -7,6 +8,12 @@
 
 namespace slosh {
 namespace {
+
+openfoam::PressureGauge::Wall wall_of(Wall wall) {
+  using Of = openfoam::PressureGauge::Wall;
+  if (wall == Wall::bottom) return Of::bottom;
+  return wall == Wall::left ? Of::left : Of::right;
+}
 
 openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
@@ -28,15 +35,32 @@ openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& de
       .cells_x = run.cells_x,
       .cells_z = run.cells_z,
       .processes = run.processes};
+  if (const std::optional<RollMotion> roll = roll_motion(definition))
+    tank.roll = openfoam::Roll{
+        roll->angle,  roll->rate,   roll->acceleration,
+        roll->axis_x, roll->axis_z, definition.start == Start::earth ? -roll->rate(0) : 0};
   for (const GaugeDefinition& gauge : definition.gauges)
     tank.gauges.push_back({gauge.name, gauge.x});
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    tank.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
+  tank.snapshot_times = definition.snapshot_times;
   for (const ObstacleDefinition& one : definition.obstacles)
     tank.obstacles.push_back({one.left, one.right, one.bottom, one.top});
   return tank;
 }
 
-TimeSeries series(const std::string& name, const std::string& unit, openfoam::History& history) {
-  return {name, unit, std::move(history.time), std::move(history.value)};
+// The cells that are at least half liquid.
+FieldSnapshot liquid_of(const openfoam::FieldSnapshot& cells) {
+  FieldSnapshot liquid{cells.time, cells.cell_width, cells.cell_height, {}, {}, {}, {}, {}};
+  for (std::size_t i = 0; i < cells.x.size(); ++i) {
+    if (!(cells.liquid_share[i] >= 0.5)) continue;
+    liquid.x.push_back(cells.x[i]);
+    liquid.z.push_back(cells.z[i]);
+    liquid.velocity_x.push_back(cells.velocity_x[i]);
+    liquid.velocity_z.push_back(cells.velocity_z[i]);
+    liquid.pressure.push_back(cells.pressure[i]);
+  }
+  return liquid;
 }
 
 }  // namespace
@@ -57,14 +81,23 @@ RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request
   openfoam::Harvest harvest = openfoam::harvest(tank, case_directory);
 
   RunResult result;
-  for (const GaugeDefinition& gauge : request.definition.gauges) {
-    result.series.push_back(
-        series("elevation@" + gauge.name, "m", harvest.elevation.at(gauge.name)));
-  }
-  if (!harvest.front_position.time.empty())
-    result.series.push_back(series("front_position", "m", harvest.front_position));
-  result.series.push_back(series("horizontal_force", "N/m", harvest.force_x));
-  result.series.push_back(series("liquid_volume", "m2", harvest.liquid_volume));
+  const auto add = [&](const std::string& name, const char* unit, openfoam::History& history) {
+    if (!history.time.empty())
+      result.series.push_back({name, unit, std::move(history.time), std::move(history.value)});
+  };
+  for (auto& [gauge, history] : harvest.elevation) add("elevation@" + gauge, "m", history);
+  for (auto& [gauge, history] : harvest.highest_surface)
+    add("highest_surface@" + gauge, "m", history);
+  for (auto& [gauge, history] : harvest.wall_pressure) add("wall_pressure@" + gauge, "Pa", history);
+  add("front_position", "m", harvest.front_position);
+  add("force_x", "N/m", harvest.force_x);
+  add("force_z", "N/m", harvest.force_z);
+  add("moment", "N", harvest.moment);
+  add("momentum_x", "kg/s", harvest.momentum_x);
+  add("momentum_z", "kg/s", harvest.momentum_z);
+  add("liquid_volume", "m2", harvest.liquid_volume);
+  for (const openfoam::FieldSnapshot& snapshot : harvest.snapshots)
+    result.snapshots.push_back(liquid_of(snapshot));
   result.active_terms = {"volume of fluid, liquid and gas", "laminar viscosity", "slip walls",
                          "acceleration in the tank's frame"};
   result.diagnostics = {{"max_courant_number", harvest.max_courant_number},

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "reference/linear_roll.hpp"
 #include "reference/linear_surge.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/solver_runs.hpp"
@@ -14,6 +16,9 @@ namespace {
 // linear between them: relative error (omega step)^2 / 12, below 1e-4 where a forcing period has 50
 // samples.
 constexpr int motion_samples_per_sample = 4;
+// The same error up to 14 rad/s, without more memory for a case that is sampled for its impacts.
+// [s]
+constexpr double shortest_motion_step = 2.5e-3;
 
 // 0, interval, ..., up to and including the duration (but for a rounding error).
 std::vector<double> sample_times(const CaseDefinition& definition) {
@@ -30,27 +35,131 @@ const SineMotion* sine_surge(const CaseDefinition& definition) {
   return sine && sine->ramp_periods == 0 ? sine : nullptr;
 }
 
-template <class Motion>
-reference::LinearSurge solution(const LinearRun& linear, const CaseDefinition& definition,
-                                const Motion& motion) {
-  const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
-                             definition.gravity, definition.liquid.density};
-  const auto start =
-      definition.start == Start::earth ? reference::Start::earth : reference::Start::tank;
-  if (!linear.two_layer) return {tank, start, motion, linear.modes};
-  const reference::Gas gas{definition.gas.density,
-                           definition.tank.height - definition.liquid.fill_depth};
-  return {tank, gas, start, motion, linear.modes};
+reference::Tank tank_of(const CaseDefinition& definition) {
+  return {definition.tank.length, definition.liquid.fill_depth, definition.gravity,
+          definition.liquid.density};
 }
 
-reference::LinearSurge solution(const LinearRun& linear, const CaseDefinition& definition) {
+// The answer to `motion`, with the gas where the run counts it.
+template <class Solution, class Motion>
+Solution solution(const LinearRun& linear, const CaseDefinition& definition, const Motion& motion) {
+  const auto start =
+      definition.start == Start::earth ? reference::Start::earth : reference::Start::tank;
+  if (!linear.two_layer) return {tank_of(definition), start, motion, linear.modes};
+  const reference::Gas gas{definition.gas.density,
+                           definition.tank.height - definition.liquid.fill_depth};
+  return {tank_of(definition), gas, start, motion, linear.modes};
+}
+
+double motion_step(const CaseDefinition& definition) {
+  return std::max(shortest_motion_step, definition.sample_interval / motion_samples_per_sample);
+}
+
+std::optional<reference::LinearSurge> surge_of(const LinearRun& linear,
+                                               const CaseDefinition& definition) {
+  if (!definition.motion.surge) return {};
   if (const SineMotion* sine = sine_surge(definition))
-    return solution(linear, definition,
-                    reference::SineSurge{sine->amplitude, sine->angular_frequency});
+    return solution<reference::LinearSurge>(
+        linear, definition, reference::SineSurge{sine->amplitude, sine->angular_frequency});
   const SurgeMotion motion = surge_motion(definition);
-  return solution(linear, definition,
-                  reference::AnySurge{motion.velocity(0), motion.acceleration, definition.duration,
-                                      definition.sample_interval / motion_samples_per_sample});
+  return solution<reference::LinearSurge>(
+      linear, definition,
+      reference::AnySurge{motion.velocity(0), motion.acceleration, definition.duration,
+                          motion_step(definition)});
+}
+
+std::optional<reference::LinearRoll> roll_of(const LinearRun& linear,
+                                             const CaseDefinition& definition) {
+  const std::optional<RollMotion> roll = roll_motion(definition);
+  if (!roll) return {};
+  return solution<reference::LinearRoll>(
+      linear, definition,
+      reference::RollMotion{roll->angle, roll->rate, roll->acceleration,
+                            roll->axis_x - definition.tank.length / 2,
+                            roll->axis_z - definition.liquid.fill_depth, definition.duration,
+                            motion_step(definition)});
+}
+
+// Surge and roll together: to the first order the sum of what each does, on still water counted
+// once.
+class LinearTank {
+ public:
+  LinearTank(const LinearRun& linear, const CaseDefinition& definition)
+      : definition_(definition),
+        times_(sample_times(definition)),
+        surge_(surge_of(linear, definition)),
+        roll_(roll_of(linear, definition)) {}
+
+  const std::vector<double>& times() const { return times_; }
+
+  // x from the tank's centre.
+  std::vector<double> elevation(double x) const {
+    std::vector<double> sum(times_.size(), 0.0);
+    if (surge_) add(sum, surge_->elevation(x, times_));
+    if (roll_) add(sum, roll_->elevation(x, times_));
+    return sum;
+  }
+
+  // The mean over the sensor, by the midpoint rule; all of it lies under the still surface.
+  std::vector<double> wall_pressure(const PressureGaugeDefinition& gauge) const {
+    const int places = gauge.width > 0 ? places_of_sensor : 1;
+    std::vector<double> mean(times_.size(), 0.0);
+    for (int k = 0; k < places; ++k) {
+      const double along = gauge.position + gauge.width * ((k + 0.5) / places - 0.5);
+      add(mean, pressure(gauge.wall, along), 1.0 / places);
+    }
+    return mean;
+  }
+
+  std::vector<double> force_x() const {
+    return series([&](double t) {
+      return (surge_ ? surge_->horizontal_force(t) : 0) + (roll_ ? roll_->force(t).x : 0);
+    });
+  }
+  // Where nothing but roll excites the liquid.
+  bool has_moment() const { return roll_ && !surge_; }
+  std::vector<double> moment() const {
+    return series([&](double t) { return roll_->moment(t); });
+  }
+
+ private:
+  static constexpr int places_of_sensor = 8;
+
+  static void add(std::vector<double>& sum, const std::vector<double>& values, double scale = 1) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * values[i];
+  }
+
+  template <class Value>
+  std::vector<double> series(const Value& value) const {
+    std::vector<double> values;
+    for (const double t : times_) values.push_back(value(t));
+    return values;
+  }
+
+  std::vector<double> pressure(Wall wall, double along) const {
+    const double length = definition_.tank.length, depth = definition_.liquid.fill_depth;
+    const double x = wall == Wall::bottom ? along - length / 2
+                     : wall == Wall::left ? -length / 2
+                                          : length / 2;
+    const double z = wall == Wall::bottom ? -depth : along - depth;
+    std::vector<double> sum(times_.size(), 0.0);
+    if (roll_) add(sum, roll_->pressure(x, z, times_));
+    if (surge_) add(sum, series([&](double t) { return surge_->pressure(x, z, t); }));
+    const double still = -definition_.liquid.density * definition_.gravity * z;
+    if (roll_ && surge_)
+      for (double& value : sum) value -= still;
+    return sum;
+  }
+
+  const CaseDefinition& definition_;
+  std::vector<double> times_;
+  std::optional<reference::LinearSurge> surge_;
+  std::optional<reference::LinearRoll> roll_;
+};
+
+bool under_still_water(const PressureGaugeDefinition& gauge, const CaseDefinition& definition) {
+  return gauge.wall == Wall::bottom ||
+         gauge.position + gauge.width / 2 < definition.liquid.fill_depth;
 }
 
 double largest_magnitude(const std::vector<double>& values) {
@@ -79,29 +188,32 @@ void require_scene(const LinearRun&, const CaseDefinition& definition, const Run
 RunResult run_linear(const LinearRun& linear, const RunRequest& request) {
   require_scene(linear, request.definition, request.run);
   const CaseDefinition& definition = request.definition;
-  const reference::LinearSurge tank = solution(linear, definition);
-  const std::vector<double> times = sample_times(definition);
+  const LinearTank tank(linear, definition);
   const double centre = definition.tank.length / 2;
 
   RunResult result;
-  for (const GaugeDefinition& gauge : definition.gauges) {
-    result.series.push_back(
-        {"elevation@" + gauge.name, "m", times, tank.elevation(gauge.x - centre, times)});
-  }
-  TimeSeries force{"horizontal_force", "N/m", times, {}};
-  for (const double t : times) force.value.push_back(tank.horizontal_force(t));
-  result.series.push_back(std::move(force));
+  const auto add = [&](const std::string& name, const char* unit, std::vector<double> values) {
+    result.series.push_back({name, unit, tank.times(), std::move(values)});
+  };
+  for (const GaugeDefinition& gauge : definition.gauges)
+    add("elevation@" + gauge.name, "m", tank.elevation(gauge.x - centre));
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    if (under_still_water(gauge, definition))
+      add("wall_pressure@" + gauge.name, "Pa", tank.wall_pressure(gauge));
+  add("force_x", "N/m", tank.force_x());
+  if (tank.has_moment()) add("moment", "N", tank.moment());
   request.progress(definition.duration, 0);
 
   // Every antisymmetric mode is highest at the walls, and what one wall has the other has with the
   // other sign.
-  const double highest = largest_magnitude(tank.elevation(centre, times));
+  const double highest = largest_magnitude(tank.elevation(centre));
   result.diagnostics = {{"modes", linear.modes},
                         {"highest_elevation_m", highest},
                         {"highest_elevation_over_depth", highest / definition.liquid.fill_depth}};
   result.active_terms = {
       "linear potential flow", fmt::format("{} antisymmetric modes", linear.modes),
-      sine_surge(definition) ? "closed form of a sine surge" : "Duhamel's integral of the motion"};
+      sine_surge(definition) && !definition.motion.roll ? "closed form of a sine surge"
+                                                        : "Duhamel's integral of the motion"};
   if (linear.two_layer) result.active_terms.push_back("gas in the dispersion relation");
   return result;
 }

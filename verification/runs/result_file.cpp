@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "verification/runs/atomic_file.hpp"
@@ -19,7 +20,7 @@ namespace {
 using hdf5::checked;
 using hdf5::Handle;
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 constexpr std::string_view seal_begin = "\nslosh result ";
 constexpr std::size_t hash_length = 32;
 constexpr std::size_t seal_length = seal_begin.size() + 3 + 1 + hash_length + 1;
@@ -94,6 +95,40 @@ TimeSeries read_series(hid_t parent, const std::string& link) {
           .value = hdf5::read_numbers(group, "value")};
 }
 
+constexpr std::tuple<const char*, const char*, std::vector<double> FieldSnapshot::*>
+    snapshot_fields[] = {{"x", "m", &FieldSnapshot::x},
+                         {"z", "m", &FieldSnapshot::z},
+                         {"velocity_x", "m/s", &FieldSnapshot::velocity_x},
+                         {"velocity_z", "m/s", &FieldSnapshot::velocity_z},
+                         {"pressure", "Pa", &FieldSnapshot::pressure}};
+
+constexpr std::pair<const char*, double FieldSnapshot::*> snapshot_numbers[] = {
+    {"time_s", &FieldSnapshot::time},
+    {"width_m", &FieldSnapshot::width},
+    {"height_m", &FieldSnapshot::height}};
+
+void write_snapshot(hid_t parent, const std::string& name, const FieldSnapshot& snapshot) {
+  const Handle group = hdf5::create_group(parent, name);
+  for (const auto& [number, field] : snapshot_numbers)
+    hdf5::write_attribute(group, number, snapshot.*field);
+  for (const auto& [field, unit, values] : snapshot_fields) {
+    if ((snapshot.*values).size() != snapshot.x.size())
+      throw ResultError(fmt::format("snapshot {} has {} places and {} values of {}", name,
+                                    snapshot.x.size(), (snapshot.*values).size(), field));
+    hdf5::write_attribute(hdf5::write_numbers(group, field, snapshot.*values), "unit", unit);
+  }
+}
+
+FieldSnapshot read_snapshot(hid_t parent, const std::string& name) {
+  const Handle group = hdf5::open_group(parent, name);
+  FieldSnapshot snapshot{};
+  for (const auto& [number, field] : snapshot_numbers)
+    snapshot.*field = hdf5::read_number_attribute(group, number);
+  for (const auto& [field, unit, values] : snapshot_fields)
+    snapshot.*values = hdf5::read_numbers(group, field);
+  return snapshot;
+}
+
 void write_content(const RunResult& result, hid_t file) {
   hdf5::write_attribute(file, "format", "slosh result");
   hdf5::write_attribute(file, "format_version", format_version);
@@ -110,6 +145,9 @@ void write_content(const RunResult& result, hid_t file) {
     hdf5::write_attribute(diagnostics, name, value);
   const Handle series = hdf5::create_group(file, "series");
   for (const TimeSeries& one : result.series) write_series(series, one);
+  const Handle snapshots = hdf5::create_group(file, "snapshots");
+  for (std::size_t i = 0; i < result.snapshots.size(); ++i)
+    write_snapshot(snapshots, fmt::format("{:05d}", i), result.snapshots[i]);
 }
 
 RunResult read_content(hid_t file) {
@@ -134,6 +172,9 @@ RunResult read_content(hid_t file) {
   for (const std::string& link : hdf5::member_names(series)) {
     result.series.push_back(read_series(series, link));
   }
+  const Handle snapshots = hdf5::open_group(file, "snapshots");
+  for (const std::string& name : hdf5::member_names(snapshots))
+    result.snapshots.push_back(read_snapshot(snapshots, name));
   return result;
 }
 

@@ -1,6 +1,6 @@
 // What a run leaves: one HDF5 file, written under a temporary name and renamed when complete.
 // Everything after it (metrics, gate, report) can be redone without running a solver. Layout,
-// version 1 (texts are UTF-8, numbers float64):
+// version 2 (texts are UTF-8, numbers float64):
 //   /              attributes format ("slosh result"), format_version, case_name, run_name,
 //                  solver, key
 //   /case_text     the case file as read, one text
@@ -11,6 +11,8 @@
 //   /diagnostics   attributes, numbers, the unit in the name
 //   /series/NAME   attribute name; data sets time and value, each with the attribute unit and
 //                  Fletcher32 sums; in NAME a '/' is "%2F" and a '%' is "%25"
+//   /snapshots/N   N = 00000, 00001, ...: attributes time_s, width_m, height_m; data sets x, z,
+//                  velocity_x, velocity_z, pressure, each with the attribute unit
 // After the HDF5 content one line seals the file: "slosh result VERSION HASH", the hash (128-bit
 // XXH3) that of all before it.
 #pragma once
@@ -35,6 +37,16 @@ struct RunCost {
   double elements = 0;  // particles (walls apart) or cells
 };
 
+// The liquid at one moment: places of equal size, particles or those cells that are at least half
+// liquid.
+struct FieldSnapshot {
+  double time;                                 // [s]
+  double width, height;                        // of a place [m]
+  std::vector<double> x, z;                    // middles, from the tank's bottom left corner [m]
+  std::vector<double> velocity_x, velocity_z;  // against the tank, along its axes [m/s]
+  std::vector<double> pressure;                // above the gas's [Pa]
+};
+
 struct RunResult {
   std::string case_name, run_name, solver;
   std::string case_text;  // the case file as read
@@ -46,6 +58,7 @@ struct RunResult {
       diagnostics;  // "max_courant_number", "mass_loss", ... (unit in the name)
   RunCost cost;
   std::vector<TimeSeries> series;
+  std::vector<FieldSnapshot> snapshots;  // at the case's snapshot times
 
   // Throws ResultError when there is no such series.
   const TimeSeries& at(const std::string& series_name) const;

@@ -54,15 +54,6 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
 }
 
 // What a case can say and no solver takes yet; a record stands whatever the case says.
-void refuse_what_no_solver_takes(const CaseDefinition& definition, const RunDefinition& run) {
-  if (std::holds_alternative<RecordRun>(run.solver)) return;
-  if (definition.motion.roll) throw refused(run, "motion.roll: no solver takes a roll yet");
-  if (!definition.pressure_gauges.empty())
-    throw refused(run, "pressure_gauge: no solver measures wall pressure yet");
-  if (!definition.snapshot_times.empty())
-    throw refused(run, "time.snapshot_times_s: no solver leaves snapshots at given times yet");
-}
-
 RunResult run_chosen_solver(const RunRequest& request) try {
   RunResult result =
       std::visit([&](const auto& run) { return run_solver(run, request); }, request.run.solver);
@@ -88,13 +79,11 @@ CaseFileError refused(const RunDefinition& run, const std::string& why) {
 }
 
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
-  refuse_what_no_solver_takes(definition, run);
   std::visit([&](const auto& solver) { require_scene(solver, definition, run); }, run.solver);
 }
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress) {
-  refuse_what_no_solver_takes(definition, run);
   const CostMeter meter;
   if (settings.snapshot_interval != 0 && !std::holds_alternative<SphRun>(run.solver))
     throw refused(run, "snapshots: expected a run of the solver sph, no other has particles");

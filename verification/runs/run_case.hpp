@@ -1,9 +1,8 @@
 // Executes one run of a case in this process: translates the case for the solver, runs it, and puts
-// what it gives into a result. Series: "elevation@<gauge>" [m] above the still level;
-// of SPH with a column of liquid "front_position" [m];
-// "horizontal_force" [N/m] on the tank; of SPH also "kinetic_energy", "potential_energy" [J/m]; of
-// interFoam also "liquid_volume" [m2]; of a
-// record its own quantity alone. Gauges and tank as in the case file, x from the left wall.
+// what it gives into a result. Series: the case's quantities (quantities.hpp) as far as the solver
+// has them; of SPH also "kinetic_energy", "potential_energy" [J/m] and, of still water, those of
+// sph/still_water.hpp; of interFoam also "liquid_volume" [m2]; of a record its own quantity alone.
+// SPH and interFoam leave snapshots at the case's times.
 #pragma once
 
 #include <filesystem>
@@ -38,12 +37,11 @@ using Progress = std::function<void(double time, double steps)>;
 std::string where_to_get(const RecordRun& record, const CaseDefinition& definition);
 
 // Throws CaseFileError (file:line) for what execute() would refuse of a case but for a record that
-// is not supplied (a roll, an unknown
-// scheme, a spacing that does not fit the tank, a dam for linear theory): for whoever wants to know
-// before anything runs.
+// is not supplied (an unknown scheme, a spacing that does not fit the tank, a dam for linear
+// theory): for whoever wants to know before anything runs.
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run);
 
-// Throws CaseFileError (file:line) for a roll, an unknown scheme, anything else that the solver
+// Throws CaseFileError (file:line) for an unknown scheme, anything else that the solver
 // does not take, snapshots that it cannot make and a record that is not supplied, SolverError, and
 // ResultError where a snapshot cannot be written.
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "sph/simulation.hpp"
@@ -14,6 +17,17 @@ std::optional<sph::InitialState> initial_state(const SphRun& sph) {
   return sph.initial_state == "settled" ? sph::InitialState::settled : sph::InitialState::projected;
 }
 
+std::optional<sph::Roll> roll_of(const CaseDefinition& definition) {
+  const std::optional<RollMotion> roll = roll_motion(definition);
+  if (!roll) return {};
+  return sph::Roll{roll->angle, roll->rate, roll->acceleration, roll->axis_x, roll->axis_z};
+}
+
+sph::Wall wall_of(Wall wall) {
+  if (wall == Wall::bottom) return sph::Wall::bottom;
+  return wall == Wall::left ? sph::Wall::left : sph::Wall::right;
+}
+
 sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
   const bool still_water = definition.motion.still() && !definition.liquid.column_width;
@@ -26,7 +40,8 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                    .displacement = motion.displacement,
                    .velocity = motion.velocity,
                    .acceleration = motion.acceleration,
-                   .initial_velocity = definition.start == Start::tank ? motion.velocity(0) : 0,
+                   .roll = roll_of(definition),
+                   .start = definition.start == Start::tank ? sph::Start::tank : sph::Start::earth,
                    .duration = definition.duration,
                    .sample_interval = definition.sample_interval,
                    .particle_spacing = sph.particle_spacing,
@@ -44,14 +59,74 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                    .record_snapshot = {}};
   for (const GaugeDefinition& gauge : definition.gauges)
     scene.gauges.push_back({gauge.name, gauge.x});
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    scene.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
   for (const ObstacleDefinition& one : definition.obstacles)
     scene.obstacles.push_back({one.left, one.right, one.bottom, one.top});
   return scene;
 }
 
-TimeSeries series(const std::string& name, const std::string& unit, sph::History& history) {
-  return {name, unit, std::move(history.time), std::move(history.value)};
+// The solver hands over snapshots at equal intervals; these are whole numbers of samples.
+class SnapshotTimes {
+ public:
+  SnapshotTimes(const CaseDefinition& definition, double file_interval)
+      : sample_interval_(definition.sample_interval),
+        file_stride_(samples(file_interval)),
+        stride_(file_stride_) {
+    for (const double time : definition.snapshot_times) {
+      result_.push_back(samples(time));
+      stride_ = std::gcd(stride_, result_.back());
+    }
+  }
+  double interval() const { return static_cast<double>(stride_) * sample_interval_; }
+  bool for_file(double time) const { return file_stride_ && samples(time) % file_stride_ == 0; }
+  bool for_result(double time) const {
+    return std::find(result_.begin(), result_.end(), samples(time)) != result_.end();
+  }
+
+ private:
+  long samples(double time) const { return std::lround(time / sample_interval_); }
+
+  double sample_interval_;
+  long file_stride_, stride_;
+  std::vector<long> result_;
+};
+
+// As a camera that the tank carries sees it: velocities against the tank.
+FieldSnapshot as_seen_in_the_tank(const sph::Snapshot& snapshot, const CaseDefinition& definition,
+                                  double spacing) {
+  const double surge = surge_motion(definition).velocity(snapshot.time);
+  const std::optional<RollMotion> roll = roll_motion(definition);
+  const double angle = roll ? roll->angle(snapshot.time) : 0,
+               rate = roll ? roll->rate(snapshot.time) : 0;
+  FieldSnapshot field{.time = snapshot.time,
+                      .width = spacing,
+                      .height = spacing,
+                      .x = snapshot.x,
+                      .z = snapshot.z,
+                      .velocity_x = snapshot.velocity_x,
+                      .velocity_z = snapshot.velocity_z,
+                      .pressure = snapshot.pressure};
+  for (std::size_t i = 0; i < field.x.size(); ++i) {
+    field.velocity_x[i] -=
+        surge * std::cos(angle) - (roll ? rate * (field.z[i] - roll->axis_z) : 0);
+    field.velocity_z[i] -=
+        -surge * std::sin(angle) + (roll ? rate * (field.x[i] - roll->axis_x) : 0);
+  }
+  return field;
 }
+
+class SeriesOf {
+ public:
+  explicit SeriesOf(RunResult& result) : result_(result) {}
+  void operator()(const std::string& name, const std::string& unit, sph::History& history) {
+    if (!history.time.empty())
+      result_.series.push_back({name, unit, std::move(history.time), std::move(history.value)});
+  }
+
+ private:
+  RunResult& result_;
+};
 
 }  // namespace
 
@@ -65,27 +140,36 @@ void require_scene(const SphRun& sph, const CaseDefinition& definition,
 }
 
 RunResult run_sph(const SphRun& sph, const RunRequest& request) {
-  sph::Scene scene = scene_of(sph, request.definition);
-  std::optional<SnapshotWriter> snapshots;
-  scene.snapshot_interval = request.settings.snapshot_interval;
+  const CaseDefinition& definition = request.definition;
+  sph::Scene scene = scene_of(sph, definition);
+  const SnapshotTimes times(definition, request.settings.snapshot_interval);
+  RunResult result;
+  std::optional<SnapshotWriter> file;
+  scene.snapshot_interval =
+      definition.snapshot_times.empty() ? request.settings.snapshot_interval : times.interval();
   scene.record_snapshot = [&](const sph::Snapshot& snapshot) {
-    if (!snapshots) snapshots.emplace(request.settings.work_directory, request.run.name);
-    snapshots->record(snapshot);
+    if (times.for_result(snapshot.time))
+      result.snapshots.push_back(as_seen_in_the_tank(snapshot, definition, sph.particle_spacing));
+    if (!times.for_file(snapshot.time)) return;
+    if (!file) file.emplace(request.settings.work_directory, request.run.name);
+    file->record(snapshot);
   };
   sph::RunOutput output = sph::run(sph.scheme, scene, request.progress);
 
-  RunResult result;
-  for (const GaugeDefinition& gauge : request.definition.gauges) {
-    result.series.push_back(
-        series("elevation@" + gauge.name, "m", output.elevation.at(gauge.name)));
-  }
-  if (!output.front_position.time.empty())
-    result.series.push_back(series("front_position", "m", output.front_position));
-  result.series.push_back(series("horizontal_force", "N/m", output.horizontal_force));
-  result.series.push_back(series("kinetic_energy", "J/m", output.kinetic_energy));
-  result.series.push_back(series("potential_energy", "J/m", output.potential_energy));
-  for (sph::RecordedSeries& one : output.still_water)
-    result.series.push_back(series(one.name, one.unit, one.history));
+  SeriesOf add(result);
+  for (auto& [gauge, history] : output.elevation) add("elevation@" + gauge, "m", history);
+  for (auto& [gauge, history] : output.highest_surface)
+    add("highest_surface@" + gauge, "m", history);
+  for (auto& [gauge, history] : output.wall_pressure) add("wall_pressure@" + gauge, "Pa", history);
+  add("front_position", "m", output.front_position);
+  add("force_x", "N/m", output.force_x);
+  add("force_z", "N/m", output.force_z);
+  add("moment", "N", output.moment);
+  add("momentum_x", "kg/s", output.momentum_x);
+  add("momentum_z", "kg/s", output.momentum_z);
+  add("kinetic_energy", "J/m", output.kinetic_energy);
+  add("potential_energy", "J/m", output.potential_energy);
+  for (sph::RecordedSeries& one : output.still_water) add(one.name, one.unit, one.history);
   result.active_terms = std::move(output.active_terms);
   result.diagnostics = std::move(output.diagnostics);
   result.cost.steps = output.steps;

@@ -53,9 +53,9 @@ TEST(LinearRunOfACase, GivesTheSameForASineAndForATableOfIt) {
   tabulated.motion.surge = table;
   const RunResult closed = execute(sample_case(), linear, {}, no_progress);
   const RunResult integrated = execute(tabulated, linear, {}, no_progress);
-  for (const char* name : {"elevation@right", "horizontal_force"}) {
+  for (const char* name : {"elevation@right", "force_x"}) {
     const TimeSeries &a = closed.at(name), &b = integrated.at(name);
-    const double scale = name == std::string("horizontal_force") ? 10 : 9e-3;
+    const double scale = name == std::string("force_x") ? 10 : 9e-3;
     for (std::size_t i = 0; i < a.value.size(); ++i)
       EXPECT_NEAR(a.value[i], b.value[i], 2e-3 * scale) << name << i;
   }
@@ -270,7 +270,7 @@ TEST_F(SphRunOfACase, LeavesItsSeriesInTheirUnits) {
       execute(definition, coarse_sph, settings, [&](double time, double) { reported = time; });
   EXPECT_EQ(result.at("elevation@left").unit, "m");
   EXPECT_EQ(result.at("elevation@right").unit, "m");
-  EXPECT_EQ(result.at("horizontal_force").unit, "N/m");
+  EXPECT_EQ(result.at("force_x").unit, "N/m");
   EXPECT_EQ(result.at("kinetic_energy").unit, "J/m");
   EXPECT_EQ(result.at("potential_energy").unit, "J/m");
   EXPECT_EQ(result.at("elevation@right").time.size(), 3u);

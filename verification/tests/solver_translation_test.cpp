@@ -60,7 +60,7 @@ void expect_linear_theory(Start start, const decltype(RunDefinition::solver)& so
   expect_near("elevation@left", 0);
   expect_near("elevation@right", 0);
   // No solver has a force before its first step.
-  if (force == Force::compared) expect_near("horizontal_force", 1);
+  if (force == Force::compared) expect_near("force_x", 1);
 }
 
 // A start in the earth's frame strikes the liquid with the walls, and it rings with sound (16 Hz
@@ -83,7 +83,7 @@ TEST(SolverTranslation, InterFoamLeavesItsSeriesAndDiagnostics) {
   definition.duration = 0.1;
   const RunResult result = run(definition, InterFoamRun{20, 20, 1});
   EXPECT_EQ(result.solver, "interfoam");
-  EXPECT_EQ(result.at("horizontal_force").unit, "N/m");
+  EXPECT_EQ(result.at("force_x").unit, "N/m");
   EXPECT_NEAR(result.at("liquid_volume").value.front(), 0.35, 1e-6);
   EXPECT_LT(std::abs(result.diagnostics.at("relative_mass_loss")), 1e-3);
   EXPECT_GT(result.cost.steps, 10);
