@@ -99,9 +99,10 @@ struct InTank : Choice {
 };
 
 // Zhao et al. 2021 with the dynamic boundary particles carried by the walls: Wendland C2,
-// artificial viscosity, predictor-corrector, CFL = 0.2. What the paper's facts at hand leave open
-// is as in the code that its walls are from (Dominguez et al. 2022): symmetric pressure, Tait's
-// equation, alpha = 0.01, and h = 1.5 dp.
+// artificial viscosity, predictor-corrector, CFL = 0.2. Symmetric pressure, Tait's equation and
+// h = 1.5 dp are as in the other weakly compressible schemes; alpha is chosen by measurement: in
+// the mildly rolling tank at 10 mm the wall pressure is within 2.5 % and 2 deg of linear theory at
+// 0.1, where 0.01 leaves noise a fifth as high as the signal and a lag of 4 to 15 deg.
 struct Zhao2021Moving {
   using Frame = RollingEarthFrame;
   using Kernel = WendlandC2;
@@ -120,7 +121,7 @@ struct Zhao2021Moving {
   static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 1.5,
                                          .sound_speed_ratio = 10,
                                          .courant_number = 0.2,
-                                         .artificial_viscosity = 0.01,
+                                         .artificial_viscosity = 0.1,
                                          .density_diffusion = {}};
 };
 
