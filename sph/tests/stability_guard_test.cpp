@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -62,9 +63,15 @@ TEST(StabilityGuard, NamesTheParticleWhoseDensityIsOutOfRange) {
 }
 
 TEST(StabilityGuard, StopsARunThatDiverges) {
-  // A liquid that a tank which stops at once throws against the wall faster than its sound.
+  // A liquid that a tank which stops within 10 ms throws against the wall faster than its sound.
   Scene scene = still_scene(0.025, 0.2);
-  scene.velocity = [](double t) { return t > 0 ? 0.0 : 20.0; };
+  constexpr double speed = 20, span = 0.01;
+  scene.displacement = [=](double t) {
+    const double braked = std::min(t, span);
+    return speed * (braked - 0.5 * braked * braked / span);
+  };
+  scene.velocity = [=](double t) { return t < span ? speed * (1 - t / span) : 0.0; };
+  scene.acceleration = [=](double t) { return t < span ? -speed / span : 0.0; };
   scene.start = Start::tank;
   scene.numbers.sound_speed_ratio = 0.9;
   for (const std::string& scheme : scheme_names())
