@@ -17,6 +17,7 @@
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/runs/snapshots.hpp"
+#include "verification/runs/state_file.hpp"
 
 namespace slosh {
 namespace {
@@ -157,6 +158,8 @@ int run_one(const RunOptions& options, const Installation& installation) {
   settings.work_directory = work;
   settings.openfoam_templates = installation.openfoam_templates;
   settings.snapshot_interval = options.snapshot_interval;
+  settings.state_interval = options.state_interval;
+  settings.resume = options.resume;
   settings.key =
       run_key(definition, *run, installation.solver_build, installation.openfoam_templates);
   settings.command = fmt::format(
@@ -169,6 +172,8 @@ int run_one(const RunOptions& options, const Installation& installation) {
   std::cout << "result: " << file.string() << "\n";
   if (options.snapshot_interval != 0)
     std::cout << "snapshots: " << snapshot_index(work, run->name).string() << "\n";
+  if (options.state_interval != 0)
+    std::cout << "state: " << state_file(work, run->name).string() << "\n";
   return exit_pass;
 }
 

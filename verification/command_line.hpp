@@ -29,6 +29,8 @@ struct RunOptions {
   std::filesystem::path output, progress_file;
   std::filesystem::path experiments;  // empty: none is named
   double snapshot_interval = 0;       // [s]
+  double state_interval = 0;          // [s]
+  std::filesystem::path resume;       // empty: from the start
 };
 
 int run_campaign(const CampaignOptions& options, const Installation& installation,

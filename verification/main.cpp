@@ -77,6 +77,15 @@ void add_run_options(CLI::App& command, slosh::RunOptions& options) {
           "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of the "
           "case's sample_interval_s")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--states", options.state_interval,
+                  "Interval at which the state of an SPH run is saved beside its result [s]: a "
+                  "multiple of the case's sample_interval_s")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--resume", options.resume,
+                  "A saved state that the run goes on from, bit for bit (with the same --states)")
+      ->check(CLI::ExistingFile);
   add_experiments_option(command, options.experiments);
   command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
 }

@@ -1,7 +1,3 @@
-// A result file is an HDF5 image followed by one line of fixed length, the seal:
-//   "slosh result <version> <hash of every byte before it>\n"
-// HDF5 readers pay bytes past the image's end no heed. The seal is checked before HDF5 sees the
-// image, so that a damaged file meets a message and not the parser of a foreign format.
 #include "verification/runs/result_file.hpp"
 
 #include <fmt/format.h>
@@ -10,44 +6,15 @@
 #include <tuple>
 #include <utility>
 
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
 #include "verification/runs/hdf5_handles.hpp"
+#include "verification/runs/sealed_file.hpp"
 
 namespace slosh {
 namespace {
 
-using hdf5::checked;
 using hdf5::Handle;
 
-constexpr int format_version = 2;
-constexpr std::string_view seal_begin = "\nslosh result ";
-constexpr std::size_t hash_length = 32;
-constexpr std::size_t seal_length = seal_begin.size() + 3 + 1 + hash_length + 1;
-
-std::string seal(std::string_view image) {
-  return fmt::format("{}{:03d} {}\n", seal_begin, format_version, content_hash(image));
-}
-
-// The bytes of the image; throws ResultError unless the seal fits them.
-std::string_view unsealed(std::string_view bytes) {
-  if (bytes.size() < seal_length) throw ResultError("not a whole result file");
-  const std::string_view image = bytes.substr(0, bytes.size() - seal_length);
-  const std::string_view found = bytes.substr(image.size());
-  if (!found.starts_with(seal_begin)) {
-    throw ResultError(
-        "not a whole result file (it does not end with its checksum): truncated or foreign");
-  }
-  const std::string expected = seal(image);
-  const auto version = [](std::string_view text) { return text.substr(seal_begin.size(), 3); };
-  if (version(found) != version(expected)) {
-    throw ResultError(
-        fmt::format("format version {}, expected {}", version(found), version(expected)));
-  }
-  if (found != expected)
-    throw ResultError("its content does not fit its checksum: it has been altered");
-  return image;
-}
+constexpr SealedKind kind{"result", 2};
 
 // A '/' parts groups in HDF5, so a link's name has "%2F" for it; the attribute "name" has the name
 // itself.
@@ -131,7 +98,7 @@ FieldSnapshot read_snapshot(hid_t parent, const std::string& name) {
 
 void write_content(const RunResult& result, hid_t file) {
   hdf5::write_attribute(file, "format", "slosh result");
-  hdf5::write_attribute(file, "format_version", format_version);
+  hdf5::write_attribute(file, "format_version", kind.version);
   for (const auto& [name, field] : root_fields) hdf5::write_attribute(file, name, result.*field);
   hdf5::write_texts(file, "case_text", {result.case_text});
   hdf5::write_texts(file, "active_terms", result.active_terms);
@@ -178,35 +145,6 @@ RunResult read_content(hid_t file) {
   return result;
 }
 
-// Files in memory: what is hashed is what is parsed, and the paths and locks stay the system's
-// affair.
-Handle memory_access() {
-  constexpr std::size_t increment = 1 << 20;  // [byte], by which HDF5 grows its buffer
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a file's properties");
-  checked(H5Pset_fapl_core(access, increment, /*backing_store=*/false), "keep a file in memory");
-  return access;
-}
-
-std::string image_of(const RunResult& result) {
-  const Handle file(H5Fcreate("result", H5F_ACC_TRUNC, H5P_DEFAULT, memory_access()), H5Fclose,
-                    "make a file in memory");
-  write_content(result, file);
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "complete a file in memory");
-  const ssize_t size = checked(H5Fget_file_image(file, nullptr, 0), "measure a file in memory");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  checked(H5Fget_file_image(file, image.data(), image.size()), "copy a file in memory");
-  return image;
-}
-
-RunResult result_of(std::string_view image) {
-  const Handle access = memory_access();
-  checked(
-      H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()),  // HDF5 copies it
-      "take an image");
-  const Handle file(H5Fopen("result", H5F_ACC_RDONLY, access), H5Fclose, "open the image");
-  return read_content(file);
-}
-
 }  // namespace
 
 const TimeSeries& RunResult::at(const std::string& series_name) const {
@@ -217,22 +155,14 @@ const TimeSeries& RunResult::at(const std::string& series_name) const {
                                 case_name, series_name));
 }
 
-void write_result(const RunResult& result, const std::filesystem::path& file) try {
-  const hdf5::QuietErrors quiet;
-  std::string bytes = image_of(result);
-  bytes += seal(bytes);
-  replace_file(file, bytes, Durability::power_loss);
-} catch (const std::runtime_error& error) {
-  throw ResultError(
-      fmt::format("cannot write the result file {}: {}", file.string(), error.what()));
+void write_result(const RunResult& result, const std::filesystem::path& file) {
+  write_sealed(kind, file, [&](hid_t root) { write_content(result, root); });
 }
 
-RunResult read_result(const std::filesystem::path& file) try {
-  const hdf5::QuietErrors quiet;
-  const std::string bytes = read_bytes(file);
-  return result_of(unsealed(bytes));
-} catch (const std::runtime_error& error) {
-  throw ResultError(fmt::format("cannot use the result file {}: {}", file.string(), error.what()));
+RunResult read_result(const std::filesystem::path& file) {
+  RunResult result;
+  read_sealed(kind, file, [&](hid_t root) { result = read_content(root); });
+  return result;
 }
 
 }  // namespace slosh

@@ -13,8 +13,7 @@
 //                  Fletcher32 sums; in NAME a '/' is "%2F" and a '%' is "%25"
 //   /snapshots/N   N = 00000, 00001, ...: attributes time_s, width_m, height_m; data sets x, z,
 //                  velocity_x, velocity_z, pressure, each with the attribute unit
-// After the HDF5 content one line seals the file: "slosh result VERSION HASH", the hash (128-bit
-// XXH3) that of all before it.
+// Sealed as sealed_file.hpp says.
 #pragma once
 
 #include <filesystem>
@@ -58,7 +57,7 @@ struct RunResult {
       diagnostics;  // "max_courant_number", "mass_loss", ... (unit in the name)
   RunCost cost;
   std::vector<TimeSeries> series;
-  std::vector<FieldSnapshot> snapshots;  // at the case's snapshot times
+  std::vector<FieldSnapshot> snapshots = {};  // at the case's snapshot times
 
   // Throws ResultError when there is no such series.
   const TimeSeries& at(const std::string& series_name) const;

@@ -85,8 +85,11 @@ void require_runnable(const CaseDefinition& definition, const RunDefinition& run
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress) {
   const CostMeter meter;
-  if (settings.snapshot_interval != 0 && !std::holds_alternative<SphRun>(run.solver))
+  const bool particles = std::holds_alternative<SphRun>(run.solver);
+  if (settings.snapshot_interval != 0 && !particles)
     throw refused(run, "snapshots: expected a run of the solver sph, no other has particles");
+  if ((settings.state_interval != 0 || !settings.resume.empty()) && !particles)
+    throw refused(run, "states and resume: expected a run of the solver sph, no other saves states");
   RunResult result = run_chosen_solver({definition, run, settings, progress});
   const RunCost counts = result.cost;
   result.cost = meter.cost();

@@ -26,6 +26,10 @@ struct RunSettings {
   std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
   // [s], of an SPH run, a multiple of the sample interval; 0: no snapshots
   double snapshot_interval = 0;
+  // [s], of an SPH run, a multiple of the sample interval: how often its state is saved in the work
+  // directory (state_file.hpp); 0: never
+  double state_interval = 0;
+  std::filesystem::path resume;  // the state that an SPH run goes on from; empty: from the start
   std::string key;      // run_key()'s, recorded
   std::string command;  // repeats this run, recorded
 };

@@ -7,6 +7,7 @@
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/snapshots.hpp"
 #include "verification/runs/solver_runs.hpp"
+#include "verification/runs/state_file.hpp"
 
 namespace slosh {
 namespace {
@@ -54,8 +55,11 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                                .artificial_viscosity = sph.numbers.artificial_viscosity,
                                .density_diffusion = sph.numbers.density_diffusion},
                    .initial_state = initial_state(sph),
+                   .start_disorder = sph.start_disorder,
+                   .start_seed = static_cast<unsigned>(sph.start_seed),
                    .gauges = {},
                    .record_still_water = still_water,
+                   .record_energy_budget = sph.energy_budget,
                    .record_snapshot = {}};
   for (const GaugeDefinition& gauge : definition.gauges)
     scene.gauges.push_back({gauge.name, gauge.x});
@@ -154,6 +158,16 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) {
     if (!file) file.emplace(request.settings.work_directory, request.run.name);
     file->record(snapshot);
   };
+  scene.state_interval = request.settings.state_interval;
+  scene.save_state = [&](const sph::SavedState& state) {
+    write_state(state, request.settings.key,
+                state_file(request.settings.work_directory, request.run.name));
+  };
+  std::optional<sph::SavedState> resumed;
+  if (!request.settings.resume.empty()) {
+    resumed = read_state(request.settings.key, request.settings.resume);
+    scene.resume = &*resumed;
+  }
   sph::RunOutput output = sph::run(sph.scheme, scene, request.progress);
 
   SeriesOf add(result);
@@ -169,7 +183,8 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) {
   add("momentum_z", "kg/s", output.momentum_z);
   add("kinetic_energy", "J/m", output.kinetic_energy);
   add("potential_energy", "J/m", output.potential_energy);
-  for (sph::RecordedSeries& one : output.still_water) add(one.name, one.unit, one.history);
+  for (auto* list : {&output.still_water, &output.energy})
+    for (sph::RecordedSeries& one : *list) add(one.name, one.unit, one.history);
   result.active_terms = std::move(output.active_terms);
   result.diagnostics = std::move(output.diagnostics);
   result.cost.steps = output.steps;
