@@ -121,6 +121,10 @@ struct SphRun {
   std::string variant = {};         // of the scheme, one thing changed; empty: none
   std::string initial_state = {};   // lattice, settled or projected; empty: the scheme's own
   SphNumbers numbers = {};
+  // Each particle starts this far from its place at most [particle spacings], in a direction that
+  // the seed decides: repeats of one run, as an experiment is repeated.
+  double start_disorder = 0;
+  int start_seed = 0;
 };
 
 struct InterFoamRun {
@@ -183,6 +187,22 @@ struct GateRow {
   SourceLocation where;
 };
 
+// What is published of a tank in which the liquid hits a wall once a period: peaks and plateau of
+// the pressure at one gauge, over repeats of the experiment.
+struct ImpactsDefinition {
+  std::string gauge;                                // of pressure
+  std::vector<double> times;                        // [s], of the peaks in the published record
+  double period;                                    // [s], of the motion
+  std::vector<double> peak_means, peak_deviations;  // [Pa], by impact: mean and standard deviation
+  double plateau_begin, plateau_end;                // [s], after an impact
+  double plateau;                                   // [Pa], the published record's mean there
+  // The table of the repeats: where it lies, or where it was looked for; empty where the case names
+  // none. Its peaks [Pa] by impact, none where it is not supplied.
+  std::filesystem::path peak_table;
+  std::vector<std::vector<double>> repeats;
+  std::string source;
+};
+
 struct CaseDefinition {
   std::string name, title, source;
   std::vector<std::string> tags;
@@ -199,6 +219,7 @@ struct CaseDefinition {
   std::vector<double> snapshot_times;
   std::vector<GaugeDefinition> gauges;
   std::vector<PressureGaugeDefinition> pressure_gauges;
+  std::optional<ImpactsDefinition> impacts = {};
   // The comparison: the window and how many natural modes (of those that surge excites, lowest
   // first) are fitted beside the forced one.
   double window_begin, window_end;  // [s]

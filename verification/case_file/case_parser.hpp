@@ -24,13 +24,20 @@
 //                 sensor's middle above the bottom; on the bottom from the left wall), width_m? (of
 //                 the sensor along the wall; 0: a point), filter_cutoff_Hz? (of a low-pass filter,
 //                 below half the sampling rate). At least one gauge of either kind
+//   [impacts]?    gauge (a pressure gauge), times_s = [...] (published, of the peaks), period_s,
+//                 peaks_Pa and peaks_sd_Pa = [...] (published mean and standard deviation over the
+//                 repeats, one for each time), plateau_begin_s, plateau_end_s, plateau_Pa, source,
+//                 peak_table? (the repeats' peaks, of up to four impacts: path of a file of
+//                 peak_table.hpp's form below the directory that a user names)
 //   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m),
 //                 forcing_angular_frequency_rad_s? (of a table that nearly is a sine)
 //   [[run]]       name, quick?, and
 //                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
 //                 variant?, initial_state? = "lattice" | "settled" | "projected", and changes of
 //                 the scheme's numbers: smoothing_length_ratio?, sound_speed_ratio?,
-//                 courant_number?, artificial_viscosity?, density_diffusion?
+//                 courant_number?, artificial_viscosity?, density_diffusion?; start_disorder?
+//                 (each particle's start is shifted by up to this many spacings, at most 0.2) and
+//                 then start_seed? (an integer >= 0: of runs that repeat one another)
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
 //                 solver = "record": a published series, with uncertainty? (half width of its 95 %
