@@ -158,15 +158,19 @@ struct RunDefinition {
 };
 
 enum class Metric {
-  amplitude_error,   // 1
-  phase_lag,         // deg
-  frequency_error,   // 1
-  decay_rate,        // 1/s, of the candidate
-  normalised_rms,    // 1, whole window
-  maximum_residual,  // the quantity's unit, whole window
-  time_lag,          // s, whole window; of a quantity without modes, as the next
-  aligned_rms,       // 1, whole window, free of that lag
-  largest_magnitude  // the quantity's unit, whole window; of the candidate alone
+  amplitude_error,    // 1
+  phase_lag,          // deg
+  frequency_error,    // 1
+  decay_rate,         // 1/s, of the candidate
+  normalised_rms,     // 1, whole window
+  maximum_residual,   // the quantity's unit, whole window
+  time_lag,           // s, whole window; of a quantity without modes, as the next
+  aligned_rms,        // 1, whole window, free of that lag
+  largest_magnitude,  // the quantity's unit, whole window; of the candidate alone
+  // Of the candidate's impacts against the published ones (impact_metrics.hpp).
+  impact_time,       // s, one impact: that of its peak less the published one
+  plateau_error,     // 1, "whole": mean over the plateau's time over the published one, less 1
+  impact_percentile  // 1, one impact: the share of the experiment's repeats that peak below it
 };
 
 // One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or
@@ -176,7 +180,8 @@ struct GateRow {
   std::string candidate, reference;  // run names; no reference where the metric needs none
   // One of compared_quantities(); of the candidate alone any series of its result.
   std::string quantity;
-  // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first), "whole"
+  // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first),
+  // "impact_1", "impact_2", ... (the published ones), "whole"
   std::string mode;
   Metric metric;
   std::string unit;

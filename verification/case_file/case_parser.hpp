@@ -50,7 +50,10 @@
 //                 metric, unit, one of limit | lower with upper | improves_on, reason, source; with
 //                 metric = "largest_magnitude", which is measured on the candidate alone: no
 //                 reference, quantity = any series of its result, its unit; metric = "time_lag" and
-//                 "aligned_rms" are of quantities without modes alone
+//                 "aligned_rms" are of quantities without modes alone; metric = "impact_time",
+//                 "impact_percentile" (mode = "impact_1", ...; the latter with lower and upper) and
+//                 "plateau_error" are measured against [impacts]: no reference, quantity = the
+//                 pressure at its gauge, as it is or "/filtered"
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.

@@ -166,5 +166,67 @@ TEST(Impacts, NeedAPressureGauge) {
                        "which there is none"));
 }
 
+std::string gate_row(const std::string& keys) {
+  return "[[gate]]\ncandidate = \"coarse\"\n" + keys + "reason = \"r\"\nsource = \"s\"\n";
+}
+
+std::string row_on(const std::string& quantity, const std::string& mode, const std::string& metric,
+                   const std::string& unit, const std::string& bound) {
+  return gate_row("quantity = \"" + quantity + "\"\nmode = \"" + mode + "\"\nmetric = \"" + metric +
+                  "\"\nunit = \"" + unit + "\"\n" + bound + "\n");
+}
+
+constexpr const char* limit = "limit = 0.1";
+constexpr const char* bounds = "lower = 0.05\nupper = 0.95";
+
+TEST(GateOnImpacts, TakesThePressureAtTheirGauge) {
+  std::string text = text_with(impacts);
+  text.replace(text.find("position_m = 0.1\n"), 16, "position_m = 0.1\nfilter_cutoff_Hz = 20");
+  const CaseDefinition definition =
+      read_text(text + row_on("wall_pressure@B", "impact_3", "impact_time", "s", limit) +
+                row_on("wall_pressure@B/filtered", "whole", "plateau_error", "1", limit) +
+                row_on("wall_pressure@B", "impact_1", "impact_percentile", "1", bounds));
+  EXPECT_EQ(definition.gate.at(1).metric, Metric::impact_time);
+  EXPECT_EQ(definition.gate[1].mode, "impact_3");
+  EXPECT_TRUE(definition.gate[1].reference.empty());
+  EXPECT_EQ(definition.gate.at(2).quantity, "wall_pressure@B/filtered");
+  EXPECT_EQ(definition.gate.at(3).between, (std::pair{0.05, 0.95}));
+}
+
+TEST(GateOnImpacts, IsRefusedByItsLine) {
+  const std::string pressure = "wall_pressure@B";
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {row_on("wall_pressure@C", "impact_1", "impact_time", "s", limit),
+       "gate.quantity = \"wall_pressure@C\": expected the pressure at the gauge of [impacts], "
+       "which "
+       "is wall_pressure@B"},
+      {row_on(pressure, "impact_4", "impact_time", "s", limit),
+       "gate.mode = \"impact_4\": expected what impact_time is measured on, one of impact_1, "
+       "impact_2, impact_3"},
+      {row_on(pressure, "impact_1", "plateau_error", "1", limit),
+       "gate.mode = \"impact_1\": expected what plateau_error is measured on, which is whole"},
+      {row_on(pressure, "impact_1", "impact_time", "ms", limit),
+       "gate.unit = \"ms\": expected the unit of impact_time, which is s"},
+      {row_on(pressure, "impact_1", "impact_percentile", "1", limit),
+       "gate = a row on impact_percentile: expected lower with upper"},
+      {row_on(pressure, "impact_1", "impact_time", "s", "limit = 0.1\nreference = \"theory\""),
+       "gate.reference = \"theory\": expected no reference: impact_time is measured on the "
+       "published impacts"}};
+  for (const auto& [row, wanted] : mistakes) {
+    const Workspace workspace;
+    const std::string message = complaint(workspace.write("trial.toml", text_with(impacts) + row));
+    EXPECT_NE(message.find(wanted), message.npos)
+        << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+TEST(GateOnImpacts, NeedsThem) {
+  const Workspace workspace;
+  const std::string row = row_on("elevation@right", "impact_1", "impact_time", "s", limit);
+  EXPECT_NE(complaint(workspace.write("trial.toml", valid_text + row))
+                .find("gate.metric = \"impact_time\": expected a metric that needs no [impacts]"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace slosh
