@@ -103,6 +103,8 @@ struct SphNumbers {
   std::optional<double> courant_number;          // dt c0 / h
   std::optional<double> artificial_viscosity;    // alpha
   std::optional<double> density_diffusion;       // delta
+
+  bool operator==(const SphNumbers&) const = default;
 };
 
 // Their names in case files and results: one list for whoever reads, hashes or shows them.
@@ -125,6 +127,8 @@ struct SphRun {
   // the seed decides: repeats of one run, as an experiment is repeated.
   double start_disorder = 0;
   int start_seed = 0;
+
+  bool operator==(const SphRun&) const = default;
 };
 
 struct InterFoamRun {

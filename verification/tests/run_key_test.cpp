@@ -159,7 +159,8 @@ TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
   definition.title = "another title";
   definition.window_begin = 1;
   definition.declared_forcing_frequency = 3.8;
-  definition.impacts = ImpactsDefinition{.gauge = "B", .times = {1}};
+  definition.impacts.emplace();
+  definition.impacts->gauge = "B";
   definition.gate.push_back({});
   definition.text += "# a comment";
   RunDefinition run = sph;
