@@ -8,8 +8,10 @@
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
 #include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/impact_table.hpp"
 #include "verification/campaign/li2010_paper.hpp"
 #include "verification/campaign/order_table.hpp"
+#include "verification/campaign/repeat_table.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
 #include "verification/case_file/motion_table.hpp"
@@ -99,6 +101,8 @@ Section case_section(const CaseAssessment& assessment) {
   section.figures = case_figures(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
   if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
+  if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));
+  if (auto repeats = repeat_table(assessment)) section.tables.push_back(std::move(*repeats));
   if (auto choices = choice_table(assessment)) section.tables.push_back(std::move(*choices));
   if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
   if (!assessment.comparisons.empty()) {

@@ -11,6 +11,7 @@
 #include "verification/campaign/filtered_pressure.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -214,8 +215,13 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
     return cut_to_window(assessment.runs.results.at(run).at(quantity),
                          {definition.window_begin, definition.window_end});
   };
+  const MeasureImpacts measure_impacts = [&](const std::string& run, const GateRow& row) {
+    return impact_metric(row.metric, row.mode, assessment.runs.results.at(run).at(row.quantity),
+                         definition);
+  };
   for (const GateRow& row : definition.gate)
-    assessment.gate.push_back(evaluate(row, assessment.runs.status, {find, find_series}));
+    assessment.gate.push_back(
+        evaluate(row, assessment.runs.status, {find, find_series, measure_impacts}));
   return assessment;
 }
 

@@ -81,7 +81,7 @@ std::string changed_terms(const ChoiceRun& one, const ChoiceRun* plain) {
     else if (!with.empty() || !without.empty())
       texts.push_back(with.empty() ? "without " + without : "with " + with);
   }
-  if (!one.sph->initial_state.empty()) texts.push_back("start");
+  if (!one.sph->initial_state.empty() || one.sph->start_disorder > 0) texts.push_back("start");
   for (std::size_t i = 0; i < std::size(sph_number_names); ++i)
     if (one.sph->numbers.*sph_number_names[i].second) texts.push_back(terms_of_numbers[i]);
   return fmt::format("{}", fmt::join(texts, "; "));
@@ -133,6 +133,9 @@ std::string changes_of(const SphRun& run) {
   for (const auto& [name, number] : sph_number_names)
     if (const auto& value = run.numbers.*number)
       changes.push_back(fmt::format("{} = {:g}", name, *value));
+  // Not the seed: repeats of one run change the same.
+  if (run.start_disorder > 0)
+    changes.push_back(fmt::format("start_disorder = {:g}", run.start_disorder));
   return fmt::format("{}", fmt::join(changes, ", "));
 }
 

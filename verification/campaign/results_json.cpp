@@ -21,6 +21,8 @@ Json sph_entry(const SphRun& sph) {
           {"surface_particle_spacing_m", sph.surface_particle_spacing},
           {"variant", sph.variant.empty() ? Json(nullptr) : Json(sph.variant)},
           {"initial_state", sph.initial_state.empty() ? Json(nullptr) : Json(sph.initial_state)},
+          {"start_disorder", sph.start_disorder},
+          {"start_seed", sph.start_disorder > 0 ? Json(sph.start_seed) : Json(nullptr)},
           {"numbers", numbers}};
 }
 

@@ -103,6 +103,8 @@ struct SphNumbers {
   std::optional<double> courant_number;          // dt c0 / h
   std::optional<double> artificial_viscosity;    // alpha
   std::optional<double> density_diffusion;       // delta
+
+  bool operator==(const SphNumbers&) const = default;
 };
 
 // Their names in case files and results: one list for whoever reads, hashes or shows them.
@@ -121,6 +123,12 @@ struct SphRun {
   std::string variant = {};         // of the scheme, one thing changed; empty: none
   std::string initial_state = {};   // lattice, settled or projected; empty: the scheme's own
   SphNumbers numbers = {};
+  // Each particle starts this far from its place at most [particle spacings], in a direction that
+  // the seed decides: repeats of one run, as an experiment is repeated.
+  double start_disorder = 0;
+  int start_seed = 0;
+
+  bool operator==(const SphRun&) const = default;
 };
 
 struct InterFoamRun {
@@ -154,15 +162,19 @@ struct RunDefinition {
 };
 
 enum class Metric {
-  amplitude_error,   // 1
-  phase_lag,         // deg
-  frequency_error,   // 1
-  decay_rate,        // 1/s, of the candidate
-  normalised_rms,    // 1, whole window
-  maximum_residual,  // the quantity's unit, whole window
-  time_lag,          // s, whole window; of a quantity without modes, as the next
-  aligned_rms,       // 1, whole window, free of that lag
-  largest_magnitude  // the quantity's unit, whole window; of the candidate alone
+  amplitude_error,    // 1
+  phase_lag,          // deg
+  frequency_error,    // 1
+  decay_rate,         // 1/s, of the candidate
+  normalised_rms,     // 1, whole window
+  maximum_residual,   // the quantity's unit, whole window
+  time_lag,           // s, whole window; of a quantity without modes, as the next
+  aligned_rms,        // 1, whole window, free of that lag
+  largest_magnitude,  // the quantity's unit, whole window; of the candidate alone
+  // Of the candidate's impacts against the published ones (impact_metrics.hpp).
+  impact_time,       // s, one impact: that of its peak less the published one
+  plateau_error,     // 1, "whole": mean over the plateau's time over the published one, less 1
+  impact_percentile  // 1, one impact: the share of the experiment's repeats that peak below it
 };
 
 // One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or
@@ -172,7 +184,8 @@ struct GateRow {
   std::string candidate, reference;  // run names; no reference where the metric needs none
   // One of compared_quantities(); of the candidate alone any series of its result.
   std::string quantity;
-  // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first), "whole"
+  // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first),
+  // "impact_1", "impact_2", ... (the published ones), "whole"
   std::string mode;
   Metric metric;
   std::string unit;
@@ -181,6 +194,22 @@ struct GateRow {
   std::optional<std::string> improves_on;
   std::string reason, source;
   SourceLocation where;
+};
+
+// What is published of a tank in which the liquid hits a wall once a period: peaks and plateau of
+// the pressure at one gauge, over repeats of the experiment.
+struct ImpactsDefinition {
+  std::string gauge;                                // of pressure
+  std::vector<double> times;                        // [s], of the peaks in the published record
+  double period;                                    // [s], of the motion
+  std::vector<double> peak_means, peak_deviations;  // [Pa], by impact: mean and standard deviation
+  double plateau_begin, plateau_end;                // [s], after an impact
+  double plateau;                                   // [Pa], the published record's mean there
+  // The table of the repeats: where it lies, or where it was looked for; empty where the case names
+  // none. Its peaks [Pa] by impact, none where it is not supplied.
+  std::filesystem::path peak_table;
+  std::vector<std::vector<double>> repeats;
+  std::string source;
 };
 
 struct CaseDefinition {
@@ -199,6 +228,7 @@ struct CaseDefinition {
   std::vector<double> snapshot_times;
   std::vector<GaugeDefinition> gauges;
   std::vector<PressureGaugeDefinition> pressure_gauges;
+  std::optional<ImpactsDefinition> impacts = {};
   // The comparison: the window and how many natural modes (of those that surge excites, lowest
   // first) are fitted beside the forced one.
   double window_begin, window_end;  // [s]

@@ -117,7 +117,7 @@ void read_head(const TomlTable& root, CaseDefinition& definition) {
   root.get("schema_version", exactly(schema_version));
   root.allow_only({"schema_version", "name", "title", "source", "tags", "gravity_m_s2", "tank",
                    "liquid", "gas", "obstacle", "motion", "time", "gauge", "pressure_gauge",
-                   "comparison", "run", "gate"});
+                   "impacts", "comparison", "run", "gate"});
   definition.name = root.get("name", file_safe_name());
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
@@ -151,6 +151,8 @@ CaseDefinition read_case(const std::filesystem::path& file,
   read_time(root.table("time"), definition);
   definition.motion = read_motion(root.table("motion"), definition);
   read_gauges(root, definition);
+  if (root.has("impacts"))
+    definition.impacts = read_impacts(root.table("impacts"), definition, experiments);
   definition.obstacles = read_named<ObstacleDefinition>(
       root, "obstacle",
       [&](const TomlTable& obstacle) { return read_obstacle(obstacle, definition); });

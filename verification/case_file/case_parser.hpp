@@ -24,13 +24,20 @@
 //                 sensor's middle above the bottom; on the bottom from the left wall), width_m? (of
 //                 the sensor along the wall; 0: a point), filter_cutoff_Hz? (of a low-pass filter,
 //                 below half the sampling rate). At least one gauge of either kind
+//   [impacts]?    gauge (a pressure gauge), times_s = [...] (published, of the peaks), period_s,
+//                 peaks_Pa and peaks_sd_Pa = [...] (published mean and standard deviation over the
+//                 repeats, one for each time), plateau_begin_s, plateau_end_s, plateau_Pa, source,
+//                 peak_table? (the repeats' peaks, of up to four impacts: path of a file of
+//                 peak_table.hpp's form below the directory that a user names)
 //   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m),
 //                 forcing_angular_frequency_rad_s? (of a table that nearly is a sine)
 //   [[run]]       name, quick?, and
 //                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
 //                 variant?, initial_state? = "lattice" | "settled" | "projected", and changes of
 //                 the scheme's numbers: smoothing_length_ratio?, sound_speed_ratio?,
-//                 courant_number?, artificial_viscosity?, density_diffusion?
+//                 courant_number?, artificial_viscosity?, density_diffusion?; start_disorder?
+//                 (each particle's start is shifted by up to this many spacings, at most 0.2) and
+//                 then start_seed? (an integer >= 0: of runs that repeat one another)
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
 //                 solver = "record": a published series, with uncertainty? (half width of its 95 %
@@ -43,7 +50,10 @@
 //                 metric, unit, one of limit | lower with upper | improves_on, reason, source; with
 //                 metric = "largest_magnitude", which is measured on the candidate alone: no
 //                 reference, quantity = any series of its result, its unit; metric = "time_lag" and
-//                 "aligned_rms" are of quantities without modes alone
+//                 "aligned_rms" are of quantities without modes alone; metric = "impact_time",
+//                 "impact_percentile" (mode = "impact_1", ...; the latter with lower and upper) and
+//                 "plateau_error" are measured against [impacts]: no reference, quantity = the
+//                 pressure at its gauge, as it is or "/filtered"
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.

@@ -18,6 +18,11 @@ GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definit
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition);
 
+// [impacts], of a case whose duration and gauges have been read; the repeats' table lies below that
+// directory, which may be empty.
+ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
+                               const std::filesystem::path& experiments);
+
 // [[obstacle]], of a case whose tank, liquid and gauges have been read.
 ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
 

@@ -14,7 +14,15 @@ namespace {
 // What a metric is measured on. A forced mode's frequency is given and it does not decay: a row on
 // either would pass whatever the candidate did. What swings has the lags of its modes, what runs
 // away one.
-enum class MeasuredOn { any_mode, natural_mode, whole_window, run_away, own_series };
+enum class MeasuredOn {
+  any_mode,
+  natural_mode,
+  whole_window,
+  run_away,
+  own_series,
+  impact,
+  plateau
+};
 
 struct MetricEntry {
   const char* name;
@@ -23,7 +31,7 @@ struct MetricEntry {
   MeasuredOn measured_on;
 };
 
-constexpr std::array<MetricEntry, 9> metrics{{
+constexpr std::array<MetricEntry, 12> metrics{{
     {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
     {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
     {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
@@ -33,6 +41,9 @@ constexpr std::array<MetricEntry, 9> metrics{{
     {"time_lag", Metric::time_lag, "s", MeasuredOn::run_away},
     {"aligned_rms", Metric::aligned_rms, "1", MeasuredOn::run_away},
     {"largest_magnitude", Metric::largest_magnitude, "", MeasuredOn::own_series},
+    {"impact_time", Metric::impact_time, "s", MeasuredOn::impact},
+    {"plateau_error", Metric::plateau_error, "1", MeasuredOn::plateau},
+    {"impact_percentile", Metric::impact_percentile, "1", MeasuredOn::impact},
 }};
 
 const MetricEntry& read_metric(const TomlTable& row) {
@@ -43,11 +54,23 @@ const MetricEntry& read_metric(const TomlTable& row) {
                        [&](const MetricEntry& entry) { return entry.name == name; });
 }
 
+bool is_of_impacts(const MetricEntry& metric) {
+  return metric.measured_on == MeasuredOn::impact || metric.measured_on == MeasuredOn::plateau;
+}
+
+std::vector<std::string> impact_names(const ImpactsDefinition& impacts) {
+  std::vector<std::string> names;
+  for (std::size_t n = 1; n <= impacts.times.size(); ++n)
+    names.push_back(fmt::format("impact_{}", n));
+  return names;
+}
+
 std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& quantity,
                                   const CaseDefinition& definition) {
   if (metric.measured_on == MeasuredOn::whole_window ||
-      metric.measured_on == MeasuredOn::own_series)
+      metric.measured_on == MeasuredOn::own_series || metric.measured_on == MeasuredOn::plateau)
     return {"whole"};
+  if (metric.measured_on == MeasuredOn::impact) return impact_names(definition.impacts.value());
   if (metric.measured_on == MeasuredOn::run_away)
     return has_modes(quantity) ? std::vector<std::string>{} : std::vector<std::string>{"whole"};
   if (!has_modes(quantity)) return {};
@@ -107,6 +130,12 @@ void read_bound(const TomlTable& row, const CaseDefinition& definition, GateRow&
   }
 }
 
+void refuse_reference(const TomlTable& row, const MetricEntry& metric, const char* measured_on) {
+  if (row.has("reference"))
+    row.refuse("reference",
+               fmt::format("no reference: {} is measured on {}", metric.name, measured_on));
+}
+
 void read_compared_series(const TomlTable& row, const MetricEntry& metric,
                           const CaseDefinition& definition, GateRow& gate_row) {
   gate_row.reference = row.choice("reference", "a run other than the candidate",
@@ -123,16 +152,28 @@ void read_compared_series(const TomlTable& row, const MetricEntry& metric,
 // run: the gate finds a wrong name or unit then, and compares nothing.
 void read_own_series(const TomlTable& row, const MetricEntry& metric,
                      const CaseDefinition& definition, GateRow& gate_row) {
-  if (row.has("reference")) {
-    row.refuse("reference",
-               fmt::format("no reference: {} is measured on the candidate alone", metric.name));
-  }
+  refuse_reference(row, metric, "the candidate alone");
   gate_row.quantity = row.get("quantity", any_text());
   const auto compared = compared_quantities(definition);
   gate_row.unit = std::find(compared.begin(), compared.end(), gate_row.quantity) == compared.end()
                       ? row.get("unit", any_text())
                       : row.choice("unit", fmt::format("the unit of {}", gate_row.quantity),
                                    {unit_of(gate_row.quantity)});
+}
+
+// The pressure at the gauge of the case's impacts, as it is or filtered.
+void read_impact_series(const TomlTable& row, const MetricEntry& metric,
+                        const CaseDefinition& definition, GateRow& gate_row) {
+  refuse_reference(row, metric, "the published impacts");
+  if (!definition.impacts)
+    row.refuse("metric", "a metric that needs no [impacts], which this case does not have");
+  std::vector<std::string> quantities;
+  for (const std::string& quantity : compared_quantities(definition)) {
+    const std::string pressure = "wall_pressure@" + definition.impacts->gauge;
+    if (quantity == pressure || quantity == pressure + "/filtered") quantities.push_back(quantity);
+  }
+  gate_row.quantity = row.choice("quantity", "the pressure at the gauge of [impacts]", quantities);
+  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
 }
 
 }  // namespace
@@ -146,12 +187,17 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.metric = metric.metric;
   if (metric.measured_on == MeasuredOn::own_series) {
     read_own_series(row, metric, definition, gate_row);
+  } else if (is_of_impacts(metric)) {
+    read_impact_series(row, metric, definition, gate_row);
   } else {
     read_compared_series(row, metric, definition, gate_row);
   }
   gate_row.mode = row.choice("mode", fmt::format("what {} is measured on", metric.name),
                              modes_of(metric, gate_row.quantity, definition));
   read_bound(row, definition, gate_row);
+  if (metric.metric == Metric::impact_percentile && !gate_row.between)
+    row.refuse_table("a row on impact_percentile",
+                     "lower with upper: neither end of the repeats is the better one");
   gate_row.reason = row.get("reason", any_text());
   gate_row.source = row.get("source", any_text());
   gate_row.where = row.where();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace slosh {
 
@@ -32,6 +33,14 @@ Rule<int> exactly(int only) {
 
 Rule<std::string> any_text() {
   return {"a text that is not empty", [](const std::string& text) { return !text.empty(); }};
+}
+
+Rule<std::string> path_below_experiments(std::string_view kind) {
+  return {fmt::format("{} path below the directory of the experiments", kind),
+          [](const std::string& text) {
+            const std::filesystem::path path = std::filesystem::path(text).lexically_normal();
+            return !text.empty() && path.is_relative() && *path.begin() != "..";
+          }};
 }
 
 Rule<std::string> file_safe_name() {

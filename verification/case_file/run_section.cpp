@@ -23,7 +23,9 @@ const std::vector<std::string> keys_of_sph{"scheme",
                                            "sound_speed_ratio",
                                            "courant_number",
                                            "artificial_viscosity",
-                                           "density_diffusion"};
+                                           "density_diffusion",
+                                           "start_disorder",
+                                           "start_seed"};
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
 const std::vector<std::string> keys_of_any_record{"uncertainty"};
@@ -51,6 +53,10 @@ const Rule<std::string> an_initial_state{
       return state == "lattice" || state == "settled" || state == "projected";
     }};
 
+// Beyond a fifth of a spacing particles come so near to one another that the start is a shock.
+const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
+                              [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
+
 SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
   run.allow_only(together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear,
                            keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
@@ -63,12 +69,18 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
       run.find<double>("surface_particle_spacing_m",
                        {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m", spacing),
                         [spacing](double value) { return value > 0 && value <= spacing; }});
+  const double disorder = run.find("start_disorder", a_disorder).value_or(0);
+  const auto seed = run.find("start_seed", at_least(0));
+  if (seed && !(disorder > 0))
+    run.refuse("start_seed", "no such key without start_disorder > 0: there is nothing to vary");
   return {.scheme = run.get("scheme", any_text()),
           .particle_spacing = spacing,
           .surface_particle_spacing = surface_spacing.value_or(spacing),
           .variant = run.find("variant", any_text()).value_or(""),
           .initial_state = run.find("initial_state", an_initial_state).value_or(""),
-          .numbers = read_numbers(run)};
+          .numbers = read_numbers(run),
+          .start_disorder = disorder,
+          .start_seed = seed.value_or(0)};
 }
 
 InterFoamRun read_interfoam(const TomlTable& run) {
@@ -128,12 +140,6 @@ Unit read_unit(const TomlTable& run, const std::string& quantity) {
                        [&](const Unit& unit) { return unit.name == name; });
 }
 
-const Rule<std::string> a_path_below{
-    "a CSV file's path below the directory of the experiments", [](const std::string& text) {
-      const std::filesystem::path path = std::filesystem::path(text).lexically_normal();
-      return !text.empty() && path.is_relative() && *path.begin() != "..";
-    }};
-
 // All that the case says is checked, be the record there or not.
 RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition,
                           const std::filesystem::path& experiments) {
@@ -144,13 +150,14 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
   const TimeColumns columns{run.get("time_column", any_text()), run.get("value_column", any_text()),
                             unit.name};
   const bool named = !experiments.empty();
-  RecordRun record{.file = (named ? experiments : "SLOSH_EXPERIMENTS") /
-                           std::filesystem::path(run.get("experiment", a_path_below)),
-                   .quantity = quantity,
-                   .unit = unit_of(quantity),
-                   .time = {},
-                   .value = {},
-                   .uncertainty = run.find("uncertainty", positive(unit.name))};
+  RecordRun record{
+      .file = (named ? experiments : "SLOSH_EXPERIMENTS") /
+              std::filesystem::path(run.get("experiment", path_below_experiments("a CSV file's"))),
+      .quantity = quantity,
+      .unit = unit_of(quantity),
+      .time = {},
+      .value = {},
+      .uncertainty = run.find("uncertainty", positive(unit.name))};
   if (record.uncertainty) *record.uncertainty *= unit.si;
   record.supplied = named && std::filesystem::is_regular_file(record.file);
   if (!record.supplied) return record;

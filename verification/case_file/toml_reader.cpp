@@ -144,6 +144,21 @@ std::vector<PlacedText> TomlTable::texts(std::string_view key,
   return values;
 }
 
+std::vector<double> TomlTable::numbers(std::string_view key, const Rule<double>& each) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node || !node->is_array()) refuse(key, "an array of numbers, each " + each.expected);
+  std::vector<double> values;
+  for (const toml::node& element : *node->as_array()) {
+    const auto value = converted<double>(element);
+    if (!value || !each.holds(*value)) {
+      throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(element),
+                                      content_->path, key, as_written(element), each.expected));
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
 std::vector<double> TomlTable::increasing_numbers(std::string_view key,
                                                   const Rule<double>& each) const {
   std::vector<double> values;

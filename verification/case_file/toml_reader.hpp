@@ -43,6 +43,7 @@ class TomlTable {
   std::string choice(std::string_view key, std::string_view expected,
                      const std::vector<std::string>& known) const;
   std::vector<PlacedText> texts(std::string_view key, const Rule<std::string>& each) const;
+  std::vector<double> numbers(std::string_view key, const Rule<double>& each) const;
   // Strictly increasing; empty when absent.
   std::vector<double> increasing_numbers(std::string_view key, const Rule<double>& each) const;
 

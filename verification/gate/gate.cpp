@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "verification/gate/impact_metrics.hpp"
+
 namespace slosh {
 namespace {
 
@@ -59,6 +61,9 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::aligned_rms:
       return {comparison.alignment.normalised_rms, 0};
     case Metric::largest_magnitude:
+    case Metric::impact_time:
+    case Metric::plateau_error:
+    case Metric::impact_percentile:
       break;  // of no comparison
   }
   throw std::logic_error("a metric without a value");
@@ -88,6 +93,10 @@ Estimate measure(const GateRow& row, const std::string& candidate, const GateEvi
     require_unit(row, series.unit);
     return {largest_magnitude(series), 0};
   }
+  if (is_of_impacts(row.metric)) {
+    require_unit(row, "Pa");
+    return {evidence.impacts(candidate, row), 0};
+  }
   const Comparison& comparison = evidence.comparison(candidate, row.reference, row.quantity);
   require_unit(row, comparison.unit);
   return metric_value(row.metric, row.mode, comparison);
@@ -110,7 +119,9 @@ struct Bound {
 // Written so that a value that is no number holds no bound.
 Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const GateEvidence& evidence) {
   const double value = estimate.value;
-  const std::string shown = with_interval(estimate, row.unit);
+  const std::string shown = is_of_impacts(row.metric) && std::isnan(value)
+                                ? "no impact"
+                                : with_interval(estimate, row.unit);
   if (row.limit) {
     const bool holds = std::abs(value) <= *row.limit;
     return {holds, fmt::format("{} {} {}", value < 0 ? "|" + shown + "|" : shown,
@@ -129,13 +140,17 @@ Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const GateE
                              with_interval(others, row.unit), other)};
 }
 
+bool needs_reference(Metric metric) {
+  return metric != Metric::largest_magnitude && !is_of_impacts(metric);
+}
+
 struct RoleInRow {
   std::string role, run;
 };
 
 std::vector<RoleInRow> runs_of(const GateRow& row) {
   std::vector<RoleInRow> runs{{"candidate", row.candidate}};
-  if (row.metric != Metric::largest_magnitude) runs.push_back({"reference", row.reference});
+  if (needs_reference(row.metric)) runs.push_back({"reference", row.reference});
   if (row.improves_on) runs.push_back({"run to improve on", *row.improves_on});
   return runs;
 }
@@ -179,6 +194,8 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const Estimate value = measure(row, row.candidate, evidence);
     const Bound bound = compare_to_bound(row, value, evidence);
     return {row, bound.holds ? Verdict::pass : Verdict::violated, value, bound.text};
+  } catch (const NotSuppliedError& error) {
+    return {row, Verdict::not_supplied, no_value, error.what()};
   } catch (const std::runtime_error&
                error) {  // ComparisonError and ResultError: there is nothing to compare
     return {row, Verdict::not_compared, no_value, error.what()};
@@ -253,6 +270,12 @@ std::string metric_name(Metric metric) {
       return "aligned_rms";
     case Metric::largest_magnitude:
       return "largest_magnitude";
+    case Metric::impact_time:
+      return "impact_time";
+    case Metric::plateau_error:
+      return "plateau_error";
+    case Metric::impact_percentile:
+      return "impact_percentile";
   }
   throw std::logic_error("a metric without a name");
 }
@@ -263,12 +286,15 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
     case Metric::frequency_error:
     case Metric::normalised_rms:
     case Metric::aligned_rms:
+    case Metric::plateau_error:
+    case Metric::impact_percentile:
       return "1";
     case Metric::phase_lag:
       return "deg";
     case Metric::decay_rate:
       return "1/s";
     case Metric::time_lag:
+    case Metric::impact_time:
       return "s";
     case Metric::maximum_residual:
     case Metric::largest_magnitude:

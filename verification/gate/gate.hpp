@@ -53,13 +53,19 @@ using FindComparison = std::function<const Comparison&(
 // long as the window; throws ComparisonError or ResultError where there is none.
 using FindSeries = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
 
+// Gives the row's impact_metric() of a run; throws as that does, and ResultError where the run has
+// no such series.
+using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
+
 // What rows are judged by.
 struct GateEvidence {
   FindComparison comparison;
   FindSeries series;  // for the metrics that need no reference
+  MeasureImpacts impacts = {};
 };
 
-// NaN never passes: every limit is tested as !(|value| <= limit).
+// NaN never passes: every limit is tested as !(|value| <= limit). An impact that does not come is
+// NaN, and violates; a row whose table of repeats is not supplied is not supplied.
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence);
 

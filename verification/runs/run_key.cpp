@@ -24,9 +24,11 @@ json description(const SphRun& run) {
   json numbers = json::object();
   for (const auto& [name, number] : sph_number_names)
     numbers[name] = number_or_null(run.numbers.*number);
-  return {{"sph",
-           {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant,
-            run.initial_state, numbers}}};
+  json asked = {{"sph",
+                 {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant,
+                  run.initial_state, numbers}}};
+  if (run.start_disorder > 0) asked["start"] = {run.start_disorder, run.start_seed};
+  return asked;
 }
 json description(const InterFoamRun& run) {
   return {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};

@@ -367,7 +367,8 @@ INSTANTIATE_TEST_SUITE_P(
                 {"amplitude_error", "amplitude_eror"},
                 "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
                 "amplitude_error, phase_lag, frequency_error, decay_rate, normalised_rms, "
-                "maximum_residual, time_lag, aligned_rms, largest_magnitude; nearest: "
+                "maximum_residual, time_lag, aligned_rms, largest_magnitude, impact_time, "
+                "plateau_error, impact_percentile; nearest: "
                 "amplitude_error"},
         Mistake{
             "TimeLagOfWhatSwings",

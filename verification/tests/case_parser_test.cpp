@@ -214,5 +214,36 @@ TEST(FindCase, NamesTheNearestOfTheShippedCases) {
   EXPECT_THROW(find_case("./li2010_small_amplitude.toml", cases), CaseFileError);
 }
 
+SphRun sph_of(const std::string& keys) {
+  return std::get<SphRun>(
+      read_text(edited({"quick = true\n", keys + "quick = true\n"})).runs.at(1).solver);
+}
+
+TEST(StartOfARun, MayBeDisorderedBySeed) {
+  const SphRun repeat = sph_of("start_disorder = 0.05\nstart_seed = 7\n");
+  EXPECT_EQ(repeat.start_disorder, 0.05);
+  EXPECT_EQ(repeat.start_seed, 7);
+  EXPECT_EQ(sph_of("").start_disorder, 0);
+  EXPECT_EQ(sph_of("start_disorder = 0.2\n").start_seed, 0);
+}
+
+TEST(StartOfARun, IsRefusedWhereItIsTooFarOrHasNothingToVary) {
+  const auto complaint_of = [](const std::string& keys) {
+    return complaint_about({"quick = true\n", keys + "quick = true\n"});
+  };
+  for (const char* value : {"-0.01", "0.21", "nan"}) {
+    const std::string message = complaint_of(std::string("start_disorder = ") + value + "\n");
+    EXPECT_TRUE(message.starts_with(std::string("trial.toml:46: run.start_disorder = ") + value +
+                                    ": expected a number >= 0 and <= 0.2, in particle spacings"))
+        << message;
+  }
+  EXPECT_TRUE(complaint_of("start_disorder = 0.1\nstart_seed = -1\n")
+                  .starts_with("trial.toml:47: run.start_seed = -1: expected an integer >= 0"));
+  for (const char* keys : {"start_seed = 1\n", "start_disorder = 0\nstart_seed = 1\n"})
+    EXPECT_NE(complaint_of(keys).find("run.start_seed = 1: expected no such key without "
+                                      "start_disorder > 0"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace slosh

@@ -1,5 +1,5 @@
 // Tables of peaks: read in pascal, or refused by their line; the published one by its statistics.
-#include "verification/metrics/peak_table.hpp"
+#include "verification/case_file/peak_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -146,6 +146,12 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
       keys.insert(key(definition, sample_run(changed)));
     }
   EXPECT_EQ(keys.size(), runs.size() + 2 * std::size(sph_number_names));
+  for (const auto& [disorder, seed] : {std::pair{0.05, 0}, {0.05, 1}, {0.1, 1}}) {
+    SphRun repeat{"li2010", 0.02, 0.02};
+    repeat.start_disorder = disorder;
+    repeat.start_seed = seed;
+    EXPECT_TRUE(keys.insert(key(definition, sample_run(repeat))).second) << disorder << " " << seed;
+  }
 }
 
 TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
@@ -153,6 +159,8 @@ TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
   definition.title = "another title";
   definition.window_begin = 1;
   definition.declared_forcing_frequency = 3.8;
+  definition.impacts.emplace();
+  definition.impacts->gauge = "B";
   definition.gate.push_back({});
   definition.text += "# a comment";
   RunDefinition run = sph;

@@ -1,4 +1,4 @@
-#include "verification/metrics/peak_table.hpp"
+#include "verification/case_file/peak_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/peak_table.hpp"
+
+namespace slosh {
+namespace {
+
+std::vector<std::string> pressure_gauge_names(const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    names.push_back(gauge.name);
+  return names;
+}
+
+// Each impact is sought a quarter of a period to both sides of its time (impact_peaks.hpp): what a
+// run leaves must reach as far, and no two may share a moment.
+std::vector<double> read_times(const TomlTable& impacts, double period, double duration) {
+  const double margin = period / 4;
+  const Rule<double> inside_the_run{
+      fmt::format("a number from {:.6g} to {:.6g}, in s: a quarter of the period inside the run",
+                  margin, duration - margin),
+      [=](double time) { return time >= margin && time <= duration - margin; }};
+  const std::vector<double> times = impacts.increasing_numbers("times_s", inside_the_run);
+  if (times.empty()) impacts.refuse("times_s", "an array of at least one number, in s");
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (!(times[i] - times[i - 1] >= 2 * margin))
+      impacts.refuse("times_s", fmt::format("numbers at least half a period ({:.6g}) apart, in s",
+                                            2 * margin));
+  return times;
+}
+
+std::vector<double> read_of_each_impact(const TomlTable& impacts, const char* key,
+                                        std::size_t count) {
+  std::vector<double> values = impacts.numbers(key, positive("Pa"));
+  if (values.size() != count)
+    impacts.refuse(key, fmt::format("as many numbers as times_s has, {}, in Pa", count));
+  return values;
+}
+
+void read_repeats(const TomlTable& impacts, const std::filesystem::path& experiments,
+                  ImpactsDefinition& read) {
+  const auto table = impacts.find("peak_table", path_below_experiments("a peak table's"));
+  if (!table) return;
+  const std::size_t most = PeakTable{}.impacts.size();
+  if (read.times.size() > most)
+    impacts.refuse("peak_table", fmt::format("no table, which holds {} impacts, beside {} times_s",
+                                             most, read.times.size()));
+  const bool named = !experiments.empty();
+  read.peak_table = (named ? experiments : "SLOSH_EXPERIMENTS") / std::filesystem::path(*table);
+  if (!named || !std::filesystem::is_regular_file(read.peak_table)) return;
+  const PeakTable peaks = read_peak_table(read.peak_table);
+  const auto used = static_cast<std::ptrdiff_t>(read.times.size());
+  read.repeats.assign(peaks.impacts.begin(), peaks.impacts.begin() + used);
+}
+
+}  // namespace
+
+ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
+                               const std::filesystem::path& experiments) {
+  impacts.allow_only({"gauge", "times_s", "period_s", "peaks_Pa", "peaks_sd_Pa", "plateau_begin_s",
+                      "plateau_end_s", "plateau_Pa", "peak_table", "source"});
+  ImpactsDefinition read{};
+  read.gauge = impacts.choice("gauge", "a pressure gauge", pressure_gauge_names(definition));
+  read.period = impacts.get("period_s", positive("s"));
+  read.times = read_times(impacts, read.period, definition.duration);
+  read.peak_means = read_of_each_impact(impacts, "peaks_Pa", read.times.size());
+  read.peak_deviations = read_of_each_impact(impacts, "peaks_sd_Pa", read.times.size());
+  read.plateau_begin = impacts.get("plateau_begin_s", not_negative("s"));
+  read.plateau_end = impacts.get<double>(
+      "plateau_end_s",
+      {fmt::format("a number above plateau_begin_s ({}) and <= the duration ({}), in s",
+                   read.plateau_begin, definition.duration),
+       [&](double end) { return end > read.plateau_begin && end <= definition.duration; }});
+  read.plateau = impacts.get("plateau_Pa", positive("Pa"));
+  read_repeats(impacts, experiments, read);
+  read.source = impacts.get("source", any_text());
+  return read;
+}
+
+}  // namespace slosh

@@ -1,0 +1,67 @@
+#include "verification/gate/impact_metrics.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace slosh {
+namespace {
+
+const ImpactsDefinition& published(const CaseDefinition& definition) {
+  if (definition.impacts) return *definition.impacts;
+  throw ComparisonError("the case " + definition.name + " says nothing of impacts");
+}
+
+// From 0, of "impact_1", "impact_2", ...
+std::size_t impact_number(const std::string& mode, const ImpactsDefinition& impacts) {
+  for (std::size_t n = 0; n < impacts.times.size(); ++n)
+    if (mode == fmt::format("impact_{}", n + 1)) return n;
+  throw ComparisonError("the case has no " + mode);
+}
+
+}  // namespace
+
+std::vector<std::optional<ImpactPeak>> impacts_in(const TimeSeries& pressure,
+                                                  const CaseDefinition& definition) {
+  const ImpactsDefinition& impacts = published(definition);
+  return impact_peaks(pressure, impact_windows(impacts.times, impacts.period),
+                      impact_threshold(definition.liquid.density, definition.gravity,
+                                       definition.liquid.fill_depth));
+}
+
+double plateau_error(const TimeSeries& pressure, const CaseDefinition& definition) {
+  const ImpactsDefinition& impacts = published(definition);
+  return plateau_mean(pressure, {impacts.plateau_begin, impacts.plateau_end}) / impacts.plateau - 1;
+}
+
+Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n) {
+  const ImpactsDefinition& impacts = published(definition);
+  if (impacts.repeats.empty())
+    throw NotSuppliedError(
+        "the table of the experiment's repeats is not supplied: " +
+        (impacts.peak_table.empty()
+             ? std::string("the case names none")
+             : fmt::format("expected {}, below the directory of --experiments or "
+                           "SLOSH_EXPERIMENTS; where to get the original: {}",
+                           impacts.peak_table.string(), impacts.source)));
+  return {fmt::format("repeats of impact {}", n + 1), impacts.repeats.at(n)};
+}
+
+bool is_of_impacts(Metric metric) {
+  return metric == Metric::impact_time || metric == Metric::plateau_error ||
+         metric == Metric::impact_percentile;
+}
+
+double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
+                     const CaseDefinition& definition) {
+  if (metric == Metric::plateau_error) return plateau_error(pressure, definition);
+  const ImpactsDefinition& impacts = published(definition);
+  const std::size_t n = impact_number(mode, impacts);
+  const std::optional<ImpactPeak> peak = impacts_in(pressure, definition).at(n);
+  if (metric == Metric::impact_time)
+    return peak ? peak->time - impacts.times[n] : std::numeric_limits<double>::quiet_NaN();
+  const Distribution repeats = repeated_peaks(definition, n);
+  return peak ? repeats.percentile(peak->pressure) / 100 : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace slosh

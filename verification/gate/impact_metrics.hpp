@@ -1,0 +1,44 @@
+// What sets a run's impacts apart from the published ones of its case: when each comes, how high
+// the plateau behind it is, and where its peak falls among the peaks of the experiment's repeats,
+// of which no two are alike. An impact's peak is sought within a quarter of the period of its
+// published time (impact_peaks.hpp); the whole history counts, not the comparison's window.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/metrics/distribution.hpp"
+#include "verification/metrics/impact_peaks.hpp"
+#include "verification/metrics/time_series.hpp"
+
+namespace slosh {
+
+// What a metric needs is not supplied: what() says what.
+struct NotSuppliedError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// All of them throw ComparisonError where the case says nothing of impacts.
+
+// One for each published time, none where that impact does not come. Throws ComparisonError as
+// impact_peaks() does.
+std::vector<std::optional<ImpactPeak>> impacts_in(const TimeSeries& pressure,
+                                                  const CaseDefinition& definition);
+
+// The run's mean over the published plateau's time, over the published value, less 1. Throws
+// ComparisonError as plateau_mean() does.
+double plateau_error(const TimeSeries& pressure, const CaseDefinition& definition);
+
+// The peaks of the repeats' n-th impact, n from 0 [Pa]. Throws NotSuppliedError.
+Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n);
+
+bool is_of_impacts(Metric metric);
+
+// In the metric's unit; NaN where the mode's impact does not come. Throws as those above.
+double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
+                     const CaseDefinition& definition);
+
+}  // namespace slosh

@@ -1,0 +1,154 @@
+// Gate rows on impacts: each holds of a run that does as the experiment and turns red on every way
+// in which a run can be wrong.
+#include "verification/gate/impact_metrics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "verification/gate/gate.hpp"
+#include "verification/tests/impact_results.hpp"
+
+namespace slosh {
+namespace {
+
+GateRow row_of(Metric metric, const std::string& mode) {
+  GateRow row{};
+  row.candidate = "particles";
+  row.quantity = impact_pressure;
+  row.mode = mode;
+  row.metric = metric;
+  row.unit = metric_unit(metric, "Pa");
+  if (metric == Metric::impact_percentile)
+    row.between = {0.05, 0.95};
+  else
+    row.limit = metric == Metric::impact_time ? 0.05 : 0.2;
+  return row;
+}
+
+GateOutcome judge(const GateRow& row, const TimeSeries& pressure,
+                  const CaseDefinition& definition = impact_case()) {
+  return evaluate(row, {{"particles", {RunState::finished, ""}}},
+                  {{}, {}, [&](const std::string& run, const GateRow& asked) {
+                     EXPECT_EQ(run, "particles");
+                     return impact_metric(asked.metric, asked.mode, pressure, definition);
+                   }});
+}
+
+std::vector<GateRow> all_rows() {
+  std::vector<GateRow> rows{row_of(Metric::plateau_error, "whole")};
+  for (int n = 1; n <= 4; ++n)
+    for (const Metric metric : {Metric::impact_time, Metric::impact_percentile})
+      rows.push_back(row_of(metric, "impact_" + std::to_string(n)));
+  return rows;
+}
+
+// How the rows of a metric are judged: all alike, or the test fails.
+Verdict verdict(Metric metric, const TimeSeries& pressure) {
+  std::optional<Verdict> common;
+  for (const GateRow& row : all_rows()) {
+    if (row.metric != metric) continue;
+    const GateOutcome outcome = judge(row, pressure);
+    EXPECT_TRUE(!common || *common == outcome.verdict) << row.mode << ": " << outcome.message;
+    common = outcome.verdict;
+  }
+  return common.value();
+}
+
+TEST(ImpactMetrics, HoldOfARunThatDoesAsTheExperiment) {
+  for (const GateRow& row : all_rows()) {
+    const GateOutcome outcome = judge(row, pressure_of({}));
+    EXPECT_EQ(outcome.verdict, Verdict::pass) << metric_name(row.metric) << outcome.message;
+  }
+}
+
+TEST(ImpactMetrics, AreWhatTheyAreDefinedAs) {
+  const TimeSeries pressure = pressure_of({.late = 0.012, .scale = 1.1});
+  const auto value = [&](Metric metric, const char* mode) {
+    return judge(row_of(metric, mode), pressure).value.value;
+  };
+  EXPECT_NEAR(value(Metric::impact_time, "impact_1"), 0.012, 1e-9);
+  EXPECT_NEAR(value(Metric::impact_time, "impact_4"), 0.012, 1e-9);
+  EXPECT_NEAR(value(Metric::plateau_error, "whole"), 0.1, 1e-6);
+  // 1.1 times the mean lies above the repeats of 0.5 + i / 39 <= 1.1, i = 0 ... 23, of 40.
+  EXPECT_DOUBLE_EQ(value(Metric::impact_percentile, "impact_2"), 24 / 40.0);
+  EXPECT_EQ(judge(row_of(Metric::impact_percentile, "impact_2"), pressure).message,
+            "60 % within 5 % .. 95 %");
+}
+
+TEST(ImpactMetrics, AreViolatedByARunThatIsLate) {
+  for (const double late : {0.06, -0.06})
+    EXPECT_EQ(verdict(Metric::impact_time, pressure_of({.late = late})), Verdict::violated);
+}
+
+TEST(ImpactMetrics, AreViolatedByAPressureThatIsScaled) {
+  for (const double scale : {0.4, 1.6}) {
+    const TimeSeries pressure = pressure_of({.scale = scale});
+    EXPECT_EQ(verdict(Metric::plateau_error, pressure), Verdict::violated);
+    EXPECT_EQ(verdict(Metric::impact_percentile, pressure), Verdict::violated);
+  }
+}
+
+TEST(ImpactMetrics, AreViolatedByAnImpactThatDoesNotCome) {
+  const TimeSeries pressure = pressure_of({.impacts = 2});
+  for (const Metric metric : {Metric::impact_time, Metric::impact_percentile}) {
+    EXPECT_EQ(judge(row_of(metric, "impact_2"), pressure).verdict, Verdict::pass);
+    for (const char* mode : {"impact_3", "impact_4"}) {
+      const GateOutcome outcome = judge(row_of(metric, mode), pressure);
+      EXPECT_EQ(outcome.verdict, Verdict::violated);
+      EXPECT_TRUE(std::isnan(outcome.value.value));
+      EXPECT_TRUE(outcome.message.starts_with("no impact is not ")) << outcome.message;
+    }
+  }
+}
+
+TEST(ImpactMetrics, AreOfNoPressureThatEndsEarlyOrHoldsANumberThatIsNone) {
+  TimeSeries poisoned = pressure_of({}), infinite = poisoned;
+  for (const double t : {2.4, 2.5, 4.1, 5.7, 7.3}) {
+    poisoned.value[static_cast<std::size_t>(t * 1000)] = std::numeric_limits<double>::quiet_NaN();
+    infinite.value[static_cast<std::size_t>(t * 1000)] = std::numeric_limits<double>::infinity();
+  }
+  for (const TimeSeries& pressure : {poisoned, infinite, pressure_of({.until = 2.5})})
+    for (const Metric metric :
+         {Metric::impact_time, Metric::plateau_error, Metric::impact_percentile})
+      EXPECT_EQ(verdict(metric, pressure), Verdict::not_compared);
+}
+
+TEST(ImpactMetrics, OnTheRepeatsAreNotSuppliedWithoutTheirTable) {
+  CaseDefinition definition = impact_case();
+  definition.impacts->repeats.clear();
+  const auto outcome = [&](Metric metric) {
+    return judge(row_of(metric, "impact_1"), pressure_of({}), definition);
+  };
+  EXPECT_EQ(outcome(Metric::impact_percentile).verdict, Verdict::not_supplied);
+  EXPECT_EQ(outcome(Metric::impact_percentile).message,
+            "the table of the experiment's repeats is not supplied: expected peaks.txt, below the "
+            "directory of --experiments or SLOSH_EXPERIMENTS; where to get the original: a paper");
+  EXPECT_EQ(outcome(Metric::impact_time).verdict, Verdict::pass);
+}
+
+TEST(ImpactMetrics, OfACaseWithoutImpactsAreNotCompared) {
+  CaseDefinition definition = impact_case();
+  definition.impacts.reset();
+  for (const GateRow& row : all_rows())
+    EXPECT_EQ(judge(row, pressure_of({}), definition).verdict, Verdict::not_compared);
+  EXPECT_EQ(judge(row_of(Metric::impact_time, "impact_5"), pressure_of({})).message,
+            "the case has no impact_5");
+}
+
+TEST(ImpactMetrics, FailWithTheirSolverAndNeedNoReference) {
+  EXPECT_EQ(evaluate(row_of(Metric::impact_time, "impact_1"),
+                     {{"particles", {RunState::failed, "diverged"}}}, {})
+                .verdict,
+            Verdict::solver_failed);
+}
+
+TEST(ImpactMetrics, AreNotJudgedByALimitInAnotherUnit) {
+  GateRow row = row_of(Metric::impact_time, "impact_1");
+  row.unit = "1";
+  EXPECT_EQ(judge(row, pressure_of({})).verdict, Verdict::not_compared);
+}
+
+}  // namespace
+}  // namespace slosh
