@@ -127,6 +127,7 @@ struct SphRun {
   // the seed decides: repeats of one run, as an experiment is repeated.
   double start_disorder = 0;
   int start_seed = 0;
+  bool energy_budget = false;  // record where the liquid's energy goes
 
   bool operator==(const SphRun&) const = default;
 };

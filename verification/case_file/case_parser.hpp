@@ -37,7 +37,8 @@
 //                 the scheme's numbers: smoothing_length_ratio?, sound_speed_ratio?,
 //                 courant_number?, artificial_viscosity?, density_diffusion?; start_disorder?
 //                 (each particle's start is shifted by up to this many spacings, at most 0.2) and
-//                 then start_seed? (an integer >= 0: of runs that repeat one another)
+//                 then start_seed? (an integer >= 0: of runs that repeat one another);
+//                 energy_budget? (records where the liquid's energy goes)
 //                 solver = "interfoam": cells_x, cells_z, processes?
 //                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
 //                 solver = "record": a published series, with uncertainty? (half width of its 95 %

@@ -25,7 +25,8 @@ const std::vector<std::string> keys_of_sph{"scheme",
                                            "artificial_viscosity",
                                            "density_diffusion",
                                            "start_disorder",
-                                           "start_seed"};
+                                           "start_seed",
+                                           "energy_budget"};
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
 const std::vector<std::string> keys_of_any_record{"uncertainty"};
@@ -80,7 +81,8 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
           .initial_state = run.find("initial_state", an_initial_state).value_or(""),
           .numbers = read_numbers(run),
           .start_disorder = disorder,
-          .start_seed = seed.value_or(0)};
+          .start_seed = seed.value_or(0),
+          .energy_budget = run.flag("energy_budget")};
 }
 
 InterFoamRun read_interfoam(const TomlTable& run) {

@@ -89,7 +89,8 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
   if (settings.snapshot_interval != 0 && !particles)
     throw refused(run, "snapshots: expected a run of the solver sph, no other has particles");
   if ((settings.state_interval != 0 || !settings.resume.empty()) && !particles)
-    throw refused(run, "states and resume: expected a run of the solver sph, no other saves states");
+    throw refused(run,
+                  "states and resume: expected a run of the solver sph, no other saves states");
   RunResult result = run_chosen_solver({definition, run, settings, progress});
   const RunCost counts = result.cost;
   result.cost = meter.cost();

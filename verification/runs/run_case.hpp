@@ -30,8 +30,8 @@ struct RunSettings {
   // directory (state_file.hpp); 0: never
   double state_interval = 0;
   std::filesystem::path resume;  // the state that an SPH run goes on from; empty: from the start
-  std::string key;      // run_key()'s, recorded
-  std::string command;  // repeats this run, recorded
+  std::string key;               // run_key()'s, recorded
+  std::string command;           // repeats this run, recorded
 };
 
 // Called now and then with the simulated time [s] and the steps so far.

@@ -27,6 +27,7 @@ json description(const SphRun& run) {
   json asked = {{"sph",
                  {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant,
                   run.initial_state, numbers}}};
+  if (run.energy_budget) asked["energy_budget"] = true;
   if (run.start_disorder > 0) asked["start"] = {run.start_disorder, run.start_seed};
   return asked;
 }

@@ -32,9 +32,9 @@ std::string_view unsealed(const SealedKind& kind, std::string_view bytes) {
   const std::string_view image = bytes.substr(0, bytes.size() - seal_length);
   const std::string_view found = bytes.substr(image.size());
   if (!found.starts_with(begin)) {
-    throw ResultError(fmt::format(
-        "not a whole {} file (it does not end with its checksum): truncated or foreign",
-        kind.name));
+    throw ResultError(
+        fmt::format("not a whole {} file (it does not end with its checksum): truncated or foreign",
+                    kind.name));
   }
   const std::string expected = seal(kind, image);
   const auto version = [&](std::string_view text) { return text.substr(begin.size(), 3); };

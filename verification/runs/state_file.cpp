@@ -27,7 +27,8 @@ void read_part(hid_t parent, const std::string& name, std::vector<double>& value
   values = hdf5::read_numbers(parent, name);
 }
 
-void write_part(hid_t parent, const std::string& name, const std::map<std::string, double>& numbers) {
+void write_part(hid_t parent, const std::string& name,
+                const std::map<std::string, double>& numbers) {
   const Handle group = hdf5::create_group(parent, name);
   for (const auto& [key, value] : numbers) hdf5::write_attribute(group, key, value);
 }
@@ -96,9 +97,10 @@ sph::SavedState read_state(const std::string& key, const std::filesystem::path& 
   read_sealed(kind, file, [&](hid_t root) {
     const std::string found = hdf5::read_text_attribute(root, "key");
     if (found != key)
-      throw ResultError(fmt::format("key = {}: expected {}, it is the state of another run, or of "
-                                    "this one by another build",
-                                    found, key));
+      throw ResultError(
+          fmt::format("key = {}: expected {}, it is the state of another run, or of "
+                      "this one by another build",
+                      found, key));
     sph::SavedState::for_each_part(
         state, [&](const char* name, auto& part) { read_part(root, name, part); });
   });

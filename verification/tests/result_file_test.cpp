@@ -31,7 +31,23 @@ RunResult sample_result() {
           .cost = {1.5, 2.25, 0.125, 1 << 20, 4000, 3500},
           .series = {{"elevation@right", "m", {0, 0.01, 0.02}, {0, 1e-3, -2.5e-3}},
                      {"pressure@left/0.1 m 5%", "Pa", {0, 0.5}, {1.0 / 3.0, 1e300}},
-                     {"empty", "1", {}, {}}}};
+                     {"empty", "1", {}, {}}},
+          .snapshots = {{.time = 0.5,
+                         .width = 0.01,
+                         .height = 0.02,
+                         .x = {0.1, 0.2},
+                         .z = {0.3, 0.4},
+                         .velocity_x = {-1, 1e-3},
+                         .velocity_z = {2, 0},
+                         .pressure = {1000, -1.0 / 3.0}},
+                        {.time = 1,
+                         .width = 0.01,
+                         .height = 0.02,
+                         .x = {},
+                         .z = {},
+                         .velocity_x = {},
+                         .velocity_z = {},
+                         .pressure = {}}}};
 }
 
 void expect_equal(const RunResult& a, const RunResult& b) {
@@ -55,6 +71,18 @@ void expect_equal(const RunResult& a, const RunResult& b) {
     EXPECT_EQ(a.series[i].unit, b.series[i].unit);
     EXPECT_EQ(a.series[i].time, b.series[i].time);
     EXPECT_EQ(a.series[i].value, b.series[i].value);
+  }
+  ASSERT_EQ(a.snapshots.size(), b.snapshots.size());
+  for (std::size_t i = 0; i < a.snapshots.size(); ++i) {
+    const FieldSnapshot &one = a.snapshots[i], &two = b.snapshots[i];
+    EXPECT_EQ(one.time, two.time);
+    EXPECT_EQ(one.width, two.width);
+    EXPECT_EQ(one.height, two.height);
+    EXPECT_EQ(one.x, two.x);
+    EXPECT_EQ(one.z, two.z);
+    EXPECT_EQ(one.velocity_x, two.velocity_x);
+    EXPECT_EQ(one.velocity_z, two.velocity_z);
+    EXPECT_EQ(one.pressure, two.pressure);
   }
 }
 

@@ -77,6 +77,75 @@ TEST(SolverTranslation, InterFoamFollowsLinearTheoryFromEitherStart) {
   expect_linear_theory(Start::tank, InterFoamRun{40, 80, 1});
 }
 
+// Roll about a point off the middle, ramped: pressures on either wall, force and moment as theory
+// has them, each less its mean (the weight's).
+void expect_linear_roll(const decltype(RunDefinition::solver)& solver) {
+  CaseDefinition definition = sample_case();
+  definition.motion.surge.reset();
+  definition.motion.roll = RollDefinition{
+      SineMotion{.amplitude = 0.02, .angular_frequency = 2.5, .ramp_periods = 0.5}, 0.4, 0.2};
+  definition.start = Start::tank;
+  definition.pressure_gauges = {
+      {.name = "low", .wall = Wall::left, .position = 0.1},
+      {.name = "wide", .wall = Wall::right, .position = 0.2, .width = 0.05}};
+  definition.snapshot_times = {1.0};
+  const RunResult exact =
+      run(definition, LinearRun{.modes = 500, .valid_elevation_over_depth = 0.1});
+  const RunResult result = run(definition, solver);
+  const auto swinging = [](TimeSeries series) {
+    std::erase_if(series.time, [](double t) { return t < impulse_end; });
+    series.value.erase(series.value.begin(),
+                       series.value.end() - static_cast<std::ptrdiff_t>(series.time.size()));
+    double mean = 0;
+    for (const double value : series.value)
+      mean += value / static_cast<double>(series.value.size());
+    for (double& value : series.value) value -= mean;
+    return series;
+  };
+  for (const char* name : {"elevation@left", "elevation@right", "wall_pressure@low",
+                           "wall_pressure@wide", "force_x", "moment"}) {
+    const double difference =
+        normalised_difference(swinging(result.at(name)), swinging(exact.at(name)), 0);
+    EXPECT_TRUE(difference <= allowed) << name << ": " << difference;
+  }
+  ASSERT_EQ(result.snapshots.size(), 1);
+  EXPECT_NEAR(result.snapshots[0].time, 1, 0.02);
+  EXPECT_NEAR(static_cast<double>(result.snapshots[0].x.size()) * result.snapshots[0].width *
+                  result.snapshots[0].height,
+              0.35, 0.02);
+}
+
+TEST(SolverTranslation, SphFollowsLinearRollTheory) {
+  expect_linear_roll(SphRun{"recommended", 0.025, 0.025});
+}
+
+TEST(SolverTranslation, InterFoamFollowsLinearRollTheory) {
+  if (openfoam::installed_version().empty()) GTEST_SKIP() << "interFoam is not installed";
+  expect_linear_roll(InterFoamRun{40, 80, 1});
+}
+
+TEST(SolverTranslation, LinearTheoryAddsSurgeAndRollOnStillWaterCountedOnce) {
+  CaseDefinition both = sample_case();
+  both.motion.roll =
+      RollDefinition{SineMotion{.amplitude = 0.02, .angular_frequency = 2.5}, 0.4, 0.2};
+  both.pressure_gauges = {{.name = "low", .wall = Wall::left, .position = 0.1}};
+  CaseDefinition surge = both, roll = both;
+  surge.motion.roll.reset();
+  roll.motion.surge.reset();
+  const LinearRun linear{.modes = 50, .valid_elevation_over_depth = 0.1};
+  const RunResult sum = run(both, linear), one = run(surge, linear), two = run(roll, linear);
+  const double still = 1000 * 9.81 * 0.25;
+  for (const std::size_t i : {1u, 40u, 77u}) {
+    EXPECT_NEAR(sum.at("elevation@left").value[i],
+                one.at("elevation@left").value[i] + two.at("elevation@left").value[i], 1e-12);
+    EXPECT_NEAR(sum.at("wall_pressure@low").value[i],
+                one.at("wall_pressure@low").value[i] + two.at("wall_pressure@low").value[i] - still,
+                1e-8);
+    EXPECT_NEAR(sum.at("force_x").value[i], one.at("force_x").value[i] + two.at("force_x").value[i],
+                1e-8);
+  }
+}
+
 TEST(SolverTranslation, InterFoamLeavesItsSeriesAndDiagnostics) {
   if (openfoam::installed_version().empty()) GTEST_SKIP() << "interFoam is not installed";
   CaseDefinition definition = sample_case();
