@@ -31,14 +31,15 @@ const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::st
 
 FieldPanel empty_tank(const CaseDefinition& definition, const std::string& run, double time) {
   FieldPanel panel;
-  panel.label = fmt::format("{}, t = {:.4g} s", run, time);
+  panel.label = fmt::format("{}, t = {:g} s", run, time);
   panel.tank_length = panel.point_width = definition.tank.length;
   panel.tank_height = panel.point_height = definition.tank.height;
   if (const auto roll = roll_motion(definition)) {
     panel.angle = roll->angle(time);
     panel.axis_x = roll->axis_x;
     panel.axis_z = roll->axis_z;
-    panel.label += fmt::format(", roll {:.2f}°", panel.angle / radians_per_degree);
+    const double degrees = panel.angle / radians_per_degree;
+    panel.label += fmt::format(", roll {}{:.2f}°", degrees < 0 ? "−" : "", std::abs(degrees));
   }
   return panel;
 }
@@ -75,8 +76,8 @@ FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<dou
                          const std::vector<std::string>& runs) {
   const CaseDefinition& definition = assessment.definition;
   FieldFigure figure;
-  figure.title = times.size() == 1 ? fmt::format("Pressure and velocity at {:.4g} s", times.front())
-                                   : fmt::format("Pressure and velocity from {:.4g} to {:.4g} s",
+  figure.title = times.size() == 1 ? fmt::format("Pressure and velocity at {:g} s", times.front())
+                                   : fmt::format("Pressure and velocity from {:g} to {:g} s",
                                                  times.front(), times.back());
   figure.caption = fmt::format(
       "A row is a moment, a column a run: the finest of each scheme and solver. The colour is the "

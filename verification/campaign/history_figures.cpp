@@ -22,8 +22,8 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity) {
   figure.id = definition.name + "-" + id_of(quantity);
   figure.title = shown.title;
   figure.caption = "Time history: the references and the finest run of each scheme and solver. " +
-                   shown.sampling + (shown.sampling.empty() ? "" : " ") +
-                   who_is_who(definition, runs) + " " + definition.source + ".";
+                   measured_how(shown, definition, runs) + who_is_who(definition, runs) + " " +
+                   definition.source + ".";
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
   figure.x_range = {0, definition.duration};
@@ -36,16 +36,18 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity) {
 Figure highest_surface(const CaseAssessment& assessment, const std::string& quantity) {
   Figure figure = history(assessment, quantity);
   const CaseDefinition& definition = assessment.definition;
-  const double period_share = forcing_frequency(definition) / (2 * std::numbers::pi);
-  if (!(period_share > 0)) return figure;
+  const double frequency = forcing_frequency(definition) / (2 * std::numbers::pi);
+  if (!(frequency > 0)) return figure;
+  figure.caption =
+      fmt::format("h = {:.4g} m, T = {:.4g} s. ", definition.liquid.fill_depth, 1 / frequency) +
+      figure.caption;
   figure.x_label = "time over the forcing period, t/T [1]";
   figure.y_label = "highest surface over the still depth, η/h [1]";
-  figure.x_range.second *= period_share;
+  figure.x_range.second *= frequency;
   figure.curves.clear();
   for (const std::string& run : finest_runs(assessment, quantity))
-    figure.curves.push_back(
-        history_curve(assessment, run, quantity,
-                      {.time = period_share, .value = 1 / definition.liquid.fill_depth}));
+    figure.curves.push_back(history_curve(
+        assessment, run, quantity, {.time = frequency, .value = 1 / definition.liquid.fill_depth}));
   return figure;
 }
 

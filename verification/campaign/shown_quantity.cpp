@@ -1,12 +1,13 @@
 #include "verification/campaign/shown_quantity.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
-#include <vector>
+#include <string_view>
 
-#include "verification/case_file/quantities.hpp"
+#include "verification/campaign/case_assessment.hpp"
 #include "verification/metrics/low_pass_filter.hpp"
 
 namespace slosh {
@@ -29,43 +30,56 @@ std::string wall_text(const PressureGaugeDefinition& gauge) {
                      gauge.wall == Wall::left ? "left" : "right", gauge.position);
 }
 
+std::string sampled(const CaseDefinition& definition) {
+  return fmt::format("Solvers and theory are sampled every {:.3g} s, at that instant",
+                     definition.sample_interval);
+}
+
 ShownQuantity pressure(const CaseDefinition& definition, const std::string& name,
                        bool is_filtered) {
   const PressureGaugeDefinition& gauge = gauge_named(definition.pressure_gauges, name);
   const std::string state = is_filtered ? ", filtered" : gauge.filter_cutoff ? ", unfiltered" : "";
-  const std::string sensor =
-      gauge.width > 0 ? fmt::format("the mean over the sensor, {:.3g} mm wide", 1000 * gauge.width)
-                      : "at a point";
-  const std::string filter =
-      is_filtered ? "low-pass filter, the same for all: " + low_pass_name(*gauge.filter_cutoff)
-                  : "unfiltered";
-  return {"Pressure " + wall_text(gauge) + state, "pressure", "Pa", 1,
-          fmt::format("Above the gas's pressure, {}. SPH: the kernel mean over three spacings, "
-                      "carried to the wall by its pressure gradient; interFoam: interpolated "
-                      "between the wall's faces, less the gas's mean. Solvers and theory are "
-                      "sampled every {:.3g} s, at that instant; {}.",
-                      sensor, definition.sample_interval, filter)};
+  return {
+      .title = "Pressure " + wall_text(gauge) + state,
+      .word = "pressure",
+      .unit = "Pa",
+      .scale = 1,
+      .what = "Above the gas's pressure, " +
+              (gauge.width > 0 ? fmt::format("the mean over a sensor of {:.3g} mm along the wall.",
+                                             1000 * gauge.width)
+                               : "at a point."),
+      .sph = "the kernel's mean over three spacings, carried to the wall by its pressure gradient",
+      .interfoam = "interpolated between the wall's faces, less the gas's mean",
+      .theory = {},
+      .recorded = sampled(definition) + (is_filtered ? "; then one low-pass filter for all: " +
+                                                           low_pass_name(*gauge.filter_cutoff) + "."
+                                                     : ", and not filtered.")};
 }
 
-ShownQuantity force(const std::string& title, const char* word, const char* unit,
-                    const std::string& what) {
-  return {title, word, unit, 1,
-          what +
-              " SPH: the reaction to what the walls give the particles; interFoam: liquid and "
-              "gas on the walls and obstacles; theory: its pressure on the walls and the bottom "
-              "up to the still surface."};
+ShownQuantity load(const CaseDefinition& definition, const std::string& title, const char* word,
+                   const char* unit, const std::string& what) {
+  return {.title = title,
+          .word = word,
+          .unit = unit,
+          .scale = 1,
+          .what = what,
+          .sph = "the reaction to what the walls give the particles",
+          .interfoam = "that of liquid and gas on walls and obstacles",
+          .theory = "the liquid's pressure on the walls and the bottom up to the still surface",
+          .recorded = sampled(definition) + ", and not filtered."};
 }
 
-ShownQuantity ungauged(const std::string& quantity) {
+ShownQuantity ungauged(const CaseDefinition& definition, const std::string& quantity) {
   const std::string along = "On the tank, per metre of width, along the tank's axes.";
   if (quantity == "front_position")
-    return {"Front of the breaking dam, from the left wall", "front position", "mm", 1000, ""};
-  if (quantity == "force_x") return force("Force along the tank's bottom", "force x", "N/m", along);
+    return {"Front of the breaking dam, from the left wall", "front position", "mm", 1000};
+  if (quantity == "force_x")
+    return load(definition, "Force along the tank's bottom", "force x", "N/m", along);
   if (quantity == "force_z")
-    return force("Force normal to the tank's bottom", "force z", "N/m", along);
+    return load(definition, "Force normal to the tank's bottom", "force z", "N/m", along);
   if (quantity == "moment")
-    return force("Moment about the roll's axis", "moment", "N",
-                 "On the tank, per metre of width, counter-clockwise.");
+    return load(definition, "Moment about the roll's axis", "moment", "N",
+                "On the tank, per metre of width, counter-clockwise.");
   const bool horizontal = quantity == "momentum_x";
   if (!horizontal && quantity != "momentum_z")
     throw std::invalid_argument("no figure shows " + quantity);
@@ -74,29 +88,57 @@ ShownQuantity ungauged(const std::string& quantity) {
           "Of the liquid against the earth, along the earth's axes, per metre of width."};
 }
 
+ShownQuantity surface(const std::string& kind, double x) {
+  if (kind == "elevation")
+    return {.title = fmt::format("Surface elevation {:.3g} m from the left wall", x),
+            .word = "elevation",
+            .unit = "mm",
+            .scale = 1000,
+            .sph =
+                "the depth of liquid over the gauge, drops and overturning jets included, less the "
+                "still depth",
+            .interfoam = "the filling of the column of cells at the gauge, less the still depth"};
+  return {.title = fmt::format("Highest surface {:.3g} m from the left wall", x),
+          .word = "highest surface",
+          .unit = "mm",
+          .scale = 1000,
+          .what = "Of whatever is wet over the gauge, above the still level.",
+          .sph = "the upper edge of the highest particle within a spacing",
+          .interfoam = "the highest place of the column where a cell is half full"};
+}
+
 }  // namespace
 
 ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string& quantity) {
   const std::size_t at = quantity.find('@');
-  if (at == quantity.npos) return ungauged(quantity);
+  if (at == quantity.npos) return ungauged(definition, quantity);
   const std::string kind = quantity.substr(0, at);
   std::string gauge = quantity.substr(at + 1);
-  if (kind == "wall_pressure") {
-    const bool is_filtered = gauge.ends_with(filtered);
-    if (is_filtered) gauge.resize(gauge.size() - filtered.size());
-    return pressure(definition, gauge, is_filtered);
-  }
-  const double x = gauge_named(definition.gauges, gauge).x;
-  if (kind == "elevation")
-    return {fmt::format("Surface elevation {:.3g} m from the left wall", x), "elevation", "mm",
-            1000,
-            "SPH and interFoam: the depth of liquid over the gauge, drops and overturning jets "
-            "included, less the still depth."};
-  return {fmt::format("Highest surface {:.3g} m from the left wall", x), "highest surface", "mm",
-          1000,
-          "The highest liquid over the gauge, spray included, above the still level. SPH: the "
-          "upper edge of the highest particle within a spacing; interFoam: the highest place of "
-          "the column where a cell is half full."};
+  if (kind != "wall_pressure") return surface(kind, gauge_named(definition.gauges, gauge).x);
+  const bool is_filtered = gauge.ends_with(filtered);
+  if (is_filtered) gauge.resize(gauge.size() - filtered.size());
+  return pressure(definition, gauge, is_filtered);
+}
+
+std::string measured_how(const ShownQuantity& shown, const CaseDefinition& definition,
+                         const std::vector<std::string>& runs) {
+  const auto any = [&](auto is) {
+    return std::any_of(runs.begin(), runs.end(), [&](const std::string& run) {
+      return is(run_named(definition, run).solver);
+    });
+  };
+  std::vector<std::string> ways;
+  const auto add = [&](const char* who, const std::string& way, bool is_shown) {
+    if (is_shown && !way.empty()) ways.push_back(who + way);
+  };
+  add("SPH: ", shown.sph, any([](const auto& one) { return std::holds_alternative<SphRun>(one); }));
+  add("interFoam: ", shown.interfoam,
+      any([](const auto& one) { return std::holds_alternative<InterFoamRun>(one); }));
+  add("theory: ", shown.theory,
+      any([](const auto& one) { return std::holds_alternative<LinearRun>(one); }));
+  std::string text = shown.what.empty() ? "" : shown.what + " ";
+  if (!ways.empty()) text += fmt::format("{}. ", fmt::join(ways, "; "));
+  return text + (shown.recorded.empty() ? "" : shown.recorded + " ");
 }
 
 std::string id_of(const std::string& quantity) {

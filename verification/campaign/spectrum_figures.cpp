@@ -25,8 +25,9 @@ std::optional<Spectrum> spectrum_of(const CaseAssessment& assessment, const std:
                                     const std::string& quantity) try {
   const CaseDefinition& definition = assessment.definition;
   const TimeSeries& series = assessment.runs.results.at(run).at(quantity);
-  require_variation(series);
-  return power_spectrum(series, {definition.window_begin, definition.window_end});
+  const TimeWindow window{definition.window_begin, definition.window_end};
+  require_variation(cut_to_window(series, window));
+  return power_spectrum(series, window);
 } catch (const ComparisonError&) {
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -44,10 +45,12 @@ Common common(SphRun sph, Studied studied) {
           sph.surface_particle_spacing / sph.particle_spacing};
 }
 
-// What sets a run apart from the others of its study.
+// What sets a run apart from the others of its study; infinite for the scheme's own Courant number,
+// so that it comes first.
 double value_of(const SphRun& sph, Studied studied) {
-  return studied == Studied::spacing ? sph.particle_spacing
-                                     : sph.numbers.courant_number.value_or(0);
+  return studied == Studied::spacing
+             ? sph.particle_spacing
+             : sph.numbers.courant_number.value_or(std::numeric_limits<double>::infinity());
 }
 
 std::string value_text(const SphRun& sph, Studied studied) {
@@ -109,27 +112,23 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
                     const Study& runs) {
   const CaseDefinition& definition = assessment.definition;
   const ShownQuantity shown = shown_quantity(definition, quantity);
-  const SphRun& first = std::get<SphRun>(runs.front()->solver);
-  const std::string shared = shared_text(common(first, studied));
-  const std::vector<std::string> recorded = records(assessment, quantity);
+  std::vector<std::string> names = records(assessment, quantity);
+  const std::size_t recorded = names.size();
+  for (const RunDefinition* run : runs) names.push_back(run->name);
   Figure figure;
-  figure.caption =
-      fmt::format("{}. Runs of the scheme {} that differ in their {} alone{}. {}{}{}", shown.title,
-                  first.scheme, studied == Studied::time_step ? "time step" : "particle spacing",
-                  shared.empty() ? "" : " (all: " + shared + ")", shown.sampling,
-                  recorded.empty() || shown.sampling.empty() ? "" : " ",
-                  recorded.empty() ? "" : who_is_who(definition, recorded));
+  figure.caption = fmt::format(
+      "{}. Runs of one scheme that differ in their {} alone. {}{} {}.", shown.title,
+      studied == Studied::time_step ? "time step" : "particle spacing",
+      measured_how(shown, definition, names), who_is_who(definition, names), definition.source);
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
   figure.x_range = {0, definition.duration};
   const AxisScales scales{.value = shown.scale};
-  for (const std::string& record : recorded)
-    figure.curves.push_back(history_curve(assessment, record, quantity, scales));
-  for (const RunDefinition* run : runs) {
-    figure.curves.push_back(history_curve(assessment, run->name, quantity, scales));
-    figure.curves.back().label =
-        value_text(std::get<SphRun>(run->solver), studied) + " (" + run->name + ")";
-  }
+  for (const std::string& name : names)
+    figure.curves.push_back(history_curve(assessment, name, quantity, scales));
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    figure.curves[recorded + i].label = fmt::format(
+        "{} ({})", value_text(std::get<SphRun>(runs[i]->solver), studied), runs[i]->name);
   return figure;
 }
 
