@@ -99,6 +99,7 @@ Section case_section(const CaseAssessment& assessment) {
   for (const std::string& pair : assessment.not_comparable)
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
+  section.fields = case_fields(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
   if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
   if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));

@@ -8,9 +8,13 @@
 
 namespace slosh {
 
-// Time history of the case's first quantity (as figures 1 to 3 of Li et al. 2010), residuals with
-// the tolerance band, spectra with the predicted frequencies, error against run time. A figure for
-// which no run stands is left out.
+// The tank's roll; histories of all that was compared (as figures 1 to 3, 5 and 6 of Li et al.
+// 2010); residuals with the tolerance band; spectra with the predicted frequencies (figure 7
+// there); studies of time step and spacing (figures 10 and 11 of Zhao et al. 2021); energy budgets;
+// error against run time, the last. A figure for which no run stands is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
+
+// Pressure and velocity at the case's snapshot times: a row a moment, a column a solver or scheme.
+std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);
 
 }  // namespace slosh

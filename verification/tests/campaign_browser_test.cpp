@@ -32,9 +32,12 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
     EXPECT_EQ(page.at("table_rows").at("table-gate"), results.at("cases").at(0).at("gate").size());
     EXPECT_EQ(page.at("table_rows").at("table-small-cost-table"), 2);  // theory and particles
     EXPECT_EQ(page.at("drawings"), files_in(report() / "figures"));
-    EXPECT_EQ(page.at("drawings"), 4);  // history, residual, spectrum, error against run time
+    // History, residual, two forces, two momenta, highest surface, two spectra, error against run
+    // time.
+    EXPECT_EQ(page.at("drawings"), 10);
     EXPECT_GE(page.at("smallest_drawing"), 100);
-    EXPECT_GE(page.at("drawn_curves"), 5);  // two, one and two, and the fourth a single point
+    // Theory's elevation, its spectrum and its force beside all of the particles'.
+    EXPECT_GE(page.at("drawn_curves"), 12);
     EXPECT_LE(page.at("scroll_width"), page.at("width"));
     EXPECT_EQ(page.at("repeated_ids"), 0);
     EXPECT_EQ(page.at("broken_links"), 0);

@@ -1,0 +1,47 @@
+// Which runs of a case a figure shows, how each is drawn, and what captions call it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/report_model.hpp"
+#include "verification/campaign/case_assessment.hpp"
+
+namespace slosh {
+
+// SPH by its scheme, the others by their kind: the runs of a family differ in resolution alone.
+std::string family(const RunDefinition& run);
+
+// Grows with the resolution; comparable within a family.
+double resolution(const RunDefinition& run);
+
+// Whether an SPH run has something of its scheme changed.
+bool is_changed(const RunDefinition& run);
+
+// Of each family the finest run that left a result with `has`, in the order of the case file; one
+// that changes something of its scheme only where the family has no other, then the one that
+// changes least.
+std::vector<std::string> finest_runs(const CaseAssessment& assessment,
+                                     const std::function<bool(const RunResult&)>& has);
+
+// Of those that left the series.
+std::vector<std::string> finest_runs(const CaseAssessment& assessment, const std::string& quantity);
+
+// The run's name, and that it is out of its range where it is.
+std::string run_label(const CaseAssessment& assessment, const std::string& run);
+
+// From the series' units to a figure's.
+struct AxisScales {
+  double time = 1, value = 1;
+};
+
+// A record as points with its uncertainty, anything else as a line. The run left the series.
+reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
+                             const std::string& quantity, const AxisScales& scales);
+
+// "recommended_10mm: SPH, scheme recommended, 10 mm; ..." and, of records with an uncertainty, what
+// their bars are; ends in a full stop.
+std::string who_is_who(const CaseDefinition& definition, const std::vector<std::string>& runs);
+
+}  // namespace slosh
