@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -82,6 +83,20 @@ void stir(Particles& p, double middle, double distance) {
     const double a = 12.9898 * column + 78.233 * row, b = 39.425 * column + 11.135 * row;
     p.x[i] += side * distance * std::sin(a * a);
     p.z[i] += distance * std::sin(b * b);
+  }
+}
+
+void scatter(Particles& p, double share, unsigned seed) {
+  if (!(share >= 0 && share <= largest_disorder))
+    throw std::invalid_argument(
+        fmt::format("start_disorder = {}: expected a share of the particle spacing from 0 to {}",
+                    share, largest_disorder));
+  std::mt19937 random(seed);
+  // Not by a distribution of the standard library, whose numbers are each implementation's own.
+  const auto from_minus_one_to_one = [&] { return random() / 2147483647.5 - 1.0; };
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.x[i] += share * p.spacing_of(i) * from_minus_one_to_one();
+    p.z[i] += share * p.spacing_of(i) * from_minus_one_to_one();
   }
 }
 

@@ -241,12 +241,21 @@ void require_initial_state(const Scene& scene) {
         "settles");
 }
 
+// In the scheme's frame, before any preparation.
+template <class Choice>
+Particles start_lattice(const Scene& scene, const Scheme<Choice>& scheme) {
+  require_initial_state<Choice>(scene);
+  Particles lattice =
+      initial_lattice(scene, [&](double pressure) { return scheme.state.density(pressure); });
+  scatter(lattice, scene.start_disorder, scene.start_seed);
+  enter<typename Choice::Frame>(scene, lattice);
+  return lattice;
+}
+
 template <class Choice>
 Particles initial_state(const Scene& scene, const Scheme<Choice>& scheme) {
-  require_initial_state<Choice>(scene);
   const auto density_at = [&](double pressure) { return scheme.state.density(pressure); };
-  Particles lattice = initial_lattice(scene, density_at);
-  enter<typename Choice::Frame>(scene, lattice);
+  Particles lattice = start_lattice(scene, scheme);
   if (scene.duration == 0) return lattice;
   const InitialState wanted = chosen_state<Choice>(scene);
   if (wanted == InitialState::settled) return settled<Choice>(scene, scheme, lattice);

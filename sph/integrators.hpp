@@ -1,10 +1,11 @@
 // Time integration. An integrator advances a Liquid (liquid.hpp) by dt through its two right-hand
 // sides: liquid.accelerate(t) and liquid.compress(t) evaluate dv/dt and drho/dt with the walls of
 // time t. `advances_solids`: whether the density of dynamic
-// boundary particles is carried too. liquid.kick, drift and densify add dt times the rates to
-// velocities, positions and densities; kick_and_drift and densify_and_drift do two of them in one
-// pass over the memory. The neighbour search is renewed, and the particles thereby reordered, only
-// at the start of a step.
+// boundary particles is carried too; `carries_earlier_state`: whether the particles of a step
+// earlier are; for_each_number tells what else is kept from step to step. liquid.kick, drift and
+// densify add dt times the rates to velocities, positions and densities; kick_and_drift and
+// densify_and_drift do two of them in one pass over the memory. The neighbour search is renewed,
+// and the particles thereby reordered, only at the start of a step.
 #pragma once
 
 #include <cstddef>
@@ -24,9 +25,13 @@ inline void add_scaled(Array<double>& y, double dt, const Array<double>& rate) {
 // a calm lattice.
 struct StaggeredLeapfrog {
   static constexpr const char* name = "staggered leapfrog";
-  static constexpr bool advances_solids = true;
+  static constexpr bool advances_solids = true, carries_earlier_state = false;
   double previous_dt = 0;
 
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    visit("previous_time_step", previous_dt);
+  }
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
     liquid.renew_neighbours(dt);
@@ -66,8 +71,10 @@ void move_from_start(Liquid& liquid, double dt) {
 // Predictor-corrector by the midpoint (Monaghan 1989; Li et al. 2010).
 struct PredictorCorrector {
   static constexpr const char* name = "predictor-corrector";
-  static constexpr bool advances_solids = true;
+  static constexpr bool advances_solids = true, carries_earlier_state = false;
 
+  template <class Visit>
+  void for_each_number(const Visit&) {}
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
     evaluate_midpoint(liquid, dt);
@@ -81,8 +88,10 @@ struct PredictorCorrector {
 // turn negative, rho_new = rho (2 + e) / (2 - e), e = dt drho/dt / rho at the middle.
 struct Symplectic {
   static constexpr const char* name = "symplectic, two evaluations";
-  static constexpr bool advances_solids = false;
+  static constexpr bool advances_solids = false, carries_earlier_state = false;
 
+  template <class Visit>
+  void for_each_number(const Visit&) {}
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
     evaluate_midpoint(liquid, dt);
@@ -98,10 +107,15 @@ struct Symplectic {
 // from those before the last step, with an Euler step every 40 to keep the two families together.
 struct Verlet {
   static constexpr const char* name = "Verlet, one evaluation";
-  static constexpr bool advances_solids = false;
+  static constexpr bool advances_solids = false, carries_earlier_state = true;
   double previous_dt = 0;
   int since_euler = 0;
 
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    visit("previous_time_step", previous_dt);
+    visit("steps_since_euler", since_euler);
+  }
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
     liquid.renew_neighbours(dt);
@@ -109,11 +123,7 @@ struct Verlet {
     liquid.compress(liquid.time);
     Particles& p = liquid.particles;
     const bool euler = since_euler == 0;
-    if (euler) {
-      p.earlier_velocity_x = p.velocity_x;
-      p.earlier_velocity_z = p.velocity_z;
-      p.earlier_density = p.density;
-    }
+    if (euler) p.make_earlier_state();
     liquid.drift(dt);
     add_scaled(p.x, 0.5 * dt * dt, liquid.rates.acceleration_x);
     add_scaled(p.z, 0.5 * dt * dt, liquid.rates.acceleration_z);

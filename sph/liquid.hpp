@@ -14,6 +14,7 @@
 #include "sph/stability_guard.hpp"
 #include "sph/terms/kernels.hpp"
 #include "sph/terms/particle_shifting.hpp"
+#include "sph/wall_power.hpp"
 
 namespace slosh::sph {
 
@@ -53,21 +54,18 @@ class Liquid {
 
   void accelerate(double t) {
     const auto tank = tank_at(t);
-    neighbours_.refresh_for_momentum(scheme_, particles, tank);
-    solids_.refresh_for_momentum(scheme_, neighbours_, tank, instructions_);
-    sum_momentum(scheme_, tank, neighbours_.clusters(), neighbours_.sources(), particles, rates,
-                 instructions_);
-    scheme_.wall_contact.push(particles, tank, rates);
+    accelerate(scheme_, tank, rates);
+    if (keeps_wall_power_) wall_power_ = power_of_walls(rates, t);
   }
+  void compress(double t) { compress(scheme_, tank_at(t), rates); }
 
-  void compress(double t) {
-    const auto tank = tank_at(t);
-    neighbours_.refresh_for_continuity(scheme_, particles, tank);
-    solids_.refresh_for_continuity(scheme_, neighbours_, tank, instructions_);
-    if constexpr (Scheme::DensityDiffusion::reads_gradient)
-      sum_density_gradient(scheme_, neighbours_, particles, tank, gradient_, instructions_);
-    sum_continuity(scheme_, tank, neighbours_.clusters(), neighbours_.sources(), gradient_,
-                   particles, rates, instructions_);
+  // Fills in the rates of the present state by the numbers of `scheme`; the liquid goes on as if
+  // that had not been asked.
+  void evaluate(const Scheme& scheme, Rates& result) {
+    const auto tank = tank_at(time);
+    result.resize(particles.size());
+    accelerate(scheme, tank, result);
+    compress(scheme, tank, result);
   }
 
   void kick(double dt) {
@@ -125,15 +123,55 @@ class Liquid {
     add_scaled(particles.z, 1, shifts_.z);
   }
 
+  // What the next step reads beside the time, by names: visit(name, value).
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    visit("exchanged_at_walls", exchanged_at_walls_);
+  }
+  template <class Visit>
+  void for_each_saved_field(const Visit& visit) {
+    particles.for_each_named_field(visit);
+    visit("acceleration_x", rates.acceleration_x);
+    visit("acceleration_z", rates.acceleration_z);
+    if constexpr (Scheme::Solids::has_density) visit("solid_density", solids_.density());
+  }
+  // The next step sorts and lists anew.
+  void forget_neighbours() { neighbours_.forget(); }
+
   // Of the pair loops; the processor's widest, if nothing else is asked for.
   void use(InstructionSet set) { instructions_ = set; }
 
   const Scheme& scheme() const { return scheme_; }
   const NeighbourSources& neighbours() const { return neighbours_; }
+  const typename Scheme::Solids& solids() const { return solids_; }
+  // The walls' power on the liquid, whose accelerations at that time are given.
+  PowerAt power_of_walls(const Rates& of, double t) const {
+    return {t, slosh::sph::power_of_walls(particles, of, tank_at(t), TankMotion(scene_, t),
+                                          scene_.gravity)};
+  }
+  // From the next acceleration on: the walls' power on the liquid where the last one was taken.
+  void keep_wall_power() { keeps_wall_power_ = true; }
+  const PowerAt& wall_power() const { return wall_power_; }
   // How often a particle that had crossed a wall was put back.
   std::size_t exchanged_at_walls() const { return exchanged_at_walls_; }
 
  private:
+  void accelerate(const Scheme& scheme, const Tank<Scheme>& tank, Rates& result) {
+    neighbours_.refresh_for_momentum(scheme, particles, tank);
+    solids_.refresh_for_momentum(scheme, neighbours_, tank, instructions_);
+    sum_momentum(scheme, tank, neighbours_.clusters(), neighbours_.sources(), particles, result,
+                 instructions_);
+    scheme.wall_contact.push(particles, tank, result);
+  }
+  void compress(const Scheme& scheme, const Tank<Scheme>& tank, Rates& result) {
+    neighbours_.refresh_for_continuity(scheme, particles, tank);
+    solids_.refresh_for_continuity(scheme, neighbours_, tank, instructions_);
+    if constexpr (Scheme::DensityDiffusion::reads_gradient)
+      sum_density_gradient(scheme, neighbours_, particles, tank, gradient_, instructions_);
+    sum_continuity(scheme, tank, neighbours_.clusters(), neighbours_.sources(), gradient_,
+                   particles, result, instructions_);
+  }
+
   // Of a scheme of one spacing all particles have the same, and it is kept once.
   static Particles held_particles(Particles p) {
     if (Scheme::Smoothing::reads_spacing || p.spacing.empty()) return p;
@@ -158,6 +196,8 @@ class Liquid {
   Particles saved_;
   Array<double> saved_solid_density_;
   std::size_t exchanged_at_walls_ = 0;
+  bool keeps_wall_power_ = false;
+  PowerAt wall_power_ = {};
   InstructionSet instructions_ = widest_instruction_set();
 };
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "sph/energy_budget.hpp"
 #include "sph/free_surface_gauge.hpp"
 #include "sph/front_position.hpp"
 #include "sph/liquid.hpp"
@@ -18,24 +19,33 @@ namespace slosh::sph {
 template <class Scheme>
 class Recorder {
  public:
-  Recorder(const Scene& scene, const Liquid<Scheme>& liquid) : scene_(scene) {
+  Recorder(const Scene& scene, Liquid<Scheme>& liquid) : scene_(scene) {
     for (const PressureGauge& gauge : scene.pressure_gauges) require_on_wall(gauge, scene);
     if (scene.record_still_water)
       still_water_.emplace(
           scene, liquid.particles,
           [state = liquid.scheme().state](double density) { return state.pressure(density); });
+    if (scene.record_energy_budget) energy_budget_.emplace(liquid);
   }
 
-  void record(const Liquid<Scheme>& liquid) {
+  // What is not for the sample times alone.
+  void add_step(const Liquid<Scheme>& liquid) {
+    if (energy_budget_) energy_budget_->add_step(liquid);
+  }
+
+  void record(Liquid<Scheme>& liquid) {
     check_state(liquid.particles, scene_.rest_density, liquid.time);
     const TankMotion motion(scene_, liquid.time);
     see_from_tank(liquid, motion, seen_);
     record_gauges(liquid, motion);
     if (still_water_) still_water_->record(seen_.particles, liquid.time, output.still_water);
     record_energies(liquid.time, motion);
+    if (energy_budget_)
+      energy_budget_->record(
+          liquid, output.kinetic_energy.value.back() + output.potential_energy.value.back(),
+          output.energy);
     // Before the first step there is no acceleration.
     if (output.steps > 0) record_forces(liquid.time, motion);
-    output.exchanged_at_walls = liquid.exchanged_at_walls();
   }
 
   void record_snapshot(const Liquid<Scheme>& liquid) {
@@ -49,6 +59,14 @@ class Recorder {
     for (const double density : p.density)
       snapshot.pressure.push_back(liquid.scheme().state.pressure(density));
     scene_.record_snapshot(snapshot);
+  }
+
+  // What is kept from sample to sample beside the output: visit(name, value).
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    visit("initial_potential_energy", initial_potential_);
+    if (still_water_) still_water_->for_each_number(visit);
+    if (energy_budget_) energy_budget_->for_each_number(visit);
   }
 
   RunOutput output;
@@ -111,6 +129,7 @@ class Recorder {
   SeenFromTank seen_;
   double initial_potential_ = 0;
   std::optional<StillWater> still_water_;
+  std::optional<EnergyBudget<Scheme>> energy_budget_;
 };
 
 }  // namespace slosh::sph

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "sph/initial_state.hpp"
 #include "sph/liquid.hpp"
 #include "sph/recorder.hpp"
+#include "sph/resume.hpp"
 #include "sph/scheme.hpp"
 #include "sph/simulation.hpp"
 
@@ -39,32 +41,46 @@ void check_fixed_step(const Scene& scene, const Scheme& scheme) {
                     dt, finest, limit));
 }
 
-// How many samples a snapshot comes after the one before it.
-inline double samples_per_snapshot(const Scene& scene) {
-  const double ratio = scene.snapshot_interval / scene.sample_interval, whole = std::round(ratio);
-  if (!(whole >= 1 && std::abs(ratio - whole) <= 1e-9 * whole))
+// How many samples one of `what` comes after the one before it; 0 where there is none.
+inline int samples_per(const char* what, double interval, const Scene& scene) {
+  if (interval == 0) return 0;
+  const double ratio = interval / scene.sample_interval, whole = std::round(ratio);
+  if (!(whole >= 1 && whole <= 1e9 && std::abs(ratio - whole) <= 1e-9 * whole))
     throw std::invalid_argument(
-        fmt::format("snapshot interval = {} s: expected a multiple of the sample interval of {} s",
-                    scene.snapshot_interval, scene.sample_interval));
-  return whole;
+        fmt::format("{} interval = {} s: expected a multiple of the sample interval of {} s", what,
+                    interval, scene.sample_interval));
+  return static_cast<int>(whole);
+}
+
+template <class Choice>
+std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& scheme) {
+  std::vector<std::string> terms = Scheme<Choice>::active_terms();
+  terms.push_back(start_name(chosen_state<Choice>(scene)));
+  if constexpr (Choice::TimeStep::adapts)
+    terms.push_back(fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));
+  return terms;
 }
 
 template <class Choice>
 RunOutput run_scheme(const Scene& scene, const Progress& progress) {
   const Scheme<Choice> scheme(scene);
   if constexpr (!Choice::TimeStep::adapts) check_fixed_step(scene, scheme);
-  Liquid<Scheme<Choice>> liquid(scene, scheme, initial_state<Choice>(scene, scheme));
-  typename Choice::Integrator integrator;
-  Recorder<Scheme<Choice>> recorder(scene, liquid);
+  const int snapshot_stride = samples_per("snapshot", scene.snapshot_interval, scene),
+            state_stride = samples_per("state", scene.state_interval, scene);
+  RunMemory<Choice> run(scene, scheme,
+                        scene.resume ? start_lattice(scene, scheme) : initial_state(scene, scheme));
+  auto& [liquid, recorder, integrator, sample, smallest_step] = run;
   RunOutput& output = recorder.output;
   output.particles = liquid.particles.size();
-  const bool snapshots = scene.snapshot_interval != 0;
-  const double stride = snapshots ? samples_per_snapshot(scene) : 0;
-  double smallest_step = std::numeric_limits<double>::infinity();
+  output.active_terms = terms_of_run(scene, scheme);
+  if (scene.resume) {
+    go_on_from(run, scene, *scene.resume);
+    ++sample;
+  }
   auto last_report = std::chrono::steady_clock::now();
 
   const int samples = static_cast<int>(std::floor(scene.duration / scene.sample_interval + 1e-9));
-  for (int sample = 0; sample <= samples; ++sample) {
+  for (; sample <= samples; ++sample) {
     const double target = sample * scene.sample_interval;
     while (liquid.time < target) {
       // Equal steps up to the sample, each at most the stable one; the last one lands on it
@@ -76,22 +92,23 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
       integrator.advance(liquid, dt);
       liquid.time = count <= 1 ? target : liquid.time + dt;
       if constexpr (Choice::Shifting::active) liquid.shift();
+      recorder.add_step(liquid);
       smallest_step = std::min(smallest_step, dt);
       output.steps += 1;
     }
     recorder.record(liquid);
-    if (snapshots && std::fmod(sample, stride) == 0) recorder.record_snapshot(liquid);
+    if (snapshot_stride != 0 && sample % snapshot_stride == 0) recorder.record_snapshot(liquid);
+    if (state_stride != 0 && sample > 0 && sample % state_stride == 0) {
+      scene.save_state(saved_state(run, scene));
+      liquid.forget_neighbours();
+    }
     if (progress &&
         std::chrono::steady_clock::now() - last_report > std::chrono::milliseconds(100)) {
       progress(liquid.time, output.steps);
       last_report = std::chrono::steady_clock::now();
     }
   }
-  output.active_terms = Scheme<Choice>::active_terms();
-  output.active_terms.push_back(start_name(chosen_state<Choice>(scene)));
-  if constexpr (Choice::TimeStep::adapts)
-    output.active_terms.push_back(
-        fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));
+  output.exchanged_at_walls = liquid.exchanged_at_walls();
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
   output.diagnostics["smallest_time_step_s"] = smallest_step;
   output.diagnostics["wall_crossings"] = static_cast<double>(output.exchanged_at_walls);

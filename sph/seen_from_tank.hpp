@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sph/liquid.hpp"
+#include "sph/wall_power.hpp"
 #include "sph/walls/frames.hpp"
 
 namespace slosh::sph {
@@ -33,9 +34,8 @@ void see_from_tank(const Liquid<Scheme>& liquid, const TankMotion& motion, SeenF
     const Vector2 wall = tank.wall_velocity(p.x[i], p.z[i]),
                   of_tank = motion.velocity(place.x, place.z);
     const Vector2 relative = tank.along_tank(p.velocity_x[i] - wall.x, p.velocity_z[i] - wall.z);
-    Vector2 push{liquid.rates.acceleration_x[i], liquid.rates.acceleration_z[i]}, pulled{0, 0};
-    tank.pull(gravity, p.x[i], p.z[i], p.velocity_x[i], p.velocity_z[i], pulled.x, pulled.z);
-    push = tank.along_tank(push.x - pulled.x, push.z - pulled.z);
+    Vector2 push = push_on(p, i, liquid.rates, tank, gravity);
+    push = tank.along_tank(push.x, push.z);
     view.x[i] = place.x;
     view.z[i] = place.z;
     view.velocity_x[i] = of_tank.x + relative.x;

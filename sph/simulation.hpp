@@ -66,6 +66,8 @@ struct SchemeNumbers {
 // How the liquid is prepared (initial_state.hpp).
 enum class InitialState { lattice, settled, projected };
 
+struct SavedState;
+
 struct Scene {
   double tank_length, tank_height, fill_depth;  // [m]
   double gravity;                               // [m/s2], downward
@@ -87,11 +89,22 @@ struct Scene {
   std::string variant = {};               // of the scheme: one thing changed; empty: none
   SchemeNumbers numbers = {};
   std::optional<InitialState> initial_state = {};  // empty: the scheme's own
+  // The start's lattice, every particle moved along x and z by up to this share of its spacing, at
+  // most 0.25, at random from the seed: for repeats of a flow that small disturbances decide.
+  double start_disorder = 0;
+  unsigned start_seed = 0;
   std::vector<Gauge> gauges;
   std::vector<PressureGauge> pressure_gauges = {};
-  bool record_still_water = false;  // how far the liquid is from rest (still_water.hpp)
-  double snapshot_interval = 0;     // [s], a multiple of sample_interval; 0: no snapshot
+  bool record_still_water = false;    // how far the liquid is from rest (still_water.hpp)
+  bool record_energy_budget = false;  // where its energy goes (energy_budget.hpp)
+  double snapshot_interval = 0;       // [s], a multiple of sample_interval; 0: no snapshot
   std::function<void(const Snapshot&)> record_snapshot;  // called every snapshot_interval
+  // What the run can go on from (saved_state.hpp), every state_interval [s], a multiple of
+  // sample_interval; 0: none. A run that goes on from `resume` does bit for bit what the one did
+  // that saved it, if both save at the same times.
+  double state_interval = 0;
+  std::function<void(const SavedState&)> save_state = {};
+  const SavedState* resume = nullptr;
 };
 
 struct History {
@@ -115,11 +128,30 @@ struct RunOutput {
   History kinetic_energy;                   // of the liquid, in the earth's frame [J/m]
   History potential_energy;                 // of the liquid [J/m], relative to the initial state
   std::vector<RecordedSeries> still_water;  // where the scene asks for it
+  std::vector<RecordedSeries> energy;       // where the scene asks for it [J/m]
   double steps = 0;
   std::size_t particles = 0;                  // of the liquid
   std::size_t exchanged_at_walls = 0;         // times that a particle beyond a wall was put back
   std::vector<std::string> active_terms;      // the physics compiled into the scheme
   std::map<std::string, double> diagnostics;  // "smallest_time_step_s", "speed_of_sound_m_s", ...
+
+  // visit(name, series) for all that the samples leave; `output` may be const.
+  template <class Output, class Visit>
+  static void for_each_series(Output& output, const Visit& visit) {
+    visit("elevation", output.elevation);
+    visit("highest_surface", output.highest_surface);
+    visit("wall_pressure", output.wall_pressure);
+    visit("front_position", output.front_position);
+    visit("force_x", output.force_x);
+    visit("force_z", output.force_z);
+    visit("moment", output.moment);
+    visit("momentum_x", output.momentum_x);
+    visit("momentum_z", output.momentum_z);
+    visit("kinetic_energy", output.kinetic_energy);
+    visit("potential_energy", output.potential_energy);
+    visit("still_water", output.still_water);
+    visit("energy", output.energy);
+  }
 };
 
 // The run went wrong: a non-finite state, a density out of range, a particle outside, an unstable

@@ -26,6 +26,12 @@ class StillWater {
   //   volume_drift                   the particles' volume over that at the start, less 1
   void record(const Particles& particles, double time, std::vector<RecordedSeries>& series) const;
 
+  // What is kept from sample to sample: visit(name, value).
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    visit("start_volume", start_volume_);
+  }
+
  private:
   double pressure_error(const Particles& particles) const;
   double wall_gap(const Particles& particles) const;

@@ -113,6 +113,8 @@ class NeighbourSources {
     }
     return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
   }
+  // Makes the lists stale.
+  void forget() { built_x_.clear(); }
   // How far a particle may move against the tank before the lists are stale [m].
   double slack() const { return slack_; }
 

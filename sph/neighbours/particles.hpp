@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "sph/neighbours/lanes.hpp"
@@ -55,11 +56,33 @@ struct Particles {
     if (!earlier_velocity_x.empty()) turn(earlier_velocity_x[i], earlier_velocity_z[i]);
   }
 
+  // As it is now.
+  void make_earlier_state() {
+    earlier_velocity_x = velocity_x;
+    earlier_velocity_z = velocity_z;
+    earlier_density = density;
+  }
+
+  // visit(name, field) for those that are there.
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    const std::pair<const char*, Array<double>*> fields[]{
+        {"x", &x},
+        {"z", &z},
+        {"velocity_x", &velocity_x},
+        {"velocity_z", &velocity_z},
+        {"density", &density},
+        {"mass", &mass},
+        {"spacing", &spacing},
+        {"earlier_velocity_x", &earlier_velocity_x},
+        {"earlier_velocity_z", &earlier_velocity_z},
+        {"earlier_density", &earlier_density}};
+    for (const auto& [name, field] : fields)
+      if (!field->empty()) visit(name, *field);
+  }
   template <class Visit>
   void for_each_field(const Visit& visit) {
-    for (auto* field : {&x, &z, &velocity_x, &velocity_z, &density, &mass, &spacing,
-                        &earlier_velocity_x, &earlier_velocity_z, &earlier_density})
-      if (!field->empty()) visit(*field);
+    for_each_named_field([&](const char*, Array<double>& field) { visit(field); });
   }
 };
 

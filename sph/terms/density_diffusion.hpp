@@ -2,7 +2,7 @@
 //   drho_a/dt += sum_b V_b pair(d_a - d_b, h) (dW/dr)/r,
 // where `diffused` says what d is [kg/m3]. All are of the strength 2 delta h c0 (Molteni &
 // Colagrossi 2009, whose psi_ab . grad W holds r_ab . r_ab / r^2 = 1); they differ in what they
-// leave alone.
+// leave alone. switch_off() leaves a term that adds nothing.
 #pragma once
 
 #include "sph/setting.hpp"
@@ -26,6 +26,7 @@ struct MolteniColagrossiDiffusion {
 
   explicit MolteniColagrossiDiffusion(const Setting& s)
       : strength(2.0 * s.density_diffusion * s.speed_of_sound) {}
+  void switch_off() { strength = 0; }
 
   template <class Number>
   Number diffused(Number, Number density, Number) const {

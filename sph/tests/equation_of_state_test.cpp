@@ -32,5 +32,26 @@ TEST(Tait, HasItsSpeedOfSoundAtTheRestDensity) {
   EXPECT_NEAR(std::sqrt(slope), 20, 1e-6);
 }
 
+template <class State>
+void expect_the_energy_of_compression(const State& state) {
+  EXPECT_EQ(state.energy(1000), 0);
+  for (const double density : {600.0, 990.0, 1001.0, 1005.0, 1080.0}) {
+    const double step = 1e-3;
+    const double slope = (state.energy(density + step) - state.energy(density - step)) / (2 * step);
+    const double expected = state.pressure(density) / (density * density);
+    EXPECT_NEAR(slope, expected, 1e-7 * std::abs(expected)) << density;
+  }
+  // To second order, c0^2 / 2 (rho / rho_0 - 1)^2, with every digit that this leaves.
+  EXPECT_NEAR(state.energy(1000 * (1 + 1e-7)) / (200 * 1e-14), 1, 1e-6);
+}
+
+TEST(Energy, IsZeroAtRestAndGrowsByThePressureOverTheDensitySquared) {
+  expect_the_energy_of_compression(water);
+  Setting setting{};
+  setting.rest_density = 1000;
+  setting.speed_of_sound = 20;
+  expect_the_energy_of_compression(LinearState(setting));
+}
+
 }  // namespace
 }  // namespace slosh::sph

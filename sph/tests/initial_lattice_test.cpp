@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "sph/terms/equation_of_state.hpp"
@@ -76,6 +77,32 @@ TEST(InitialLattice, RefusesASpacingThatWouldStretchItByMoreThanFivePerCent) {
   EXPECT_NO_THROW(initial_lattice(still_scene(0.0365, 0), water));                     // 27.4 x 9.6
   for (double spacing : {0.0, -0.02, 3.0, std::nan("")})
     EXPECT_THROW(initial_lattice(still_scene(spacing, 0), water), std::invalid_argument) << spacing;
+}
+
+TEST(Scatter, MovesEveryParticleByUpToItsShareAsTheSeedHasIt) {
+  const Particles lattice = initial_lattice(still_scene(0.02, 0), water);
+  Particles one = lattice, same = lattice, other = lattice, none = lattice;
+  scatter(one, 0.1, 1);
+  scatter(same, 0.1, 1);
+  scatter(other, 0.1, 2);
+  scatter(none, 0, 1);
+  EXPECT_EQ(one.x, same.x);
+  EXPECT_EQ(one.z, same.z);
+  EXPECT_NE(one.x, other.x);
+  EXPECT_EQ(none.x, lattice.x);
+  double farthest = 0, sum = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    for (const double moved : {one.x[i] - lattice.x[i], one.z[i] - lattice.z[i]}) {
+      farthest = std::max(farthest, std::abs(moved));
+      sum += moved;
+    }
+  }
+  EXPECT_LE(farthest, 0.1 * 0.02);
+  EXPECT_GE(farthest, 0.099 * 0.02);
+  // Of 1800 numbers, even within +-0.002 m: four standard deviations of their mean.
+  EXPECT_LE(std::abs(sum / 1800), 4 * 0.002 / std::sqrt(3 * 1800.0));
+  for (const double share : {-0.1, 0.26, std::nan("")})
+    EXPECT_THROW(scatter(none, share, 1), std::invalid_argument) << share;
 }
 
 TEST(InitialLattice, RefusesASurfaceSpacingThatIsNotFinerOrLeavesNoRoom) {

@@ -213,6 +213,7 @@ class DynamicSolids {
                                        particles_.density[i] + dt * rates_.density_rate[i]);
   }
   const Array<double>& density() const { return particles_.density; }
+  Array<double>& density() { return particles_.density; }
   void set_density(const Array<double>& density) { particles_.density = density; }
 
  private:

@@ -1,0 +1,225 @@
+#include "sph/saved_state.hpp"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "sph/tests/rolling_scene.hpp"
+
+namespace slosh::sph {
+namespace {
+
+struct Named {
+  const char *scheme, *variant;
+};
+
+// Surging; and rolling where the scheme's walls can.
+Scene scene_of(const Named& named, bool rolls) {
+  Scene scene = surging_and_rolling_scene(0.02, 0.05);
+  if (!rolls) scene.roll.reset();
+  scene.variant = named.variant;
+  scene.sample_interval = 0.005;
+  scene.snapshot_interval = scene.state_interval = 0.01;
+  return scene;
+}
+
+// A run with all that it leaves.
+struct WholeRun {
+  RunOutput output;
+  std::vector<SavedState> states;
+  Snapshot last;
+};
+
+WholeRun run_whole(const Named& named, Scene scene, const SavedState* resume = nullptr) {
+  WholeRun whole;
+  scene.save_state = [&](const SavedState& state) { whole.states.push_back(state); };
+  scene.record_snapshot = [&](const Snapshot& snapshot) { whole.last = snapshot; };
+  scene.resume = resume;
+  whole.output = run(named.scheme, scene, {});
+  return whole;
+}
+
+struct SameSeries {
+  const RunOutput& expected;
+
+  void operator()(const std::string& name, const History& found) const {
+    RunOutput::for_each_series(expected, [&](const std::string& other, const auto& series) {
+      if constexpr (std::is_same_v<decltype(series), const History&>)
+        if (name == other) expect(name, found, series);
+    });
+  }
+  void operator()(const std::string& name, const std::map<std::string, History>& found) const {
+    RunOutput::for_each_series(expected, [&](const std::string& other, const auto& series) {
+      if constexpr (std::is_same_v<decltype(series), const std::map<std::string, History>&>)
+        if (name == other)
+          for (const auto& [gauge, history] : series) expect(gauge, found.at(gauge), history);
+    });
+  }
+  void operator()(const std::string& name, const std::vector<RecordedSeries>& found) const {
+    RunOutput::for_each_series(expected, [&](const std::string& other, const auto& series) {
+      if constexpr (std::is_same_v<decltype(series), const std::vector<RecordedSeries>&>)
+        if (name == other)
+          for (std::size_t i = 0; i < series.size(); ++i)
+            expect(series[i].name, found.at(i).history, series[i].history);
+    });
+  }
+  static void expect(const std::string& name, const History& found, const History& expected) {
+    EXPECT_EQ(found.time, expected.time) << name;
+    EXPECT_EQ(found.value, expected.value) << name;
+  }
+};
+
+void expect_same_bits(const WholeRun& found, const WholeRun& expected) {
+  RunOutput::for_each_series(found.output, SameSeries{expected.output});
+  EXPECT_EQ(found.output.steps, expected.output.steps);
+  EXPECT_EQ(found.output.exchanged_at_walls, expected.output.exchanged_at_walls);
+  EXPECT_EQ(found.output.diagnostics, expected.output.diagnostics);
+  EXPECT_EQ(found.output.active_terms, expected.output.active_terms);
+  EXPECT_EQ(found.output.particles, expected.output.particles);
+  for (auto field : {&Snapshot::x, &Snapshot::z, &Snapshot::velocity_x, &Snapshot::velocity_z,
+                     &Snapshot::pressure, &Snapshot::density})
+    EXPECT_EQ(found.last.*field, expected.last.*field);
+  const SavedState &a = found.states.back(), &b = expected.states.back();
+  EXPECT_EQ(a.numbers, b.numbers);
+  EXPECT_EQ(a.fields, b.fields);
+}
+
+struct Resumed : Named {
+  bool rolls;
+};
+
+class Resume : public testing::TestWithParam<Resumed> {};
+INSTANTIATE_TEST_SUITE_P(
+    Of, Resume,
+    testing::Values(Resumed{{"recommended", ""}, false}, Resumed{{"recommended", ""}, true},
+                    Resumed{{"li2010", ""}, false}, Resumed{{"li2010", ""}, true},
+                    Resumed{{"delta_sph", ""}, false}, Resumed{{"delta_sph", ""}, true},
+                    Resumed{{"zhao2021_moving", ""}, false}, Resumed{{"zhao2021_moving", ""}, true},
+                    Resumed{{"zhao2021_fixed", ""}, false}, Resumed{{"zhao2021_fixed", ""}, true},
+                    Resumed{{"recommended", "verlet"}, false},
+                    Resumed{{"recommended", "dynamic_walls"}, true},
+                    Resumed{{"recommended", "shifting"}, false},
+                    Resumed{{"recommended", "two_spacings"}, false}),
+    [](const auto& of) {
+      const Resumed& r = of.param;
+      return std::string(r.scheme) + (*r.variant ? "_" : "") + r.variant +
+             (r.rolls ? "_rolling" : "");
+    });
+
+TEST_P(Resume, GoesOnBitForBitWithOneAndTwoThreads) {
+  Scene scene = scene_of(GetParam(), GetParam().rolls);
+  scene.record_energy_budget = scene.record_still_water = true;
+  const WholeRun whole = run_whole(GetParam(), scene);
+  ASSERT_EQ(whole.states.size(), 5);
+  for (const int threads : {1, 2}) {
+    omp_set_num_threads(threads);
+    // A few steps: threads that wait for one another on a busy machine take many times as long.
+    const WholeRun resumed = run_whole(GetParam(), scene, &whole.states[threads == 1 ? 0 : 3]);
+    omp_set_num_threads(1);
+    expect_same_bits(resumed, whole);
+  }
+}
+
+TEST(Resume, GoesOnFromTheEndOfAShorterRun) {
+  const Named named{"zhao2021_moving", ""};
+  Scene scene = scene_of(named, true);
+  const WholeRun whole = run_whole(named, scene);
+  scene.duration = 0.02;
+  const WholeRun first = run_whole(named, scene);
+  scene.duration = 0.05;
+  expect_same_bits(run_whole(named, scene, &first.states.back()), whole);
+}
+
+TEST(SaveState, IsRefusedBetweenSamples) {
+  for (const double interval : {0.015, 0.005, -0.01, double{NAN}, double{INFINITY}}) {
+    Scene scene = surging_scene(0.05, 0.02);
+    scene.state_interval = interval;
+    EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument) << interval;
+  }
+}
+
+// The tool's message for a state that a run of `scheme` in `scene` cannot go on from.
+std::string refusal(const char* scheme, const Scene& scene, const SavedState& state) {
+  try {
+    run_whole({scheme, ""}, scene, &state);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+bool says(const std::string& message, const std::string& part) {
+  if (message.find(part) == std::string::npos) ADD_FAILURE() << message;
+  return true;
+}
+
+class RefusedState : public testing::Test {
+ protected:
+  const Scene scene = scene_of({"recommended", ""}, true);
+  const SavedState state = run_whole({"recommended", ""}, scene).states.front();
+};
+
+TEST_F(RefusedState, OfAnotherScheme) {
+  says(refusal("delta_sph", scene, state), "of a scheme of");
+  says(refusal("zhao2021_fixed", scene, state), "of a scheme of");
+  Scene changed = scene;
+  changed.numbers.artificial_viscosity = 0.01;
+  says(refusal("recommended", changed, state), "artificial_viscosity = 0.0005: expected 0.01");
+}
+
+TEST_F(RefusedState, OfAnotherScene) {
+  Scene changed = scene;
+  changed.fill_depth = 0.26;
+  says(refusal("recommended", changed, state), "fill_depth = 0.24: expected 0.26");
+  changed = scene;
+  changed.gauges.pop_back();
+  says(refusal("recommended", changed, state), "gauges are left, right: expected left");
+  changed = scene;
+  changed.record_energy_budget = true;
+  says(refusal("recommended", changed, state), "numbers are");
+  changed = scene;
+  changed.duration = 0.005;
+  says(refusal("recommended", changed, state), "expected one of the run's 0.005 s");
+}
+
+TEST_F(RefusedState, WithANumberThatIsNotFinite) {
+  for (const auto& [name, values] : state.fields) {
+    SavedState bad = state;
+    bad.fields[name][7] = std::nan("");
+    says(refusal("recommended", scene, bad), "state's " + name + " number 7 is nan");
+  }
+  for (const auto& [name, value] : state.numbers) {
+    SavedState bad = state;
+    bad.numbers[name] = INFINITY;
+    says(refusal("recommended", scene, bad), "inf");
+  }
+  SavedState bad = state;
+  bad.output.kinetic_energy.value[1] = std::nan("");
+  says(refusal("recommended", scene, bad), "state's kinetic_energy number 1 is nan");
+  bad = state;
+  bad.setting["gravity"] = std::nan("");
+  says(refusal("recommended", scene, bad), "gravity = nan");
+}
+
+TEST_F(RefusedState, WithAPartThatIsMissingOrOfAnotherLength) {
+  SavedState bad = state;
+  bad.fields["density"].pop_back();
+  says(refusal("recommended", scene, bad), "state's density has 479 numbers: expected 480");
+  bad = state;
+  bad.fields.erase("mass");
+  says(refusal("recommended", scene, bad), "fields are");
+  bad = state;
+  bad.output.elevation["left"].value.pop_back();
+  says(refusal("recommended", scene, bad), "elevation of left has 3 times and 2 values");
+  bad = state;
+  bad.numbers["sample"] += 1;
+  says(refusal("recommended", scene, bad), "the state is of sample 3 at 0.01 s");
+}
+
+}  // namespace
+}  // namespace slosh::sph
