@@ -125,19 +125,21 @@ Imbalance imbalance(const std::string& scheme, double spacing) {
     largest_z =
         std::max(largest_z, std::abs(z[i + 1] - z[0] + impulse_z + mass * scene.gravity * t));
   }
-  printf("%s %g: %g %g\n", scheme.c_str(), spacing, largest_x / largest(x), largest_z / largest(z));
   return {largest_x / largest(x), largest_z / largest(z)};
 }
 
+// Measured at 20 and 10 mm: recommended 4.4e-4 and 7.7e-4 along x, 2.7e-3 and 3.0e-3 along z; both
+// of zhao2021, whose start from the lattice rings between the samples, 1.1 and 1.4 % along x, 1.4
+// and 2.1 % along z.
 TEST(WallForces, AreWhatTheLiquidsMomentumLacks) {
   for (const double spacing : {0.02, 0.01}) {
     const Imbalance recommended = imbalance("recommended", spacing);
     EXPECT_LE(recommended.x, 1.5e-3);
-    EXPECT_LE(recommended.z, 0.02);
+    EXPECT_LE(recommended.z, 6e-3);
     for (const char* scheme : {"zhao2021_moving", "zhao2021_fixed"}) {
       const Imbalance zhao = imbalance(scheme, spacing);
-      EXPECT_LE(zhao.x, 0.03) << scheme;
-      EXPECT_LE(zhao.z, 0.03) << scheme;
+      EXPECT_LE(zhao.x, 0.025) << scheme;
+      EXPECT_LE(zhao.z, 0.035) << scheme;
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <vector>
 
 #include "sph/schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
@@ -126,6 +128,22 @@ TEST(Stir, MovesBothHalvesOfTheTankAlike) {
   }
   EXPECT_GT(largest, 5e-4);
   EXPECT_LE(largest, 1e-3);
+}
+
+TEST(StartDisorder, MakesRepeatsThatDifferAndTheSameOneAgain) {
+  const auto elevation = [](double disorder, unsigned seed) {
+    Scene scene = surging_scene(0.025, 0.1);
+    scene.start_disorder = disorder;
+    scene.start_seed = seed;
+    return run("recommended", scene, {}).elevation.at("right").value;
+  };
+  const std::vector<double> none = elevation(0, 1), one = elevation(0.02, 1);
+  EXPECT_EQ(one, elevation(0.02, 1));
+  EXPECT_NE(one, elevation(0.02, 2));
+  EXPECT_NE(one, none);
+  // The wave is 4 mm high by then, and the disorder 0.5 mm.
+  EXPECT_NEAR(one.back(), none.back(), 5e-4);
+  EXPECT_THROW(elevation(0.3, 1), std::invalid_argument);
 }
 
 }  // namespace
