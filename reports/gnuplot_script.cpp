@@ -19,8 +19,9 @@ constexpr int axis_label_height =
     56;  // px, below the frame: ticks, numbers, label and a gap before the legend
 constexpr int row_height =
     20;  // px, of a legend row and of a row of marker labels: gnuplot's line of the 13 px font
-constexpr double character_width = 7.0;  // px, of a 13 px sans-serif font on average
-constexpr double plot_width = 640;       // px, the canvas less its margins at their widest
+constexpr double character_width =
+    8.5;  // px, of a 13 px sans-serif font, names with digits and underscores
+constexpr double plot_width = 640;  // px, the canvas less its margins at their widest
 constexpr double key_width =
     600;  // px, on the safe side: gnuplot uses fewer columns where it finds no room
 constexpr double key_sample_width =

@@ -14,6 +14,8 @@
 #include "verification/campaign/repeat_table.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
+#include "verification/campaign/wall_treatments.hpp"
+#include "verification/campaign/zhao2021_paper.hpp"
 #include "verification/case_file/motion_table.hpp"
 #include "verification/runs/provenance.hpp"
 
@@ -154,7 +156,9 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
        {gate_table(cases)},
        {}});
   for (const CaseAssessment& one : cases) report.sections.push_back(case_section(one));
+  if (auto walls = wall_treatment_section(cases)) report.sections.push_back(std::move(*walls));
   if (campaign.paper == "li2010") report.sections.push_back(li2010_section(cases));
+  if (campaign.paper == "zhao2021") report.sections.push_back(zhao2021_section(cases));
   report.results_json = results_json(campaign.name, quick, cases);
   return report;
 }

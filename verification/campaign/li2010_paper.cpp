@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "reference/linear_surge.hpp"
+#include "verification/campaign/li2010_claims.hpp"
+#include "verification/campaign/surface_spectrum.hpp"
 
 namespace slosh {
 namespace {
@@ -145,14 +147,21 @@ Table errata() {
 }  // namespace
 
 reports::Section li2010_section(const std::vector<CaseAssessment>& cases) {
-  return {"li2010",
-          "Beside the paper",
-          {"Li et al. 2010: sloshing in a surging tank by SPH with repulsive and mirror particles. "
-           "Its figure 1 has its "
-           "counterpart in the section of the small-amplitude case, its figures 2 and 3 in those "
-           "of the resonant cases."},
-          {printed_numbers(cases), errata()},
-          {}};
+  reports::Section section{
+      "li2010",
+      "Beside the paper",
+      {"Li et al. 2010: sloshing in a surging tank by SPH with repulsive and mirror particles. Its "
+       "figure 1 has its counterpart in the section of the small-amplitude case, its figures 2 and "
+       "3 in those of the resonant cases, its figures at b = 0.075 and 0.125 m in those of the "
+       "large-amplitude cases, as far as they are part of this campaign."},
+      {claims_table("li2010-claims", li2010_claims(cases))},
+      {}};
+  const CaseAssessment* smaller = find_case(cases, "li2010_large_b075");
+  const CaseAssessment* larger = find_case(cases, "li2010_large_b125");
+  if (smaller && larger) section.tables.push_back(surface_spectrum_table(*smaller, *larger));
+  section.tables.push_back(printed_numbers(cases));
+  section.tables.push_back(errata());
+  return section;
 }
 
 }  // namespace slosh

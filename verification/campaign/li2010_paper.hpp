@@ -1,5 +1,5 @@
-// Li et al. 2010 beside this harness: the paper's printed numbers and its errata, with the figures
-// computed here.
+// Li et al. 2010 beside this harness: the paper's claims, its printed numbers and its errata, with
+// the figures computed here.
 #pragma once
 
 #include <vector>

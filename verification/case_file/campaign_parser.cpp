@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 constexpr int schema_version = 1;
 
 Rule<std::string> known_paper() {
-  return {"\"li2010\"", [](const std::string& paper) { return paper == "li2010"; }};
+  return {"one of li2010 | zhao2021",
+          [](const std::string& paper) { return paper == "li2010" || paper == "zhao2021"; }};
 }
 
 // Where a member stands in the campaign file goes before what is wrong with it.

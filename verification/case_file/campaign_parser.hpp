@@ -1,7 +1,7 @@
 // The reader of campaign files (TOML, verification/campaigns/*.toml), as strict as that of case
-// files. The schema, version 1:  schema_version = 1, name, title, source, paper? = "li2010", cases
-// = [...], each the name of a shipped case or a path (it holds a / or ends in .toml) relative to
-// the campaign file.
+// files. The schema, version 1:  schema_version = 1, name, title, source, paper? = "li2010" |
+// "zhao2021", cases = [...], each the name of a shipped case or a path (it holds a / or ends in
+// .toml) relative to the campaign file.
 #pragma once
 
 #include <filesystem>

@@ -89,6 +89,16 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
   expect_complaint(head + "cases = [", "trial.toml:5:");
 }
 
+TEST_F(CampaignParser, TakesOneOfThePapersThatTheReportKnows) {
+  const std::string list = "cases = [\"li2010_small_amplitude\"]\n";
+  for (const char* paper : {"li2010", "zhao2021"})
+    EXPECT_EQ(read(head + "paper = \"" + paper + "\"\n" + list).paper, paper);
+  EXPECT_EQ(read(head + list).paper, "");
+  EXPECT_TRUE(complaint(head + "paper = \"another\"\n" + list)
+                  .starts_with("trial.toml:5: paper = \"another\": expected one of li2010 | "
+                               "zhao2021"));
+}
+
 TEST_F(CampaignParser, NamesTheNearestCaseAndTheNearestCampaign) {
   const std::string message = complaint(head + "cases = [\n\"li2010_small_amplitud\"]\n");
   EXPECT_TRUE(message.starts_with("trial.toml:6: case = \"li2010_small_amplitud\": expected"))

@@ -79,6 +79,9 @@ TEST(CampaignReport, HasASectionForTheGateEachCaseAndThePaper) {
   campaign.paper = "li2010";
   EXPECT_EQ(section_ids(report_of(campaign, {good()})),
             (std::vector<std::string>{"gate", "small_surge", "li2010"}));
+  campaign.paper = "zhao2021";
+  EXPECT_EQ(section_ids(report_of(campaign, {good()})),
+            (std::vector<std::string>{"gate", "small_surge", "zhao2021"}));
 }
 
 TEST(CampaignReport, KeepsToTheReportsModel) {

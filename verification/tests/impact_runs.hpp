@@ -15,6 +15,11 @@ inline RunResult result_with(const std::string& run, const std::vector<TimeSerie
   result.case_name = "impacts";
   result.run_name = run;
   result.solver = "made by hand";
+  result.provenance = {{"slosh_version", "0"},
+                       {"compiler", "none"},
+                       {"date_utc", "2000-01-01T00:00:00Z"},
+                       {"processor", "none"},
+                       {"command", "./slosh run impacts " + run}};
   result.cost = {.wall_time = 1, .user_time = 1, .steps = 10, .elements = 100};
   result.series = series;
   return result;

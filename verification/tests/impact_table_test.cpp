@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
+#include "reports/check_report.hpp"
+#include "verification/campaign/campaign_report.hpp"
 #include "verification/tests/impact_runs.hpp"
 
 namespace slosh {
@@ -79,6 +82,46 @@ TEST(ImpactTable, TellsWhatDoesNotComeOrIsNoNumberOrHasNoResult) {
   EXPECT_EQ(rows[2].back(), "no number");
   EXPECT_EQ(rows.at(3).at(1), "solver failed");
   for (const Row& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+}
+
+// Through the whole assessment: the rows find their series, filtered ones included.
+CaseAssessment assessed(const TimeSeries& pressure) {
+  CaseDefinition definition = impact_case();
+  definition.pressure_gauges[0].filter_cutoff = 50;
+  for (const char* filtered : {"", "/filtered"}) {
+    GateRow row{};
+    row.candidate = "particles";
+    row.quantity = impact_pressure + filtered;
+    row.mode = "impact_2";
+    row.metric = Metric::impact_time;
+    row.unit = "s";
+    row.limit = 0.05;
+    definition.gate.push_back(row);
+  }
+  CaseAssessment made = one_run(pressure, definition);
+  return assess(made.definition, made.runs);
+}
+
+TEST(CaseWithImpacts, IsGatedOnThePressureAsItIsAndFiltered) {
+  for (const GateOutcome& outcome : assessed(pressure_of({.late = 0.012})).gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
+    EXPECT_NEAR(outcome.value.value, 0.012, 0.002);
+  }
+  for (const GateOutcome& outcome : assessed(pressure_of({.late = 0.06})).gate)
+    EXPECT_EQ(outcome.verdict, Verdict::violated) << outcome.message;
+  for (const GateOutcome& outcome : assessed(pressure_of({.until = 4})).gate)
+    EXPECT_EQ(outcome.verdict, Verdict::not_compared) << outcome.message;
+}
+
+TEST(CaseWithImpacts, IsReportedWithThem) {
+  const CampaignDefinition campaign{"rolls", "Rolls", "none", "zhao2021", {}, "", "rolls.toml"};
+  const reports::Report report =
+      campaign_report(campaign, false, "./slosh campaign rolls", {assessed(pressure_of({}))});
+  EXPECT_NO_THROW(reports::check_report(report));
+  const auto& tables = report.sections.at(1).tables;
+  EXPECT_TRUE(std::any_of(tables.begin(), tables.end(), [](const reports::Table& table) {
+    return table.id == "impacts-impacts";
+  }));
 }
 
 }  // namespace
