@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -33,16 +34,15 @@ std::string studied_quantity(const CaseDefinition& definition) {
 // What the runs of a study have in common.
 struct Common {
   std::string scheme, changes;
-  double spacing = 0;  // [m], 0 where it is what is studied
-  // Near the surface over that inside: 1 unless there are two.
-  double surface_ratio = 1;
+  double spacing = 0;        // [m], 0 where it is what is studied
+  double surface_ratio = 1;  // spacing near the surface over that inside, to six digits
   auto operator<=>(const Common&) const = default;
 };
 
 Common common(SphRun sph, Studied studied) {
   if (studied == Studied::time_step) sph.numbers.courant_number.reset();
   return {sph.scheme, changes_of(sph), studied == Studied::spacing ? 0 : sph.particle_spacing,
-          sph.surface_particle_spacing / sph.particle_spacing};
+          std::round(1e6 * sph.surface_particle_spacing / sph.particle_spacing) / 1e6};
 }
 
 // What sets a run apart from the others of its study; infinite for the scheme's own Courant number,

@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include "reports/check_report.hpp"
+#include "reports/draw_field.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/tests/figure_results.hpp"
+#include "verification/tests/temporary_directory.hpp"
 
 namespace slosh {
 namespace {
@@ -99,6 +101,8 @@ TEST(CaseFields, LeaveThePlaceOfASnapshotThatIsMissingEmpty) {
   const reports::Report report = campaign_report(campaign, false, "", {assessment});
   EXPECT_NO_THROW(reports::check_report(report));
   EXPECT_EQ(report.sections.at(1).fields.size(), 1u);
+  const TemporaryDirectory scratch;
+  EXPECT_GT(reports::draw_field(fields[0], scratch.path()).height, 0);
 }
 
 TEST(CaseFields, AreCutWhereTheyHaveTooManyMoments) {
