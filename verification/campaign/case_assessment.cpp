@@ -154,6 +154,14 @@ std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessm
   return judging;
 }
 
+const TimeSeries* series_of_record(const CaseAssessment& assessment, const std::string& quantity) {
+  for (const RunDefinition& run : assessment.definition.runs)
+    if (std::holds_alternative<RecordRun>(run.solver) && stands(assessment.runs, run.name) &&
+        has_series(assessment.runs, run.name, quantity))
+      return &assessment.runs.results.at(run.name).at(quantity);
+  return nullptr;
+}
+
 const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run) {
   for (const Comparison* judging : judging_comparisons(assessment))
     if (judging->candidate == run &&
@@ -217,7 +225,7 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
   };
   const MeasureImpacts measure_impacts = [&](const std::string& run, const GateRow& row) {
     return impact_metric(row.metric, row.mode, assessment.runs.results.at(run).at(row.quantity),
-                         definition);
+                         series_of_record(assessment, row.quantity), definition);
   };
   for (const GateRow& row : definition.gate)
     assessment.gate.push_back(

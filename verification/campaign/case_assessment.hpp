@@ -46,6 +46,9 @@ std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessm
 // Of a run the judging comparison with theory or a record; null where there is none.
 const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run);
 
+// That of the first record that has it; null where none is supplied.
+const TimeSeries* series_of_record(const CaseAssessment& assessment, const std::string& quantity);
+
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
 // The run's definition by its name; the case has one.

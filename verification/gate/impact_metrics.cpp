@@ -52,14 +52,27 @@ bool is_of_impacts(Metric metric) {
          metric == Metric::impact_percentile;
 }
 
-double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
+double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries* record,
                      const CaseDefinition& definition) {
+  if (!pressure.name.ends_with("/filtered")) return published(definition).times[n];
+  if (!record)
+    throw NotSuppliedError(
+        "the published times are those of the pressure as it is, and the record, to be filtered "
+        "alike, is not supplied");
+  const std::optional<ImpactPeak> peak = impacts_in(*record, definition).at(n);
+  if (!peak) throw ComparisonError(fmt::format("{}: impact {} does not come", record->name, n + 1));
+  return peak->time;
+}
+
+double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
+                     const TimeSeries* record, const CaseDefinition& definition) {
   if (metric == Metric::plateau_error) return plateau_error(pressure, definition);
   const ImpactsDefinition& impacts = published(definition);
   const std::size_t n = impact_number(mode, impacts);
   const std::optional<ImpactPeak> peak = impacts_in(pressure, definition).at(n);
   if (metric == Metric::impact_time)
-    return peak ? peak->time - impacts.times[n] : std::numeric_limits<double>::quiet_NaN();
+    return peak ? peak->time - expected_time(n, pressure, record, definition)
+                : std::numeric_limits<double>::quiet_NaN();
   const Distribution repeats = repeated_peaks(definition, n);
   return peak ? repeats.percentile(peak->pressure) / 100 : std::numeric_limits<double>::quiet_NaN();
 }

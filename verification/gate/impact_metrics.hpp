@@ -37,8 +37,15 @@ Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n);
 
 bool is_of_impacts(Metric metric);
 
+// When the n-th impact should come [s]. In the pressure as it is: as published. In the filtered
+// pressure, whose peaks stand elsewhere: as in the record's, filtered alike. `record`: the record's
+// series of the same name, null where there is none. Throws NotSuppliedError for want of it, and
+// ComparisonError where the impact is not in it.
+double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries* record,
+                     const CaseDefinition& definition);
+
 // In the metric's unit; NaN where the mode's impact does not come. Throws as those above.
 double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
-                     const CaseDefinition& definition);
+                     const TimeSeries* record, const CaseDefinition& definition);
 
 }  // namespace slosh

@@ -32,7 +32,7 @@ GateOutcome judge(const GateRow& row, const TimeSeries& pressure,
   return evaluate(row, {{"particles", {RunState::finished, ""}}},
                   {{}, {}, [&](const std::string& run, const GateRow& asked) {
                      EXPECT_EQ(run, "particles");
-                     return impact_metric(asked.metric, asked.mode, pressure, definition);
+                     return impact_metric(asked.metric, asked.mode, pressure, nullptr, definition);
                    }});
 }
 
@@ -148,6 +148,24 @@ TEST(ImpactMetrics, AreNotJudgedByALimitInAnotherUnit) {
   GateRow row = row_of(Metric::impact_time, "impact_1");
   row.unit = "1";
   EXPECT_EQ(judge(row, pressure_of({})).verdict, Verdict::not_compared);
+}
+
+// The record's filtered peaks stand elsewhere than the published ones.
+TEST(ImpactMetrics, TimeOfTheFilteredPressureIsThatOfTheRecordFilteredAlike) {
+  const CaseDefinition definition = impact_case();
+  TimeSeries filtered = pressure_of({}), record = filtered;
+  filtered.name += "/filtered";
+  record.name = filtered.name;
+  for (double& t : record.time) t += 0.03;
+  for (int n = 1; n <= 4; ++n)
+    EXPECT_NEAR(impact_metric(Metric::impact_time, "impact_" + std::to_string(n), filtered, &record,
+                              definition),
+                -0.03, 1e-9);
+  EXPECT_THROW(impact_metric(Metric::impact_time, "impact_1", filtered, nullptr, definition),
+               NotSuppliedError);
+  for (double& p : record.value) p = 0;
+  EXPECT_THROW(impact_metric(Metric::impact_time, "impact_1", filtered, &record, definition),
+               ComparisonError);
 }
 
 }  // namespace

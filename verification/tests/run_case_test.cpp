@@ -7,6 +7,7 @@
 
 #include "verification/case_file/case_parser.hpp"
 #include "verification/runs/hdf5_handles.hpp"
+#include "verification/runs/state_file.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -124,23 +125,14 @@ std::string refusal(const CaseDefinition& definition, const RunDefinition& run) 
   }
 }
 
-TEST(RunOfACase, RefusesARoll) {
+TEST(RunOfACase, RefusesARollForWallsThatCannotTurnWithItsPlace) {
   CaseDefinition definition = sample_case();
   definition.motion.roll = {.angle = SineMotion{0.07, 2}, .axis_x = 0.5, .axis_z = 0};
-  EXPECT_THROW(execute(definition, linear, {}, no_progress), CaseFileError);
-  EXPECT_THROW(execute(definition, coarse_sph, {}, no_progress), CaseFileError);
-  EXPECT_THROW(require_runnable(definition, linear), CaseFileError);
-}
-
-TEST(RunOfACase, RefusesPressureGaugesAndSnapshotTimesWithTheirPlace) {
-  CaseDefinition pressed = sample_case(), pictured = sample_case();
-  pressed.pressure_gauges = {{"a", Wall::left, 0.1}};
-  pictured.snapshot_times = {1};
-  for (const RunDefinition& run : {linear, coarse_sph, sample_run(InterFoamRun{20, 20, 1})}) {
-    EXPECT_EQ(refusal(pressed, run).find("small_surge.toml:42: run a_run: pressure_gauge: "), 0u);
-    EXPECT_EQ(refusal(pictured, run).find("small_surge.toml:42: run a_run: time.snapshot_times_s"),
-              0u);
-  }
+  SphRun ghosts{"recommended", 0.05, 0.05};
+  ghosts.variant = "ghost_walls";
+  EXPECT_EQ(refusal(definition, sample_run(ghosts))
+                .find("small_surge.toml:42: run a_run: motion.roll: expected none"),
+            0u);
 }
 
 TEST(RunOfACase, RefusesADamAndAnObstacleThatTheSolverDoesNotTake) {
@@ -282,6 +274,49 @@ TEST_F(SphRunOfACase, LeavesItsSeriesInTheirUnits) {
   EXPECT_FALSE(result.active_terms.empty());
   EXPECT_TRUE(fs::is_empty(directory.path())) << "nobody asked for snapshots";
   EXPECT_LE(reported, 0.1);
+}
+
+TEST_F(SphRunOfACase, GoesOnFromASavedStateToTheSameBits) {
+  definition.pressure_gauges = {{.name = "low", .wall = Wall::left, .position = 0.1}};
+  definition.duration = 0.3;
+  settings.state_interval = 0.2;
+  settings.key = "a key";
+  const RunResult whole = execute(definition, coarse_sph, settings, no_progress);
+  RunSettings again = settings;
+  again.resume = state_file(directory.path(), "a_run");
+  const RunResult resumed = execute(definition, coarse_sph, again, no_progress);
+  ASSERT_EQ(whole.series.size(), resumed.series.size());
+  for (std::size_t i = 0; i < whole.series.size(); ++i) {
+    EXPECT_EQ(whole.series[i].name, resumed.series[i].name);
+    EXPECT_EQ(whole.series[i].time, resumed.series[i].time) << whole.series[i].name;
+    EXPECT_EQ(whole.series[i].value, resumed.series[i].value) << whole.series[i].name;
+  }
+  again.key = "another key";
+  EXPECT_THROW(execute(definition, coarse_sph, again, no_progress), ResultError);
+}
+
+TEST_F(SphRunOfACase, LeavesSnapshotsAtTheCasesTimesWithVelocitiesAgainstTheTank) {
+  definition.snapshot_times = {0.05, 0.1};
+  definition.start = Start::tank;
+  const RunResult result = execute(definition, coarse_sph, settings, no_progress);
+  ASSERT_EQ(result.snapshots.size(), 2u);
+  EXPECT_EQ(result.snapshots[0].time, 0.05);
+  EXPECT_EQ(result.snapshots[1].time, 0.1);
+  const FieldSnapshot& first = result.snapshots[0];
+  EXPECT_EQ(first.x.size(), 20u * 7u);
+  EXPECT_EQ(first.width, 0.05);
+  // A tank of 0.03 m/s whose liquid has not left it yet: next to nothing is left of that.
+  for (std::size_t i = 0; i < first.x.size(); ++i) EXPECT_LT(std::abs(first.velocity_x[i]), 5e-3);
+  EXPECT_TRUE(fs::is_empty(directory.path())) << "nobody asked for files";
+}
+
+TEST(RunOfACase, RefusesStatesOfASolverThatHasNone) {
+  for (const auto& change : {+[](RunSettings& s) { s.state_interval = 1; },
+                             +[](RunSettings& s) { s.resume = "a.state.h5"; }}) {
+    RunSettings settings;
+    change(settings);
+    EXPECT_THROW(execute(sample_case(), linear, settings, no_progress), CaseFileError);
+  }
 }
 
 // Mean velocity along x of the particles in the first snapshot.
