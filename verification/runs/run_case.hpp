@@ -29,9 +29,10 @@ struct RunSettings {
   // [s], of an SPH run, a multiple of the sample interval: how often its state is saved in the work
   // directory (state_file.hpp); 0: never
   double state_interval = 0;
-  std::filesystem::path resume;  // the state that an SPH run goes on from; empty: from the start
-  std::string key;               // run_key()'s, recorded
-  std::string command;           // repeats this run, recorded
+  std::filesystem::path resume =
+      {};               // the state that an SPH run goes on from; empty: from the start
+  std::string key;      // run_key()'s, recorded
+  std::string command;  // repeats this run, recorded
 };
 
 // Called now and then with the simulated time [s] and the steps so far.

@@ -85,7 +85,7 @@ TEST(ImpactTable, TellsWhatDoesNotComeOrIsNoNumberOrHasNoResult) {
 }
 
 // Through the whole assessment: the rows find their series, filtered ones included.
-CaseAssessment assessed(const TimeSeries& pressure) {
+CaseAssessment assessed(const TimeSeries& pressure, bool with_record = true) {
   CaseDefinition definition = impact_case();
   definition.pressure_gauges[0].filter_cutoff = 50;
   for (const char* filtered : {"", "/filtered"}) {
@@ -99,6 +99,9 @@ CaseAssessment assessed(const TimeSeries& pressure) {
     definition.gate.push_back(row);
   }
   CaseAssessment made = one_run(pressure, definition);
+  if (with_record)
+    add_run(made, "measured", RecordRun{"a.csv", impact_pressure, "Pa", {0, 8}, {0, 0}, {}},
+            {pressure_of({})});
   return assess(made.definition, made.runs);
 }
 
@@ -111,6 +114,13 @@ TEST(CaseWithImpacts, IsGatedOnThePressureAsItIsAndFiltered) {
     EXPECT_EQ(outcome.verdict, Verdict::violated) << outcome.message;
   for (const GateOutcome& outcome : assessed(pressure_of({.until = 4})).gate)
     EXPECT_EQ(outcome.verdict, Verdict::not_compared) << outcome.message;
+}
+
+TEST(CaseWithImpacts, NeedsTheRecordForTheTimesOfTheFilteredPressure) {
+  const auto gate = assessed(pressure_of({.late = 0.012}), false).gate;
+  ASSERT_EQ(gate.size(), 2u);
+  EXPECT_EQ(gate[0].verdict, Verdict::pass) << gate[0].message;
+  EXPECT_EQ(gate[1].verdict, Verdict::not_supplied) << gate[1].message;
 }
 
 TEST(CaseWithImpacts, IsReportedWithThem) {

@@ -181,15 +181,15 @@ TEST_F(ResultFile, IsRefusedWhicheverByteIsAltered) {
 TEST_F(ResultFile, IsRefusedWhenOfAnotherVersion) {
   write_result(sample_result(), file);
   std::string bytes = read_bytes(file);
-  const std::string seal = "slosh result 001";
-  bytes.replace(bytes.rfind(seal), seal.size(), "slosh result 002");
+  const std::string seal = "slosh result 002";
+  bytes.replace(bytes.rfind(seal), seal.size(), "slosh result 003");
   put_bytes(file, bytes);
-  EXPECT_NE(refusal(file).find("version 002, expected 001"), std::string::npos) << refusal(file);
+  EXPECT_NE(refusal(file).find("version 003, expected 002"), std::string::npos) << refusal(file);
 }
 
 TEST_F(ResultFile, OfAForeignKindIsRefusedEvenWithAFittingChecksum) {
   const std::string content = "time,elevation\n0,0\n";
-  put_bytes(file, content + "\nslosh result 001 " + content_hash(content) + "\n");
+  put_bytes(file, content + "\nslosh result 002 " + content_hash(content) + "\n");
   EXPECT_NE(refusal(file).find("HDF5 cannot open the image"), std::string::npos) << refusal(file);
 }
 
