@@ -27,7 +27,7 @@ template <class Scheme>
 class EnergyBudget {
  public:
   explicit EnergyBudget(Liquid<Scheme>& liquid) : ideal_(liquid.scheme()) {
-    if constexpr (Scheme::Viscosity::active) ideal_.viscosity.switch_off();
+    ideal_.formulation.viscous_share = 0;
     if constexpr (Scheme::DensityDiffusion::active) ideal_.density_diffusion.switch_off();
     liquid.keep_wall_power();
   }

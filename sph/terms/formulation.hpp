@@ -3,7 +3,7 @@
 //   drho_a/dt =  C_a sum_b weight_b (v_a - v_b) . grad_a W_ab
 // with A the acceleration factor and C the continuity factor. In each formulation the two sums are
 // adjoint, so that pressure work and compression energy balance. A source's volume is nearly
-// volume_of_weight times its weight.
+// volume_of_weight times its weight. Where viscous_share is 0, viscous_ab adds nothing.
 #pragma once
 
 #include "sph/setting.hpp"
@@ -18,6 +18,7 @@ struct MassWeighted {
   static constexpr const char* name =
       "momentum with p_a/rho_a^2 + p_b/rho_b^2, continuity with masses";
   double volume_of_weight;  // [m3/kg]
+  double viscous_share = 1;
 
   explicit MassWeighted(const Setting& s) : volume_of_weight(1.0 / s.rest_density) {}
 
@@ -28,7 +29,7 @@ struct MassWeighted {
   }
   template <class Number>
   Number viscous_scale(Number density_a, double density_b) const {
-    return 2.0 / (density_a + density_b);
+    return 2.0 * viscous_share / (density_a + density_b);
   }
   template <class Number>
   double acceleration_factor(Number) const {
@@ -49,6 +50,7 @@ struct VolumeWeighted {
   static constexpr const char* name = "momentum with p_a + p_b, continuity with volumes";
   static constexpr double volume_of_weight = 1.0;
   double rest_density, inverse_rest_density;
+  double viscous_share = 1;
 
   explicit VolumeWeighted(const Setting& s)
       : rest_density(s.rest_density), inverse_rest_density(1.0 / s.rest_density) {}
@@ -60,7 +62,7 @@ struct VolumeWeighted {
   }
   template <class Number>
   double viscous_scale(Number, double) const {
-    return 1.0;
+    return viscous_share;
   }
   template <class Number>
   Number acceleration_factor(Number density) const {

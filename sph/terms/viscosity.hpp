@@ -1,6 +1,6 @@
 // Viscous part of the momentum equation, per pair: Pi_ab times the density scale of the
 // formulation. `approach` = v_ab . r_ab [m2/s], `distance2` = |r_ab|^2 [m2], `h` the pair's
-// smoothing length [m]. switch_off() leaves a term that adds nothing.
+// smoothing length [m].
 #pragma once
 
 #include "sph/neighbours/lanes.hpp"
@@ -22,7 +22,6 @@ struct ArtificialViscosity {
 
   explicit ArtificialViscosity(const Setting& s)
       : alpha(s.artificial_viscosity), speed_of_sound(s.speed_of_sound) {}
-  void switch_off() { alpha = 0; }
 };
 
 // Monaghan's artificial viscosity for approaching pairs: -alpha c0 mu + beta mu^2 with
@@ -58,13 +57,10 @@ struct ImpactViscosity : LinearViscosity {
   static constexpr const char* name =
       "artificial viscosity, linear in all pairs, quadratic in approaching ones";
   using LinearViscosity::LinearViscosity;
-  double share = 1;  // of mu that counts
 
-  void switch_off() { share = 0; }
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
-    const Number mu = share * h * approach / (distance2 + 0.01 * h * h),
-                 closing = negative_part(mu);
+    const Number mu = h * approach / (distance2 + 0.01 * h * h), closing = negative_part(mu);
     return closing * closing - alpha * speed_of_sound * mu;
   }
 };
@@ -77,7 +73,6 @@ struct LaminarViscosity {
   double kinematic_viscosity;
 
   explicit LaminarViscosity(const Setting& s) : kinematic_viscosity(s.kinematic_viscosity) {}
-  void switch_off() { kinematic_viscosity = 0; }
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
