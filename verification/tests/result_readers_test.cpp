@@ -69,7 +69,7 @@ TEST_F(ResultReaders, H5pyReadsSeriesTextsAndAttributes) {
   ASSERT_TRUE(succeeds({interpreter, "-c", R"(
 import sys, h5py
 f = h5py.File(sys.argv[1], 'r')
-assert f.attrs['format'] == 'slosh result' and f.attrs['format_version'] == 1
+assert f.attrs['format'] == 'slosh result' and f.attrs['format_version'] == 2
 assert f.attrs['run_name'] == 'sph'
 assert f['case_text'][0].decode() == 'title = "über"\n'
 assert [t.decode() for t in f['active_terms']] == ['Tait', 'δ-SPH']

@@ -60,8 +60,11 @@ TEST(SchemesCampaign, SetsEveryVariantBesideTheUnchangedRunOfItsSpacing) {
   }));
 }
 
-TEST(SchemesCampaign, RunsEveryScheme) {
-  const std::vector<SphRun> runs = sph_runs(cases_of("schemes").front());
+TEST(ShippedCampaigns, RunEveryScheme) {
+  std::vector<SphRun> runs;
+  for (const char* campaign : {"schemes", "li2010", "zhao2021"})
+    for (const CaseDefinition& definition : cases_of(campaign))
+      for (const SphRun& run : sph_runs(definition)) runs.push_back(run);
   for (const std::string& scheme : sph::scheme_names())
     EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [&](const SphRun& run) {
       return run.scheme == scheme;
