@@ -95,6 +95,9 @@ std::string run_label(const CaseAssessment& assessment, const std::string& run) 
              : run;
 }
 
+// More run into one another.
+constexpr std::size_t most_points = 200;
+
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
                              const std::string& quantity, const AxisScales& scales) {
   const TimeSeries& series = assessment.runs.results.at(run).at(quantity);
@@ -104,7 +107,7 @@ reports::Curve history_curve(const CaseAssessment& assessment, const std::string
                        {},
                        {}};
   if (const auto* record = std::get_if<RecordRun>(&run_named(assessment.definition, run).solver)) {
-    curve.style = reports::Curve::Style::points;
+    if (record->time.size() <= most_points) curve.style = reports::Curve::Style::points;
     if (record->uncertainty)
       curve.y_error.assign(curve.y.size(), scales.value * *record->uncertainty);
   }
