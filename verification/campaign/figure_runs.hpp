@@ -36,7 +36,8 @@ struct AxisScales {
   double time = 1, value = 1;
 };
 
-// A record as points with its uncertainty, one of many samples and anything else as a line. The run left the series.
+// A record as points with its uncertainty, one of many samples and anything else as a line. The run
+// left the series.
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
                              const std::string& quantity, const AxisScales& scales);
 
