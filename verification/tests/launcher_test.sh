@@ -181,6 +181,7 @@ echo 0 >"$work/format"
 sed -i 's/return 4/return count - 1/' "$project/verification/tool.cpp"
 cat >>"$project/CMakeLists.txt" <<'END'
 enable_testing()
+add_custom_target(unit_tests DEPENDS slosh_tool)
 add_test(NAME quick COMMAND slosh_tool)
 add_test(NAME long COMMAND slosh_tool one_argument)
 set_tests_properties(quick PROPERTIES LABELS unit)
