@@ -17,7 +17,7 @@ void throw_bad_particle(const Particles& p, std::size_t i, double time, const ch
 }
 
 void check_state(const Particles& p, double rest_density, double time) {
-  constexpr double highest = 1.3, lowest = 0.2;  // of the rest density
+  constexpr double highest = 2, lowest = 0.2;  // of the rest density
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!std::isfinite(p.x[i] + p.z[i] + p.velocity_x[i] + p.velocity_z[i] + p.density[i]))
       throw_bad_particle(p, i, time, "not finite");

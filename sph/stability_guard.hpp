@@ -8,9 +8,11 @@
 
 namespace slosh::sph {
 
-// Throws SimulationError when a particle's state is not finite or its density has risen above the
-// rest density by more than 30 % (a weakly compressible liquid at a Mach number of 0.1 stays within
-// 1 %; 30 % is far into divergence) or has fallen below a fifth of it. A particle that leaves the
+// Throws SimulationError when a particle's state is not finite or its density has risen above twice
+// the rest density or has fallen below a fifth of it. A weakly compressible liquid at a Mach number
+// of 0.1 stays within 1 %, but a particle of the spray that strikes a wall or another at the speed
+// v is compressed by v / c0, half of its density at half the speed of sound (measured: a third,
+// where a jet meets the roof's corner at 5 m/s). A particle that leaves the
 // surface loses what its neighbours gave to sum_b m_b W_ab, of which the continuity equation is the
 // time derivative: up to some 60 %, where nothing diffuses the density.
 void check_state(const Particles& particles, double rest_density, double time);
