@@ -107,11 +107,7 @@ double LinearSurge::elevation(double x, double t) const {
 
 std::vector<double> LinearSurge::elevation(double x, std::span<const double> times) const {
   require_within(modes_->tank, where, x);
-  std::vector<double> shape;
-  shape.reserve(modes_->modes.size());
-  for (const TankMode& mode : modes_->modes) {
-    shape.push_back(std::sin(mode.wave_number * x));
-  }
+  const std::vector<double> shape = surface_shapes(modes_->modes, x);
   std::vector<double> series;
   series.reserve(times.size());
   for (const double t : times) {

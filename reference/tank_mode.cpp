@@ -60,6 +60,13 @@ std::vector<TankMode> roll_modes(const Tank& tank, const std::optional<Gas>& gas
   return modes;
 }
 
+std::vector<double> surface_shapes(const std::vector<TankMode>& modes, double x) {
+  std::vector<double> shapes;
+  shapes.reserve(modes.size());
+  for (const TankMode& mode : modes) shapes.push_back(std::sin(mode.wave_number * x));
+  return shapes;
+}
+
 DepthProfile depth_profile(double lambda, double z, double depth) {
   const double surface_wave = std::exp(lambda * z) / (1 + std::exp(-2 * lambda * depth));
   const double bottom_image = std::exp(-2 * lambda * (z + depth));

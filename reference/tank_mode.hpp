@@ -51,6 +51,9 @@ struct RollStart {
 std::vector<TankMode> roll_modes(const Tank& tank, const std::optional<Gas>& gas,
                                  const RollStart& roll, int count);
 
+// sin(lambda_n x) of each mode, its shape on the surface.
+std::vector<double> surface_shapes(const std::vector<TankMode>& modes, double x);
+
 // cosh(lambda_n(z+h))/cosh(lambda_n h) and sinh(lambda_n(z+h))/cosh(lambda_n h), which for z <= 0
 // overflow nowhere.
 struct DepthProfile {

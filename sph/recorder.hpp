@@ -48,8 +48,8 @@ class Recorder {
     if (output.steps > 0) record_forces(liquid.time, motion);
   }
 
-  void record_snapshot(const Liquid<Scheme>& liquid) {
-    see_from_tank(liquid, TankMotion(scene_, liquid.time), seen_);
+  // Of the moment that has just been recorded.
+  void record_snapshot(const Liquid<Scheme>& liquid) const {
     const Particles& p = seen_.particles;
     const auto values = [](const Array<double>& field) {
       return std::vector<double>(field.begin(), field.end());

@@ -17,7 +17,7 @@ double chosen(const std::optional<double>& changed, const std::optional<double>&
 }  // namespace
 
 double expected_speed(const Scene& scene) {
-  const Roll roll = scene.roll.value_or(no_roll());
+  const Roll& roll = roll_of(scene);
   const double reach =
       std::hypot(std::max(std::abs(roll.axis_x), std::abs(scene.tank_length - roll.axis_x)),
                  std::max(std::abs(roll.axis_z), std::abs(scene.fill_depth - roll.axis_z)));

@@ -107,6 +107,12 @@ struct Scene {
   const SavedState* resume = nullptr;
 };
 
+// The scene's roll, or one that stands still.
+inline const Roll& roll_of(const Scene& scene) {
+  static const Roll none = no_roll();
+  return scene.roll ? *scene.roll : none;
+}
+
 struct History {
   std::vector<double> time, value;
 };

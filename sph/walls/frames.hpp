@@ -31,7 +31,7 @@ struct RollingEarthFrame {
   static constexpr bool takes_roll = true;
 
   static Tank tank(const Scene& scene, double t) {
-    const Roll roll = scene.roll.value_or(no_roll());
+    const Roll& roll = roll_of(scene);
     const double angle = roll.angle(t);
     return {.tank_length = scene.tank_length,
             .roof = scene.tank_height,
@@ -52,7 +52,7 @@ struct TankFrame {
   static constexpr bool takes_roll = true;
 
   static Tank tank(const Scene& scene, double t) {
-    const Roll roll = scene.roll.value_or(no_roll());
+    const Roll& roll = roll_of(scene);
     const double angle = roll.angle(t);
     return {{0, scene.tank_length, 0, scene.tank_height, 0, 0},
             roll.axis_x,
@@ -75,9 +75,9 @@ class TankMotion {
 
   // Of the tank's point at a place in the tank [m/s], along the tank's axes.
   Vector2 velocity(double x, double z) const {
-    const Vector2 place = seen_from_earth_.in_frame(x, z);
-    const Vector2 velocity = seen_from_earth_.wall_velocity(place.x, place.z);
-    return seen_from_earth_.along_tank(velocity.x, velocity.z);
+    const RollingTank& tank = seen_from_earth_;
+    const Vector2 surge = tank.along_tank(tank.velocity, 0);
+    return {surge.x - tank.rate * (z - tank.axis_z), surge.z + tank.rate * (x - tank.axis_x)};
   }
   const RollingTank& in_earth() const { return seen_from_earth_; }
   const TankInItsFrame& in_tank() const { return seen_from_tank_; }

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -37,75 +37,43 @@ Values minus(Values one, const Values& other) {
   return one;
 }
 
-struct Common {
-  Values time, one, other;
-};
-
-// At the other's times inside the window and inside the one's (at most a sample less).
-Common common_samples(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
+// The one's as candidate and the other's as reference, over a window that both are checked for.
+CommonSamples within_window(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
   const TimeSeries cut = cut_to_window(other, window);
-  cut_to_window(one, {cut.time.front(), cut.time.back()});  // for its checks
-  Common common;
-  for (std::size_t i = 0; i < cut.time.size(); ++i) {
-    if (cut.time[i] < one.time.front() || cut.time[i] > one.time.back()) continue;
-    common.time.push_back(cut.time[i]);
-    common.other.push_back(cut.value[i]);
-  }
-  common.one = interpolate(one, common.time);
-  return common;
+  cut_to_window(one, {cut.time.front(), cut.time.back()});
+  return common_samples(one, cut);
 }
 
 struct FittedTone {
   double amplitude, phase, amplitude_half_width;  // y = mean + amplitude cos(w t + phase)
 };
 
-// Normal equations of 1, cos, sin by Cramer's rule.
 FittedTone fit_tone(const Values& time, const Values& value, double omega) {
-  std::array<std::array<double, 3>, 3> m{};
-  std::array<double, 3> right{};
-  const auto basis = [&](double t) {
-    return std::array<double, 3>{1, std::cos(omega * t), std::sin(omega * t)};
-  };
-  for (std::size_t k = 0; k < time.size(); ++k) {
-    const auto b = basis(time[k]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      right[i] += b[i] * value[k];
-      for (std::size_t j = 0; j < 3; ++j) m[i][j] += b[i] * b[j];
-    }
-  }
-  const auto determinant = [](const auto& a) {
-    return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) -
-           a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
-           a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
-  };
-  std::array<double, 3> x{};
-  for (std::size_t j = 0; j < 3; ++j) {
-    auto replaced = m;
-    for (std::size_t i = 0; i < 3; ++i) replaced[i][j] = right[i];
-    x[j] = determinant(replaced) / determinant(m);
-  }
-  double sum = 0;
-  for (std::size_t k = 0; k < time.size(); ++k) {
-    const auto b = basis(time[k]);
-    const double left = value[k] - x[0] - x[1] * b[1] - x[2] * b[2];
-    sum += left * left;
-  }
-  const double count = static_cast<double>(time.size());
+  const auto count = static_cast<Eigen::Index>(time.size());
+  const Eigen::Map<const Eigen::ArrayXd> t(time.data(), count), y(value.data(), count);
+  Eigen::MatrixXd basis(count, 3);
+  basis << Eigen::ArrayXd::Ones(count), (omega * t).cos(), (omega * t).sin();
+  const Eigen::Vector3d x = basis.colPivHouseholderQr().solve(y.matrix());
+  const double sum = (y.matrix() - basis * x).squaredNorm();
   // Of samples spread over whole periods: each coefficient's variance is 2 s^2 / n.
-  const double half_width = 1.96 * std::sqrt(sum / (count - 3) * 2 / count);
+  const double n = static_cast<double>(count);
+  const double half_width = 1.96 * std::sqrt(sum / (n - 3) * 2 / n);
   return {std::hypot(x[1], x[2]), std::atan2(-x[2], x[1]), half_width};
 }
 
 }  // namespace
 
-const CaseAssessment& case_named(const std::vector<CaseAssessment>& cases,
-                                 const std::string& name) {
+const CaseAssessment* find_case(const std::vector<CaseAssessment>& cases, const std::string& name) {
   const auto found = std::find_if(cases.begin(), cases.end(), [&](const CaseAssessment& one) {
     return one.definition.name == name;
   });
-  if (found == cases.end())
-    throw std::runtime_error("the case " + name + " is not part of this campaign");
-  return *found;
+  return found == cases.end() ? nullptr : &*found;
+}
+
+const CaseAssessment& case_named(const std::vector<CaseAssessment>& cases,
+                                 const std::string& name) {
+  if (const CaseAssessment* found = find_case(cases, name)) return *found;
+  throw std::runtime_error("the case " + name + " is not part of this campaign");
 }
 
 const RunResult& standing_result(const CaseAssessment& assessment, const std::string& run) {
@@ -137,11 +105,11 @@ std::pair<std::string, double> filtered_gauge(const CaseDefinition& definition) 
 }
 
 HistoryDifference difference(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
-  const Common common = common_samples(one, other, window);
-  const Values varying = without_mean(common.other);
-  return {.as_it_is = rms(minus(common.one, common.other)) / rms(varying),
-          .without_means = rms(minus(without_mean(common.one), varying)) / rms(varying),
-          .offset = mean(common.other) - mean(common.one)};
+  const CommonSamples common = within_window(one, other, window);
+  const Values varying = without_mean(common.reference);
+  return {.as_it_is = rms(minus(common.candidate, common.reference)) / rms(varying),
+          .without_means = rms(minus(without_mean(common.candidate), varying)) / rms(varying),
+          .offset = mean(common.reference) - mean(common.candidate)};
 }
 
 double skewness(const TimeSeries& series, TimeWindow window) {
@@ -153,9 +121,9 @@ double skewness(const TimeSeries& series, TimeWindow window) {
 
 ToneDifference tone_difference(const TimeSeries& one, const TimeSeries& other, TimeWindow window,
                                double angular_frequency) {
-  const Common common = common_samples(one, other, window);
-  const FittedTone a = fit_tone(common.time, common.one, angular_frequency);
-  const FittedTone b = fit_tone(common.time, common.other, angular_frequency);
+  const CommonSamples common = within_window(one, other, window);
+  const FittedTone a = fit_tone(common.time, common.candidate, angular_frequency);
+  const FittedTone b = fit_tone(common.time, common.reference, angular_frequency);
   constexpr double degrees = 180 / std::numbers::pi;
   const double relative =
       std::hypot(a.amplitude_half_width / a.amplitude, b.amplitude_half_width / b.amplitude);

@@ -10,7 +10,8 @@
 
 namespace slosh {
 
-// Throws where the campaign has no such case.
+// Null where the campaign has no such case; the other throws.
+const CaseAssessment* find_case(const std::vector<CaseAssessment>& cases, const std::string& name);
 const CaseAssessment& case_named(const std::vector<CaseAssessment>& cases, const std::string& name);
 
 // Throws where the case declares no such run or it left no result, with how it ended.

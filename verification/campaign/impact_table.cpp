@@ -13,10 +13,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string pressure_word(const std::string& quantity) {
-  return quantity.ends_with("/filtered") ? "filtered" : "as it is";
-}
-
 Row published_row(const ImpactsDefinition& impacts) {
   Row row{"published", "mean ± sd of the repeats"};
   for (std::size_t n = 0; n < impacts.times.size(); ++n) {
@@ -99,6 +95,10 @@ std::vector<std::string> impact_pressures(const CaseDefinition& definition) {
   if (std::find(compared.begin(), compared.end(), filtered) != compared.end())
     pressures.push_back(filtered);
   return pressures;
+}
+
+std::string pressure_word(const std::string& quantity) {
+  return quantity.ends_with("/filtered") ? "filtered" : "as it is";
 }
 
 std::string place_among_repeats(const CaseDefinition& definition, std::size_t impact, double peak) {

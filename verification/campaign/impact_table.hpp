@@ -14,6 +14,9 @@ namespace slosh {
 // cutoff.
 std::vector<std::string> impact_pressures(const CaseDefinition& definition);
 
+// Which of them one is: "as it is" or "filtered".
+std::string pressure_word(const std::string& quantity);
+
 // Where a peak [Pa] falls among the experiment's: "43 %" of the repeats lie below it, or, where
 // their table is not supplied, "-0.3 sd" from the published mean.
 std::string place_among_repeats(const CaseDefinition& definition, std::size_t impact, double peak);

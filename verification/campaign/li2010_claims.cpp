@@ -173,12 +173,9 @@ Finding faster_growth(const Cases& cases, const std::string& run) {
 template <class FindOfRun>
 std::vector<Find> for_deciding_runs(const Cases& cases, const char* large_case,
                                     const FindOfRun& find) {
-  const auto found = std::find_if(cases.begin(), cases.end(), [&](const CaseAssessment& one) {
-    return one.definition.name == large_case;
-  });
+  const CaseAssessment* found = find_case(cases, large_case);
   std::vector<Find> findings;
-  const auto runs =
-      found == cases.end() ? std::vector<std::string>{papers_run} : deciding_runs(*found);
+  const auto runs = found ? deciding_runs(*found) : std::vector<std::string>{papers_run};
   for (const std::string& run : runs) findings.push_back([=] { return find(run); });
   return findings;
 }

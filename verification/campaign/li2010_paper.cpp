@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "reference/linear_surge.hpp"
+#include "verification/campaign/claim_evidence.hpp"
 #include "verification/campaign/li2010_claims.hpp"
 #include "verification/campaign/surface_spectrum.hpp"
 
@@ -30,13 +31,6 @@ double largest(const Function& f) {
   double value = 0;
   for (int i = 0; i * sampling <= shown; ++i) value = std::max(value, std::abs(f(i * sampling)));
   return value;
-}
-
-const CaseAssessment* find_case(const std::vector<CaseAssessment>& cases, const std::string& name) {
-  const auto found = std::find_if(cases.begin(), cases.end(), [&](const CaseAssessment& one) {
-    return one.definition.name == name;
-  });
-  return found == cases.end() ? nullptr : &*found;
 }
 
 // "x of run (y of run)": a mode's measure for each run of the scheme that stands, against linear

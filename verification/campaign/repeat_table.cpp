@@ -80,7 +80,7 @@ Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std:
   const CaseDefinition& definition = assessment.definition;
   const Sample sample = sample_of(assessment, repeats, pressure, impact);
   Row row{fmt::format("{} to {}", repeats.front()->name, repeats.back()->name),
-          pressure.ends_with("/filtered") ? "filtered" : "as it is", fmt::format("{}", impact + 1),
+          pressure_word(pressure), fmt::format("{}", impact + 1),
           fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
   if (sample.peaks.empty()) {
     row.insert(row.end(), 5, "");

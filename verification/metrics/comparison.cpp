@@ -53,24 +53,6 @@ ModeComparison compare_tones(const Tone& candidate, const Tone& reference) {
       .decay_rate = candidate.decay_rate};
 }
 
-// Both at the reference's times inside the window and inside the candidate's (at most a sample
-// less).
-struct CommonSamples {
-  std::vector<double> time, candidate, reference;
-};
-
-CommonSamples common_samples(const TimeSeries& candidate, const TimeSeries& cut_reference) {
-  CommonSamples common;
-  for (std::size_t i = 0; i < cut_reference.time.size(); ++i) {
-    const double t = cut_reference.time[i];
-    if (t < candidate.time.front() || t > candidate.time.back()) continue;
-    common.time.push_back(t);
-    common.reference.push_back(cut_reference.value[i]);
-  }
-  common.candidate = interpolate(candidate, common.time);
-  return common;
-}
-
 void compare_whole_window(const CommonSamples& common, Comparison& result) {
   const auto& [time, c, r] = common;
   const std::vector<double> one(time.size(), 1.0);

@@ -88,6 +88,18 @@ std::vector<double> interpolate(const TimeSeries& series, const std::vector<doub
   return values;
 }
 
+CommonSamples common_samples(const TimeSeries& candidate, const TimeSeries& cut_reference) {
+  CommonSamples common;
+  for (std::size_t i = 0; i < cut_reference.time.size(); ++i) {
+    const double t = cut_reference.time[i];
+    if (t < candidate.time.front() || t > candidate.time.back()) continue;
+    common.time.push_back(t);
+    common.reference.push_back(cut_reference.value[i]);
+  }
+  common.candidate = interpolate(candidate, common.time);
+  return common;
+}
+
 std::vector<double> uniform_times(double begin, double end, std::size_t count) {
   std::vector<double> times(count);
   for (std::size_t i = 0; i < count; ++i) {

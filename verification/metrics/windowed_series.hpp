@@ -23,6 +23,15 @@ void require_variation(const TimeSeries& series);
 // Values of a checked series at the given times, all of which lie within it [unit].
 std::vector<double> interpolate(const TimeSeries& series, const std::vector<double>& times);
 
+// Two series at the same times.
+struct CommonSamples {
+  std::vector<double> time, candidate, reference;
+};
+
+// Of checked series: both at those times of the reference, cut to its window, that lie inside the
+// candidate's (at most a sample less).
+CommonSamples common_samples(const TimeSeries& candidate, const TimeSeries& cut_reference);
+
 // `count` equally spaced times from begin to end, both included [s].
 std::vector<double> uniform_times(double begin, double end, std::size_t count);
 

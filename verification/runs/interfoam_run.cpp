@@ -5,6 +5,7 @@
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/solver_runs.hpp"
+#include "verification/runs/taken_series.hpp"
 
 namespace slosh {
 namespace {
@@ -81,21 +82,8 @@ RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request
   openfoam::Harvest harvest = openfoam::harvest(tank, case_directory);
 
   RunResult result;
-  const auto add = [&](const std::string& name, const char* unit, openfoam::History& history) {
-    if (!history.time.empty())
-      result.series.push_back({name, unit, std::move(history.time), std::move(history.value)});
-  };
-  for (auto& [gauge, history] : harvest.elevation) add("elevation@" + gauge, "m", history);
-  for (auto& [gauge, history] : harvest.highest_surface)
-    add("highest_surface@" + gauge, "m", history);
-  for (auto& [gauge, history] : harvest.wall_pressure) add("wall_pressure@" + gauge, "Pa", history);
-  add("front_position", "m", harvest.front_position);
-  add("force_x", "N/m", harvest.force_x);
-  add("force_z", "N/m", harvest.force_z);
-  add("moment", "N", harvest.moment);
-  add("momentum_x", "kg/s", harvest.momentum_x);
-  add("momentum_z", "kg/s", harvest.momentum_z);
-  add("liquid_volume", "m2", harvest.liquid_volume);
+  take_common_series(harvest, result);
+  take_series("liquid_volume", "m2", harvest.liquid_volume, result);
   for (const openfoam::FieldSnapshot& snapshot : harvest.snapshots)
     result.snapshots.push_back(liquid_of(snapshot));
   result.active_terms = {"volume of fluid, liquid and gas", "laminar viscosity", "slip walls",

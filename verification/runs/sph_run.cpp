@@ -8,6 +8,7 @@
 #include "verification/runs/snapshots.hpp"
 #include "verification/runs/solver_runs.hpp"
 #include "verification/runs/state_file.hpp"
+#include "verification/runs/taken_series.hpp"
 
 namespace slosh {
 namespace {
@@ -120,18 +121,6 @@ FieldSnapshot as_seen_in_the_tank(const sph::Snapshot& snapshot, const CaseDefin
   return field;
 }
 
-class SeriesOf {
- public:
-  explicit SeriesOf(RunResult& result) : result_(result) {}
-  void operator()(const std::string& name, const std::string& unit, sph::History& history) {
-    if (!history.time.empty())
-      result_.series.push_back({name, unit, std::move(history.time), std::move(history.value)});
-  }
-
- private:
-  RunResult& result_;
-};
-
 }  // namespace
 
 void require_scene(const SphRun& sph, const CaseDefinition& definition,
@@ -170,21 +159,11 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) {
   }
   sph::RunOutput output = sph::run(sph.scheme, scene, request.progress);
 
-  SeriesOf add(result);
-  for (auto& [gauge, history] : output.elevation) add("elevation@" + gauge, "m", history);
-  for (auto& [gauge, history] : output.highest_surface)
-    add("highest_surface@" + gauge, "m", history);
-  for (auto& [gauge, history] : output.wall_pressure) add("wall_pressure@" + gauge, "Pa", history);
-  add("front_position", "m", output.front_position);
-  add("force_x", "N/m", output.force_x);
-  add("force_z", "N/m", output.force_z);
-  add("moment", "N", output.moment);
-  add("momentum_x", "kg/s", output.momentum_x);
-  add("momentum_z", "kg/s", output.momentum_z);
-  add("kinetic_energy", "J/m", output.kinetic_energy);
-  add("potential_energy", "J/m", output.potential_energy);
+  take_common_series(output, result);
+  take_series("kinetic_energy", "J/m", output.kinetic_energy, result);
+  take_series("potential_energy", "J/m", output.potential_energy, result);
   for (auto* list : {&output.still_water, &output.energy})
-    for (sph::RecordedSeries& one : *list) add(one.name, one.unit, one.history);
+    for (sph::RecordedSeries& one : *list) take_series(one.name, one.unit, one.history, result);
   result.active_terms = std::move(output.active_terms);
   result.diagnostics = std::move(output.diagnostics);
   result.cost.steps = output.steps;
