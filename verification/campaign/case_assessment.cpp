@@ -7,12 +7,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "reference/linear_surge.hpp"
+#include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/filtered_pressure.hpp"
-#include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
-#include "verification/gate/impact_metrics.hpp"
-#include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
 namespace {
@@ -100,47 +97,7 @@ std::vector<std::string> quantities_of(const CaseDefinition& definition, const C
   return quantities;
 }
 
-// The case's, or what a record covers of it: a candidate must cover it all.
-TimeWindow window_of(const CaseDefinition& definition, const std::string& reference) {
-  TimeWindow window{definition.window_begin, definition.window_end};
-  if (const RecordRun* record = solver_as<RecordRun>(definition, reference)) {
-    window.begin = std::max(window.begin, record->time.front());
-    window.end = std::min(window.end, record->time.back());
-  }
-  return window;
-}
-
-// A record may be too short or too sparse for the modes: then the histories alone are compared.
-Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& record,
-                               TimeWindow window, const std::vector<ToneRequest>& modes) {
-  try {
-    return compare(candidate, record, window, modes);
-  } catch (const ComparisonError&) {
-    return compare(candidate, record, window, {});
-  }
-}
-
-Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs, const Pair& pair,
-                        const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
-  const TimeSeries& candidate = runs.results.at(pair.first).at(quantity);
-  const TimeSeries& reference = runs.results.at(pair.second).at(quantity);
-  const TimeWindow window = window_of(definition, pair.second);
-  const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
-  Comparison comparison = solver_as<RecordRun>(definition, pair.second)
-                              ? compare_with_record(candidate, reference, window, modes)
-                              : compare(candidate, reference, window, modes);
-  comparison.candidate = pair.first;
-  comparison.reference = pair.second;
-  return comparison;
-}
-
 }  // namespace
-
-bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity) {
-  const auto& series = runs.results.at(run).series;
-  return std::any_of(series.begin(), series.end(),
-                     [&](const TimeSeries& one) { return one.name == quantity; });
-}
 
 std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
   const std::string quantity = compared_quantities(assessment.definition).front();
@@ -155,11 +112,7 @@ std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessm
 }
 
 const TimeSeries* series_of_record(const CaseAssessment& assessment, const std::string& quantity) {
-  for (const RunDefinition& run : assessment.definition.runs)
-    if (std::holds_alternative<RecordRun>(run.solver) && stands(assessment.runs, run.name) &&
-        has_series(assessment.runs, run.name, quantity))
-      return &assessment.runs.results.at(run.name).at(quantity);
-  return nullptr;
+  return series_of_record(assessment.definition, assessment.runs, quantity);
 }
 
 const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run) {
@@ -170,66 +123,21 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
   return nullptr;
 }
 
-const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name) {
-  const auto found = std::find_if(definition.runs.begin(), definition.runs.end(),
-                                  [&](const RunDefinition& run) { return run.name == name; });
-  if (found == definition.runs.end())
-    throw std::invalid_argument("case " + definition.name + " has no run " + name);
-  return *found;
-}
-
-std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes) {
-  const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
-                             definition.gravity, definition.liquid.density};
-  std::vector<ToneRequest> modes;
-  if (const double forcing = forcing_frequency(definition); forcing > 0)
-    modes.push_back({"forced", forcing, false});
-  for (int n = 1; n <= natural_modes; ++n)
-    modes.push_back(
-        {fmt::format("natural_{}", n), reference::natural_frequency(tank, 2 * n - 1), true});
-  return modes;
-}
-
-std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
-  return modes_of(definition, definition.natural_modes);
-}
-
 CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
   mark_references_out_of_range(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
-  const std::vector<ToneRequest> modes = fitted_modes(definition);
-  std::map<std::string, Comparison> computed;
-  const FindComparison find = [&](const std::string& candidate, const std::string& reference,
-                                  const std::string& quantity) -> const Comparison& {
-    const std::string key = candidate + "\n" + reference + "\n" + quantity;
-    const auto known = computed.find(key);
-    if (known != computed.end()) return known->second;
-    return computed
-        .emplace(key,
-                 compare_runs(definition, assessment.runs, {candidate, reference}, quantity, modes))
-        .first->second;
-  };
+  CaseEvidence evidence(assessment.definition, assessment.runs);
   for (const Pair& pair : compared_pairs(definition, assessment.runs))
     for (const std::string& quantity : quantities_of(definition, assessment.runs, pair)) {
       try {
-        assessment.comparisons.push_back(find(pair.first, pair.second, quantity));
+        assessment.comparisons.push_back(evidence.comparison(pair.first, pair.second, quantity));
       } catch (const std::runtime_error& error) {  // ComparisonError and ResultError
         assessment.not_comparable.push_back(
             fmt::format("{} against {}: {}", pair.first, pair.second, error.what()));
       }
     }
-  const FindSeries find_series = [&](const std::string& run, const std::string& quantity) {
-    return cut_to_window(assessment.runs.results.at(run).at(quantity),
-                         {definition.window_begin, definition.window_end});
-  };
-  const MeasureImpacts measure_impacts = [&](const std::string& run, const GateRow& row) {
-    return impact_metric(row.metric, row.mode, assessment.runs.results.at(run).at(row.quantity),
-                         series_of_record(assessment, row.quantity), definition);
-  };
-  for (const GateRow& row : definition.gate)
-    assessment.gate.push_back(
-        evaluate(row, assessment.runs.status, {find, find_series, measure_impacts}));
+  for (const GateRow& row : definition.gate) assessment.gate.push_back(evidence.judge(row));
   return assessment;
 }
 

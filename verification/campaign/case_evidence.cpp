@@ -1,0 +1,103 @@
+#include "verification/campaign/case_evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/linear_surge.hpp"
+#include "verification/case_file/motion.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/gate/impact_metrics.hpp"
+#include "verification/metrics/windowed_series.hpp"
+
+namespace slosh {
+namespace {
+
+const RecordRun* record_named(const CaseDefinition& definition, const std::string& run) {
+  return std::get_if<RecordRun>(&run_named(definition, run).solver);
+}
+
+// The case's, or what a record covers of it: a candidate must cover it all.
+TimeWindow window_of(const CaseDefinition& definition, const std::string& reference) {
+  TimeWindow window{definition.window_begin, definition.window_end};
+  if (const RecordRun* record = record_named(definition, reference)) {
+    window.begin = std::max(window.begin, record->time.front());
+    window.end = std::min(window.end, record->time.back());
+  }
+  return window;
+}
+
+// A record may be too short or too sparse for the modes: then the histories alone are compared.
+Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& record,
+                               TimeWindow window, const std::vector<ToneRequest>& modes) {
+  try {
+    return compare(candidate, record, window, modes);
+  } catch (const ComparisonError&) {
+    return compare(candidate, record, window, {});
+  }
+}
+
+Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs,
+                        const std::string& candidate_name, const std::string& reference_name,
+                        const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
+  const TimeSeries& candidate = runs.results.at(candidate_name).at(quantity);
+  const TimeSeries& reference = runs.results.at(reference_name).at(quantity);
+  const TimeWindow window = window_of(definition, reference_name);
+  const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
+  Comparison comparison = record_named(definition, reference_name)
+                              ? compare_with_record(candidate, reference, window, modes)
+                              : compare(candidate, reference, window, modes);
+  comparison.candidate = candidate_name;
+  comparison.reference = reference_name;
+  return comparison;
+}
+
+}  // namespace
+
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes) {
+  const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
+                             definition.gravity, definition.liquid.density};
+  std::vector<ToneRequest> modes;
+  if (const double forcing = forcing_frequency(definition); forcing > 0)
+    modes.push_back({"forced", forcing, false});
+  for (int n = 1; n <= natural_modes; ++n)
+    modes.push_back(
+        {fmt::format("natural_{}", n), reference::natural_frequency(tank, 2 * n - 1), true});
+  return modes;
+}
+
+std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
+  return modes_of(definition, definition.natural_modes);
+}
+
+CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs)
+    : definition_(definition), runs_(runs), modes_(fitted_modes(definition)) {}
+
+const Comparison& CaseEvidence::comparison(const std::string& candidate,
+                                           const std::string& reference,
+                                           const std::string& quantity) {
+  const std::string key = candidate + "\n" + reference + "\n" + quantity;
+  const auto known = computed_.find(key);
+  if (known != computed_.end()) return known->second;
+  return computed_
+      .emplace(key, compare_runs(definition_, runs_, candidate, reference, quantity, modes_))
+      .first->second;
+}
+
+GateOutcome CaseEvidence::judge(const GateRow& row) {
+  const FindComparison find = [&](const std::string& candidate, const std::string& reference,
+                                  const std::string& quantity) -> const Comparison& {
+    return comparison(candidate, reference, quantity);
+  };
+  const FindSeries find_series = [&](const std::string& run, const std::string& quantity) {
+    return cut_to_window(runs_.results.at(run).at(quantity),
+                         {definition_.window_begin, definition_.window_end});
+  };
+  const MeasureImpacts measure_impacts = [&](const std::string& run, const GateRow& of) {
+    return impact_metric(of.metric, of.mode, runs_.results.at(run).at(of.quantity),
+                         series_of_record(definition_, runs_, of.quantity), definition_);
+  };
+  return evaluate(row, runs_.status, {find, find_series, measure_impacts});
+}
+
+}  // namespace slosh

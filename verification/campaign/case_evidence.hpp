@@ -1,0 +1,40 @@
+// What the gate rows of a case are judged by: comparisons of its runs over the case's window, each
+// computed once.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verification/campaign/case_runs.hpp"
+#include "verification/case_file/case_definition.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/metrics/comparison.hpp"
+
+namespace slosh {
+
+// The forcing, where the motion has one, and the first natural modes that surge excites.
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes);
+
+// Of these, the ones that the case's comparisons fit.
+std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
+
+class CaseEvidence {
+ public:
+  // Both stay the caller's and outlive this.
+  CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs);
+
+  // Throws ComparisonError or ResultError where there is none.
+  const Comparison& comparison(const std::string& candidate, const std::string& reference,
+                               const std::string& quantity);
+
+  GateOutcome judge(const GateRow& row);
+
+ private:
+  const CaseDefinition& definition_;
+  const CaseRuns& runs_;
+  std::vector<ToneRequest> modes_;
+  std::map<std::string, Comparison> computed_;
+};
+
+}  // namespace slosh

@@ -1,0 +1,27 @@
+// How the runs of a case ended, and what those that finished left.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/runs/result_file.hpp"
+
+namespace slosh {
+
+struct CaseRuns {
+  std::map<std::string, RunStatus> status;   // of every run that the case declares
+  std::map<std::string, RunResult> results;  // of the finished ones and those out of their range
+};
+
+bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
+
+// The run's definition by its name; the case has one.
+const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
+
+// That of the first record that has it; null where none is supplied.
+const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,
+                                   const std::string& quantity);
+
+}  // namespace slosh
