@@ -50,6 +50,12 @@ std::string measure_name(const GateRow& row) {
   return (row.mode == "whole" ? "" : row.mode + " ") + metric + " of " + row.quantity;
 }
 
+std::string rms_text(const Estimate& rms) {
+  return rms.half_width > 0
+             ? fmt::format("{:.2f} ± {:.2g} %", 100 * rms.value, 100 * rms.half_width)
+             : fmt::format("{:.2f} %", 100 * rms.value);
+}
+
 // Of waves millimetres are read more easily than metres.
 std::string length_in_mm(double value, const std::string& unit) {
   return unit == "m" ? fmt::format("{:.3f} mm", 1000 * value)
@@ -126,7 +132,8 @@ Table history_table(const CaseAssessment& assessment) {
   const bool swings = !fitted_modes(assessment.definition).empty();
   Table table{assessment.definition.name + "-histories",
               "Whole histories",
-              "Normalised rms: rms of the residual over rms of the reference about its mean.",
+              "Normalised rms: rms of the residual over rms of the reference about its mean, with "
+              "the 95 % interval that blocks of the window give.",
               {"candidate", "reference", "quantity", "normalised rms", "largest residual"},
               {}};
   if (swings) {
@@ -138,7 +145,7 @@ Table history_table(const CaseAssessment& assessment) {
   }
   for (const Comparison& pair : assessment.comparisons) {
     std::vector<std::string> row{pair.candidate, reference_name(assessment, pair), pair.quantity,
-                                 fmt::format("{:.2f} %", 100 * pair.normalised_rms),
+                                 rms_text(pair.normalised_rms),
                                  length_in_mm(pair.maximum_residual, pair.unit)};
     if (swings)
       row.insert(row.end(),

@@ -105,8 +105,10 @@ std::vector<std::string> error_cells(const ChoiceRun& one, const ChoiceRun* plai
   const bool same_reference =
       plain && plain->comparison && plain->comparison->reference == comparison.reference;
   return {comparison.reference,
-          fmt::format("{:.2f}", 100 * comparison.normalised_rms),
-          same_reference ? ratio(comparison.normalised_rms, plain->comparison->normalised_rms) : "",
+          fmt::format("{:.2f}", 100 * comparison.normalised_rms.value),
+          same_reference
+              ? ratio(comparison.normalised_rms.value, plain->comparison->normalised_rms.value)
+              : "",
           mode_cell(comparison, "forced", &ModeComparison::amplitude_error, 100),
           mode_cell(comparison, "forced", &ModeComparison::phase_lag_degrees, 1),
           mode_cell(comparison, "natural_1", &ModeComparison::frequency_error, 100),

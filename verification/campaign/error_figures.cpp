@@ -28,7 +28,7 @@ double tolerated_residual(const CaseAssessment& assessment, const Comparison& co
       double sum2 = 0;
       for (const double r : comparison.residual.value) sum2 += r * r;
       const double rms = std::sqrt(sum2 / static_cast<double>(comparison.residual.value.size()));
-      return *row.limit * rms / comparison.normalised_rms;
+      return *row.limit * rms / comparison.normalised_rms.value;
     }
   return 0;
 }
@@ -109,7 +109,7 @@ std::vector<Figure> cost_figures(const CaseAssessment& assessment) {
     const std::string name = cost_label(run, name_changes) + " against " + comparison.reference;
     if (!points.contains(name)) labels.push_back(name);
     points[name].insert(
-        {resolution(run), {cost.user_time + cost.system_time, comparison.normalised_rms}});
+        {resolution(run), {cost.user_time + cost.system_time, comparison.normalised_rms.value}});
     styles[name] = is_changed(run) ? Curve::Style::points : Curve::Style::line_points;
   }
   for (const std::string& name : labels) {

@@ -37,7 +37,7 @@ constexpr Column columns[] = {
 
 Measures measures_of(const Comparison& comparison) {
   Measures measures;
-  measures.rms = {comparison.normalised_rms, 0};
+  measures.rms = comparison.normalised_rms;
   for (const ModeComparison& mode : comparison.modes) {
     if (mode.mode != "natural_1" || !mode.resolved()) continue;
     measures.frequency_error = mode.frequency_error;

@@ -53,7 +53,7 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::decay_rate:
       return mode_of(comparison, mode).decay_rate;
     case Metric::normalised_rms:
-      return {comparison.normalised_rms, 0};
+      return comparison.normalised_rms;
     case Metric::maximum_residual:
       return {comparison.maximum_residual, 0};
     case Metric::time_lag:

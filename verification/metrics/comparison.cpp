@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/block_jackknife.hpp"
 #include "verification/metrics/cross_correlation.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
@@ -15,14 +16,11 @@ namespace {
 
 using std::numbers::pi;
 
-// Integral of x y by the trapezoidal rule.
-double integral(const std::vector<double>& time, const std::vector<double>& x,
-                const std::vector<double>& y) {
+double mean_of(const std::vector<double>& time, const std::vector<double>& value) {
   double sum = 0;
-  for (std::size_t i = 1; i < time.size(); ++i) {
-    sum += 0.5 * (time[i] - time[i - 1]) * (x[i] * y[i] + x[i - 1] * y[i - 1]);
-  }
-  return sum;
+  for (std::size_t i = 1; i < time.size(); ++i)
+    sum += 0.5 * (time[i] - time[i - 1]) * (value[i] + value[i - 1]);
+  return sum / (time.back() - time.front());
 }
 
 // x / y - 1 with the first-order interval of independent x and y.
@@ -53,25 +51,55 @@ ModeComparison compare_tones(const Tone& candidate, const Tone& reference) {
       .decay_rate = candidate.decay_rate};
 }
 
-void compare_whole_window(const CommonSamples& common, Comparison& result) {
-  const auto& [time, c, r] = common;
-  const std::vector<double> one(time.size(), 1.0);
-  const double mean = integral(time, r, one) / integral(time, one, one);
-  std::vector<double> residual(time.size()), varying(time.size());
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    residual[i] = c[i] - r[i];
-    varying[i] = r[i] - mean;
+// By the trapezoidal rule over the interval before the i-th sample.
+BlockIntegrals over_interval(const CommonSamples& common, double mean, std::size_t i) {
+  const auto at = [&](std::size_t k) {
+    const double c = common.candidate[k], r = common.reference[k];
+    return BlockIntegrals{(c - r) * (c - r), (r - mean) * (r - mean), c * c, r * r, c * r};
+  };
+  BlockIntegrals ends = at(i - 1);
+  ends += at(i);
+  const double half = 0.5 * (common.time[i] - common.time[i - 1]);
+  return {half * ends.residual, half * ends.variation, half * ends.candidate, half * ends.reference,
+          half * ends.product};
+}
+
+std::vector<BlockIntegrals> block_integrals(const CommonSamples& common, int count) {
+  const double mean = mean_of(common.time, common.reference);
+  const std::size_t intervals = common.time.size() - 1;
+  std::vector<BlockIntegrals> blocks(static_cast<std::size_t>(count));
+  for (std::size_t i = 1; i <= intervals; ++i)
+    blocks[(i - 1) * blocks.size() / intervals] += over_interval(common, mean, i);
+  return blocks;
+}
+
+void compare_whole_window(const CommonSamples& common, int blocks, Comparison& result) {
+  const std::vector<BlockIntegrals> sums = block_integrals(common, blocks);
+  result.normalised_rms = block_jackknife(
+      sums, [](const BlockIntegrals& of) { return std::sqrt(of.residual / of.variation); });
+  result.sprague_geers_magnitude = block_jackknife(
+      sums, [](const BlockIntegrals& of) { return std::sqrt(of.candidate / of.reference) - 1; });
+  result.sprague_geers_phase = block_jackknife(sums, [](const BlockIntegrals& of) {
+    return std::acos(std::clamp(of.product / std::sqrt(of.reference * of.candidate), -1.0, 1.0)) /
+           pi;
+  });
+  std::vector<double> residual(common.time.size());
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    residual[i] = common.candidate[i] - common.reference[i];
     result.maximum_residual = std::max(result.maximum_residual, std::abs(residual[i]));
   }
-  result.normalised_rms =
-      std::sqrt(integral(time, residual, residual) / integral(time, varying, varying));
-  const double cc = integral(time, c, c), rr = integral(time, r, r), rc = integral(time, r, c);
-  result.sprague_geers_magnitude = std::sqrt(cc / rr) - 1;
-  result.sprague_geers_phase = std::acos(std::clamp(rc / std::sqrt(rr * cc), -1.0, 1.0)) / pi;
   result.residual = {.name = result.quantity + " residual",
                      .unit = result.unit,
-                     .time = time,
+                     .time = common.time,
                      .value = std::move(residual)};
+}
+
+// Of the slowest mode; none repeats without one.
+int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
+  if (modes.empty()) return 1;
+  double slowest = modes.front().angular_frequency;
+  for (const ToneRequest& mode : modes) slowest = std::min(slowest, mode.angular_frequency);
+  return block_count(window.end - window.begin, 2 * pi / slowest);
 }
 
 void compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
@@ -113,7 +141,7 @@ Comparison compare(const TimeSeries& candidate_series, const TimeSeries& referen
   result.quantity = reference_series.name;
   result.unit = reference.unit;
   result.window = window;
-  compare_whole_window(common_samples(candidate, cut_reference), result);
+  compare_whole_window(common_samples(candidate, cut_reference), blocks_of(window, modes), result);
   constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   if (modes.empty()) {
     result.cross_correlation_lag = no_number;

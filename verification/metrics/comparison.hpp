@@ -37,12 +37,13 @@ struct Comparison {
   std::string quantity, unit;        // the reference's
   TimeWindow window;
   std::vector<ModeComparison> modes;
-  double normalised_rms;    // rms(c - r) / rms(r - mean r)
+  // Of the whole window; intervals by block_jackknife.hpp, none without modes.
+  Estimate normalised_rms;  // rms(c - r) / rms(r - mean r)
   double maximum_residual;  // max |c - r|, in the quantity's unit
   // [s], positive when late; within half a period of the first mode, NaN without modes.
   double cross_correlation_lag;
   TimeAlignment alignment;  // NaN with modes, whose lags say it better
-  double sprague_geers_magnitude, sprague_geers_phase;
+  Estimate sprague_geers_magnitude, sprague_geers_phase;
   TimeSeries residual;  // c - r at the reference's times inside the window
   // One more than modes, highest first; none without modes.
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;

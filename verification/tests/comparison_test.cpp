@@ -37,7 +37,7 @@ TEST(Comparison, FindsNoDifferenceBetweenASeriesAndItself) {
     EXPECT_EQ(mode.phase_lag.value, 0);
     EXPECT_EQ(mode.frequency_error.value, 0);
   }
-  EXPECT_EQ(result.normalised_rms, 0);
+  EXPECT_EQ(result.normalised_rms.value, 0);
   EXPECT_EQ(result.maximum_residual, 0);
   EXPECT_EQ(result.residual.time.size(), reference.time.size());
 }
@@ -62,9 +62,9 @@ TEST(Comparison, ReportsAScaledCandidateAsAnAmplitudeErrorOfEveryMode) {
     EXPECT_NEAR(mode.amplitude_error.value, 0.05, 1e-9);
     EXPECT_NEAR(mode.phase_lag.value, 0, 1e-9);
   }
-  EXPECT_NEAR(result.sprague_geers_magnitude, 0.05, 1e-9);
-  EXPECT_NEAR(result.sprague_geers_phase, 0, 1e-6);
-  EXPECT_NEAR(result.normalised_rms, 0.05, 1e-3);
+  EXPECT_NEAR(result.sprague_geers_magnitude.value, 0.05, 1e-9);
+  EXPECT_NEAR(result.sprague_geers_phase.value, 0, 1e-6);
+  EXPECT_NEAR(result.normalised_rms.value, 0.05, 1e-3);
   EXPECT_NEAR(compare(reference, high, window, modes).modes[0].amplitude_error.value, 1 / 1.05 - 1,
               1e-9);
 }
@@ -105,7 +105,7 @@ TEST(Comparison, IntervalsHoldTheTruthUnderNoise) {
     EXPECT_GT(mode.amplitude_error.half_width, 0.001);
     EXPECT_LT(mode.amplitude_error.half_width, 0.2);
   }
-  EXPECT_GT(result.normalised_rms, 0.1);
+  EXPECT_GT(result.normalised_rms.value, 0.1);
 }
 
 TEST(Comparison, SurvivesACandidateWhoseNaturalModeIsGone) {
@@ -124,7 +124,7 @@ TEST(Comparison, SurvivesACandidateWhoseNaturalModeIsGone) {
 TEST(Comparison, InterpolatesACandidateOfOtherSampling) {
   auto candidate = sampled(wave, 0.003, 20.003, 0.0137);
   const auto result = compare(candidate, reference, window, modes);
-  EXPECT_LT(result.normalised_rms, 1e-4);
+  EXPECT_LT(result.normalised_rms.value, 1e-4);
   EXPECT_NEAR(result.modes[0].phase_lag.value, 0, 1e-8);
   EXPECT_GE(result.residual.time.size(), reference.time.size() - 4);
 }
@@ -133,7 +133,7 @@ TEST(Comparison, MeasuresSpragueAndGeersPhaseOfAQuarterPeriodAsOneHalf) {
   const auto sine = sampled([](double t) { return std::sin(two_pi * t); }, 0, 20);
   const auto cosine = sampled([](double t) { return std::cos(two_pi * t); }, 0, 20);
   const auto result = compare(cosine, sine, window, {{"forced", two_pi, false}});
-  EXPECT_NEAR(result.sprague_geers_phase, 0.5, 1e-6);
+  EXPECT_NEAR(result.sprague_geers_phase.value, 0.5, 1e-6);
   EXPECT_NEAR(result.modes[0].phase_lag_periods.value, -0.25, 1e-9);
   EXPECT_NEAR(result.cross_correlation_lag, -0.25, 5e-4);
 }
@@ -177,7 +177,7 @@ TEST(ComparisonWithoutModes, IsOfTheWholeHistoriesAlone) {
   for (double& value : ahead.value) value += 0.1;
   const Comparison result = compare(ahead, ramp, {0, 1}, {});
   EXPECT_NEAR(result.maximum_residual, 0.1, 1e-12);
-  EXPECT_NEAR(result.normalised_rms, 0.1 * std::sqrt(12.0) / 2,
+  EXPECT_NEAR(result.normalised_rms.value, 0.1 * std::sqrt(12.0) / 2,
               1e-3);  // a ramp's rms: 2 / sqrt(12)
   EXPECT_TRUE(result.modes.empty());
   EXPECT_TRUE(result.candidate_peaks.empty());

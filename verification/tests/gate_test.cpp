@@ -61,7 +61,7 @@ Comparison comparison_of(double amplitude_error) {
   comparison.modes.push_back(natural);
   for (ModeComparison& mode : comparison.modes)
     mode.candidate.resolved = mode.reference.resolved = true;
-  comparison.normalised_rms = 0.1;
+  comparison.normalised_rms = {0.1, 0};
   comparison.maximum_residual = 0.0004;
   comparison.alignment = {-0.003, 0.05};
   return comparison;
