@@ -8,11 +8,10 @@
 #include <iostream>
 #include <vector>
 
-#include "reports/write_report.hpp"
-#include "verification/campaign/campaign_report.hpp"
-#include "verification/campaign/campaign_run.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/named_paths.hpp"
 #include "verification/runs/progress_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -23,60 +22,6 @@ namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string gate_line(const CaseAssessment& assessment, const GateOutcome& outcome) {
-  return fmt::format("{:<14} {} {} {} {} {}: {}", verdict_name(outcome.verdict),
-                     assessment.definition.name, outcome.row.candidate, outcome.row.mode,
-                     metric_name(outcome.row.metric), outcome.row.quantity, outcome.message);
-}
-
-void print(const CaseAssessment& assessment) {
-  for (const auto& [run, status] : assessment.runs.status)
-    if (status.state == RunState::failed || status.state == RunState::missing ||
-        status.state == RunState::not_supplied)
-      std::cerr << fmt::format("{}/{}: {}: {}\n", assessment.definition.name, run,
-                               state_name(status.state), status.message);
-  for (const GateOutcome& outcome : assessment.gate)
-    std::cout << gate_line(assessment, outcome) << "\n";
-}
-
-void require_window(const CaseDefinition& definition) try {
-  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
-} catch (const ComparisonError& error) {
-  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
-}
-
-// All that a campaign's cases get wrong is found before anything runs.
-std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
-                                       const fs::path& experiments) {
-  std::vector<CaseDefinition> cases;
-  for (const fs::path& file : campaign.cases) {
-    CaseDefinition definition = read_case(file, experiments);
-    for (const CaseDefinition& other : cases)
-      if (other.name == definition.name)
-        throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
-                                        file.string(), definition.name, other.file.string()));
-    require_window(definition);
-    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
-    cases.push_back(std::move(definition));
-  }
-  return cases;
-}
-
-// How a command line names the file: a shipped one by its name, any other by its path.
-std::string name_or_path(const fs::path& file, const fs::path& shipped) {
-  if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();
-  return fmt::format("'{}'", fs::absolute(file).lexically_normal().string());
-}
-
-fs::path whole(const fs::path& path) {
-  return path.empty() ? path : fs::absolute(path).lexically_normal();
-}
-
-// What a command needs to find the user's records again.
-std::string experiments_option(const fs::path& experiments) {
-  return experiments.empty() ? "" : fmt::format(" --experiments '{}'", experiments.string());
-}
 
 std::vector<fs::path> definitions_in(const fs::path& directory) {
   std::vector<fs::path> files;
@@ -101,42 +46,6 @@ Progress progress_writer(const fs::path& file, double end_time) {
 }
 
 }  // namespace
-
-int run_campaign(const CampaignOptions& options, const Installation& installation,
-                 const std::atomic<bool>& stop) {
-  const CampaignDefinition campaign =
-      read_campaign(find_campaign(options.campaign, installation.campaigns), installation.cases);
-  const fs::path experiments = whole(options.experiments);
-  const std::vector<CaseDefinition> cases = read_cases(campaign, experiments);
-  const std::string form = options.quick ? "-quick" : "";
-  const CampaignSettings settings{
-      fs::absolute(options.output.empty()
-                       ? installation.build / "campaigns" / (campaign.name + form)
-                       : options.output),
-      installation.executable,
-      installation.solver_build,
-      installation.openfoam_templates,
-      experiments,
-      options.quick,
-      options.solve,
-      options.at_once};
-  std::vector<CaseRuns> runs = run_cases(cases, settings, stop);
-
-  std::vector<CaseAssessment> assessed;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    assessed.push_back(assess(cases[i], std::move(runs[i])));
-    print(assessed.back());
-  }
-  const std::string command =
-      fmt::format("./slosh campaign {}{}{}", name_or_path(campaign.file, installation.campaigns),
-                  options.quick ? " --quick" : "", experiments_option(experiments));
-  const fs::path report = settings.output / "report";
-  reports::write_report(campaign_report(campaign, options.quick, command, assessed), report);
-  std::cout << (exit_status(assessed) == exit_pass ? "PASS: " : "FAIL: ")
-            << verdict_sentence(assessed) << "\nreport: " << (report / "index.html").string()
-            << "\n";
-  return exit_status(assessed);
-}
 
 int run_one(const RunOptions& options, const Installation& installation) {
   const fs::path experiments = whole(options.experiments);

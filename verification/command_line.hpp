@@ -1,27 +1,18 @@
-// The subcommands of the tool. Each takes its parsed options and returns the exit status; they
+// The subcommands of the tool, but for those of campaign_command.hpp and baseline_command.hpp. Each
+// takes its parsed options and returns the exit status; they
 // throw CaseFileError, SolverError, ResultError and ReportError, which main.cpp turns into messages
 // and exit statuses.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <string>
 
 namespace slosh {
 
-// Where the tool's data lies: the source tree's folders.
+// Where the tool's data lies: the source tree and its folders.
 struct Installation {
-  std::filesystem::path executable, solver_build, cases, campaigns, openfoam_templates, build;
-};
-
-struct CampaignOptions {
-  std::string campaign;
-  bool quick = false;
-  bool solve = true;  // false: `slosh report`
-  int at_once = 1;
-  std::filesystem::path experiments;  // empty: none is named
-  std::filesystem::path
-      output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
+  std::filesystem::path executable, solver_build, source, cases, campaigns, baselines,
+      openfoam_templates, build;
 };
 
 struct RunOptions {
@@ -33,8 +24,6 @@ struct RunOptions {
   std::filesystem::path resume;       // empty: from the start
 };
 
-int run_campaign(const CampaignOptions& options, const Installation& installation,
-                 const std::atomic<bool>& stop);
 int run_one(const RunOptions& options, const Installation& installation);
 int list_definitions(const Installation& installation);
 

@@ -6,10 +6,13 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <thread>
 
-#include "verification/campaign/campaign_run.hpp"
+#include "verification/baseline/baseline_ledger.hpp"
+#include "verification/baseline_command.hpp"
+#include "verification/campaign_command.hpp"
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/command_line.hpp"
 #include "verification/gate/gate.hpp"
@@ -27,8 +30,10 @@ slosh::Installation installation() {
   const fs::path executable = fs::read_symlink("/proc/self/exe");
   return {executable,
           executable.parent_path() / "slosh.solver",
+          source,
           source / "verification/cases",
           source / "verification/campaigns",
+          source / "verification/baselines",
           source / "openfoam_cases/sloshing_tank",
           source / "build"};
 }
@@ -41,7 +46,8 @@ constexpr const char* closing_words =
     "4 a reference is missing, a result is unusable or nothing was compared; 130 interrupted.\n"
     "Examples:\n"
     "  ./slosh campaign small_amplitude --quick\n"
-    "  ./slosh run li2010_small_amplitude linear --output linear.h5";
+    "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
+    "  ./slosh gate small_amplitude --quick";
 
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
   command
@@ -63,6 +69,12 @@ void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
       "Directory of the results and the report (default: build/campaigns/NAME, with -quick "
       "after the NAME of a quick form)");
   add_experiments_option(command, options.experiments);
+}
+
+void add_ledger_option(CLI::App& command, slosh::CampaignOptions& options) {
+  command.add_option("--ledger", options.ledger,
+                     "The baselines' ledger (default: verification/baselines/NAME.jsonl, with "
+                     "-quick after the NAME of a quick form)");
 }
 
 void add_run_options(CLI::App& command, slosh::RunOptions& options) {
@@ -90,39 +102,90 @@ void add_run_options(CLI::App& command, slosh::RunOptions& options) {
   command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
 }
 
+// What the command line asks for, chosen while it is parsed.
+using Action = std::function<int()>;
+
+template <class Command>
+CLI::App& add_command(CLI::App& app, const char* name, const char* description, Action& action,
+                      Command command) {
+  CLI::App& added = *app.add_subcommand(name, description);
+  added.callback([&action, command] { action = command; });
+  return added;
+}
+
+void add_campaign_commands(CLI::App& app, slosh::CampaignOptions& options, Action& action) {
+  options.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  CLI::App& campaign =
+      add_command(app, "campaign", "Runs a campaign's cases, compares, reports and gates", action,
+                  [&] { return slosh::run_campaign(options, installation(), stop_requested); });
+  CLI::App& report = add_command(
+      app, "report", "The same from the results that are there; starts no solver", action, [&] {
+        options.solve = false;
+        return slosh::run_campaign(options, installation(), stop_requested);
+      });
+  CLI::App& gate = add_command(
+      app, "gate",
+      "Runs what a campaign still needs, tells what has moved since its baseline, and leaves "
+      "junit.xml, gate.md and gate.sarif",
+      action, [&] { return slosh::gate_campaign(options, installation(), stop_requested); });
+  for (CLI::App* command : {&campaign, &report, &gate}) add_campaign_options(*command, options);
+  for (CLI::App* command : {&campaign, &gate})
+    command->add_option("-j,--jobs", options.at_once, "Runs side by side (default: one a core)")
+        ->check(CLI::PositiveNumber);
+  add_ledger_option(gate, options);
+}
+
+void add_baseline_commands(CLI::App& app, slosh::CampaignOptions& options,
+                           slosh::ApprovalOptions& approval, Action& action) {
+  CLI::App& baseline = *app.add_subcommand(
+      "baseline", "Our own earlier figures of a campaign, and what has moved since");
+  baseline.require_subcommand(1);
+  CLI::App& diff =
+      add_command(baseline, "diff", "Prints what has changed; exit status 1 where something has",
+                  action, [&] { return slosh::diff_baseline(options, installation()); });
+  CLI::App& propose =
+      add_command(baseline, "propose", "Leaves a proposal to make the present figures the baseline",
+                  action, [&] { return slosh::propose_baseline(options, installation()); });
+  CLI::App& approve =
+      add_command(baseline, "approve", "Adds the proposal to the ledger", action,
+                  [&] { return slosh::approve_baseline(options, approval, installation()); });
+  for (CLI::App* command : {&diff, &propose, &approve}) {
+    add_campaign_options(*command, options);
+    add_ledger_option(*command, options);
+  }
+  const CLI::Validator not_empty(
+      [](const std::string& text) { return text.empty() ? "expected a text" : std::string(); },
+      "TEXT");
+  approve.add_option("--who", approval.who, "Who approves it")->required()->check(not_empty);
+  approve.add_option("--reason", approval.reason, "Why the figures may move")
+      ->required()
+      ->check(not_empty);
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
   app.footer(closing_words);
   app.require_subcommand(1);
   slosh::CampaignOptions campaign;
-  campaign.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  slosh::ApprovalOptions approval;
   slosh::RunOptions run;
-  CLI::App& campaign_command =
-      *app.add_subcommand("campaign", "Runs a campaign's cases, compares, reports and gates");
-  CLI::App& report_command =
-      *app.add_subcommand("report", "The same from the results that are there; starts no solver");
-  CLI::App& run_command =
-      *app.add_subcommand("run", "Executes one run of a case and leaves its result file");
-  const CLI::App& list_command =
-      *app.add_subcommand("list", "Lists campaigns, cases and their runs");
-  add_campaign_options(campaign_command, campaign);
-  campaign_command
-      .add_option("-j,--jobs", campaign.at_once, "Runs side by side (default: one a core)")
-      ->check(CLI::PositiveNumber);
-  add_campaign_options(report_command, campaign);
-  add_run_options(run_command, run);
+  Action action;
+  add_campaign_commands(app, campaign, action);
+  add_baseline_commands(app, campaign, approval, action);
+  add_run_options(add_command(app, "run", "Executes one run of a case and leaves its result file",
+                              action, [&] { return slosh::run_one(run, installation()); }),
+                  run);
+  add_command(app, "list", "Lists campaigns, cases and their runs", action,
+              [] { return slosh::list_definitions(installation()); });
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? slosh::exit_pass : slosh::exit_usage;
   }
-  if (list_command) return slosh::list_definitions(installation());
-  if (run_command) return slosh::run_one(run, installation());
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
-  campaign.solve = !report_command;
-  return slosh::run_campaign(campaign, installation(), stop_requested);
+  return action();
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::decay_rate:
       return mode_of(comparison, mode).decay_rate;
     case Metric::normalised_rms:
-      return comparison.normalised_rms;
+      // Of the declared window, whose samples are all there: its interval tells of other windows.
+      return {comparison.normalised_rms.value, 0};
     case Metric::maximum_residual:
       return {comparison.maximum_residual, 0};
     case Metric::time_lag:

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/gate_document.hpp"
+
+namespace slosh::reports {
+namespace {
+
+int badness(const GateEntry& entry) {
+  switch (entry.outcome) {
+    case GateOutcomeKind::error:
+      return 4;
+    case GateOutcomeKind::failure:
+      return 3;
+    case GateOutcomeKind::inconclusive:
+      return 2;
+    case GateOutcomeKind::pass:
+    case GateOutcomeKind::skipped:
+      return entry.loosened ? 1 : 0;
+  }
+  return 0;
+}
+
+const char* word(GateOutcomeKind outcome) {
+  switch (outcome) {
+    case GateOutcomeKind::error:
+      return "**not judged**";
+    case GateOutcomeKind::failure:
+      return "**violated**";
+    case GateOutcomeKind::inconclusive:
+      return "**inconclusive**";
+    case GateOutcomeKind::pass:
+      return "pass";
+    case GateOutcomeKind::skipped:
+      return "skipped";
+  }
+  return "";
+}
+
+// A table's cell: no bar and no line break may end it.
+std::string cell(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '|') safe += '\\';
+    safe += c == '\n' ? ' ' : c;
+  }
+  return safe;
+}
+
+bool is_worth_a_line(const GateEntry& entry) {
+  return badness(entry) > 0 || (entry.outcome == GateOutcomeKind::pass && !entry.moved.empty() &&
+                                entry.moved != "unmoved");
+}
+
+}  // namespace
+
+std::vector<const GateEntry*> worst_first(const GateDocument& document) {
+  std::vector<const GateEntry*> order;
+  for (const GateEntry& entry : document.entries) order.push_back(&entry);
+  std::stable_sort(order.begin(), order.end(), [](const GateEntry* one, const GateEntry* other) {
+    return badness(*one) > badness(*other);
+  });
+  return order;
+}
+
+std::string gate_markdown(const GateDocument& document) {
+  std::string text = fmt::format("## {}\n\n{}\n", document.title, document.verdict);
+  std::string lines;
+  std::size_t told = 0;
+  for (const GateEntry* entry : worst_first(document)) {
+    if (!is_worth_a_line(*entry)) continue;
+    ++told;
+    lines += fmt::format("| {} | {} | {} | {} | {} |\n", word(entry->outcome), cell(entry->group),
+                         cell(entry->name), cell(entry->message), cell(entry->moved));
+  }
+  if (told > 0)
+    text +=
+        "\n| verdict | case | row | found | since the baseline |\n|---|---|---|---|---|\n" + lines;
+  const std::size_t rest = document.entries.size() - told;
+  if (rest > 0)
+    text += fmt::format("\n{} {} passed unmoved, or left out of this form.\n", rest,
+                        told > 0 ? "more rows" : "rows");
+  return text;
+}
+
+}  // namespace slosh::reports

@@ -1,0 +1,127 @@
+#include "reports/gate_document.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/property_tree/xml_parser.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace slosh::reports {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+GateEntry entry(GateOutcomeKind outcome, const std::string& name) {
+  return {.outcome = outcome,
+          .group = "surge & roll",
+          .name = name,
+          .message = "3 % is not <= 1 % | at all",
+          .unit = "1",
+          .value = 0.03,
+          .uncertainty = 0.002,
+          .lower = -0.01,
+          .upper = 0.01,
+          .moved = "",
+          .loosened = false,
+          .file = "verification/cases/surge.toml",
+          .line = 42};
+}
+
+GateDocument document() {
+  GateEntry loosened = entry(GateOutcomeKind::pass, "loosened");
+  loosened.loosened = true;
+  loosened.moved = "unmoved, tolerance loosened: -1 % .. +1 % -> -2 % .. +2 %";
+  GateEntry lost = entry(GateOutcomeKind::error, "lost");
+  lost.value = lost.uncertainty = nan;
+  return {
+      "Surges",
+      "2 of 5 gate rows hold.",
+      "0.1.0",
+      {entry(GateOutcomeKind::pass, "fine"), loosened,
+       entry(GateOutcomeKind::inconclusive, "unsure"), entry(GateOutcomeKind::failure, "broken"),
+       lost, entry(GateOutcomeKind::skipped, "absent")}};
+}
+
+boost::property_tree::ptree parsed(const std::string& xml) {
+  std::istringstream stream(xml);
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_xml(stream, tree);
+  return tree;
+}
+
+TEST(GateDocument, OrdersTheWorstFirst) {
+  const GateDocument gate = document();
+  std::vector<std::string> names;
+  for (const GateEntry* one : worst_first(gate)) names.push_back(one->name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"lost", "broken", "unsure", "loosened", "fine", "absent"}));
+}
+
+TEST(GateDocument, CountsFailuresErrorsAndSkippedRowsApartInJUnit) {
+  const auto suites = parsed(junit_xml(document())).get_child("testsuites");
+  EXPECT_EQ(suites.get<int>("<xmlattr>.tests"), 6);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.failures"), 2);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.errors"), 1);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.skipped"), 1);
+  EXPECT_EQ(suites.get<std::string>("testsuite.<xmlattr>.name"), "surge & roll");
+}
+
+TEST(GateDocument, GivesValueToleranceAndUncertaintyAsJUnitProperties) {
+  const auto suite = parsed(junit_xml(document())).get_child("testsuites.testsuite");
+  std::map<std::string, std::map<std::string, std::string>> properties;
+  std::map<std::string, std::string> type;
+  for (const auto& [tag, test] : suite) {
+    if (tag != "testcase") continue;
+    const auto name = test.get<std::string>("<xmlattr>.name");
+    for (const auto& [kind, one] : test.get_child("properties"))
+      properties[name][one.get<std::string>("<xmlattr>.name")] =
+          one.get<std::string>("<xmlattr>.value");
+    type[name] = test.get<std::string>("failure.<xmlattr>.type", "none");
+  }
+  EXPECT_EQ(properties["broken"]["value"], "0.03");
+  EXPECT_EQ(properties["broken"]["uncertainty_95"], "0.002");
+  EXPECT_EQ(properties["broken"]["tolerance_lower"], "-0.01");
+  EXPECT_EQ(properties["broken"]["tolerance_upper"], "0.01");
+  EXPECT_EQ(properties["lost"]["value"], "nan");
+  EXPECT_EQ(type["broken"], "violated");
+  EXPECT_EQ(type["unsure"], "inconclusive");
+  EXPECT_EQ(type["fine"], "none");
+}
+
+TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
+  const std::string text = gate_markdown(document());
+  const auto at = [&](const char* what) { return text.find(what); };
+  EXPECT_LT(at("lost"), at("broken"));
+  EXPECT_LT(at("broken"), at("unsure"));
+  EXPECT_LT(at("unsure"), at("tolerance loosened"));
+  EXPECT_EQ(at("| fine"), text.npos);
+  EXPECT_NE(at("2 more rows passed unmoved"), text.npos);
+  EXPECT_NE(at("3 % is not <= 1 % \\| at all"), text.npos);  // the bar would end the cell
+}
+
+TEST(GateDocument, PointsInSarifAtTheRowInItsCaseFile) {
+  const auto sarif = nlohmann::json::parse(gate_sarif(document()));
+  EXPECT_EQ(sarif.at("version"), "2.1.0");
+  const auto& results = sarif.at("runs").at(0).at("results");
+  ASSERT_EQ(results.size(), 4U);  // error, failure, inconclusive, loosened
+  EXPECT_EQ(results[0].at("ruleId"), "not-judged");
+  EXPECT_TRUE(results[0].at("properties").at("value").is_null());
+  EXPECT_EQ(results[1].at("ruleId"), "tolerance-violated");
+  EXPECT_EQ(results[1].at("level"), "error");
+  EXPECT_EQ(results[2].at("ruleId"), "inconclusive");
+  EXPECT_EQ(results[2].at("level"), "warning");
+  EXPECT_EQ(results[3].at("ruleId"), "tolerance-loosened");
+  const auto& place = results[1].at("locations").at(0).at("physicalLocation");
+  EXPECT_EQ(place.at("artifactLocation").at("uri"), "verification/cases/surge.toml");
+  EXPECT_EQ(place.at("region").at("startLine"), 42);
+  for (const auto& result : results) {
+    bool known = false;
+    for (const auto& rule : sarif.at("runs").at(0).at("tool").at("driver").at("rules"))
+      known |= rule.at("id") == result.at("ruleId");
+    EXPECT_TRUE(known);
+  }
+}
+
+}  // namespace
+}  // namespace slosh::reports

@@ -1,0 +1,105 @@
+#include "verification/baseline/baseline_diff.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace slosh {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+std::optional<BaselineValue> value_of(const GateOutcome& outcome) {
+  if (!std::isfinite(outcome.value.value)) return {};
+  const double half_width = outcome.value.half_width;
+  BaselineValue value{outcome.value.value, std::isfinite(half_width) ? half_width : 0, {}, {}};
+  if (const auto& limit = outcome.row.limit) {
+    value.lower = -*limit;
+    value.upper = *limit;
+  }
+  if (const auto& between = outcome.row.between) {
+    value.lower = between->first;
+    value.upper = between->second;
+  }
+  return value;
+}
+
+double uncertainties_between(const BaselineValue& before, const BaselineValue& after) {
+  const double moved = std::abs(after.value - before.value);
+  return moved == 0 ? 0 : moved / std::hypot(before.half_width, after.half_width);
+}
+
+std::string in_unit(double value, const std::string& unit) {
+  return unit == "1" ? fmt::format("{:+.3g} %", 100 * value)
+                     : fmt::format("{:+.3g} {}", value, unit);
+}
+
+std::string range(const BaselineValue& value, const std::string& unit) {
+  return fmt::format("{} .. {}", in_unit(value.lower.value_or(-unbounded), unit),
+                     in_unit(value.upper.value_or(unbounded), unit));
+}
+
+bool is_judged_here(const GateOutcome& outcome) {
+  return outcome.verdict != Verdict::not_selected && outcome.verdict != Verdict::not_supplied;
+}
+
+}  // namespace
+
+bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
+  return after.lower.value_or(-unbounded) < before.lower.value_or(-unbounded) ||
+         after.upper.value_or(unbounded) > before.upper.value_or(unbounded);
+}
+
+std::string row_name(const std::string& case_name, const GateRow& row) {
+  return fmt::format("{}: {}{}, {} {} of {}{}", case_name, row.candidate,
+                     row.reference.empty() ? "" : " against " + row.reference, row.mode,
+                     metric_name(row.metric), row.quantity,
+                     row.improves_on ? ", below that of " + *row.improves_on : "");
+}
+
+std::vector<RowMovement> movements(const Baseline& baseline,
+                                   const std::vector<CaseAssessment>& cases) {
+  std::vector<RowMovement> found;
+  std::set<std::string> declared;
+  for (const CaseAssessment& one : cases)
+    for (const GateOutcome& outcome : one.gate) {
+      RowMovement movement{.row = row_name(one.definition.name, outcome.row),
+                           .unit = outcome.row.unit,
+                           .before = {},
+                           .after = value_of(outcome)};
+      declared.insert(movement.row);
+      if (!is_judged_here(outcome)) continue;
+      if (const auto known = baseline.find(movement.row); known != baseline.end())
+        movement.before = known->second;
+      if (movement.before && movement.after) {
+        movement.uncertainties = uncertainties_between(*movement.before, *movement.after);
+        movement.loosened = is_loosened(*movement.before, *movement.after);
+      }
+      found.push_back(std::move(movement));
+    }
+  for (const auto& [row, value] : baseline)
+    if (!declared.contains(row))
+      found.push_back({.row = row, .unit = "", .before = value, .after = {}, .declared = false});
+  return found;
+}
+
+std::string movement_text(const RowMovement& movement) {
+  const auto& [row, unit, before, after, uncertainties, loosened, declared] = movement;
+  if (!declared) return "no row any more";
+  if (!before && !after) return "no value";
+  if (!after) return "no value any more";
+  if (!before) return "new: " + in_unit(after->value, unit);
+  std::string text =
+      before->value == after->value
+          ? "unmoved"
+          : fmt::format("{} -> {} ({:.2g} uncertainties)", in_unit(before->value, unit),
+                        in_unit(after->value, unit), uncertainties);
+  if (loosened)
+    text +=
+        fmt::format(", tolerance loosened: {} -> {}", range(*before, unit), range(*after, unit));
+  return text;
+}
+
+}  // namespace slosh

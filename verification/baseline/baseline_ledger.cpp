@@ -1,0 +1,90 @@
+#include "verification/baseline/baseline_ledger.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "verification/baseline/baseline_json.hpp"
+#include "verification/runs/atomic_file.hpp"
+#include "verification/runs/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const fs::path& file) {
+  if (!fs::exists(file)) return "";
+  try {
+    return read_bytes(file);
+  } catch (const fs::filesystem_error& error) {
+    throw LedgerError(error.what());
+  }
+}
+
+Approval approval_from(const Json& line) {
+  return {line.at("campaign"), line.at("when_utc"), line.at("who"), line.at("reason"),
+          changes_from(line.at("changes"))};
+}
+
+}  // namespace
+
+std::vector<Approval> read_ledger(const fs::path& file) {
+  const std::string text = text_of(file);
+  if (!text.empty() && text.back() != '\n')
+    throw LedgerError(file.string() + ": the last line is cut off; expected a whole line");
+  std::vector<Approval> approvals;
+  std::string before;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line); before += line + "\n") {
+    const std::string place = fmt::format("{}:{}", file.string(), approvals.size() + 1);
+    try {
+      const Json content = Json::parse(line);
+      if (content.at("previous") != content_hash(before))
+        throw LedgerError(place + ": the lines before it are not those that it was added to");
+      approvals.push_back(approval_from(content));
+    } catch (const Json::exception& error) {
+      throw LedgerError(fmt::format("{}: not an approval: {}", place, error.what()));
+    }
+  }
+  return approvals;
+}
+
+Baseline baseline_of(const std::vector<Approval>& approvals) {
+  Baseline baseline;
+  for (const Approval& approval : approvals)
+    for (const BaselineChange& change : approval.changes) {
+      const auto found = baseline.find(change.row);
+      const auto standing =
+          found == baseline.end() ? std::optional<BaselineValue>() : std::optional(found->second);
+      if (standing != change.before)
+        throw LedgerError(
+            fmt::format("approval of {} by {}: {}: the old value is not the one that "
+                        "stood",
+                        approval.when_utc, approval.who, change.row));
+      if (change.after)
+        baseline[change.row] = *change.after;
+      else
+        baseline.erase(change.row);
+    }
+  return baseline;
+}
+
+void append_approval(const Approval& approval, const fs::path& file) {
+  const std::string before = text_of(file);
+  const Json line{{"campaign", approval.campaign},
+                  {"when_utc", approval.when_utc},
+                  {"who", approval.who},
+                  {"reason", approval.reason},
+                  {"changes", json_of(approval.changes)},
+                  {"previous", content_hash(before)}};
+  try {
+    replace_file(file, before + line.dump() + "\n", Durability::power_loss);
+  } catch (const fs::filesystem_error& error) {
+    throw LedgerError(error.what());
+  }
+}
+
+}  // namespace slosh

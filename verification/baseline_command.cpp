@@ -1,0 +1,83 @@
+#include "verification/baseline_command.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "verification/baseline/baseline_diff.hpp"
+#include "verification/baseline/baseline_proposal.hpp"
+#include "verification/runs/provenance.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Standing {
+  std::string campaign;
+  fs::path ledger, proposal;
+  std::vector<RowMovement> moved;
+};
+
+Standing standing(CampaignOptions options, const Installation& installation) {
+  options.solve = false;
+  const std::atomic<bool> never{false};
+  const AssessedCampaign assessed = assess_campaign(options, installation, never);
+  const fs::path ledger = ledger_of(options, assessed.definition, installation);
+  return {assessed.definition.name + (options.quick ? " (quick form)" : ""), ledger,
+          assessed.output / "baseline_proposal.json",
+          movements(baseline_of(read_ledger(ledger)), assessed.cases)};
+}
+
+// How many were told.
+std::size_t print_changes(const std::vector<RowMovement>& moved) {
+  std::size_t count = 0;
+  for (const RowMovement& movement : moved) {
+    if (!movement.has_changed()) continue;
+    ++count;
+    std::cout << movement.row << ": " << movement_text(movement) << "\n";
+  }
+  return count;
+}
+
+}  // namespace
+
+int diff_baseline(const CampaignOptions& options, const Installation& installation) {
+  const Standing now = standing(options, installation);
+  const std::size_t changed = print_changes(now.moved);
+  std::cout << fmt::format("{} of {} rows have changed since the baseline {}\n", changed,
+                           now.moved.size(), now.ledger.string());
+  return changed == 0 ? exit_pass : exit_violated;
+}
+
+int propose_baseline(const CampaignOptions& options, const Installation& installation) {
+  const Standing now = standing(options, installation);
+  print_changes(now.moved);
+  const Proposal proposal{now.campaign, proposed_changes(now.moved)};
+  if (proposal.changes.empty()) {
+    std::cout << "nothing to propose: the baseline stands\n";
+    return exit_pass;
+  }
+  write_proposal(proposal, now.proposal);
+  std::cout << "proposal: " << now.proposal.string() << "\n";
+  return exit_pass;
+}
+
+int approve_baseline(const CampaignOptions& options, const ApprovalOptions& approval,
+                     const Installation& installation) {
+  const Standing now = standing(options, installation);
+  const Proposal proposal = read_proposal(now.proposal);
+  if (proposal.changes != proposed_changes(now.moved))
+    throw LedgerError(now.proposal.string() +
+                      ": the results or the baseline have changed since it was made; expected a "
+                      "proposal of what stands, by `slosh baseline propose`");
+  append_approval({now.campaign, provenance("").at("date_utc"), approval.who, approval.reason,
+                   proposal.changes},
+                  now.ledger);
+  fs::remove(now.proposal);
+  std::cout << fmt::format("{} changes approved: {}\n", proposal.changes.size(),
+                           now.ledger.string());
+  return exit_pass;
+}
+
+}  // namespace slosh

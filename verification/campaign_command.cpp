@@ -1,0 +1,131 @@
+#include "verification/campaign_command.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "reports/write_report.hpp"
+#include "verification/baseline/baseline_diff.hpp"
+#include "verification/campaign/campaign_report.hpp"
+#include "verification/case_file/campaign_parser.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/gate_files.hpp"
+#include "verification/named_paths.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string gate_line(const CaseAssessment& assessment, const GateOutcome& outcome) {
+  return fmt::format("{:<14} {} {} {} {} {}: {}", verdict_name(outcome.verdict),
+                     assessment.definition.name, outcome.row.candidate, outcome.row.mode,
+                     metric_name(outcome.row.metric), outcome.row.quantity, outcome.message);
+}
+
+void print(const CaseAssessment& assessment) {
+  for (const auto& [run, status] : assessment.runs.status)
+    if (status.state == RunState::failed || status.state == RunState::missing ||
+        status.state == RunState::not_supplied)
+      std::cerr << fmt::format("{}/{}: {}: {}\n", assessment.definition.name, run,
+                               state_name(status.state), status.message);
+  for (const GateOutcome& outcome : assessment.gate)
+    std::cout << gate_line(assessment, outcome) << "\n";
+}
+
+void require_window(const CaseDefinition& definition) try {
+  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
+} catch (const ComparisonError& error) {
+  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
+}
+
+// All that a campaign's cases get wrong is found before anything runs.
+std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
+                                       const fs::path& experiments) {
+  std::vector<CaseDefinition> cases;
+  for (const fs::path& file : campaign.cases) {
+    CaseDefinition definition = read_case(file, experiments);
+    for (const CaseDefinition& other : cases)
+      if (other.name == definition.name)
+        throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
+                                        file.string(), definition.name, other.file.string()));
+    require_window(definition);
+    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
+    cases.push_back(std::move(definition));
+  }
+  return cases;
+}
+
+std::string form_of(const CampaignOptions& options) { return options.quick ? "-quick" : ""; }
+
+}  // namespace
+
+AssessedCampaign assess_campaign(const CampaignOptions& options, const Installation& installation,
+                                 const std::atomic<bool>& stop) {
+  AssessedCampaign assessed{
+      .definition = read_campaign(find_campaign(options.campaign, installation.campaigns),
+                                  installation.cases),
+      .output = {},
+      .cases = {}};
+  const fs::path experiments = whole(options.experiments);
+  const std::vector<CaseDefinition> cases = read_cases(assessed.definition, experiments);
+  assessed.output =
+      fs::absolute(options.output.empty() ? installation.build / "campaigns" /
+                                                (assessed.definition.name + form_of(options))
+                                          : options.output);
+  const CampaignSettings settings{assessed.output,
+                                  installation.executable,
+                                  installation.solver_build,
+                                  installation.openfoam_templates,
+                                  experiments,
+                                  options.quick,
+                                  options.solve,
+                                  options.at_once};
+  std::vector<CaseRuns> runs = run_cases(cases, settings, stop);
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    assessed.cases.push_back(assess(cases[i], std::move(runs[i])));
+  return assessed;
+}
+
+fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
+                   const Installation& installation) {
+  return options.ledger.empty()
+             ? installation.baselines / (campaign.name + form_of(options) + ".jsonl")
+             : options.ledger;
+}
+
+int run_campaign(const CampaignOptions& options, const Installation& installation,
+                 const std::atomic<bool>& stop) {
+  const AssessedCampaign assessed = assess_campaign(options, installation, stop);
+  for (const CaseAssessment& one : assessed.cases) print(one);
+  const std::string command = fmt::format(
+      "./slosh campaign {}{}{}", name_or_path(assessed.definition.file, installation.campaigns),
+      options.quick ? " --quick" : "", experiments_option(whole(options.experiments)));
+  const fs::path report = assessed.output / "report";
+  reports::write_report(
+      campaign_report(assessed.definition, options.quick, command, assessed.cases), report);
+  std::cout << (exit_status(assessed.cases) == exit_pass ? "PASS: " : "FAIL: ")
+            << verdict_sentence(assessed.cases) << "\nreport: " << (report / "index.html").string()
+            << "\n";
+  return exit_status(assessed.cases);
+}
+
+int gate_campaign(const CampaignOptions& options, const Installation& installation,
+                  const std::atomic<bool>& stop) {
+  const AssessedCampaign assessed = assess_campaign(options, installation, stop);
+  const Baseline baseline =
+      baseline_of(read_ledger(ledger_of(options, assessed.definition, installation)));
+  for (const CaseAssessment& one : assessed.cases) print(one);
+  for (const RowMovement& movement : movements(baseline, assessed.cases))
+    if (movement.before && movement.has_changed())
+      std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
+  const fs::path directory = assessed.output / "gate";
+  write_gate_files(gate_document(assessed, baseline, installation.source), directory);
+  std::cout << (exit_status(assessed.cases) == exit_pass ? "PASS: " : "FAIL: ")
+            << verdict_sentence(assessed.cases) << "\ngate: " << (directory / "gate.md").string()
+            << ", junit.xml, gate.sarif\n";
+  return exit_status(assessed.cases);
+}
+
+}  // namespace slosh

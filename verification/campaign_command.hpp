@@ -1,0 +1,50 @@
+// The subcommands that judge a campaign: campaign, report and gate. They throw as those of
+// command_line.hpp do.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verification/campaign/campaign_run.hpp"
+#include "verification/campaign/case_assessment.hpp"
+#include "verification/case_file/campaign_definition.hpp"
+#include "verification/command_line.hpp"
+
+namespace slosh {
+
+struct CampaignOptions {
+  std::string campaign;
+  bool quick = false;
+  bool solve = true;  // false: only what is there is read
+  int at_once = 1;
+  std::filesystem::path experiments;  // empty: none is named
+  std::filesystem::path
+      output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
+  std::filesystem::path ledger = {};  // of baselines; empty: <baselines>/<name>.jsonl, likewise
+};
+
+struct AssessedCampaign {
+  CampaignDefinition definition;
+  std::filesystem::path output;
+  std::vector<CaseAssessment> cases;
+};
+
+// Runs what is not there yet, if the options say so, compares and judges.
+AssessedCampaign assess_campaign(const CampaignOptions& options, const Installation& installation,
+                                 const std::atomic<bool>& stop);
+
+std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
+                                const Installation& installation);
+
+// Both print each row and leave the report.
+int run_campaign(const CampaignOptions& options, const Installation& installation,
+                 const std::atomic<bool>& stop);
+
+// Prints each row and what has moved since the baseline, and leaves <output>/gate/junit.xml,
+// gate.md and gate.sarif.
+int gate_campaign(const CampaignOptions& options, const Installation& installation,
+                  const std::atomic<bool>& stop);
+
+}  // namespace slosh

@@ -1,0 +1,89 @@
+#include "verification/gate_files.hpp"
+
+#include <algorithm>
+
+#include "verification/baseline/baseline_diff.hpp"
+#include "verification/campaign/campaign_report.hpp"
+#include "verification/runs/atomic_file.hpp"
+#include "verification/runs/provenance.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using reports::GateOutcomeKind;
+
+GateOutcomeKind kind_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return GateOutcomeKind::pass;
+    case Verdict::violated:
+      return GateOutcomeKind::failure;
+    case Verdict::solver_failed:
+    case Verdict::not_compared:
+      return GateOutcomeKind::error;
+    case Verdict::not_selected:
+    case Verdict::not_supplied:
+      return GateOutcomeKind::skipped;
+  }
+  return GateOutcomeKind::error;
+}
+
+std::string relative_to(const fs::path& source, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(source);
+  return relative.empty() || *relative.begin() == ".." ? file.string() : relative.string();
+}
+
+reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome& outcome,
+                            const std::vector<RowMovement>& movements, const fs::path& source) {
+  const std::string name = row_name(assessment.definition.name, outcome.row);
+  reports::GateEntry entry{.outcome = kind_of(outcome.verdict),
+                           .group = assessment.definition.name,
+                           .name = name.substr(assessment.definition.name.size() + 2),
+                           .message = outcome.message,
+                           .unit = outcome.row.unit,
+                           .value = outcome.value.value,
+                           .uncertainty = outcome.value.half_width,
+                           .lower = {},
+                           .upper = {},
+                           .moved = "",
+                           .loosened = false,
+                           .file = relative_to(source, outcome.row.where.file),
+                           .line = outcome.row.where.line};
+  const auto moved = std::find_if(movements.begin(), movements.end(),
+                                  [&](const RowMovement& one) { return one.row == name; });
+  if (moved == movements.end()) return entry;
+  if (moved->after) {
+    entry.lower = moved->after->lower;
+    entry.upper = moved->after->upper;
+  }
+  if (moved->before) entry.moved = movement_text(*moved);
+  entry.loosened = moved->loosened;
+  return entry;
+}
+
+}  // namespace
+
+reports::GateDocument gate_document(const AssessedCampaign& assessed, const Baseline& baseline,
+                                    const fs::path& source) {
+  reports::GateDocument document{.title = assessed.definition.title,
+                                 .verdict = verdict_sentence(assessed.cases),
+                                 .tool_version = provenance("").at("slosh_version"),
+                                 .entries = {}};
+  const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
+  for (const CaseAssessment& one : assessed.cases)
+    for (const GateOutcome& outcome : one.gate)
+      document.entries.push_back(entry_of(one, outcome, moved, source));
+  return document;
+}
+
+void write_gate_files(const reports::GateDocument& document, const fs::path& directory) {
+  const auto write = [&](const char* name, const std::string& text) {
+    replace_file(directory / name, text, Durability::process_crash);
+  };
+  write("junit.xml", reports::junit_xml(document));
+  write("gate.md", reports::gate_markdown(document));
+  write("gate.sarif", reports::gate_sarif(document));
+}
+
+}  // namespace slosh
