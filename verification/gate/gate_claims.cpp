@@ -13,7 +13,7 @@
 namespace slosh {
 namespace {
 
-constexpr double counted_part = 0.9;  // of a shift, a stretch or a noise
+constexpr double counted_part = 0.9;  // of a shift, a stretch, a noise or a largest value
 constexpr double rounding = 1e-9;     // relative: a value on its bound claims nothing
 constexpr double half_turn = 180, whole_turn = 360;  // [deg]
 
@@ -49,11 +49,12 @@ double wrap_degrees(double angle) {
   return wrap_angle(angle * std::numbers::pi / half_turn) * half_turn / std::numbers::pi;
 }
 
+// Counted part: the metric looks at the reference's times alone.
 double largest_in_window(const TimeSeries& series, TimeWindow window) {
   double largest = 0;
   for (const double value : cut_to_window(series, window).value)
     largest = std::max(largest, std::abs(value));
-  return largest;
+  return counted_part * largest;
 }
 
 std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& candidate,

@@ -2,17 +2,17 @@
 // value E that it measures of the candidate as it is. With f the factor of a mutation that scales:
 //   amplitude_error    becomes (1 + E) f - 1
 //   largest_magnitude  becomes |f| E
-//   normalised_rms     is at least |f - 1| (1 - E) - E, of noise of strength s at least s (1 - E) -
-//   E maximum_residual   is at least |f - 1| max |candidate| - E   (both by the triangle
-//   inequality) phase_lag, time_lag, frequency_error move by the shift or stretch; of a flipped
-//   sign the phase
-//     moves by half a turn
-// and the row claims the mutation where that lies outside its bounds. Of a shift, a stretch or a
-// noise nine tenths are counted, as the ends of the window, filled with held values, take their
-// part. NaN in the window, a series that ends in it, swapped columns and another unit are claimed
-// by every row that looks at a series over the window. What a metric is blind to (a phase to the
-// amplitude, every mode to a slip by whole periods), rows that compare two errors (improves_on) and
-// the metrics of impacts claim nothing more.
+//   normalised_rms     is at least |f - 1| (1 - E) - E, and s (1 - E) - E of noise of strength s
+//   maximum_residual   is at least |f - 1| max |candidate| - E
+// (the last two by the triangle inequality); phase_lag, time_lag and frequency_error move by the
+// shift or stretch, the phase by half a turn of a flipped sign. The row claims the mutation where
+// that lies outside its bounds. Of a shift, a stretch, a
+// noise and max |candidate| nine tenths are counted, as the ends of the window, filled with held
+// values, and the times between samples take their part. NaN in the window, a series that ends in
+// it, swapped columns and another unit are claimed by every row that looks at a series over the
+// window. What a metric is blind to (a phase to the amplitude, every mode to a slip by whole
+// periods), rows that compare two errors (improves_on) and the metrics of impacts claim nothing
+// more.
 #pragma once
 
 #include "verification/case_file/case_definition.hpp"

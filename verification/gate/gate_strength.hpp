@@ -29,9 +29,8 @@ struct GateStrength {
   std::vector<MutationOutcome> outcomes;
 };
 
-// All that are tried. Scale 1 to 20 %, shift 0.5 to 10 % of a period, frequency 0.1 to 5 %, noise 1
-// to 50 % of the values' standard deviation: from what no gate here needs to tell up to what none
-// may pass.
+// All that are tried: scale 1 to 20 %, shift 0.5 to 10 % of a period, frequency 0.1 to 5 %, noise 1
+// to 50 % of the values' standard deviation.
 std::vector<Mutation> mutations_tried();
 
 // Throws ComparisonError as cut_to_window() does of the candidate, and what passes_with throws.

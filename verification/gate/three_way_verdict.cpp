@@ -29,8 +29,7 @@ ThreeWayVerdict verdict_of(double margin, double uncertainty) {
 // The half width left to one contribution beside the others; none where they leave nothing.
 std::optional<double> left_beside(const ThreeWayOutcome& outcome,
                                   double UncertaintyContributions::*one) {
-  if (outcome.verdict != ThreeWayVerdict::inconclusive ||
-      !std::isfinite(outcome.contributions.*one))
+  if (outcome.verdict != ThreeWayVerdict::inconclusive || !std::isfinite(outcome.uncertainty))
     return std::nullopt;
   UncertaintyContributions others = outcome.contributions;
   others.*one = 0;

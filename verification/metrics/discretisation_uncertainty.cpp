@@ -77,11 +77,11 @@ StepBehaviour behaviour_of(const Values& values, std::optional<double> order) {
   return *order >= order_too_high ? StepBehaviour::superconvergent : StepBehaviour::monotone;
 }
 
-// What is estimated of the values: the error of the finest one, and what is uncertain about it.
+// Of the finest value.
 struct ErrorEstimate {
   std::optional<double> order;
   double error;        // f1 - f0
-  double uncertainty;  // without the values' noise
+  double uncertainty;  // half width of the 95 % interval
 };
 
 // sqrt(sum (largest change of the error as value i is moved up or down by its noise)^2)
@@ -171,18 +171,19 @@ std::string explanation_of(const DiscretisationUncertainty& result, const Values
           "method can give, so that the safety factor is {:.0f}.",
           *result.order, cautious_safety_factor);
     case StepBehaviour::oscillatory:
-      return "The values approach their limit from both sides in turn: they have no order, and the "
-             "uncertainty rests on their range and scatter.";
+      return "The differences fall, but are of both signs: the values have no order, and the "
+             "uncertainty "
+             "rests on their range and scatter.";
     case StepBehaviour::diverging:
-      return "The differences grow as the step falls: the values show no convergence, and the "
-             "uncertainty rests on their range.";
+      return "The differences do not fall with the step: the values show no convergence, and the "
+             "uncertainty rests on their range and scatter.";
     case StepBehaviour::floor:
       return fmt::format(
           "The last difference, {:.3g}, {}: the values stand at a floor, which says nothing of how "
           "far that is from the truth.",
           last,
           within_noise(values[0], values[1]) ? fmt::format("lies within its noise of {:.3g}", noise)
-                                             : "no longer falls with the step as the ones before");
+                                             : "does not fall with the step as the ones before");
   }
   throw std::logic_error("a behaviour without an explanation");
 }

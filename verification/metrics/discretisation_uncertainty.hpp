@@ -7,22 +7,23 @@
 //   oscillatory: differences of both signs beyond their noise
 //   superconvergent: order >= 2.1;   monotone: the rest
 // Three values (three_grid_order.hpp), monotone or superconvergent, with the order p brought into
-// 0.5 to 2: eps = e21 / (r21^p - 1), U = F |eps|, F = 1.25 (Celik et al. 2008) where 0.5 <= p < 2.1
-// needed no more than that and 3 elsewhere (Oberkampf & Roy 2010, Verification and Validation in
-// Scientific Computing, section 8.6.3). Four or more (error_expansion_fit.hpp; Eca & Hoekstra 2014,
+// 0.5 to 2: eps = e21 / (r21^p - 1), U = F |eps|, with F = 1.25 (Celik et al. 2008) where p itself
+// was 0.5 to 2.1 and F = 3 elsewhere (after Oberkampf & Roy 2010, Verification and Validation in
+// Scientific Computing, chapter 8). Four or more (error_expansion_fit.hpp; Eca & Hoekstra 2014,
 // appendix A), D = (max f - min f) / (n - 1), F = 1.25 where 0.5 <= p < 2.1 and sigma < D, else 3:
 //   U = F |eps| + sigma + |f1 - fit|                  where sigma < D     (eq. 20)
 //   U = 3 sigma / D (|eps| + sigma + |f1 - fit|)      elsewhere           (eq. 21)
 // The values' noise adds sqrt(sum d_i^2) to both, d_i the most that eps changes as f_i is moved up
-// or down by n_i, in one sum because eps is one-sided in it: added in quadrature, 88 % instead of
-// 95 % of intervals over three noisy values of order one held the truth. At a floor U is not below,
-// and of three values that oscillate or diverge it is,
+// or down by n_i, in one sum: added in quadrature, 88 % instead of 95 % of the intervals over three
+// noisy values of order one held the truth. At a floor U is not below, and of three values that
+// oscillate or diverge it is,
 //   3 M / min(1, h3 / h1 - 1),   M the largest difference of the finest three, not below its noise
-// (F = 3 on an error of first order over the data's range: Eca & Hoekstra 2009, Comput. Fluids 38,
-// 1580-1591). Valid for errors of order 0.5 to 2 whose leading term leads at every step: where two
-// terms of opposite sign cancel at a coarse one, values can seem to converge to what is not their
-// limit. A floor says that the step no longer matters, and nothing of how far from the truth the
-// floor lies: what is held fixed there (h / dp, the speed of sound) has an uncertainty of its own.
+// (F = 3 on an error of first order over the data's range, after Eca & Hoekstra 2009, Comput.
+// Fluids 38, 1580-1591). Valid for errors of order 0.5 to 2 whose leading term leads at every step:
+// where two terms of opposite sign cancel at a coarse one, values can seem to converge to what is
+// not their limit. A floor says that the step no longer matters, and nothing of how far from the
+// truth the floor lies: what is held fixed there (h / dp, the speed of sound) has an uncertainty of
+// its own.
 #pragma once
 
 #include <optional>

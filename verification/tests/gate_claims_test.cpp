@@ -75,7 +75,7 @@ TEST(GateClaims, OfAResidualAreWhatTheTriangleInequalityLeaves) {
   EXPECT_FALSE(claims(rms, 0.06, MutationKind::noisy, 0.1));
   EXPECT_FALSE(claims(rms, 2, MutationKind::sign_flipped));  // nothing is left of it
   const GateRow largest = row_of(Metric::maximum_residual, 0.003, "whole");
-  EXPECT_TRUE(claims(largest, 0.0005, MutationKind::louder, 0.2));  // 0.2 * 0.02 - 0.0005
+  EXPECT_TRUE(claims(largest, 0.0005, MutationKind::louder, 0.2));  // 0.2 * 0.018 - 0.0005
   EXPECT_FALSE(claims(largest, 0.0005, MutationKind::louder, 0.1));
 }
 
