@@ -1,0 +1,127 @@
+#include "verification/gate/gate_claims.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "verification/gate/impact_metrics.hpp"
+#include "verification/metrics/harmonic_fit.hpp"
+#include "verification/metrics/windowed_series.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double counted_part = 0.9;  // of a shift, a stretch, a noise or a largest value
+constexpr double rounding = 1e-9;     // relative: a value on its bound claims nothing
+constexpr double half_turn = 180, whole_turn = 360;  // [deg]
+
+// What the metric becomes, or what it then reaches at least.
+struct Prediction {
+  double value;
+  bool at_least = false;
+};
+
+std::optional<double> factor_of(const Mutation& mutation) {
+  switch (mutation.kind) {
+    case MutationKind::louder:
+      return 1 + mutation.strength;
+    case MutationKind::quieter:
+      return 1 - mutation.strength;
+    case MutationKind::thousandfold:
+      return 1000;
+    case MutationKind::sign_flipped:
+      return -1;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Counted part of what is gained by the first kind and lost by the second.
+std::optional<double> change_of(const Mutation& mutation, MutationKind up, MutationKind down) {
+  if (mutation.kind == up) return counted_part * mutation.strength;
+  if (mutation.kind == down) return -counted_part * mutation.strength;
+  return std::nullopt;
+}
+
+double wrap_degrees(double angle) {
+  return wrap_angle(angle * std::numbers::pi / half_turn) * half_turn / std::numbers::pi;
+}
+
+// Counted part: the metric looks at the reference's times alone.
+double largest_in_window(const TimeSeries& series, TimeWindow window) {
+  double largest = 0;
+  for (const double value : cut_to_window(series, window).value)
+    largest = std::max(largest, std::abs(value));
+  return counted_part * largest;
+}
+
+std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& candidate,
+                                   double factor, TimeWindow window) {
+  const double e = candidate.measured;
+  switch (row.metric) {
+    case Metric::amplitude_error:
+      return Prediction{(1 + e) * std::abs(factor) - 1};
+    case Metric::largest_magnitude:
+      return Prediction{std::abs(factor) * e};
+    case Metric::normalised_rms:
+      return Prediction{std::abs(factor - 1) * (1 - e) - e, true};
+    case Metric::maximum_residual:
+      return Prediction{std::abs(factor - 1) * largest_in_window(candidate.series, window) - e,
+                        true};
+    case Metric::phase_lag:
+      if (factor < 0) return Prediction{wrap_degrees(e + half_turn)};
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<Prediction> of_shift(const GateRow& row, double e, double periods, double period) {
+  if (row.metric == Metric::phase_lag) return Prediction{wrap_degrees(e + whole_turn * periods)};
+  if (row.metric == Metric::time_lag) return Prediction{e + periods * period};
+  return std::nullopt;
+}
+
+std::optional<Prediction> after(const GateRow& row, const JudgedCandidate& candidate,
+                                const Mutation& mutation, const MutationFrame& frame) {
+  const double e = candidate.measured;
+  if (const auto factor = factor_of(mutation))
+    return of_scale(row, candidate, *factor, frame.window);
+  if (const auto periods = change_of(mutation, MutationKind::late, MutationKind::early))
+    return of_shift(row, e, *periods, frame.period);
+  if (const auto gain = change_of(mutation, MutationKind::faster, MutationKind::slower);
+      gain && row.metric == Metric::frequency_error && row.mode != "forced")
+    return Prediction{(1 + e) * (1 + *gain) - 1};
+  if (mutation.kind == MutationKind::noisy && row.metric == Metric::normalised_rms)
+    return Prediction{counted_part * mutation.strength * (1 - e) - e, true};
+  return std::nullopt;
+}
+
+bool outside_bounds(const GateRow& row, const Prediction& prediction) {
+  if (!row.limit && !row.between) return false;
+  const auto [lower, upper] = row.limit ? std::pair{-*row.limit, *row.limit} : *row.between;
+  const double slack = rounding * std::max(std::abs(lower), std::abs(upper));
+  return prediction.value > upper + slack ||
+         (!prediction.at_least && prediction.value < lower - slack);
+}
+
+}  // namespace
+
+bool claims_to_detect(const GateRow& row, const JudgedCandidate& candidate,
+                      const Mutation& mutation, const MutationFrame& frame) {
+  if (is_of_impacts(row.metric)) return false;
+  switch (mutation.kind) {
+    case MutationKind::not_a_number:
+    case MutationKind::truncated:
+    case MutationKind::swapped_columns:
+    case MutationKind::other_unit:
+      return true;
+    default:
+      const auto prediction = after(row, candidate, mutation, frame);
+      return prediction && outside_bounds(row, *prediction);
+  }
+}
+
+}  // namespace slosh

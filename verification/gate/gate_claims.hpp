@@ -1,0 +1,33 @@
+// Which mutations of its candidate a gate row must detect, told from its metric, its bounds and the
+// value E that it measures of the candidate as it is. With f the factor of a mutation that scales:
+//   amplitude_error    becomes (1 + E) f - 1
+//   largest_magnitude  becomes |f| E
+//   normalised_rms     is at least |f - 1| (1 - E) - E, and s (1 - E) - E of noise of strength s
+//   maximum_residual   is at least |f - 1| max |candidate| - E
+// (the last two by the triangle inequality); phase_lag, time_lag and frequency_error move by the
+// shift or stretch, the phase by half a turn of a flipped sign. The row claims the mutation where
+// that lies outside its bounds. Of a shift, a stretch, a
+// noise and max |candidate| nine tenths are counted, as the ends of the window, filled with held
+// values, and the times between samples take their part. NaN in the window, a series that ends in
+// it, swapped columns and another unit are claimed by every row that looks at a series over the
+// window. What a metric is blind to (a phase to the amplitude, every mode to a slip by whole
+// periods), rows that compare two errors (improves_on) and the metrics of impacts claim nothing
+// more.
+#pragma once
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/metrics/series_mutation.hpp"
+
+namespace slosh {
+
+// The row's metric of its candidate as it is, in the row's unit, and that candidate.
+struct JudgedCandidate {
+  double measured;
+  const TimeSeries& series;
+};
+
+// Throws ComparisonError as cut_to_window() does of the candidate.
+bool claims_to_detect(const GateRow& row, const JudgedCandidate& candidate,
+                      const Mutation& mutation, const MutationFrame& frame);
+
+}  // namespace slosh

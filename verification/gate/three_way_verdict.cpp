@@ -1,0 +1,96 @@
+#include "verification/gate/three_way_verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace slosh {
+namespace {
+
+constexpr double work_exponent = 3;  // of 1 / h: two dimensions and the time step
+
+// Inside positive, outside negative; NaN of an error that is not finite and of a bound that is NaN.
+double margin(double error, const AllowedRange& allowed) {
+  const double above = error - allowed.lower, below = allowed.upper - error;
+  if (!std::isfinite(error) || std::isnan(above) || std::isnan(below))
+    return std::numeric_limits<double>::quiet_NaN();
+  return std::min(above, below);
+}
+
+ThreeWayVerdict verdict_of(double margin, double uncertainty) {
+  if (std::isnan(margin)) return ThreeWayVerdict::fail;
+  if (!std::isfinite(uncertainty)) return ThreeWayVerdict::inconclusive;
+  if (uncertainty <= margin) return ThreeWayVerdict::pass;
+  return uncertainty < -margin ? ThreeWayVerdict::fail : ThreeWayVerdict::inconclusive;
+}
+
+// The half width left to one contribution beside the others; none where they leave nothing.
+std::optional<double> left_beside(const ThreeWayOutcome& outcome,
+                                  double UncertaintyContributions::*one) {
+  if (outcome.verdict != ThreeWayVerdict::inconclusive || !std::isfinite(outcome.uncertainty))
+    return std::nullopt;
+  UncertaintyContributions others = outcome.contributions;
+  others.*one = 0;
+  const double other = validation_uncertainty(others), needed = outcome.conclusive_uncertainty;
+  if (!(other < needed)) return std::nullopt;
+  return std::sqrt((needed - other) * (needed + other));
+}
+
+}  // namespace
+
+double validation_uncertainty(const UncertaintyContributions& contributions) {
+  double squares = 0;
+  for (const double one : {contributions.discretisation, contributions.statistics,
+                           contributions.input, contributions.reference}) {
+    if (!(one >= 0)) return std::numeric_limits<double>::quiet_NaN();
+    squares += one * one;
+  }
+  return std::sqrt(squares);
+}
+
+std::string dominant_contribution(const UncertaintyContributions& contributions) {
+  const auto named = {std::pair{contributions.discretisation, "discretisation"},
+                      std::pair{contributions.statistics, "statistics"},
+                      std::pair{contributions.input, "input"},
+                      std::pair{contributions.reference, "reference"}};
+  return std::max_element(named.begin(), named.end(),
+                          [](const auto& a, const auto& b) { return a.first < b.first; })
+      ->second;
+}
+
+ThreeWayOutcome judge_error(double error, const UncertaintyContributions& contributions,
+                            const AllowedRange& allowed) {
+  const double uncertainty = validation_uncertainty(contributions);
+  const double to_bound = margin(error, allowed);
+  return {verdict_of(to_bound, uncertainty), error, contributions, uncertainty, std::abs(to_bound)};
+}
+
+std::optional<Remedy> finer_step(const ThreeWayOutcome& outcome, double order) {
+  const auto left = left_beside(outcome, &UncertaintyContributions::discretisation);
+  if (!left || !(order > 0)) return std::nullopt;
+  const double ratio = std::pow(outcome.contributions.discretisation / *left, 1 / order);
+  return Remedy{*left, ratio, std::pow(ratio, work_exponent)};
+}
+
+std::optional<Remedy> longer_window(const ThreeWayOutcome& outcome) {
+  const auto left = left_beside(outcome, &UncertaintyContributions::statistics);
+  if (!left) return std::nullopt;
+  const double ratio = std::pow(outcome.contributions.statistics / *left, 2);
+  return Remedy{*left, ratio, ratio};
+}
+
+std::string three_way_name(ThreeWayVerdict verdict) {
+  switch (verdict) {
+    case ThreeWayVerdict::pass:
+      return "pass";
+    case ThreeWayVerdict::fail:
+      return "fail";
+    case ThreeWayVerdict::inconclusive:
+      return "inconclusive";
+  }
+  throw std::logic_error("a verdict without a name");
+}
+
+}  // namespace slosh

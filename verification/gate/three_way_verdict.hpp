@@ -1,0 +1,72 @@
+// A verdict that knows its own uncertainty, after ASME V&V 20-2009: with the comparison error
+// E = S - D (simulation less data; any metric of the gate is one) and its validation uncertainty
+//   U_val = sqrt(U_discretisation^2 + U_statistics^2 + U_input^2 + U_reference^2)
+// a bound passes where all of E - U_val to E + U_val lies within it, fails where all of it lies
+// outside, and is inconclusive where the interval holds the bound. For |E| <= limit: pass where
+// |E| + U_val <= limit, fail where |E| - U_val > limit. The first two terms are the standard's
+// numerical uncertainty, told apart because they have different remedies. All of them are expanded
+// 95 % half widths, as everything in this project is stated, where the standard adds standard
+// uncertainties and expands the sum: the same where all have the same coverage factor.
+// NaN or infinity in E fails, and in a U is inconclusive: neither ever passes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace slosh {
+
+// Half widths of 95 % intervals in the error's unit, none negative. Independent of one another.
+struct UncertaintyContributions {
+  double discretisation = 0;  // of step and spacing, discretisation_uncertainty.hpp
+  double statistics = 0;      // of a finite record, as the metric's confidence interval
+  double input = 0;           // of what the simulation is told: motion, fill depth, properties
+  double reference = 0;       // of the data: an experiment's, or another method's own
+};
+
+// U_val; NaN where one is negative or no number.
+double validation_uncertainty(const UncertaintyContributions& contributions);
+
+// "discretisation", "statistics", "input" or "reference": the largest.
+std::string dominant_contribution(const UncertaintyContributions& contributions);
+
+// What the error may be; infinite where only one side is bounded. {-limit, limit} for |E| <= limit.
+struct AllowedRange {
+  double lower, upper;
+};
+
+enum class ThreeWayVerdict { pass, fail, inconclusive };
+
+struct ThreeWayOutcome {
+  ThreeWayVerdict verdict;
+  double error;
+  UncertaintyContributions contributions;
+  double uncertainty;  // U_val
+  // Distance of E to the nearest bound: the verdict is conclusive where U_val is below it. Zero
+  // where E lies on a bound, NaN where E is not finite.
+  double conclusive_uncertainty;
+};
+
+// A range that holds NaN fails.
+ThreeWayOutcome judge_error(double error, const UncertaintyContributions& contributions,
+                            const AllowedRange& allowed);
+
+// What one contribution must become for an inconclusive outcome to be conclusive, E and the other
+// contributions as they are. More work moves E as well: this is the least to plan for.
+struct Remedy {
+  double half_width;  // that the contribution must fall to
+  double factor;      // steps smaller by, or the window longer by
+  double cost_ratio;  // of the run to the present one
+};
+
+// U_discretisation ~ h^order; the cost grows as h^-3, two dimensions and the time step. None where
+// the others alone exceed the conclusive uncertainty, where the outcome is conclusive as it is, and
+// where the order is not above zero.
+std::optional<Remedy> finer_step(const ThreeWayOutcome& outcome, double order);
+
+// U_statistics ~ 1 / sqrt(window), the cost grows as the window. None as above.
+std::optional<Remedy> longer_window(const ThreeWayOutcome& outcome);
+
+// "pass", "fail", "inconclusive"
+std::string three_way_name(ThreeWayVerdict verdict);
+
+}  // namespace slosh

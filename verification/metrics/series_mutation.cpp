@@ -1,0 +1,153 @@
+#include "verification/metrics/series_mutation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <utility>
+
+#include "verification/metrics/windowed_series.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr std::uint64_t noise_seed = 20090401;  // any; fixed, so that a report can be had again
+constexpr double thousand = 1000;
+
+TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+// The values that the series has at other times, at its own ones.
+TimeSeries moved_in_time(const TimeSeries& series, const std::function<double(double)>& taken_at) {
+  std::vector<double> times(series.time.size());
+  std::transform(series.time.begin(), series.time.end(), times.begin(), [&](double t) {
+    return std::clamp(taken_at(t), series.time.front(), series.time.back());
+  });
+  TimeSeries moved = series;
+  moved.value = interpolate(series, times);
+  return moved;
+}
+
+TimeSeries delayed(const TimeSeries& series, double lag) {
+  return moved_in_time(series, [lag](double t) { return t - lag; });
+}
+
+TimeSeries stretched(const TimeSeries& series, double speed) {
+  const double begin = series.time.front();
+  return moved_in_time(series, [=](double t) { return begin + speed * (t - begin); });
+}
+
+double standard_deviation(const std::vector<double>& values) {
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  const double mean = sum / static_cast<double>(values.size());
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+TimeSeries with_white_noise(TimeSeries series, double deviation) {
+  std::mt19937_64 generator(noise_seed);
+  std::normal_distribution<double> normal;
+  for (double& value : series.value) value += deviation * normal(generator);
+  return series;
+}
+
+TimeSeries ending_at(TimeSeries series, double last_time) {
+  const auto kept = static_cast<std::size_t>(
+      std::upper_bound(series.time.begin(), series.time.end(), last_time) - series.time.begin());
+  series.time.resize(kept);
+  series.value.resize(kept);
+  return series;
+}
+
+TimeSeries poisoned_at(TimeSeries series, double time) {
+  const auto nearest = std::min_element(
+      series.time.begin(), series.time.end(),
+      [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
+  series.value[static_cast<std::size_t>(nearest - series.time.begin())] =
+      std::numeric_limits<double>::quiet_NaN();
+  return series;
+}
+
+}  // namespace
+
+TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const MutationFrame& frame) {
+  const auto& [window, period] = frame;
+  const TimeSeries judged = cut_to_window(series, window);
+  const double s = mutation.strength;
+  TimeSeries result = series;
+  switch (mutation.kind) {
+    case MutationKind::louder:
+      return scaled(series, 1 + s);
+    case MutationKind::quieter:
+      return scaled(series, 1 - s);
+    case MutationKind::late:
+    case MutationKind::slipped:
+      return delayed(series, s * period);
+    case MutationKind::early:
+      return delayed(series, -s * period);
+    case MutationKind::faster:
+      return stretched(series, 1 + s);
+    case MutationKind::slower:
+      return stretched(series, 1 - s);
+    case MutationKind::noisy:
+      return with_white_noise(series, s * standard_deviation(judged.value));
+    case MutationKind::truncated:
+      return ending_at(series, window.end - s * (window.end - window.begin));
+    case MutationKind::not_a_number:
+      return poisoned_at(series, std::midpoint(window.begin, window.end));
+    case MutationKind::swapped_columns:
+      std::swap(result.time, result.value);
+      return result;
+    case MutationKind::thousandfold:
+      return scaled(series, thousand);
+    case MutationKind::other_unit:
+      result.unit = "m" + series.unit;
+      return result;
+    case MutationKind::sign_flipped:
+      return scaled(series, -1);
+  }
+  throw std::logic_error("a mutation without an effect");
+}
+
+std::string mutation_name(MutationKind kind) {
+  switch (kind) {
+    case MutationKind::louder:
+      return "louder";
+    case MutationKind::quieter:
+      return "quieter";
+    case MutationKind::late:
+      return "late";
+    case MutationKind::early:
+      return "early";
+    case MutationKind::faster:
+      return "faster";
+    case MutationKind::slower:
+      return "slower";
+    case MutationKind::noisy:
+      return "noisy";
+    case MutationKind::slipped:
+      return "slipped";
+    case MutationKind::truncated:
+      return "truncated";
+    case MutationKind::not_a_number:
+      return "not a number";
+    case MutationKind::swapped_columns:
+      return "swapped columns";
+    case MutationKind::thousandfold:
+      return "thousandfold";
+    case MutationKind::other_unit:
+      return "other unit";
+    case MutationKind::sign_flipped:
+      return "sign flipped";
+  }
+  throw std::logic_error("a mutation without a name");
+}
+
+}  // namespace slosh

@@ -1,0 +1,49 @@
+// Series made wrong on purpose, by a known kind and strength, to find out what a gate can detect: a
+// gate that passes a series that is too high, late or poisoned is no gate. A mutated series keeps
+// its sample times unless the kind is about them, so that it is never told by its coverage alone;
+// where a shift asks for values that the record does not have, its first or last one is held.
+#pragma once
+
+#include <string>
+
+#include "verification/metrics/time_series.hpp"
+
+namespace slosh {
+
+// What the strength s means; it is never negative.
+enum class MutationKind {
+  louder,        // values times 1 + s
+  quieter,       // values times 1 - s
+  late,          // shifted by s periods
+  early,         // shifted by -s periods
+  faster,        // time runs 1 + s times as fast, from the first sample on
+  slower,        // time runs 1 - s times as fast
+  noisy,         // white normal noise, standard deviation s times that of the values in the
+                 // window; the same at every call
+  slipped,       // late by s whole periods
+  truncated,     // ends s of the window's length before the window's end
+  not_a_number,  // one sample NaN, that nearest to the window's middle; s of no meaning, as below
+  swapped_columns,  // values where times belong and the other way round
+  thousandfold,     // values in thousandths of the unit, labelled as if in the unit
+  other_unit,       // labelled as in thousandths of the unit ("mm" for "m"), values as they are
+  sign_flipped      // values times -1
+};
+
+struct Mutation {
+  MutationKind kind;
+  double strength;
+};
+
+// What shifts and cuts are measured by.
+struct MutationFrame {
+  TimeWindow window;  // of the comparison
+  double period;      // [s], of the mode that is judged; without modes the window's length
+};
+
+// Throws ComparisonError as cut_to_window() does of the series before its mutation.
+TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const MutationFrame& frame);
+
+// "louder", "not a number", ...
+std::string mutation_name(MutationKind kind);
+
+}  // namespace slosh

@@ -1,0 +1,171 @@
+#include "verification/gate/gate_strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "verification/gate/gate.hpp"
+#include "verification/tests/synthetic_series.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double forced = 3, natural = 4.96646;  // [rad/s]
+constexpr TimeWindow window{5, 25};
+const std::vector<ToneRequest> modes{{"forced", forced, false}, {"natural_1", natural, true}};
+
+// The candidate is 1 % high, 1.7 degrees late in the forced mode, and a little noisy.
+const TimeSeries reference = sampled(
+    [](double t) { return 0.01 * std::sin(forced * t) + 0.006 * std::sin(natural * t); }, 0, 26);
+const TimeSeries candidate = with_noise(
+    sampled(
+        [](double t) {
+          return 1.01 * (0.01 * std::sin(forced * (t - 0.01)) + 0.006 * std::sin(natural * t));
+        },
+        0, 26),
+    5e-5, 0.5, 3);
+
+GateRow row_of(Metric metric, const std::string& mode, const std::string& unit, double limit) {
+  GateRow row{};
+  row.candidate = "sph";
+  row.reference = "linear";
+  row.quantity = reference.name;
+  row.metric = metric;
+  row.mode = mode;
+  row.unit = unit;
+  row.limit = limit;
+  return row;
+}
+
+// As the gate judges a campaign's rows.
+GateOutcome judge(const GateRow& row, const TimeSeries& series) {
+  Comparison comparison;
+  return evaluate(row, {{"sph", {RunState::finished, ""}}, {"linear", {RunState::finished, ""}}},
+                  {[&](const auto&, const auto&, const auto&) -> const Comparison& {
+                     return comparison = compare(series, reference, window, modes);
+                   },
+                   {}});
+}
+
+MutationFrame frame_of(const GateRow& row) {
+  return {window, two_pi / (row.mode == "natural_1" ? natural : forced)};
+}
+
+GateStrength strength_of(const GateRow& row) {
+  return gate_strength(
+      row, {judge(row, candidate).value.value, candidate}, frame_of(row),
+      [&](const TimeSeries& series) { return judge(row, series).verdict == Verdict::pass; });
+}
+
+bool detects(const GateStrength& strength, MutationKind kind) {
+  return detected_from(strength, kind).has_value();
+}
+
+void expect_to_detect_what_is_unsound(const GateStrength& strength) {
+  for (const MutationKind kind : {MutationKind::truncated, MutationKind::not_a_number,
+                                  MutationKind::swapped_columns, MutationKind::other_unit})
+    EXPECT_TRUE(detects(strength, kind)) << mutation_name(kind);
+}
+
+const GateRow amplitude = row_of(Metric::amplitude_error, "forced", "1", 0.025);
+const GateRow lag = row_of(Metric::phase_lag, "forced", "deg", 4);
+const GateRow frequency = row_of(Metric::frequency_error, "natural_1", "1", 0.004);
+const GateRow rms = row_of(Metric::normalised_rms, "whole", "1", 0.06);
+
+TEST(GateStrength, OfANarrowAmplitudeRowBeginsAtItsLimit) {
+  const GateStrength strength = strength_of(amplitude);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::louder), 0.02);
+  EXPECT_EQ(detected_from(strength, MutationKind::quieter), 0.05);
+  EXPECT_TRUE(detects(strength, MutationKind::thousandfold));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfALagRowIsInShiftsAndTheSign) {
+  const GateStrength strength = strength_of(lag);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::late), 0.01);   // 1.7 and 3.6 degrees
+  EXPECT_EQ(detected_from(strength, MutationKind::early), 0.02);  // 1.7 less 7.2 degrees
+  EXPECT_TRUE(detects(strength, MutationKind::sign_flipped));
+  EXPECT_FALSE(detects(strength, MutationKind::louder));
+  EXPECT_FALSE(detects(strength, MutationKind::thousandfold));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfAFrequencyRowIsInStretches) {
+  const GateStrength strength = strength_of(frequency);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::faster), 0.005);
+  EXPECT_EQ(detected_from(strength, MutationKind::slower), 0.005);
+  EXPECT_FALSE(detects(strength, MutationKind::quieter));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfAResidualRowIsInAllOfThem) {
+  const GateStrength strength = strength_of(rms);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  for (const MutationKind kind :
+       {MutationKind::louder, MutationKind::quieter, MutationKind::late, MutationKind::early,
+        MutationKind::faster, MutationKind::slower, MutationKind::noisy, MutationKind::slipped,
+        MutationKind::thousandfold, MutationKind::sign_flipped})
+    EXPECT_TRUE(detects(strength, kind)) << mutation_name(kind);
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, ShowsTheWeaknessOfAWideLimit) {
+  const GateStrength strength = strength_of(row_of(Metric::amplitude_error, "forced", "1", 0.5));
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_FALSE(detects(strength, MutationKind::louder));
+  EXPECT_FALSE(detects(strength, MutationKind::quieter));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());  // it claims no more than it can
+}
+
+TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
+  const GateStrength strength = gate_strength(amplitude, {0.01, candidate}, frame_of(amplitude),
+                                              [](const auto&) { return true; });
+  for (const MutationOutcome& outcome : strength.outcomes) EXPECT_FALSE(outcome.detected);
+  const std::vector<Mutation> broken = broken_claims(strength);
+  for (const MutationKind kind : {MutationKind::louder, MutationKind::truncated,
+                                  MutationKind::not_a_number, MutationKind::swapped_columns})
+    EXPECT_TRUE(std::any_of(broken.begin(), broken.end(),
+                            [kind](const Mutation& one) { return one.kind == kind; }));
+}
+
+TEST(GateStrength, FindsOutAJudgeThatIgnoresNaN) {
+  const auto careless = [](const TimeSeries& series) {
+    TimeSeries cleaned = series;
+    for (double& value : cleaned.value)
+      if (std::isnan(value)) value = 0;
+    return judge(amplitude, cleaned).verdict == Verdict::pass;
+  };
+  const auto broken =
+      broken_claims(gate_strength(amplitude, {0.01, candidate}, frame_of(amplitude), careless));
+  ASSERT_EQ(broken.size(), 1U);
+  EXPECT_EQ(broken[0].kind, MutationKind::not_a_number);
+}
+
+TEST(GateStrength, IsNotAskedOfARowThatDoesNotPassAsItIs) {
+  const GateStrength strength = strength_of(row_of(Metric::amplitude_error, "forced", "1", 0.001));
+  EXPECT_FALSE(strength.passes_as_it_is);
+  EXPECT_TRUE(strength.outcomes.empty());
+  EXPECT_FALSE(detected_from(strength, MutationKind::louder));
+}
+
+TEST(GateStrength, CountsFromWhereNothingStrongerIsMissed) {
+  const auto outcome = [](double strength, bool detected) {
+    return MutationOutcome{{MutationKind::louder, strength}, true, detected};
+  };
+  EXPECT_EQ(detected_from({true, {outcome(0.1, true), outcome(0.2, false), outcome(0.3, true)}},
+                          MutationKind::louder),
+            0.3);
+  EXPECT_FALSE(
+      detected_from({true, {outcome(0.1, true), outcome(0.2, false)}}, MutationKind::louder));
+}
+
+}  // namespace
+}  // namespace slosh
