@@ -86,10 +86,12 @@ struct Section {
   std::vector<FieldFigure> fields = {};  // after the figures, and numbered on
 };
 
+enum class Outcome { pass, inconclusive, fail };
+
 struct Report {
   std::string title;
   std::string verdict;  // one sentence, first of all
-  bool passed = false;
+  Outcome outcome = Outcome::fail;
   std::string subtitle;  // date, version, machine
   std::vector<Section> sections;
   std::string

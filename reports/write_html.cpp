@@ -126,6 +126,16 @@ mustache::data sections_data(const Report& report, const Drawings& drawings) {
   return sections;
 }
 
+// The sign is hidden from screen readers, the word is not.
+mustache::data outcome_data(Outcome outcome) {
+  mustache::data data;
+  const bool pass = outcome == Outcome::pass, fail = outcome == Outcome::fail;
+  data.set("class", pass ? "good" : fail ? "bad" : "unsure");
+  data.set("sign", pass ? "✓" : fail ? "✗" : "?");
+  data.set("word", pass ? "Pass" : fail ? "Fail" : "Inconclusive");
+  return data;
+}
+
 }  // namespace
 
 std::string html_page(const Report& report, const Drawings& drawings) {
@@ -134,7 +144,7 @@ std::string html_page(const Report& report, const Drawings& drawings) {
   data.set("title", report.title);
   data.set("subtitle", report.subtitle);
   data.set("verdict", html_text(report.verdict));
-  data.set("passed", report.passed);
+  data.set("outcome", outcome_data(report.outcome));
   data.set("style", page_style);
   data.set("dark_rules", dark_rules());
   data.set("sections", sections_data(report, drawings));

@@ -72,7 +72,9 @@ std::string markdown_page(const Report& report) {
   data.set("title", markdown_text(report.title));
   data.set("subtitle", markdown_text(report.subtitle));
   data.set("verdict", markdown_text(report.verdict));
-  data.set("passed", report.passed);
+  data.set("outcome", report.outcome == Outcome::pass   ? "✓ PASS"
+                      : report.outcome == Outcome::fail ? "✗ FAIL"
+                                                        : "? INCONCLUSIVE");
   data.set("sections", sections_data(report));
   return page.render(data);
 }

@@ -57,6 +57,16 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
   return cases;
 }
 
+std::string word_for(int status) {
+  return status == exit_pass ? "PASS" : status == exit_inconclusive ? "INCONCLUSIVE" : "FAIL";
+}
+
+// As the user wants inconclusive rows to end.
+int ended(const AssessedCampaign& assessed, const CampaignOptions& options) {
+  const int status = exit_status(assessed.cases);
+  return status == exit_inconclusive ? options.inconclusive_exit : status;
+}
+
 std::string form_of(const CampaignOptions& options) { return options.quick ? "-quick" : ""; }
 
 }  // namespace
@@ -105,10 +115,9 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   const fs::path report = assessed.output / "report";
   reports::write_report(
       campaign_report(assessed.definition, options.quick, command, assessed.cases), report);
-  std::cout << (exit_status(assessed.cases) == exit_pass ? "PASS: " : "FAIL: ")
-            << verdict_sentence(assessed.cases) << "\nreport: " << (report / "index.html").string()
-            << "\n";
-  return exit_status(assessed.cases);
+  std::cout << word_for(exit_status(assessed.cases)) << ": " << verdict_sentence(assessed.cases)
+            << "\nreport: " << (report / "index.html").string() << "\n";
+  return ended(assessed, options);
 }
 
 int gate_campaign(const CampaignOptions& options, const Installation& installation,
@@ -122,10 +131,9 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
       std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
   const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, baseline, installation.source), directory);
-  std::cout << (exit_status(assessed.cases) == exit_pass ? "PASS: " : "FAIL: ")
-            << verdict_sentence(assessed.cases) << "\ngate: " << (directory / "gate.md").string()
-            << ", junit.xml, gate.sarif\n";
-  return exit_status(assessed.cases);
+  std::cout << word_for(exit_status(assessed.cases)) << ": " << verdict_sentence(assessed.cases)
+            << "\ngate: " << (directory / "gate.md").string() << ", junit.xml, gate.sarif\n";
+  return ended(assessed, options);
 }
 
 }  // namespace slosh

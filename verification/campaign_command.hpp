@@ -19,7 +19,8 @@ struct CampaignOptions {
   bool quick = false;
   bool solve = true;  // false: only what is there is read
   int at_once = 1;
-  std::filesystem::path experiments;  // empty: none is named
+  int inconclusive_exit = exit_inconclusive;  // where nothing is worse than inconclusive
+  std::filesystem::path experiments;          // empty: none is named
   std::filesystem::path
       output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
   std::filesystem::path ledger = {};  // of baselines; empty: <baselines>/<name>.jsonl, likewise

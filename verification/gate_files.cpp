@@ -19,6 +19,8 @@ GateOutcomeKind kind_of(Verdict verdict) {
       return GateOutcomeKind::pass;
     case Verdict::violated:
       return GateOutcomeKind::failure;
+    case Verdict::inconclusive:
+      return GateOutcomeKind::inconclusive;
     case Verdict::solver_failed:
     case Verdict::not_compared:
       return GateOutcomeKind::error;

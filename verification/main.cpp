@@ -43,7 +43,8 @@ constexpr const char* closing_words =
     "installed).\n"
     "Exit status: 0 all gate rows hold; 1 a tolerance is violated; 2 usage or case-file error; 3 a "
     "solver failed;\n"
-    "4 a reference is missing, a result is unusable or nothing was compared; 130 interrupted.\n"
+    "4 a reference is missing, a result is unusable or nothing was compared; 5 a row is "
+    "inconclusive; 130 interrupted.\n"
     "Examples:\n"
     "  ./slosh campaign small_amplitude --quick\n"
     "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
@@ -69,6 +70,13 @@ void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
       "Directory of the results and the report (default: build/campaigns/NAME, with -quick "
       "after the NAME of a quick form)");
   add_experiments_option(command, options.experiments);
+}
+
+void add_inconclusive_option(CLI::App& command, slosh::CampaignOptions& options) {
+  command
+      .add_option("--inconclusive-exit", options.inconclusive_exit,
+                  "Exit status where rows are inconclusive and nothing is worse (default: 5)")
+      ->check(CLI::Range(0, 125));
 }
 
 void add_ledger_option(CLI::App& command, slosh::CampaignOptions& options) {
@@ -128,7 +136,10 @@ void add_campaign_commands(CLI::App& app, slosh::CampaignOptions& options, Actio
       "Runs what a campaign still needs, tells what has moved since its baseline, and leaves "
       "junit.xml, gate.md and gate.sarif",
       action, [&] { return slosh::gate_campaign(options, installation(), stop_requested); });
-  for (CLI::App* command : {&campaign, &report, &gate}) add_campaign_options(*command, options);
+  for (CLI::App* command : {&campaign, &report, &gate}) {
+    add_campaign_options(*command, options);
+    add_inconclusive_option(*command, options);
+  }
   for (CLI::App* command : {&campaign, &gate})
     command->add_option("-j,--jobs", options.at_once, "Runs side by side (default: one a core)")
         ->check(CLI::PositiveNumber);

@@ -68,16 +68,19 @@ TEST(WrittenReport, AsksNothingOfTheNetwork) {
 TEST(WrittenReport, SaysItsVerdictFirstInBothForms) {
   const ScratchDirectory scratch;
   Report report = sample_report();
-  for (const bool passed : {true, false}) {
-    report.passed = passed;
+  const std::tuple<Outcome, const char*, const char*> outcomes[] = {
+      {Outcome::pass, "</span> Pass</strong>", "✓ PASS"},
+      {Outcome::inconclusive, "</span> Inconclusive</strong>", "? INCONCLUSIVE"},
+      {Outcome::fail, "</span> Fail</strong>", "✗ FAIL"}};
+  for (const auto& [outcome, on_page, in_markdown] : outcomes) {
+    report.outcome = outcome;
     write_report(report, scratch / "report");
     const std::string page = read_text(scratch / "report/index.html"),
                       markdown = read_text(scratch / "report/report.md");
     EXPECT_LT(page.find("class=\"verdict"), page.find("<nav"));
-    EXPECT_NE(page.find(passed ? "</span> Pass</strong>" : "</span> Fail</strong>"),
-              std::string::npos);
+    EXPECT_NE(page.find(on_page), std::string::npos);
     EXPECT_LT(markdown.find("1 of 5 checks"), markdown.find("## Contents"));
-    EXPECT_NE(markdown.find(passed ? "✓ PASS" : "✗ FAIL"), std::string::npos);
+    EXPECT_NE(markdown.find(in_markdown), std::string::npos);
   }
 }
 

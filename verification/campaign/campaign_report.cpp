@@ -123,12 +123,14 @@ Section case_section(const CaseAssessment& assessment) {
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases) {
   const int passed = count(cases, Verdict::pass);
   const int judged = passed + count(cases, Verdict::violated) +
-                     count(cases, Verdict::solver_failed) + count(cases, Verdict::not_compared);
+                     count(cases, Verdict::inconclusive) + count(cases, Verdict::solver_failed) +
+                     count(cases, Verdict::not_compared);
   std::string text = fmt::format("{} of {} gate rows hold", passed, judged);
   const auto add = [&](int n, const char* what) {
     if (n > 0) text += fmt::format(", {} {}", n, what);
   };
   add(count(cases, Verdict::violated), "violated");
+  add(count(cases, Verdict::inconclusive), "inconclusive");
   add(count(cases, Verdict::not_compared), "not compared");
   add(pairs_not_comparable(cases), "pairs not comparable");
   add(count(cases, RunState::failed), "runs failed");
@@ -146,7 +148,10 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
   report.verdict = verdict_sentence(cases);
-  report.passed = exit_status(cases) == exit_pass;
+  const int status = exit_status(cases);
+  report.outcome = status == exit_pass           ? reports::Outcome::pass
+                   : status == exit_inconclusive ? reports::Outcome::inconclusive
+                                                 : reports::Outcome::fail;
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
   report.sections.push_back(

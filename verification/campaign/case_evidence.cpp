@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reference/linear_surge.hpp"
+#include "verification/campaign/row_uncertainty.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
@@ -84,20 +85,29 @@ const Comparison& CaseEvidence::comparison(const std::string& candidate,
       .first->second;
 }
 
-GateOutcome CaseEvidence::judge(const GateRow& row) {
-  const FindComparison find = [&](const std::string& candidate, const std::string& reference,
-                                  const std::string& quantity) -> const Comparison& {
+GateEvidence CaseEvidence::gate_evidence() {
+  const FindComparison find = [this](const std::string& candidate, const std::string& reference,
+                                     const std::string& quantity) -> const Comparison& {
     return comparison(candidate, reference, quantity);
   };
-  const FindSeries find_series = [&](const std::string& run, const std::string& quantity) {
+  const FindSeries find_series = [this](const std::string& run, const std::string& quantity) {
     return cut_to_window(runs_.results.at(run).at(quantity),
                          {definition_.window_begin, definition_.window_end});
   };
-  const MeasureImpacts measure_impacts = [&](const std::string& run, const GateRow& of) {
+  const MeasureImpacts measure_impacts = [this](const std::string& run, const GateRow& of) {
     return impact_metric(of.metric, of.mode, runs_.results.at(run).at(of.quantity),
                          series_of_record(definition_, runs_, of.quantity), definition_);
   };
-  return evaluate(row, runs_.status, {find, find_series, measure_impacts});
+  const GateEvidence evidence{find, find_series, measure_impacts};
+  const FindUncertainty uncertainty = [this, evidence](const GateRow& row) {
+    return row_uncertainty(definition_, runs_, row, evidence.comparison,
+                           [&](const GateRow& other) { return measured(other, evidence); });
+  };
+  return {find, find_series, measure_impacts, uncertainty};
+}
+
+GateOutcome CaseEvidence::judge(const GateRow& row) {
+  return evaluate(row, runs_.status, gate_evidence());
 }
 
 }  // namespace slosh

@@ -28,6 +28,9 @@ class CaseEvidence {
   const Comparison& comparison(const std::string& candidate, const std::string& reference,
                                const std::string& quantity);
 
+  // Refers to this.
+  GateEvidence gate_evidence();
+
   GateOutcome judge(const GateRow& row);
 
  private:

@@ -155,6 +155,21 @@ struct RecordRun {
   bool supplied = true;
 };
 
+enum class RefinedNumber {
+  particle_spacing,
+  smoothing_length_ratio,  // the step is its inverse: more neighbours
+  speed_of_sound,          // the step is its inverse: less compressible
+  courant_number,
+  mesh  // the step is the root of a cell's area
+};
+
+// Runs that are alike but for one number, from which the numerical uncertainty is estimated.
+struct RefinementDefinition {
+  std::string name;
+  RefinedNumber number;
+  std::vector<std::string> runs;
+};
+
 struct RunDefinition {
   std::string name;
   std::variant<SphRun, InterFoamRun, LinearRun, RecordRun> solver;
@@ -237,6 +252,7 @@ struct CaseDefinition {
   std::optional<double> declared_forcing_frequency;
   int natural_modes;
   std::vector<RunDefinition> runs;
+  std::vector<RefinementDefinition> refinements = {};
   std::vector<GateRow> gate;
   std::string text;  // the file as read
   std::filesystem::path file;

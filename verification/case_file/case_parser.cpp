@@ -117,7 +117,7 @@ void read_head(const TomlTable& root, CaseDefinition& definition) {
   root.get("schema_version", exactly(schema_version));
   root.allow_only({"schema_version", "name", "title", "source", "tags", "gravity_m_s2", "tank",
                    "liquid", "gas", "obstacle", "motion", "time", "gauge", "pressure_gauge",
-                   "impacts", "comparison", "run", "gate"});
+                   "impacts", "comparison", "run", "refinement", "gate"});
   definition.name = root.get("name", file_safe_name());
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
@@ -161,6 +161,9 @@ CaseDefinition read_case(const std::filesystem::path& file,
   definition.runs = read_named<RunDefinition>(
       root, "run", [&](const TomlTable& run) { return read_run(run, definition, experiments); });
   if (definition.runs.empty()) root.refuse("run", "at least one [[run]]");
+  definition.refinements = read_named<RefinementDefinition>(
+      root, "refinement",
+      [&](const TomlTable& refinement) { return read_refinement(refinement, definition); });
   for (const TomlTable& row : root.tables("gate")) {
     definition.gate.push_back(read_gate_row(row, definition));
   }

@@ -35,6 +35,9 @@ void refuse_overlaps(const std::vector<TomlTable>& tables,
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments);
 
+// [[refinement]], of a case whose runs have been read.
+RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefinition& definition);
+
 // [[gate]], of a case whose motion, gauges, comparison and runs have been read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
 

@@ -87,22 +87,6 @@ void require_unit(const GateRow& row, const std::string& quantity_unit) {
       fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
 }
 
-// The metric of a row's candidate, or of the run that it is to improve on.
-Estimate measure(const GateRow& row, const std::string& candidate, const GateEvidence& evidence) {
-  if (row.metric == Metric::largest_magnitude) {
-    const TimeSeries series = evidence.series(candidate, row.quantity);
-    require_unit(row, series.unit);
-    return {largest_magnitude(series), 0};
-  }
-  if (is_of_impacts(row.metric)) {
-    require_unit(row, "Pa");
-    return {evidence.impacts(candidate, row), 0};
-  }
-  const Comparison& comparison = evidence.comparison(candidate, row.reference, row.quantity);
-  require_unit(row, comparison.unit);
-  return metric_value(row.metric, row.mode, comparison);
-}
-
 // Nearer to zero by more than both intervals together, or by an interval that holds zero itself.
 bool improves(const Estimate& estimate, const Estimate& other) {
   const double gain = std::abs(other.value) - std::abs(estimate.value);
@@ -112,33 +96,73 @@ bool improves(const Estimate& estimate, const Estimate& other) {
   return gain > 0 && (clearly || to_zero);
 }
 
-struct Bound {
-  bool holds;
-  std::string text;
-};
+// Written so that a value that is no number is not better.
+Verdict verdict_on_improvement(const Estimate& estimate, const Estimate& other) {
+  if (improves(estimate, other)) return Verdict::pass;
+  const double loss = std::abs(estimate.value) - std::abs(other.value);
+  return std::abs(loss) < std::hypot(estimate.half_width, other.half_width) ? Verdict::inconclusive
+                                                                            : Verdict::violated;
+}
 
-// Written so that a value that is no number holds no bound.
-Bound compare_to_bound(const GateRow& row, const Estimate& estimate, const GateEvidence& evidence) {
-  const double value = estimate.value;
-  const std::string shown = is_of_impacts(row.metric) && std::isnan(value)
-                                ? "no impact"
-                                : with_interval(estimate, row.unit);
-  if (row.limit) {
-    const bool holds = std::abs(value) <= *row.limit;
-    return {holds, fmt::format("{} {} {}", value < 0 ? "|" + shown + "|" : shown,
-                               holds ? "<=" : "is not <=", in_unit(*row.limit, row.unit))};
-  }
-  if (row.between) {
-    const auto& [lower, upper] = *row.between;
-    const bool holds = value >= lower && value <= upper;
-    return {holds, fmt::format("{} {} {} .. {}", shown, holds ? "within" : "is not within",
-                               in_unit(lower, row.unit), in_unit(upper, row.unit))};
-  }
+GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
+                              const GateEvidence& evidence) {
   const std::string& other = row.improves_on.value();
-  const Estimate others = measure(row, other, evidence);
-  const bool holds = improves(estimate, others);
-  return {holds, fmt::format("|{}| {} |{}| of {}", shown, holds ? "<" : "is not clearly <",
-                             with_interval(others, row.unit), other)};
+  GateRow others_row = row;
+  others_row.candidate = other;
+  const Estimate others = measured(others_row, evidence);
+  const Verdict verdict = verdict_on_improvement(value, others);
+  return {row, verdict, value,
+          fmt::format("|{}| {} |{}| of {}", with_interval(value, row.unit),
+                      verdict == Verdict::pass ? "<" : "is not clearly <",
+                      with_interval(others, row.unit), other)};
+}
+
+AllowedRange allowed_by(const GateRow& row) {
+  if (row.limit) return {-*row.limit, *row.limit};
+  return {row.between->first, row.between->second};
+}
+
+Verdict verdict_of(ThreeWayVerdict verdict) {
+  switch (verdict) {
+    case ThreeWayVerdict::pass:
+      return Verdict::pass;
+    case ThreeWayVerdict::fail:
+      return Verdict::violated;
+    case ThreeWayVerdict::inconclusive:
+      return Verdict::inconclusive;
+  }
+  throw std::logic_error("a verdict of no kind");
+}
+
+// "13.9 % +- 4 % <= 20 %", "|-1 %| <= 2 %", "3 % is not within 1 % .. 2 %".
+std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged) {
+  const bool lost = is_of_impacts(row.metric) && std::isnan(judged.error);
+  const std::string shown =
+      lost ? "no impact" : with_interval({judged.error, judged.uncertainty}, row.unit);
+  const auto phrase = [&](const char* holds, const char* does_not) {
+    switch (judged.verdict) {
+      case ThreeWayVerdict::pass:
+        return holds;
+      case ThreeWayVerdict::fail:
+        return does_not;
+      case ThreeWayVerdict::inconclusive:
+        break;
+    }
+    return "cannot be told from";
+  };
+  if (row.limit)
+    return fmt::format("{} {} {}", judged.error < 0 ? "|" + shown + "|" : shown,
+                       phrase("<=", "is not <="), in_unit(*row.limit, row.unit));
+  return fmt::format("{} {} {} .. {}", shown, phrase("within", "is not within"),
+                     in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
+}
+
+GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
+  UncertaintyContributions contributions;
+  if (evidence.uncertainty) contributions = evidence.uncertainty(row);
+  contributions.statistics = value.half_width;
+  const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
+  return {row, verdict_of(judged.verdict), value, bound_text(row, judged), judged};
 }
 
 bool needs_reference(Metric metric) {
@@ -188,13 +212,28 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
 
 }  // namespace
 
+Estimate measured(const GateRow& row, const GateEvidence& evidence) {
+  if (row.metric == Metric::largest_magnitude) {
+    const TimeSeries series = evidence.series(row.candidate, row.quantity);
+    require_unit(row, series.unit);
+    return {largest_magnitude(series), 0};
+  }
+  if (is_of_impacts(row.metric)) {
+    require_unit(row, "Pa");
+    return {evidence.impacts(row.candidate, row), 0};
+  }
+  const Comparison& comparison = evidence.comparison(row.candidate, row.reference, row.quantity);
+  require_unit(row, comparison.unit);
+  return metric_value(row.metric, row.mode, comparison);
+}
+
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence) {
   if (const auto found = obstacle(row, runs)) return {row, found->first, no_value, found->second};
   try {
-    const Estimate value = measure(row, row.candidate, evidence);
-    const Bound bound = compare_to_bound(row, value, evidence);
-    return {row, bound.holds ? Verdict::pass : Verdict::violated, value, bound.text};
+    const Estimate value = measured(row, evidence);
+    return row.improves_on ? judge_improvement(row, value, evidence)
+                           : judge_bound(row, value, evidence);
   } catch (const NotSuppliedError& error) {
     return {row, Verdict::not_supplied, no_value, error.what()};
   } catch (const std::runtime_error&
@@ -211,8 +250,9 @@ int exit_status(const std::vector<GateOutcome>& outcomes) {
   };
   if (any(Verdict::solver_failed)) return exit_solver_failed;
   if (any(Verdict::violated)) return exit_violated;
-  if (any(Verdict::not_compared) || !any(Verdict::pass)) return exit_not_compared;
-  return exit_pass;
+  if (any(Verdict::not_compared)) return exit_not_compared;
+  if (any(Verdict::inconclusive)) return exit_inconclusive;
+  return any(Verdict::pass) ? exit_pass : exit_not_compared;
 }
 
 std::string verdict_name(Verdict verdict) {
@@ -221,6 +261,8 @@ std::string verdict_name(Verdict verdict) {
       return "pass";
     case Verdict::violated:
       return "violated";
+    case Verdict::inconclusive:
+      return "inconclusive";
     case Verdict::solver_failed:
       return "solver failed";
     case Verdict::not_compared:

@@ -3,10 +3,12 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "verification/case_file/case_definition.hpp"
+#include "verification/gate/three_way_verdict.hpp"
 #include "verification/metrics/comparison.hpp"
 
 namespace slosh {
@@ -18,6 +20,7 @@ enum ExitStatus {
   exit_usage = 2,
   exit_solver_failed = 3,
   exit_not_compared = 4,
+  exit_inconclusive = 5,
   exit_interrupted = 130
 };
 
@@ -35,13 +38,23 @@ struct RunStatus {
   std::string message;
 };
 
-enum class Verdict { pass, violated, solver_failed, not_compared, not_selected, not_supplied };
+enum class Verdict {
+  pass,
+  violated,
+  inconclusive,  // the uncertainty reaches across the bound (three_way_verdict.hpp)
+  solver_failed,
+  not_compared,
+  not_selected,
+  not_supplied
+};
 
 struct GateOutcome {
   GateRow row;
   Verdict verdict;
   Estimate value{};     // the metric, NaN where there is none
   std::string message;  // "0.8 % <= 1.5 %", or why nothing could be compared
+  // What the verdict on a limit or a range rests on; none of other rows.
+  std::optional<ThreeWayOutcome> judgement = {};
 };
 
 // Gives the comparison of two runs for a quantity; throws ComparisonError or ResultError where
@@ -57,23 +70,36 @@ using FindSeries = std::function<TimeSeries(const std::string& run, const std::s
 // no such series.
 using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
 
+// Gives what makes a row's metric uncertain beside its own interval (`statistics`, which is zero
+// here).
+using FindUncertainty = std::function<UncertaintyContributions(const GateRow& row)>;
+
 // What rows are judged by.
 struct GateEvidence {
   FindComparison comparison;
   FindSeries series;  // for the metrics that need no reference
   MeasureImpacts impacts = {};
+  FindUncertainty uncertainty = {};  // none: of nothing else
 };
 
-// NaN never passes: every limit is tested as !(|value| <= limit). An impact that does not come is
-// NaN, and violates; a row whose table of repeats is not supplied is not supplied.
+// The row's metric of its candidate. Throws as what the evidence is asked for, and ComparisonError
+// where the row's unit is not the metric's.
+Estimate measured(const GateRow& row, const GateEvidence& evidence);
+
+// A limit or a range passes where the whole 95 % interval about the metric lies within it, is
+// violated where all of it lies outside, and is inconclusive otherwise; an improvement on another
+// run, likewise, where the intervals leave open which is the better. NaN never passes. An impact
+// that does not come is NaN, and violates; a row whose table of repeats is not supplied is not
+// supplied.
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence);
 
-// The worst of all: solver failed (3) over violated (1) over not compared (4); no row evaluated at
-// all is 4. A row that is not selected or not supplied counts for nothing.
+// The worst of all: solver failed (3) over violated (1) over not compared (4) over inconclusive
+// (5); no row evaluated at all is 4. A row that is not selected or not supplied counts for nothing.
 int exit_status(const std::vector<GateOutcome>& outcomes);
 
-// "pass", "violated", "solver failed", "not compared", "not selected", "not supplied"
+// "pass", "violated", "inconclusive", "solver failed", "not compared", "not selected", "not
+// supplied"
 std::string verdict_name(Verdict verdict);
 // "finished", "solver failed", "no result", "not selected", "not supplied", "out of range"
 std::string state_name(RunState state);

@@ -108,10 +108,10 @@ TEST(CampaignReport, OfCasesOfOneNameIsNone) {
 
 TEST(CampaignReport, TellsTheVerdictAndTheCommandThatRepeatsIt) {
   const reports::Report report = report_of(surge_campaign(), {good()});
-  EXPECT_TRUE(report.passed);
+  EXPECT_EQ(report.outcome, reports::Outcome::pass);
   EXPECT_EQ(report.verdict, "3 of 3 gate rows hold.");
   EXPECT_NE(report.sections[0].paragraphs[0].find("`./slosh campaign surges`"), std::string::npos);
-  EXPECT_FALSE(report_of(surge_campaign(), {not_comparable()}).passed);
+  EXPECT_EQ(report_of(surge_campaign(), {not_comparable()}).outcome, reports::Outcome::fail);
 }
 
 TEST(CampaignReport, HasARowForEveryGateRow) {
@@ -141,7 +141,7 @@ TEST(CampaignReport, StandsWithoutASingleResult) {
   const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
   EXPECT_NO_THROW(reports::check_report(report));
   EXPECT_TRUE(report.sections[1].figures.empty());
-  EXPECT_FALSE(report.passed);
+  EXPECT_EQ(report.outcome, reports::Outcome::fail);
 }
 
 TEST(CampaignReport, DrawsTheToleratedResidualOfTheQuantityThatTheRowNames) {

@@ -83,10 +83,40 @@ GateOutcome judge(const GateRow& row, const std::map<std::string, RunStatus>& ru
 }
 
 TEST(Gate, PassesAValueUpToItsLimitOnEitherSide) {
-  EXPECT_EQ(judge(amplitude_row, comparison_of(0.05)).verdict, Verdict::pass);
-  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.05)).verdict, Verdict::pass);
-  EXPECT_EQ(judge(amplitude_row, comparison_of(0.0501)).verdict, Verdict::violated);
-  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.0501)).verdict, Verdict::violated);
+  GateRow row = row_of(Metric::normalised_rms, "whole", "1", 0.1);  // has no interval
+  EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::pass);
+  row.limit = 0.0999;
+  EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
+}
+
+TEST(Gate, IsInconclusiveWhereTheIntervalReachesAcrossTheBound) {  // each +- 0.001
+  EXPECT_EQ(judge(amplitude_row, comparison_of(0.0489)).verdict, Verdict::pass);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.0489)).verdict, Verdict::pass);
+  for (const double value : {0.0491, 0.05, 0.0509, -0.0491, -0.0509})
+    EXPECT_EQ(judge(amplitude_row, comparison_of(value)).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(0.0511)).verdict, Verdict::violated);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.0511)).verdict, Verdict::violated);
+  EXPECT_EQ(judge(amplitude_row, comparison_of(0.05)).message,
+            "5 % +- 0.1 % cannot be told from 5 %");
+}
+
+TEST(Gate, CountsWhatElseIsUncertainBesideTheInterval) {
+  const Comparison comparison = comparison_of(0.04);
+  const FindComparison find = [&](const auto&, const auto&, const auto&) -> const Comparison& {
+    return comparison;
+  };
+  const auto with_reference = [&](double half_width) {
+    const FindUncertainty uncertainty = [=](const GateRow&) {
+      return UncertaintyContributions{.reference = half_width};
+    };
+    return evaluate(amplitude_row, all_finished(), {find, no_series, {}, uncertainty});
+  };
+  EXPECT_EQ(with_reference(0.005).verdict, Verdict::pass);
+  const GateOutcome unsure = with_reference(0.02);
+  EXPECT_EQ(unsure.verdict, Verdict::inconclusive);
+  EXPECT_NEAR(unsure.judgement.value().uncertainty, std::hypot(0.02, 0.001), 1e-15);
+  EXPECT_NEAR(unsure.judgement.value().conclusive_uncertainty, 0.01, 1e-15);
+  EXPECT_EQ(with_reference(nan).verdict, Verdict::inconclusive);
 }
 
 TEST(Gate, SaysTheValueAndItsLimitInTheRowsUnit) {
@@ -131,9 +161,13 @@ TEST(Gate, HoldsAValueBetweenItsBounds) {
   EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::pass);
   EXPECT_EQ(judge(row, comparison_of(0)).message,
             "0.02 1/s +- 0.001 1/s within 0.01 1/s .. 0.03 1/s");
-  row.between = {0.021, 0.03};
+  row.between = {0.0215, 0.03};
   EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
-  row.between = {0.01, 0.019};
+  row.between = {0.01, 0.0185};
+  EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
+  row.between = {0.0195, 0.03};
+  EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::inconclusive);
+  row.between = {0.022, 0.03};
   EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
 }
 
@@ -145,29 +179,30 @@ class GateOnImprovement : public ::testing::Test {
   }
   Verdict verdict(double fine_error, double coarse_error) const {
     const Comparison fine = comparison_of(fine_error), coarse = comparison_of(coarse_error);
-    return evaluate(
-               row, all_finished(),
-               {[&](const auto& run, const auto& reference, const auto&) -> const auto& {
-                  EXPECT_EQ(reference, "linear");
-                  return run == "sph" ? fine : coarse;
+    const FindComparison find = [&](const std::string& run, const std::string& reference,
+                                    const std::string&) -> const Comparison& {
+      EXPECT_EQ(reference, "linear");
+      return run == "sph" ? fine : coarse;
+    };
+    return evaluate(row, all_finished(), {find, no_series}).verdict;
   }
-  , no_series})
-        .verdict;
-}  // namespace
-GateRow row = amplitude_row;
-};  // namespace slosh
+
+  GateRow row = amplitude_row;
+};
 
 TEST_F(GateOnImprovement, ComparesMagnitudes) {
   EXPECT_EQ(verdict(0.01, -0.02), Verdict::pass);
   EXPECT_EQ(verdict(-0.02, 0.01), Verdict::violated);
-  EXPECT_EQ(verdict(0.01, 0.01), Verdict::violated);
 }
 
 TEST_F(GateOnImprovement, NeedsMoreThanBothIntervalsUnlessItReachesZero) {
-  EXPECT_EQ(verdict(0.0100, 0.0113), Verdict::violated);  // each +- 0.001
+  EXPECT_EQ(verdict(0.0100, 0.0113), Verdict::inconclusive);  // each +- 0.001
+  EXPECT_EQ(verdict(0.01, 0.01), Verdict::inconclusive);
+  EXPECT_EQ(verdict(0.0113, 0.0100), Verdict::inconclusive);
+  EXPECT_EQ(verdict(0.0115, 0.0100), Verdict::violated);
   EXPECT_EQ(verdict(0.0100, 0.0115), Verdict::pass);
   EXPECT_EQ(verdict(0.0008, 0.0011), Verdict::pass);
-  EXPECT_EQ(verdict(0.0008, 0.0009), Verdict::violated);
+  EXPECT_EQ(verdict(0.0008, 0.0009), Verdict::inconclusive);
 }
 
 TEST_F(GateOnImprovement, NeverPassesNaN) {

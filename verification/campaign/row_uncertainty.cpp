@@ -1,0 +1,70 @@
+#include "verification/campaign/row_uncertainty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verification/gate/impact_metrics.hpp"
+
+namespace slosh {
+namespace {
+
+double reference_amplitude(const Comparison& comparison, const std::string& mode) {
+  const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
+                                  [&](const ModeComparison& one) { return one.mode == mode; });
+  return found == comparison.modes.end() ? 0 : found->reference.amplitude.value;
+}
+
+// rms of the reference about its mean.
+double variation(const Comparison& comparison) {
+  double squares = 0;
+  for (const double value : comparison.residual.value) squares += value * value;
+  return std::sqrt(squares / static_cast<double>(comparison.residual.value.size())) /
+         comparison.normalised_rms.value;
+}
+
+}  // namespace
+
+double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
+                               double half_width) {
+  switch (metric) {
+    case Metric::amplitude_error:
+      return half_width / reference_amplitude(comparison, mode);
+    case Metric::phase_lag:
+      return 180 / std::numbers::pi * half_width / reference_amplitude(comparison, mode);
+    case Metric::normalised_rms:
+    case Metric::aligned_rms:
+      return half_width / variation(comparison);
+    case Metric::maximum_residual:
+      return half_width;
+    default:
+      return 0;
+  }
+}
+
+UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
+                                         const GateRow& row, const FindComparison& comparison,
+                                         const MeasureRow& measure) {
+  UncertaintyContributions found;
+  const auto numerical = [&](Role role) {
+    return numerical_uncertainty(refined_metrics(definition, runs, row, role, measure));
+  };
+  if (is_of_impacts(row.metric)) {  // against what is published of an experiment
+    found.discretisation = numerical(Role::candidate);
+    return found;
+  }
+  if (row.reference.empty()) return found;
+  const RunDefinition& reference = run_named(definition, row.reference);
+  if (const auto* record = std::get_if<RecordRun>(&reference.solver)) {
+    found.discretisation = numerical(Role::candidate);
+    if (record->uncertainty)
+      found.reference = uncertainty_from_values(
+          row.metric, row.mode, comparison(row.candidate, row.reference, row.quantity),
+          *record->uncertainty);
+  } else {
+    found.reference = numerical(Role::reference);
+  }
+  return found;
+}
+
+}  // namespace slosh
