@@ -23,32 +23,42 @@ double mean_of(const std::vector<double>& time, const std::vector<double>& value
   return sum / (time.back() - time.front());
 }
 
-// x / y - 1 with the first-order interval of independent x and y.
-Estimate relative_error(const Estimate& x, const Estimate& y) {
-  const double ratio = x.value / y.value;
-  return {.value = ratio - 1,
-          .half_width = std::hypot(x.half_width, ratio * y.half_width) / std::abs(y.value)};
-}
-
 Estimate scaled(const Estimate& estimate, double factor) {
   return {.value = estimate.value * factor, .half_width = estimate.half_width * factor};
 }
 
-ModeComparison compare_tones(const Tone& candidate, const Tone& reference) {
+// A mode that one of the two does not resolve has no difference: the intervals are then those of
+// two things that know nothing of one another.
+double either(const ModeComparison& mode, double of_difference, const Estimate& candidate,
+              const Estimate& reference) {
+  return mode.resolved() ? of_difference : std::hypot(candidate.half_width, reference.half_width);
+}
+
+ModeComparison compare_tones(const Tone& candidate, const Tone& reference,
+                             const PairedDifference& difference) {
+  ModeComparison mode{};
+  mode.mode = reference.name;
+  mode.candidate = candidate;
+  mode.reference = reference;
+  const double ratio = candidate.amplitude.value / reference.amplitude.value;
   const Estimate lag_angle{
       .value = wrap_angle(reference.phase_at_middle.value - candidate.phase_at_middle.value),
-      .half_width = std::min(pi, std::hypot(reference.phase_at_middle.half_width,
-                                            candidate.phase_at_middle.half_width))};
-  return {
-      .mode = reference.name,
-      .candidate = candidate,
-      .reference = reference,
-      .amplitude_error = relative_error(candidate.amplitude, reference.amplitude),
-      .phase_lag = scaled(lag_angle, 1 / reference.angular_frequency.value),
-      .phase_lag_degrees = scaled(lag_angle, 180 / pi),
-      .phase_lag_periods = scaled(lag_angle, 1 / (2 * pi)),
-      .frequency_error = relative_error(candidate.angular_frequency, reference.angular_frequency),
-      .decay_rate = candidate.decay_rate};
+      .half_width = std::min(pi, either(mode, difference.phase_at_middle, candidate.phase_at_middle,
+                                        reference.phase_at_middle))};
+  mode.amplitude_error = {ratio - 1,
+                          either(mode, difference.amplitude_ratio.half_width,
+                                 scaled(candidate.amplitude, 1 / reference.amplitude.value),
+                                 scaled(reference.amplitude, ratio / reference.amplitude.value))};
+  mode.phase_lag = scaled(lag_angle, 1 / reference.angular_frequency.value);
+  mode.phase_lag_degrees = scaled(lag_angle, 180 / pi);
+  mode.phase_lag_periods = scaled(lag_angle, 1 / (2 * pi));
+  mode.frequency_error =
+      scaled({candidate.angular_frequency.value - reference.angular_frequency.value,
+              either(mode, difference.angular_frequency, candidate.angular_frequency,
+                     reference.angular_frequency)},
+             1 / reference.angular_frequency.value);
+  mode.decay_rate = candidate.decay_rate;
+  return mode;
 }
 
 // By the trapezoidal rule over the interval before the i-th sample.
@@ -105,11 +115,10 @@ int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
 void compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
                    const std::vector<ToneRequest>& modes, Comparison& result) {
   const TimeWindow window = result.window;
-  const HarmonicFit fitted_candidate = fit_harmonics(candidate, window, modes);
-  const HarmonicFit fitted_reference = fit_harmonics(reference, window, modes);
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    result.modes.push_back(compare_tones(fitted_candidate.tones[k], fitted_reference.tones[k]));
-  }
+  const PairedFit fitted = fit_pair(candidate, reference, window, modes);
+  for (std::size_t k = 0; k < modes.size(); ++k)
+    result.modes.push_back(
+        compare_tones(fitted.candidate.tones[k], fitted.reference.tones[k], fitted.differences[k]));
   result.cross_correlation_lag =
       cross_correlation_lag(candidate, reference, window, 2 * pi / modes.front().angular_frequency);
   const int peaks = static_cast<int>(modes.size()) + 1;

@@ -5,8 +5,8 @@
 // candidate, r the reference:
 //   amplitude error = A_c / A_r - 1,   lag = wrap(phi_r - phi_c) / w, phases at the window's middle
 //   M = sqrt(I_cc / I_rr) - 1,   P = acos(I_rc / sqrt(I_rr I_cc)) / pi
-// (Sprague & Geers 2004 after Schwer 2007; P has no sign). Intervals assume that the errors of the
-// two fits are independent and small (first order).
+// (Sprague & Geers 2004 after Schwer 2007; P has no sign). Intervals of modes are of the difference
+// of the two: fit_pair() of harmonic_fit.hpp.
 #pragma once
 
 #include <string>

@@ -62,6 +62,27 @@ void require_resolved(TimeWindow window, const std::vector<ToneRequest>& request
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests);
 
+// What sets the candidate's tone apart from the reference's: half widths of 95 % intervals of the
+// candidate's less the reference's, and the ratio of the amplitudes.
+struct PairedDifference {
+  Estimate amplitude_ratio;
+  double phase_at_middle;    // [rad]
+  double angular_frequency;  // [rad/s]
+  double decay_rate;         // [1/s]
+};
+
+struct PairedFit {
+  HarmonicFit candidate, reference;
+  std::vector<PairedDifference> differences;  // in the order of the requests
+};
+
+// Both series fitted, and their differences' intervals from what the fits leave of the one less
+// what they leave of the other, scaled by the ratio of the tone's amplitudes: what both show alike
+// and neither fit takes (higher modes, harmonics, beats) makes neither difference uncertain. To the
+// first order, for tones that are near one another. Throws as fit_harmonics() does.
+PairedFit fit_pair(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
+                   const std::vector<ToneRequest>& requests);
+
 // Angle [rad] brought to [-pi, pi] by whole turns.
 double wrap_angle(double angle);
 

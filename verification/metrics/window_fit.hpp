@@ -1,0 +1,37 @@
+// One series fitted over a window by the model of harmonic_fit.hpp, with what is needed to say more
+// of it than its tones. Private to the metrics.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "verification/metrics/fit_covariance.hpp"
+#include "verification/metrics/harmonic_fit.hpp"
+#include "verification/metrics/tone_search.hpp"
+
+namespace slosh {
+
+struct WindowFit {
+  TimeWindow window;
+  std::vector<ToneRequest> requests;
+  std::vector<ToneRange> ranges;
+  std::vector<ToneShape> shapes;
+  Eigen::VectorXd coefficients;  // c0, c1, then a and b of each tone
+
+  // At any times [s]: d model / d (c0, c1, a_0, b_0, ...), then (w, g) of each refined tone.
+  Eigen::MatrixXd jacobian(const std::vector<double>& time) const;
+  // Values less the model.
+  Eigen::VectorXd residual(const std::vector<double>& time, const std::vector<double>& value) const;
+
+  // Half widths of the k-th tone's 95 % intervals, were the fit's residuals of that covariance.
+  struct HalfWidths {
+    double amplitude, angular_frequency, decay_rate, phase, phase_at_middle;
+  };
+  HalfWidths half_widths(std::size_t k, const FitCovariance& spread) const;
+};
+
+// Throws as fit_harmonics() does. `cut` lies in the window.
+WindowFit fit_window(const TimeSeries& cut, TimeWindow window,
+                     const std::vector<ToneRequest>& requests);
+
+}  // namespace slosh
