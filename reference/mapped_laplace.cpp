@@ -36,7 +36,7 @@ MappedLaplace::MappedLaplace(double length, double depth, int nodes_x, int nodes
 void MappedLaplace::set_surface(const VectorXd& elevation) {
   column_ = elevation.array() + depth_;
   if (!(column_.minCoeff() > 0)) {
-    throw NoLaplaceSolution(fmt::format("the depth falls to {} m", column_.minCoeff()));
+    throw NoLaplaceSolution(fmt::format("the depth falls to {:.3g} m", column_.minCoeff()));
   }
   slope_ = x_.derivative * elevation;
 }
@@ -95,7 +95,9 @@ MappedLaplace::Solution MappedLaplace::solve(const VectorXd& surface_values, con
     // Twice the kinetic energy, with what the walls' and the surface's data could at most add.
     const double scale = std::abs((reaction + load).cwiseProduct(potential).sum()) + 1e-30;
     if (error <= tolerance * tolerance * scale) break;
-    if (iteration == most_iterations || !std::isfinite(error)) {
+    if (!std::isfinite(error))
+      throw NoLaplaceSolution("Laplace's equation has data that are not finite");
+    if (iteration == most_iterations) {
       throw NoLaplaceSolution(fmt::format(
           "Laplace's equation is not solved after {} iterations (relative error {:.1e})", iteration,
           std::sqrt(error / scale)));

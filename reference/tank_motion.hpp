@@ -14,8 +14,10 @@ namespace slosh::reference {
 // Functions of the time [s]. A tank that does not surge, or does not roll, leaves all the functions
 // of that motion empty.
 struct TankMotion {
-  std::function<double(double)> surge_velocity, surge_acceleration;  // X' [m/s], X'' [m/s2]
-  std::function<double(double)> angle, rate, roll_acceleration;      // theta [rad], theta', theta''
+  std::function<double(double)> surge_velocity = {},
+                                surge_acceleration = {};  // X' [m/s], X'' [m/s2]
+  std::function<double(double)> angle = {}, rate = {},
+                                roll_acceleration = {};  // theta [rad], theta', theta''
   double axis_x = 0, axis_z = 0;  // [m]: X0 from the tank's centre, z0 above the still surface
 };
 
