@@ -46,9 +46,9 @@ struct ModalRecord {
   std::vector<double> elevation(double x) const;  // [m], |x| <= length/2
 };
 
-// At rising times from 0 s on. Ends where |b1| exceeds 0.08 length, b2 half of the greatest b1 or b3
-// half of the greatest b1, where the wave at a wall reaches the roof or the bottom, and at
-// once in a tank filled to less than 0.2 of its length or within 0.02 of 0.3368 of it. Throws
+// At rising times from 0 s on. Ends where |b1| exceeds 0.08 length, b2 half of the greatest b1 or
+// b3 half of the greatest b1, where the wave at a wall reaches the roof or the bottom, and at once
+// in a tank filled to less than 0.2 of its length or within 0.02 of 0.3368 of it. Throws
 // std::invalid_argument for an impossible tank, motion, initial mode or time.
 ModalRecord run_modal_third_order(const ModalSloshing& sloshing, const std::vector<double>& times);
 

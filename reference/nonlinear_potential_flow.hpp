@@ -4,6 +4,13 @@
 // Valid for an inviscid liquid whose surface neither breaks nor reaches the roof, and as long as
 // the grid resolves it: the run watches all of that and ends where it ceases to hold.
 //
+// Measured in Li's tank (nonlinear_convergence_test.cpp, nonlinear_order_test.cpp): a standing wave
+// of 20 mm is settled to 2e-11 m with 24 nodes along x; a wave forced smoothly to 6e-10 m with 48
+// and 3e-11 m with 64, on the wall itself to 2e-9 m, for at a wall that accelerates the surface is
+// sloped and its curvature singular: a cosine series would gain only two orders there. 20 s of the
+// paper's case take 6 s of processor time with 48 nodes and 15 s with 64, and differ from linear
+// theory by 2.5 % in the root of the mean square.
+//
 // Starts. "earth": the liquid is at rest against the earth and the walls are set off at once, which
 // excites every mode of the tank, the short ones by as much as no grid resolves. The n-th mode
 // (cos n pi (x/length + 1/2)) is therefore set off by exp(-36 (5n/2nodes_x)^8) of what it would be:

@@ -13,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 NonlinearSloshing coarse(NonlinearSloshing sloshing) {
-  sloshing.nodes_x = 24;
+  sloshing.nodes_x = 32;
   sloshing.nodes_z = 14;
   return sloshing;
 }
@@ -66,13 +66,13 @@ TEST(NonlinearPotentialFlow, IsTheSameInATankThatAlsoMovesSteadily) {
   const auto b = run_nonlinear_potential_flow(moving, observation);
   ASSERT_EQ(b.left_range_because, "");
   EXPECT_GT(largest(a.elevation[0]), 0.04);
-  // Measured on this coarse grid: 6.5e-7 m of 0.05, 2e-4 Pa of 4000, 2e-4 N/m of 4200.
-  EXPECT_LT(largest_difference(a.elevation[0], b.elevation[0]), 2e-6);
+  // Measured on this coarse grid: 7e-8 m of 0.05, 2e-4 Pa of 4000, 1e-4 N/m of 4200.
+  EXPECT_LT(largest_difference(a.elevation[0], b.elevation[0]), 3e-7);
   for (int i = 0; i < 2; ++i) EXPECT_LT(largest_difference(a.pressure[i], b.pressure[i]), 5e-4);
   for (std::size_t i = 0; i < a.load.size(); ++i) {
-    EXPECT_NEAR(a.load[i].force_x, b.load[i].force_x, 5e-4);
-    EXPECT_NEAR(a.load[i].force_z, b.load[i].force_z, 5e-4);
-    EXPECT_NEAR(a.load[i].moment, b.load[i].moment, 5e-4);
+    EXPECT_NEAR(a.load[i].force_x, b.load[i].force_x, 3e-4);
+    EXPECT_NEAR(a.load[i].force_z, b.load[i].force_z, 3e-4);
+    EXPECT_NEAR(a.load[i].moment, b.load[i].moment, 3e-4);
   }
 }
 
@@ -163,16 +163,16 @@ TEST(NonlinearPotentialFlow, BalancesTheLiquidsMomentum) {
             (y[i - 3] + y[i + 3]) / 90) /
            (step * step);
   };
-  // Measured: 1 and 2 N/m of 100 N/m
+  // Measured: 5e-5 N/m of 100 and of 3434, the differences' own error.
   for (std::size_t i = 3; i + 3 < record.times.size(); ++i) {
     const double pull = surge.motion.surge_acceleration(record.times[i]);
-    EXPECT_NEAR(record.load[i].force_x, -rho * (0.35 * pull + second(lean, i)), 1e-4);
-    EXPECT_NEAR(record.load[i].force_z, -rho * (9.81 * 0.35 + second(rise, i)), 1e-4);
+    EXPECT_NEAR(record.load[i].force_x, -rho * (0.35 * pull + second(lean, i)), 2e-4);
+    EXPECT_NEAR(record.load[i].force_z, -rho * (9.81 * 0.35 + second(rise, i)), 2e-4);
   }
   EXPECT_GT(std::abs(record.load.back().force_x), 50);
 }
 
-// Measured: 7e-14 m and 3e-14 of the wave's energy; moved, 2e-14 m and 7e-9.
+// Measured: 7e-14 m and 3e-14 of the wave's energy; moved, 2e-14 m and 7e-9 at most.
 TEST(NonlinearPotentialFlow, KeepsTheVolumeAndBalancesTheEnergyAgainstTheWallsWork) {
   const auto wave = run_nonlinear_potential_flow(standing_wave(li_tank, 0.03),
                                                  {.times = instants_up_to(0.5, 0.1)});
