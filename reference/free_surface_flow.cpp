@@ -59,17 +59,21 @@ FreeSurfaceFlow::Flow FreeSurfaceFlow::solve(const State& state, double t) {
   return {now, std::move(potential), along - w * slope, w, surface_flux.array() - tank_flux};
 }
 
-FreeSurfaceFlow::Rates FreeSurfaceFlow::rates(const State& state, double t) {
-  const auto [now, potential, u, w, elevation_rate] = solve(state, t);
+// phi_t.
+ArrayXd FreeSurfaceFlow::potential_rate(const Flow& flow, const State& state) const {
+  const auto& [now, potential, u, w, elevation_rate] = flow;
   const ArrayXd u_tank = along_x(now.velocity, state.elevation);
   const ArrayXd w_tank = along_z(now.velocity, x().nodes);
-  VectorXd potential_rate(u.size());
-  for (Index i = 0; i < u.size(); ++i) {
-    potential_rate[i] = -tank_.gravity * now.height(x().nodes[i], state.elevation[i]);
-  }
-  potential_rate.array() += u_tank * u + w_tank * w - (u * u + w * w) / 2 + w * elevation_rate;
+  const auto height = [&](double x, double z) { return now.height(x, z); };
+  const ArrayXd heights = x().nodes.binaryExpr(state.elevation, height);
+  return u_tank * u + w_tank * w - (u * u + w * w) / 2 - tank_.gravity * heights +
+         w * elevation_rate;
+}
 
-  const auto velocity = laplace_.gradient(potential);
+FreeSurfaceFlow::Rates FreeSurfaceFlow::rates(const State& state, double t) {
+  const Flow flow = solve(state, t);
+  const TankPlace& now = flow.place;
+  const auto velocity = laplace_.gradient(flow.potential);
   const MatrixXd z = laplace_.heights();
   MatrixXd energy(z.rows(), z.cols()), energy_rate(z.rows(), z.cols());
   for (Index j = 0; j < z.cols(); ++j) {
@@ -85,7 +89,8 @@ FreeSurfaceFlow::Rates FreeSurfaceFlow::rates(const State& state, double t) {
   const double lean = (weights * x().nodes.array() * eta).sum();
   const double rise = (weights * eta * eta).sum() / 2;
   const double cosine = std::cos(now.angle), sine = std::sin(now.angle);
-  return {elevation_rate, potential_rate, laplace_.integral(energy) + lean * sine + rise * cosine,
+  return {flow.elevation_rate, potential_rate(flow, state),
+          laplace_.integral(energy) + lean * sine + rise * cosine,
           laplace_.integral(energy_rate) + now.velocity.spin * (lean * cosine - rise * sine)};
 }
 
@@ -118,11 +123,12 @@ VectorXd FreeSurfaceFlow::potential_at_rest_in_tank(const VectorXd& elevation, d
 }
 
 FreeSurfaceFlow::Pressure FreeSurfaceFlow::pressure(const State& state, double t) {
-  const auto [now, potential, u, w, elevation_rate] = solve(state, t);
-  const VectorXd surface_rate = rates(state, t).potential.array() - w * elevation_rate;
+  const Flow flow = solve(state, t);
+  const TankPlace& now = flow.place;
+  const VectorXd surface_rate = potential_rate(flow, state) - flow.w * flow.elevation_rate;
   guess_rate_ = laplace_.solve(surface_rate, on_walls(now.acceleration), guess_rate_).potential;
 
-  const auto velocity = laplace_.gradient(potential);
+  const auto velocity = laplace_.gradient(flow.potential);
   const MatrixXd z = laplace_.heights();
   Pressure result{MatrixXd(z.rows(), z.cols()), laplace_.column(), {}};
   for (Index j = 0; j < z.cols(); ++j) {

@@ -57,6 +57,7 @@ class FreeSurfaceFlow {
  private:
   struct Flow;
   Flow solve(const State& state, double t);
+  Eigen::ArrayXd potential_rate(const Flow& flow, const State& state) const;
   MappedLaplace::WallData on_walls(const RigidField& rigid) const;
 
   Tank tank_;
