@@ -11,9 +11,14 @@
 #include "reports/write_report.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/campaign_run.hpp"
+#include "verification/campaign/problem_run.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/problem_table.hpp"
+#include "verification/problems/problem.hpp"
+#include "verification/runs/cost_meter.hpp"
 #include "verification/runs/progress_file.hpp"
+#include "verification/runs/provenance.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/runs/snapshots.hpp"
@@ -38,6 +43,31 @@ void print(const CaseAssessment& assessment) {
                                state_name(status.state), status.message);
   for (const GateOutcome& outcome : assessment.gate)
     std::cout << gate_line(assessment, outcome) << "\n";
+}
+
+void print(const ProblemAssessment& assessment) {
+  if (!assessment.run.result)
+    std::cerr << fmt::format("{}: {}: {}\n", assessment.definition.name,
+                             state_name(assessment.run.status.state),
+                             assessment.run.status.message);
+  for (const ProblemGateOutcome& outcome : assessment.gate)
+    std::cout << fmt::format("{:<14} {} {} {}: {}\n", verdict_name(outcome.verdict),
+                             assessment.definition.name, metric_name(outcome.row.metric),
+                             outcome.row.measure, outcome.message);
+}
+
+// Throws CaseFileError where there is none of that name.
+const Problem& named_problem(const std::string& name) try {
+  return find_problem(name);
+} catch (const std::invalid_argument& error) {
+  throw CaseFileError(error.what());
+}
+
+// Throws SolverError where the solver fails.
+ProblemOutcome outcome_of(const Problem& problem, bool quick) try {
+  return problem.run(quick);
+} catch (const std::runtime_error& error) {
+  throw SolverError(error.what());
 }
 
 void require_window(const CaseDefinition& definition) try {
@@ -105,7 +135,8 @@ Progress progress_writer(const fs::path& file, double end_time) {
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
   const CampaignDefinition campaign =
-      read_campaign(find_campaign(options.campaign, installation.campaigns), installation.cases);
+      read_campaign(find_campaign(options.campaign, installation.campaigns), installation.cases,
+                    known_problems());
   const fs::path experiments = whole(options.experiments);
   const std::vector<CaseDefinition> cases = read_cases(campaign, experiments);
   const std::string form = options.quick ? "-quick" : "";
@@ -115,11 +146,13 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                        : options.output),
       installation.executable,
       installation.solver_build,
+      installation.problem_build,
       installation.openfoam_templates,
       experiments,
       options.quick,
       options.solve,
       options.at_once};
+  std::vector<ProblemRun> problem_runs = run_problems(campaign.problems, settings, stop);
   std::vector<CaseRuns> runs = run_cases(cases, settings, stop);
 
   std::vector<CaseAssessment> assessed;
@@ -127,15 +160,21 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     assessed.push_back(assess(cases[i], std::move(runs[i])));
     print(assessed.back());
   }
+  std::vector<ProblemAssessment> problems;
+  for (std::size_t i = 0; i < campaign.problems.size(); ++i) {
+    problems.push_back(assess(campaign.problems[i], std::move(problem_runs[i])));
+    print(problems.back());
+  }
   const std::string command =
       fmt::format("./slosh campaign {}{}{}", name_or_path(campaign.file, installation.campaigns),
                   options.quick ? " --quick" : "", experiments_option(experiments));
   const fs::path report = settings.output / "report";
-  reports::write_report(campaign_report(campaign, options.quick, command, assessed), report);
-  std::cout << (exit_status(assessed) == exit_pass ? "PASS: " : "FAIL: ")
-            << verdict_sentence(assessed) << "\nreport: " << (report / "index.html").string()
-            << "\n";
-  return exit_status(assessed);
+  reports::write_report(campaign_report(campaign, options.quick, command, assessed, problems),
+                        report);
+  const int status = exit_status(assessed, problems);
+  std::cout << (status == exit_pass ? "PASS: " : "FAIL: ") << verdict_sentence(assessed, problems)
+            << "\nreport: " << (report / "index.html").string() << "\n";
+  return status;
 }
 
 int run_one(const RunOptions& options, const Installation& installation) {
@@ -177,10 +216,34 @@ int run_one(const RunOptions& options, const Installation& installation) {
   return exit_pass;
 }
 
+int run_problem(const ProblemOptions& options, const Installation& installation) {
+  const Problem& problem = named_problem(options.problem);
+  const fs::path file = options.output.empty() ? fs::path(problem.name + ".json") : options.output;
+  const CostMeter meter;
+  ProblemResult result;
+  result.problem = problem.name;
+  result.quick = options.quick;
+  result.key = problem_key(problem.name, options.quick, installation.problem_build);
+  result.provenance = provenance(
+      fmt::format("./slosh problem {}{}", problem.name, options.quick ? " --quick" : ""));
+  result.outcome = outcome_of(problem, options.quick);
+  result.cost = meter.cost();
+  write_problem_result(result, file);
+  for (const MeasuredErrors& measure : result.outcome.measures) {
+    std::cout << measure.name << ":";
+    for (const ErrorAtStep& one : measure.errors) std::cout << fmt::format(" {:.3g}", one.error);
+    if (const auto order = order_of(measure.errors))
+      std::cout << fmt::format(", order {:.2f}", *order);
+    std::cout << "\n";
+  }
+  std::cout << "result: " << file.string() << "\n";
+  return exit_pass;
+}
+
 int list_definitions(const Installation& installation) {
   std::cout << "campaigns:\n";
   for (const fs::path& file : definitions_in(installation.campaigns)) {
-    const CampaignDefinition campaign = read_campaign(file, installation.cases);
+    const CampaignDefinition campaign = read_campaign(file, installation.cases, known_problems());
     std::cout << fmt::format("  {:<36} {}\n", campaign.name, campaign.title);
   }
   std::cout << "cases:\n";
@@ -192,6 +255,9 @@ int list_definitions(const Installation& installation) {
     std::cout << "\n";
     for (const RunDefinition& run : definition.runs) std::cout << "      " << run.name << "\n";
   }
+  std::cout << "problems:\n";
+  for (const Problem& problem : all_problems())
+    std::cout << fmt::format("  {:<36} {}\n", problem.name, problem.title);
   return exit_pass;
 }
 

@@ -11,7 +11,8 @@ namespace slosh {
 
 // Where the tool's data lies: the source tree's folders.
 struct Installation {
-  std::filesystem::path executable, solver_build, cases, campaigns, openfoam_templates, build;
+  std::filesystem::path executable, solver_build, problem_build, cases, campaigns,
+      openfoam_templates, build;
 };
 
 struct CampaignOptions {
@@ -33,9 +34,16 @@ struct RunOptions {
   std::filesystem::path resume;       // empty: from the start
 };
 
+struct ProblemOptions {
+  std::string problem;
+  bool quick = false;
+  std::filesystem::path output;  // empty: NAME.json
+};
+
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop);
 int run_one(const RunOptions& options, const Installation& installation);
+int run_problem(const ProblemOptions& options, const Installation& installation);
 int list_definitions(const Installation& installation);
 
 }  // namespace slosh

@@ -27,6 +27,7 @@ slosh::Installation installation() {
   const fs::path executable = fs::read_symlink("/proc/self/exe");
   return {executable,
           executable.parent_path() / "slosh.solver",
+          executable.parent_path() / "slosh.problems",
           source / "verification/cases",
           source / "verification/campaigns",
           source / "openfoam_cases/sloshing_tank",
@@ -90,6 +91,12 @@ void add_run_options(CLI::App& command, slosh::RunOptions& options) {
   command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
 }
 
+void add_problem_options(CLI::App& command, slosh::ProblemOptions& options) {
+  command.add_option("name", options.problem, "A problem of `slosh list`")->required();
+  command.add_flag("--quick", options.quick, "Without the finest resolutions");
+  command.add_option("-o,--output", options.output, "Result file (default: NAME.json)");
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
   app.footer(closing_words);
@@ -97,20 +104,24 @@ int dispatch(int argc, char** argv) {
   slosh::CampaignOptions campaign;
   campaign.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   slosh::RunOptions run;
+  slosh::ProblemOptions problem;
   CLI::App& campaign_command =
       *app.add_subcommand("campaign", "Runs a campaign's cases, compares, reports and gates");
   CLI::App& report_command =
       *app.add_subcommand("report", "The same from the results that are there; starts no solver");
   CLI::App& run_command =
       *app.add_subcommand("run", "Executes one run of a case and leaves its result file");
+  CLI::App& problem_command = *app.add_subcommand(
+      "problem", "Solves one verification problem and leaves its errors over the resolutions");
   const CLI::App& list_command =
-      *app.add_subcommand("list", "Lists campaigns, cases and their runs");
+      *app.add_subcommand("list", "Lists campaigns, cases and their runs, and problems");
   add_campaign_options(campaign_command, campaign);
   campaign_command
       .add_option("-j,--jobs", campaign.at_once, "Runs side by side (default: one a core)")
       ->check(CLI::PositiveNumber);
   add_campaign_options(report_command, campaign);
   add_run_options(run_command, run);
+  add_problem_options(problem_command, problem);
 
   try {
     app.parse(argc, argv);
@@ -118,6 +129,7 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? slosh::exit_pass : slosh::exit_usage;
   }
   if (list_command) return slosh::list_definitions(installation());
+  if (problem_command) return slosh::run_problem(problem, installation());
   if (run_command) return slosh::run_one(run, installation());
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);

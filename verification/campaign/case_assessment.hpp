@@ -54,6 +54,15 @@ bool has_series(const CaseRuns& runs, const std::string& run, const std::string&
 // The run's definition by its name; the case has one.
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
 
+// What an exit status is made of.
+struct Standing {
+  std::vector<Verdict> verdicts;  // of all gate rows
+  bool run_failed = false;
+  bool left_open = false;  // a run without a result, or a case of which no pair could be compared
+};
+Standing standing_of(const std::vector<CaseAssessment>& cases);
+int exit_status(const Standing& standing);
+
 // Exit status of the whole: a run that failed or has no result counts even where no gate row names
 // it, and so does a case of which no pair could be compared. A record that is not supplied does
 // not.

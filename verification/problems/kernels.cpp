@@ -146,7 +146,8 @@ Problem kernels_problem() {
           "int W dA = 1, int x dW/dx dA = -1, nothing from 2 h on. The midpoint rule and the "
           "central differences by which they are found are of second order.",
           kinds(),
-          &run};
+          &run,
+          1};
 }
 
 }  // namespace slosh

@@ -58,7 +58,7 @@ std::vector<MeasureKind> kinds() {
 }
 
 // h / dp grows as the root of the number of cells.
-Resolution growing_ratio(int cells) { return {cells, 1.5 * std::sqrt(cells / 16.0), 0}; }
+Resolution growing_ratio(int cells) { return {cells, 3 * std::sqrt(cells / 32.0), 0}; }
 Resolution kept_ratio(int cells, double disorder) { return {cells, 1.5, disorder}; }
 Resolution kept_smoothing(int cells) { return {cells, 1.5 * cells / 32.0, 0.1}; }
 
@@ -107,7 +107,8 @@ Problem manufactured_operators_problem() {
           "the order 0: these operators are not corrected, and do not converge there unless h / dp "
           "grows.",
           kinds(),
-          &run};
+          &run,
+          5};
 }
 
 }  // namespace slosh

@@ -84,7 +84,8 @@ Problem mirror_symmetry_problem() {
           "Equal elevations at mirrored gauges and opposite forces, but for round-off.",
           {{"elevation", "1", "dp / L", "largest difference of elevations over the largest"},
            {"force", "1", "dp / L", "largest difference of forces over the largest"}},
-          &run};
+          &run,
+          2};
 }
 
 }  // namespace slosh

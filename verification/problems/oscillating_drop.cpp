@@ -123,7 +123,8 @@ Problem oscillating_drop_problem() {
            {"semi_axes_shifted", "1", "dp / R",
             "largest error of a and b, over R, with particle shifting"},
            {"period_shifted", "1", "dp / R", "period error, with particle shifting"}},
-          &run};
+          &run,
+          120};
 }
 
 }  // namespace slosh

@@ -31,4 +31,14 @@ const Problem& find_problem(const std::string& name) {
                                           nearest_names(name, names, 1).front()));
 }
 
+std::vector<KnownProblem> known_problems() {
+  std::vector<KnownProblem> known;
+  for (const Problem& one : all_problems()) {
+    known.push_back({one.name, {}});
+    for (const MeasureKind& kind : one.measures)
+      known.back().measures.push_back({kind.name, kind.unit});
+  }
+  return known;
+}
+
 }  // namespace slosh

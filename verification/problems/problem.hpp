@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reports/report_model.hpp"
+#include "verification/case_file/campaign_definition.hpp"
 
 namespace slosh {
 
@@ -37,8 +38,9 @@ struct Problem {
   std::string name, title;
   std::string statement, source, exact_solution;  // in words and formulas
   std::vector<MeasureKind> measures;
-  // A minute on one core; the quick form, which leaves out the finest resolutions, a quarter.
+  // The quick form leaves out the finest resolutions.
   ProblemOutcome (*run)(bool quick);
+  double expected_time;  // of the whole form on one core [s]: the longest is started first
 };
 
 // In the order of the report.
@@ -46,5 +48,8 @@ const std::vector<Problem>& all_problems();
 
 // Throws std::invalid_argument with the nearest names where there is none of that name.
 const Problem& find_problem(const std::string& name);
+
+// For the reader of campaign files.
+std::vector<KnownProblem> known_problems();
 
 }  // namespace slosh

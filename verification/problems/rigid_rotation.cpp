@@ -120,7 +120,8 @@ Problem rigid_rotation_problem() {
            {"velocity", "1", "dp / R", "rms velocity error over the rms, at omega = Omega / 2"},
            {"angular_momentum", "1", "dp / R",
             "relative change of the angular momentum, at omega = Omega / 2"}},
-          &run};
+          &run,
+          15};
 }
 
 }  // namespace slosh

@@ -83,7 +83,8 @@ Problem uniform_translation_problem() {
           "No difference, seen from the box, but that of round-off.",
           {{"place", "1", "dp / L", "largest difference of places, over dp"},
            {"velocity", "m/s", "dp / L", "largest difference of velocities"}},
-          &run};
+          &run,
+          1};
 }
 
 }  // namespace slosh

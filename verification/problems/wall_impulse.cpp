@@ -167,7 +167,8 @@ Problem wall_impulse_problem() {
           "Momentum changes by the impulse of weight and walls alone, to round-off: pairs cancel.",
           {{"imbalance", "1", "dp / L",
             "largest difference of change and impulse, over the largest change"}},
-          &run};
+          &run,
+          1};
 }
 
 }  // namespace slosh

@@ -30,7 +30,7 @@ class CampaignParser : public ::testing::Test {
 
   CampaignDefinition read(const std::string& text) const {
     std::ofstream(directory_ / "trial.toml") << text;
-    return read_campaign(directory_ / "trial.toml", cases);
+    return read_campaign(directory_ / "trial.toml", cases, problems);
   }
 
   // The message without the directory; "" when nothing was wrong.
@@ -54,7 +54,7 @@ class CampaignParser : public ::testing::Test {
 
 TEST_F(CampaignParser, ReadsTheShippedCampaignWhoseCasesAllParse) {
   const CampaignDefinition campaign =
-      read_campaign(find_campaign("small_amplitude", campaigns), cases);
+      read_campaign(find_campaign("small_amplitude", campaigns), cases, problems);
   EXPECT_EQ(campaign.name, "small_amplitude");
   ASSERT_EQ(campaign.cases.size(), 7u);
   EXPECT_EQ(campaign.cases.front().stem(), "li2010_small_amplitude");
@@ -78,7 +78,7 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
   expect_complaint(
       head + list + "tag = 1\n",
       "trial.toml:6: tag = 1: expected only these keys here: schema_version, name, title, "
-      "source, paper, cases; nearest known key: name");
+      "source, paper, cases, problem; nearest known key: name");
   expect_complaint("schema_version = 1\nname = \"a b\"\n",
                    "trial.toml:2: name = \"a b\": expected a name of");
   expect_complaint("schema_version = 3\n", "trial.toml:1: schema_version = 3: expected 1");
