@@ -49,9 +49,9 @@ struct CampaignDefinition {
   std::string paper;  // whose printed numbers and errata the report sets beside ours: "li2010",
                       // "zhao2021", or empty
   std::vector<std::filesystem::path> cases;  // case files, in the order of the report
-  std::vector<ProblemDefinition> problems;   // after the cases
   std::string text;                          // the file as read
   std::filesystem::path file;
+  std::vector<ProblemDefinition> problems = {};  // in the order of the report, after the cases
 };
 
 }  // namespace slosh

@@ -1,7 +1,7 @@
 // The exact motion of an ellipse of liquid under a central force -Omega^2 r, that starts as the
 // circle of radius R with the velocity A0 (x, -z): its semi-axes a (along x) and b follow
 //   a' = sigma a,  b' = -sigma b,  sigma' = (sigma^2 + Omega^2) (b^2 - a^2) / (a^2 + b^2)
-// (Monaghan & Rafiee 2013, Int. J. Numer. Meth. Fluids 71:537, section 4; the incompressible Euler
+// (Monaghan & Rafiee 2013, Int. J. Numer. Meth. Fluids 71:537; the incompressible Euler
 // equations with a pressure that is quadratic in the place and vanishes on the ellipse).
 #pragma once
 

@@ -3,7 +3,7 @@
 //   int x dW/dx dA = -1      its gradient keeps a linear field
 //   W' q = gradient_shape    the gradient in the pair sums is that of W
 //   W = W' = 0 for q >= 2    no source beyond the support
-// Source: Monaghan 2005, Rep. Prog. Phys. 68:1703, sections 2.1 and 2.3.
+// Source: Monaghan 2005, Rep. Prog. Phys. 68:1703.
 // The integrals by the midpoint rule in q, whose error is of second order, the slope by central
 // differences, of second order too.
 #include "sph/terms/kernels.hpp"
@@ -142,7 +142,7 @@ Problem kernels_problem() {
           "Kernels: normalisation, first moment, slope, support",
           "Every kernel's integral over the plane, the first moment of its gradient, its slope "
           "against that of the pair sums, and what is left beyond its support.",
-          "Monaghan 2005, Rep. Prog. Phys. 68:1703, sections 2.1 and 2.3",
+          "Monaghan 2005, Rep. Prog. Phys. 68:1703",
           "int W dA = 1, int x dW/dx dA = -1, nothing from 2 h on. The midpoint rule and the "
           "central differences by which they are found are of second order.",
           kinds(),

@@ -1,14 +1,14 @@
 // Problem: the pair sums of the momentum and the continuity equation on chosen fields, with free
 // slip mirror walls that continue them (operator_errors.hpp has the fields).
 // Source: Quinlan, Basa & Lastiwka 2006, Int. J. Numer. Meth. Eng. 66:2064; Monaghan 2005, Rep.
-// Prog. Phys. 68:1703, section 2. The errors that they derive, with k the fields' wave number:
+// Prog. Phys. 68:1703. The errors, with k the fields' wave number:
 //   lattice     smoothing, (k h)^2 times half the kernel's second moment, and a quadrature error
 //               that depends on h / dp alone: a floor where that ratio is kept, and second order
 //               in h where it grows
 //   scattered   sum_b V_b grad W_ab is no longer zero: an operator that the sum p_a + p_b or a
 //               second derivative goes into errs by disorder / (k h), order -1 where h / dp is
 //               kept; one of the difference v_a - v_b by a share that stays, order 0. With h kept
-//               both vanish as dp / h does.
+//               they vanish as (dp / h)^2, places scattered apart from one another averaging out.
 #include <cmath>
 
 #include "verification/problems/operator_errors.hpp"
@@ -99,7 +99,7 @@ Problem manufactured_operators_problem() {
           "kz), v = (sin kx cos kz, -cos kx sin kz), k = pi / L, in a full box whose mirror "
           "particles continue the fields; on the lattice and on scattered particles.",
           "Quinlan, Basa & Lastiwka 2006, Int. J. Numer. Meth. Eng. 66:2064; Monaghan 2005, Rep. "
-          "Prog. Phys. 68:1703, section 2",
+          "Prog. Phys. 68:1703",
           "-grad p / rho, -rho div v, nu lap v and delta h c0 lap(p / c0^2). On the lattice the "
           "error is the kernel's smoothing, of second order in h, and a quadrature error of h / dp "
           "alone, a floor where that ratio is kept. On scattered particles with h / dp kept the "

@@ -2,7 +2,7 @@
 // Omega (x, -z), without surface tension: a free surface without walls (drop_motion.hpp has the
 // exact semi-axes). At the start
 //   p = rho / 2 (A0^2 + Omega^2) (R^2 - r^2),  A0 = Omega.
-// c0 = 20 Omega R, 14 times the largest speed at the start.
+// c0 = 20 Omega R, 20 times the largest speed at the start.
 #include <algorithm>
 #include <cmath>
 
@@ -114,7 +114,7 @@ Problem oscillating_drop_problem() {
           "A circle of liquid without walls, pulled to its middle by -Omega^2 r and set off with "
           "the velocity Omega (x, -z), over one period and a little: `recommended` without its "
           "walls, and the same with particle shifting.",
-          "Monaghan & Rafiee 2013, Int. J. Numer. Meth. Fluids 71:537, section 4",
+          "Monaghan & Rafiee 2013, Int. J. Numer. Meth. Fluids 71:537",
           "The drop stays an ellipse: a' = sigma a, b' = -sigma b, sigma' = (sigma^2 + Omega^2) "
           "(b^2 - a^2) / (a^2 + b^2); a spans 0.5176 to 1.9319 R, the period is 4.8273 / Omega. "
           "Axes from the particles' second moments, a / R = 2 sqrt(<x^2>) over that of the start.",

@@ -3,10 +3,11 @@
 //                       nothing, and the path shows the integrator's order in the time step
 //   omega = Omega / 2   p = rho / 2 (Omega^2 - omega^2) (R^2 - r^2) bears the rest; a viscous
 //                       stress that is not symmetric would slow the rotation down
-// Pairs push along their line, so that the angular momentum stays to round-off. Source: Batchelor
-// 1967, section 1.4 and exercise (solid rotation); Monaghan 2005, section 3.1 (conservation).
+// Pairs push along their line, so that the angular momentum stays to round-off. Source:
+// Monaghan 2005, Rep. Prog. Phys. 68:1703 (conservation).
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "verification/problems/central_force.hpp"
@@ -111,7 +112,7 @@ Problem rigid_rotation_problem() {
           "A circular drop turning about its middle: at omega = Omega, where the force alone holds "
           "every particle on its circle, a quarter turn; at omega = Omega / 2, where pressure "
           "bears the rest, half a turn.",
-          "Monaghan 2005, Rep. Prog. Phys. 68:1703, section 3.1; Hairer, Lubich & Wanner 2006, "
+          "Monaghan 2005, Rep. Prog. Phys. 68:1703; Hairer, Lubich & Wanner 2006, "
           "Geometric Numerical Integration, section I.1.4 (leapfrog)",
           "The start's places turned by omega t, second order in the time step; v = omega x r; the "
           "angular momentum of the start, which forces along the pairs' lines keep to round-off.",

@@ -15,6 +15,7 @@ namespace slosh {
 namespace {
 
 constexpr double k = std::numbers::pi, viscosity = 0.01, duration = 2;  // L = U = 1
+constexpr int samples = 40;
 
 double exact_amplitude(double t) { return std::exp(-2 * viscosity * k * k * t); }
 
@@ -73,7 +74,6 @@ Decay decay(int cells) {
                 .viscosity = viscosity};
   Flow<Choice> flow(box, start<Choice>(box));
   Decay result;
-  const int samples = 40;
   for (int i = 0; i <= samples; ++i) {
     flow.advance_to(duration * i / samples);
     result.time.push_back(flow.liquid.time);
@@ -110,9 +110,9 @@ ProblemOutcome run(bool quick) {
     add("without shifting", 2, cells, decay<Viscous>(cells));
   }
   reports::Curve exact{"exact", {}, {}, {}, reports::Curve::Style::dashed};
-  for (double t = 0; t <= duration; t += 0.05) {
-    exact.x.push_back(t);
-    exact.y.push_back(exact_amplitude(t));
+  for (int i = 0; i <= samples; ++i) {
+    exact.x.push_back(duration * i / samples);
+    exact.y.push_back(exact_amplitude(exact.x.back()));
   }
   figure.curves.push_back(std::move(exact));
   outcome.figures.push_back(std::move(figure));

@@ -2,8 +2,8 @@
 // in a box that moves with the velocity U, as does all that is in it: seen from the box there is no
 // difference but the round-off of adding U to every velocity and U t to every place,
 //   eps U / v  and  eps U t / dp  (eps = 2^-52),
-// which unsteady particles part by in time. Source: Monaghan 2005, Rep. Prog. Phys. 68:1703,
-// section 3.1. c0 = 10 m/s; the eddies' speed is 1 m/s, U is 3 m/s.
+// which unsteady particles part by in time. Source: Monaghan 2005, Rep. Prog. Phys. 68:1703.
+// c0 = 10 m/s; the eddies' speed is 1 m/s, U is 3 m/s.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -79,7 +79,7 @@ Problem uniform_translation_problem() {
           "Uniform translation: Galileo's invariance",
           "Eddies of 1 m/s among scattered particles in a closed box for 0.3 s, in a box at rest "
           "and in one that moves with 3 m/s: `recommended`.",
-          "Monaghan 2005, Rep. Prog. Phys. 68:1703, section 3.1",
+          "Monaghan 2005, Rep. Prog. Phys. 68:1703",
           "No difference, seen from the box, but that of round-off.",
           {{"place", "1", "dp / L", "largest difference of places, over dp"},
            {"velocity", "m/s", "dp / L", "largest difference of velocities"}},

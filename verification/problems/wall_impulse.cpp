@@ -4,7 +4,7 @@
 // with the walls' push f_a summed here over all mirror images, by the formulas of the scheme's
 // policies but without its neighbour lists, clusters and vectors: for an image b of a particle
 //   f_a = -rho_0/rho_a sum_b V_b ((p_a + p_b) / rho_0 + Pi_ab) grad_a W_ab.
-// Source: Monaghan 2005, Rep. Prog. Phys. 68:1703, section 3.1; the images' pressure as in
+// Source: Monaghan 2005, Rep. Prog. Phys. 68:1703; the images' pressure as in
 // sph/walls/mirror_particles.hpp, p_b = p_owner + rho_owner g . (r_b - r_owner).
 #include <algorithm>
 #include <cmath>
@@ -163,7 +163,7 @@ Problem wall_impulse_problem() {
           "Scattered liquid in motion fills the lower half of a box for 0.1 s: its momentum "
           "against the sum of its weight and of the walls' push, which is summed over all mirror "
           "images apart from the solver's lists.",
-          "Monaghan 2005, Rep. Prog. Phys. 68:1703, section 3.1",
+          "Monaghan 2005, Rep. Prog. Phys. 68:1703",
           "Momentum changes by the impulse of weight and walls alone, to round-off: pairs cancel.",
           {{"imbalance", "1", "dp / L",
             "largest difference of change and impulse, over the largest change"}},
