@@ -108,7 +108,7 @@ Problem manufactured_operators_problem() {
           "grows.",
           kinds(),
           &run,
-          5};
+          8};
 }
 
 }  // namespace slosh

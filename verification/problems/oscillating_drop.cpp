@@ -124,7 +124,7 @@ Problem oscillating_drop_problem() {
             "largest error of a and b, over R, with particle shifting"},
            {"period_shifted", "1", "dp / R", "period error, with particle shifting"}},
           &run,
-          120};
+          100};
 }
 
 }  // namespace slosh

@@ -122,7 +122,7 @@ Problem rigid_rotation_problem() {
            {"angular_momentum", "1", "dp / R",
             "relative change of the angular momentum, at omega = Omega / 2"}},
           &run,
-          15};
+          10};
 }
 
 }  // namespace slosh

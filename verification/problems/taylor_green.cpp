@@ -136,7 +136,7 @@ Problem taylor_green_problem() {
            {"velocity", "1", "dp / L", "rms velocity error, without shifting"},
            {"decay_rate", "1", "dp / L", "decay rate error, without shifting"}},
           &run,
-          200};
+          35};
 }
 
 }  // namespace slosh
