@@ -47,8 +47,9 @@ struct Scheme : Choice {
   typename Choice::WallContact wall_contact;
   typename Choice::TimeStep time_step;
 
-  explicit Scheme(const Scene& scene)
-      : setting(setting_of(scene, Choice::numbers)),
+  explicit Scheme(const Scene& scene) : Scheme(setting_of(scene, Choice::numbers)) {}
+  explicit Scheme(const Setting& numbers)
+      : setting(numbers),
         state(setting),
         smoothing(setting),
         formulation(setting),

@@ -13,13 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Standing {
+struct MovedRows {
   std::string campaign;
   fs::path ledger, proposal;
   std::vector<RowMovement> moved;
 };
 
-Standing standing(CampaignOptions options, const Installation& installation) {
+MovedRows moved_rows(CampaignOptions options, const Installation& installation) {
   options.solve = false;
   const std::atomic<bool> never{false};
   const AssessedCampaign assessed = assess_campaign(options, installation, never);
@@ -43,7 +43,7 @@ std::size_t print_changes(const std::vector<RowMovement>& moved) {
 }  // namespace
 
 int diff_baseline(const CampaignOptions& options, const Installation& installation) {
-  const Standing now = standing(options, installation);
+  const MovedRows now = moved_rows(options, installation);
   const std::size_t changed = print_changes(now.moved);
   std::cout << fmt::format("{} of {} rows have changed since the baseline {}\n", changed,
                            now.moved.size(), now.ledger.string());
@@ -51,7 +51,7 @@ int diff_baseline(const CampaignOptions& options, const Installation& installati
 }
 
 int propose_baseline(const CampaignOptions& options, const Installation& installation) {
-  const Standing now = standing(options, installation);
+  const MovedRows now = moved_rows(options, installation);
   print_changes(now.moved);
   const Proposal proposal{now.campaign, proposed_changes(now.moved)};
   if (proposal.changes.empty()) {
@@ -65,7 +65,7 @@ int propose_baseline(const CampaignOptions& options, const Installation& install
 
 int approve_baseline(const CampaignOptions& options, const ApprovalOptions& approval,
                      const Installation& installation) {
-  const Standing now = standing(options, installation);
+  const MovedRows now = moved_rows(options, installation);
   const Proposal proposal = read_proposal(now.proposal);
   if (proposal.changes != proposed_changes(now.moved))
     throw LedgerError(now.proposal.string() +

@@ -7,10 +7,12 @@
 #include "reports/write_report.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/campaign/campaign_report.hpp"
+#include "verification/campaign/problem_run.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/gate_files.hpp"
 #include "verification/named_paths.hpp"
+#include "verification/problems/problem.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {
@@ -32,6 +34,17 @@ void print(const CaseAssessment& assessment) {
                                state_name(status.state), status.message);
   for (const GateOutcome& outcome : assessment.gate)
     std::cout << gate_line(assessment, outcome) << "\n";
+}
+
+void print(const ProblemAssessment& assessment) {
+  if (!assessment.run.result)
+    std::cerr << fmt::format("{}: {}: {}\n", assessment.definition.name,
+                             state_name(assessment.run.status.state),
+                             assessment.run.status.message);
+  for (const ProblemGateOutcome& outcome : assessment.gate)
+    std::cout << fmt::format("{:<14} {} {} {}: {}\n", verdict_name(outcome.verdict),
+                             assessment.definition.name, metric_name(outcome.row.metric),
+                             outcome.row.measure, outcome.message);
 }
 
 void require_window(const CaseDefinition& definition) try {
@@ -57,13 +70,18 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
   return cases;
 }
 
+void print(const AssessedCampaign& assessed) {
+  for (const CaseAssessment& one : assessed.cases) print(one);
+  for (const ProblemAssessment& one : assessed.problems) print(one);
+}
+
 std::string word_for(int status) {
   return status == exit_pass ? "PASS" : status == exit_inconclusive ? "INCONCLUSIVE" : "FAIL";
 }
 
 // As the user wants inconclusive rows to end.
 int ended(const AssessedCampaign& assessed, const CampaignOptions& options) {
-  const int status = exit_status(assessed.cases);
+  const int status = exit_status(assessed.cases, assessed.problems);
   return status == exit_inconclusive ? options.inconclusive_exit : status;
 }
 
@@ -75,9 +93,10 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
                                  const std::atomic<bool>& stop) {
   AssessedCampaign assessed{
       .definition = read_campaign(find_campaign(options.campaign, installation.campaigns),
-                                  installation.cases),
+                                  installation.cases, known_problems()),
       .output = {},
-      .cases = {}};
+      .cases = {},
+      .problems = {}};
   const fs::path experiments = whole(options.experiments);
   const std::vector<CaseDefinition> cases = read_cases(assessed.definition, experiments);
   assessed.output =
@@ -87,14 +106,19 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
   const CampaignSettings settings{assessed.output,
                                   installation.executable,
                                   installation.solver_build,
+                                  installation.problem_build,
                                   installation.openfoam_templates,
                                   experiments,
                                   options.quick,
                                   options.solve,
                                   options.at_once};
+  std::vector<ProblemRun> problem_runs = run_problems(assessed.definition.problems, settings, stop);
   std::vector<CaseRuns> runs = run_cases(cases, settings, stop);
   for (std::size_t i = 0; i < cases.size(); ++i)
     assessed.cases.push_back(assess(cases[i], std::move(runs[i])));
+  for (std::size_t i = 0; i < problem_runs.size(); ++i)
+    assessed.problems.push_back(
+        assess(assessed.definition.problems[i], std::move(problem_runs[i])));
   return assessed;
 }
 
@@ -108,14 +132,16 @@ fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& cam
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
   const AssessedCampaign assessed = assess_campaign(options, installation, stop);
-  for (const CaseAssessment& one : assessed.cases) print(one);
+  print(assessed);
   const std::string command = fmt::format(
       "./slosh campaign {}{}{}", name_or_path(assessed.definition.file, installation.campaigns),
       options.quick ? " --quick" : "", experiments_option(whole(options.experiments)));
   const fs::path report = assessed.output / "report";
-  reports::write_report(
-      campaign_report(assessed.definition, options.quick, command, assessed.cases), report);
-  std::cout << word_for(exit_status(assessed.cases)) << ": " << verdict_sentence(assessed.cases)
+  reports::write_report(campaign_report(assessed.definition, options.quick, command, assessed.cases,
+                                        assessed.problems),
+                        report);
+  std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
+            << verdict_sentence(assessed.cases, assessed.problems)
             << "\nreport: " << (report / "index.html").string() << "\n";
   return ended(assessed, options);
 }
@@ -125,13 +151,14 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
   const AssessedCampaign assessed = assess_campaign(options, installation, stop);
   const Baseline baseline =
       baseline_of(read_ledger(ledger_of(options, assessed.definition, installation)));
-  for (const CaseAssessment& one : assessed.cases) print(one);
+  print(assessed);
   for (const RowMovement& movement : movements(baseline, assessed.cases))
     if (movement.before && movement.has_changed())
       std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
   const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, baseline, installation.source), directory);
-  std::cout << word_for(exit_status(assessed.cases)) << ": " << verdict_sentence(assessed.cases)
+  std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
+            << verdict_sentence(assessed.cases, assessed.problems)
             << "\ngate: " << (directory / "gate.md").string() << ", junit.xml, gate.sarif\n";
   return ended(assessed, options);
 }

@@ -9,6 +9,7 @@
 
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/campaign/case_assessment.hpp"
+#include "verification/campaign/problem_assessment.hpp"
 #include "verification/case_file/campaign_definition.hpp"
 #include "verification/command_line.hpp"
 
@@ -30,6 +31,7 @@ struct AssessedCampaign {
   CampaignDefinition definition;
   std::filesystem::path output;
   std::vector<CaseAssessment> cases;
+  std::vector<ProblemAssessment> problems;
 };
 
 // Runs what is not there yet, if the options say so, compares and judges.

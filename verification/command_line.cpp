@@ -12,6 +12,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/named_paths.hpp"
+#include "verification/problems/problem.hpp"
 #include "verification/runs/progress_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -89,7 +90,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
 int list_definitions(const Installation& installation) {
   std::cout << "campaigns:\n";
   for (const fs::path& file : definitions_in(installation.campaigns)) {
-    const CampaignDefinition campaign = read_campaign(file, installation.cases);
+    const CampaignDefinition campaign = read_campaign(file, installation.cases, known_problems());
     std::cout << fmt::format("  {:<36} {}\n", campaign.name, campaign.title);
   }
   std::cout << "cases:\n";
@@ -101,6 +102,9 @@ int list_definitions(const Installation& installation) {
     std::cout << "\n";
     for (const RunDefinition& run : definition.runs) std::cout << "      " << run.name << "\n";
   }
+  std::cout << "problems:\n";
+  for (const Problem& problem : all_problems())
+    std::cout << fmt::format("  {:<36} {}\n", problem.name, problem.title);
   return exit_pass;
 }
 

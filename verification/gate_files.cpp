@@ -64,18 +64,38 @@ reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome&
   return entry;
 }
 
+reports::GateEntry entry_of(const ProblemAssessment& assessment, const ProblemGateOutcome& outcome,
+                            const fs::path& source) {
+  return {.outcome = kind_of(outcome.verdict),
+          .group = assessment.definition.name,
+          .name = metric_name(outcome.row.metric) + " of " + outcome.row.measure,
+          .message = outcome.message,
+          .unit = outcome.row.unit,
+          .value = outcome.value,
+          .uncertainty = 0,
+          .lower = {},
+          .upper = {},
+          .moved = "",
+          .loosened = false,
+          .file = relative_to(source, outcome.row.where.file),
+          .line = outcome.row.where.line};
+}
+
 }  // namespace
 
 reports::GateDocument gate_document(const AssessedCampaign& assessed, const Baseline& baseline,
                                     const fs::path& source) {
   reports::GateDocument document{.title = assessed.definition.title,
-                                 .verdict = verdict_sentence(assessed.cases),
+                                 .verdict = verdict_sentence(assessed.cases, assessed.problems),
                                  .tool_version = provenance("").at("slosh_version"),
                                  .entries = {}};
   const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
   for (const CaseAssessment& one : assessed.cases)
     for (const GateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, moved, source));
+  for (const ProblemAssessment& one : assessed.problems)
+    for (const ProblemGateOutcome& outcome : one.gate)
+      document.entries.push_back(entry_of(one, outcome, source));
   return document;
 }
 

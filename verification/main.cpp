@@ -16,6 +16,7 @@
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/command_line.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/problem_command.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace {
@@ -30,6 +31,7 @@ slosh::Installation installation() {
   const fs::path executable = fs::read_symlink("/proc/self/exe");
   return {executable,
           executable.parent_path() / "slosh.solver",
+          executable.parent_path() / "slosh.problems",
           source,
           source / "verification/cases",
           source / "verification/campaigns",
@@ -121,6 +123,12 @@ CLI::App& add_command(CLI::App& app, const char* name, const char* description, 
   return added;
 }
 
+void add_problem_options(CLI::App& command, slosh::ProblemOptions& options) {
+  command.add_option("name", options.problem, "A problem of `slosh list`")->required();
+  command.add_flag("--quick", options.quick, "Without the finest resolutions");
+  command.add_option("-o,--output", options.output, "Result file (default: NAME.json)");
+}
+
 void add_campaign_commands(CLI::App& app, slosh::CampaignOptions& options, Action& action) {
   options.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   CLI::App& campaign =
@@ -180,13 +188,19 @@ int dispatch(int argc, char** argv) {
   slosh::CampaignOptions campaign;
   slosh::ApprovalOptions approval;
   slosh::RunOptions run;
+  slosh::ProblemOptions problem;
   Action action;
   add_campaign_commands(app, campaign, action);
   add_baseline_commands(app, campaign, approval, action);
   add_run_options(add_command(app, "run", "Executes one run of a case and leaves its result file",
                               action, [&] { return slosh::run_one(run, installation()); }),
                   run);
-  add_command(app, "list", "Lists campaigns, cases and their runs", action,
+  add_problem_options(
+      add_command(app, "problem",
+                  "Solves one verification problem and leaves its errors over the resolutions",
+                  action, [&] { return slosh::run_problem(problem, installation()); }),
+      problem);
+  add_command(app, "list", "Lists campaigns, cases and their runs, and problems", action,
               [] { return slosh::list_definitions(installation()); });
 
   try {

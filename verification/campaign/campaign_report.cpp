@@ -11,6 +11,7 @@
 #include "verification/campaign/impact_table.hpp"
 #include "verification/campaign/li2010_paper.hpp"
 #include "verification/campaign/order_table.hpp"
+#include "verification/campaign/problem_tables.hpp"
 #include "verification/campaign/repeat_table.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
@@ -24,15 +25,18 @@ namespace {
 
 using reports::Section;
 
-int count(const std::vector<CaseAssessment>& cases, Verdict verdict) {
+template <class Assessment>
+int count(const std::vector<Assessment>& assessed, Verdict verdict) {
   int n = 0;
-  for (const CaseAssessment& one : cases)
-    for (const GateOutcome& outcome : one.gate) n += outcome.verdict == verdict;
+  for (const Assessment& one : assessed)
+    for (const auto& outcome : one.gate) n += outcome.verdict == verdict;
   return n;
 }
 
-int count(const std::vector<CaseAssessment>& cases, RunState state) {
+int count(const std::vector<CaseAssessment>& cases, const std::vector<ProblemAssessment>& problems,
+          RunState state) {
   int n = 0;
+  for (const ProblemAssessment& one : problems) n += one.run.status.state == state;
   for (const CaseAssessment& one : cases)
     for (const auto& [run, status] : one.runs.status) n += status.state == state;
   return n;
@@ -120,51 +124,59 @@ Section case_section(const CaseAssessment& assessment) {
 
 }  // namespace
 
-std::string verdict_sentence(const std::vector<CaseAssessment>& cases) {
-  const int passed = count(cases, Verdict::pass);
-  const int judged = passed + count(cases, Verdict::violated) +
-                     count(cases, Verdict::inconclusive) + count(cases, Verdict::solver_failed) +
-                     count(cases, Verdict::not_compared);
+std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
+                             const std::vector<ProblemAssessment>& problems) {
+  const auto rows = [&](Verdict verdict) {
+    return count(cases, verdict) + count(problems, verdict);
+  };
+  const auto runs = [&](RunState state) { return count(cases, problems, state); };
+  const int passed = rows(Verdict::pass);
+  const int judged = passed + rows(Verdict::violated) + rows(Verdict::inconclusive) +
+                     rows(Verdict::solver_failed) + rows(Verdict::not_compared);
   std::string text = fmt::format("{} of {} gate rows hold", passed, judged);
   const auto add = [&](int n, const char* what) {
     if (n > 0) text += fmt::format(", {} {}", n, what);
   };
-  add(count(cases, Verdict::violated), "violated");
-  add(count(cases, Verdict::inconclusive), "inconclusive");
-  add(count(cases, Verdict::not_compared), "not compared");
+  add(rows(Verdict::violated), "violated");
+  add(rows(Verdict::inconclusive), "inconclusive");
+  add(rows(Verdict::not_compared), "not compared");
   add(pairs_not_comparable(cases), "pairs not comparable");
-  add(count(cases, RunState::failed), "runs failed");
-  add(count(cases, RunState::missing), "runs without a result");
-  add(count(cases, RunState::not_supplied), "records not supplied");
-  add(count(cases, Verdict::not_supplied), "gate rows without their record");
-  add(count(cases, Verdict::not_selected), "left out of this quick form");
+  add(runs(RunState::failed), "runs failed");
+  add(runs(RunState::missing), "runs without a result");
+  add(runs(RunState::not_supplied), "records not supplied");
+  add(rows(Verdict::not_supplied), "gate rows without their record");
+  add(rows(Verdict::not_selected), "left out of this quick form");
   return text + ".";
 }
 
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::string& command,
-                                const std::vector<CaseAssessment>& cases) {
+                                const std::vector<CaseAssessment>& cases,
+                                const std::vector<ProblemAssessment>& problems) {
   const auto origin = provenance("");
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
-  report.verdict = verdict_sentence(cases);
-  const int status = exit_status(cases);
+  report.verdict = verdict_sentence(cases, problems);
+  const int status = exit_status(cases, problems);
   report.outcome = status == exit_pass           ? reports::Outcome::pass
                    : status == exit_inconclusive ? reports::Outcome::inconclusive
                                                  : reports::Outcome::fail;
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
+  reports::Table gate = gate_table(cases);
+  add_gate_rows(problems, gate);
   report.sections.push_back(
       {"gate",
        "Gate",
        {fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)},
-       {gate_table(cases)},
+       {std::move(gate)},
        {}});
   for (const CaseAssessment& one : cases) report.sections.push_back(case_section(one));
+  for (const ProblemAssessment& one : problems) report.sections.push_back(problem_section(one));
   if (auto walls = wall_treatment_section(cases)) report.sections.push_back(std::move(*walls));
   if (campaign.paper == "li2010") report.sections.push_back(li2010_section(cases));
   if (campaign.paper == "zhao2021") report.sections.push_back(zhao2021_section(cases));
-  report.results_json = results_json(campaign.name, quick, cases);
+  report.results_json = results_json(campaign.name, quick, cases, problems);
   return report;
 }
 

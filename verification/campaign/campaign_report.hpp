@@ -1,4 +1,4 @@
-// Puts the assessed cases of a campaign into a report.
+// Puts the assessed cases and problems of a campaign into a report.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 
 #include "reports/report_model.hpp"
 #include "verification/campaign/case_assessment.hpp"
+#include "verification/campaign/problem_assessment.hpp"
 #include "verification/case_file/campaign_definition.hpp"
 
 namespace slosh {
@@ -13,9 +14,11 @@ namespace slosh {
 // `command` repeats the campaign.
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::string& command,
-                                const std::vector<CaseAssessment>& cases);
+                                const std::vector<CaseAssessment>& cases,
+                                const std::vector<ProblemAssessment>& problems = {});
 
 // "19 of 19 gate rows hold, 12 left out of this quick form."
-std::string verdict_sentence(const std::vector<CaseAssessment>& cases);
+std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
+                             const std::vector<ProblemAssessment>& problems = {});
 
 }  // namespace slosh

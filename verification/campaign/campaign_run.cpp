@@ -37,8 +37,6 @@ double expected_cost(const CaseDefinition& definition, const RunDefinition& run)
   return 0;
 }
 
-constexpr const char* other_build = "made by another build or version";
-
 // Enters the result under the run's name. Throws ResultError where there is none that fits: what a
 // solver could compute must be of this very build, what is only read must be of this case and run.
 void take_result(const CaseDefinition& definition, const RunDefinition& run,
@@ -50,8 +48,9 @@ void take_result(const CaseDefinition& definition, const RunDefinition& run,
   if (!asks_the_same(result.key, key))
     throw ResultError(file.string() + " was made for another state of the case file");
   const bool of_this_build = result.key == key;
-  if (settings.solve && !of_this_build) throw ResultError(file.string() + " was " + other_build);
-  runs.status[run.name] = {RunState::finished, of_this_build ? "" : other_build};
+  if (settings.solve && !of_this_build)
+    throw ResultError(file.string() + " was " + made_by_another_build);
+  runs.status[run.name] = {RunState::finished, of_this_build ? "" : made_by_another_build};
   runs.results[run.name] = std::move(result);
 }
 
@@ -75,19 +74,6 @@ Job job_for(const CaseDefinition& definition, const RunDefinition& run,
   if (!settings.experiments.empty())
     job.command.insert(job.command.end(), {"--experiments", settings.experiments.string()});
   return job;
-}
-
-// Why a run failed, in its own words: the first line of the tool's message, or else the last line
-// that it wrote.
-std::string complaint_in(const fs::path& log) {
-  constexpr std::string_view mark = "slosh: ";  // main.cpp puts it before every error
-  std::ifstream stream(log);
-  std::string line, last;
-  while (std::getline(stream, line)) {
-    if (line.starts_with(mark)) return line.substr(mark.size());
-    if (!line.empty()) last = line;
-  }
-  return last;
 }
 
 // Enters what stands before anything is started, and returns the runs that are to be computed.
@@ -140,6 +126,17 @@ void take_over(const JobState& state, const CaseDefinition& definition, const Ru
 }
 
 }  // namespace
+
+std::string complaint_in(const fs::path& log) {
+  constexpr std::string_view mark = "slosh: ";  // main.cpp puts it before every error
+  std::ifstream stream(log);
+  std::string line, last;
+  while (std::getline(stream, line)) {
+    if (line.starts_with(mark)) return line.substr(mark.size());
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
 
 fs::path result_file(const CampaignSettings& settings, const CaseDefinition& definition,
                      const RunDefinition& run) {

@@ -14,9 +14,10 @@
 namespace slosh {
 
 struct CampaignSettings {
-  std::filesystem::path output;        // <output>/runs/<case>/<run>.h5, .log and work directories
-  std::filesystem::path executable;    // this tool, which runs one run as `slosh run`
-  std::filesystem::path solver_build;  // as run_key() takes it
+  std::filesystem::path output;         // <output>/runs/<case>/<run>.h5, .log and work directories
+  std::filesystem::path executable;     // this tool, which runs one run as `slosh run`
+  std::filesystem::path solver_build;   // as run_key() takes it
+  std::filesystem::path problem_build;  // as problem_key() takes it
   std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
   std::filesystem::path experiments;         // of the user's records; empty: none is named
   bool quick = false;                        // only the runs marked so
@@ -27,6 +28,13 @@ struct CampaignSettings {
 struct InterruptedError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// Of a result that may be read but not kept.
+inline constexpr const char* made_by_another_build = "made by another build or version";
+
+// Why a run failed, in its own words: the first line of the tool's message, or else the last line
+// that it wrote.
+std::string complaint_in(const std::filesystem::path& log);
 
 // By case, in the order given. Throws InterruptedError once `stop` is set, and CaseFileError where
 // a run refused its case; what was finished stays.

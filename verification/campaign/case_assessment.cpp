@@ -141,19 +141,28 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
   return assessment;
 }
 
-int exit_status(const std::vector<CaseAssessment>& cases) {
-  std::vector<GateOutcome> outcomes;
-  bool nothing_to_judge = false;
+Standing standing_of(const std::vector<CaseAssessment>& cases) {
+  Standing standing;
   for (const CaseAssessment& one : cases) {
     for (const auto& [run, status] : one.runs.status) {
-      if (status.state == RunState::failed) return exit_solver_failed;
-      nothing_to_judge |= status.state == RunState::missing;
+      standing.run_failed |= status.state == RunState::failed;
+      standing.left_open |= status.state == RunState::missing;
     }
-    nothing_to_judge |= one.comparisons.empty() && !one.not_comparable.empty();
-    outcomes.insert(outcomes.end(), one.gate.begin(), one.gate.end());
+    standing.left_open |= one.comparisons.empty() && !one.not_comparable.empty();
+    for (const GateOutcome& outcome : one.gate) standing.verdicts.push_back(outcome.verdict);
   }
-  const int gated = exit_status(outcomes);
-  return gated == exit_pass && nothing_to_judge ? exit_not_compared : gated;
+  return standing;
+}
+
+int exit_status(const Standing& standing) {
+  if (standing.run_failed) return exit_solver_failed;
+  const int gated = exit_status_of(standing.verdicts);
+  const bool judged = gated == exit_pass || gated == exit_inconclusive;
+  return judged && standing.left_open ? exit_not_compared : gated;
+}
+
+int exit_status(const std::vector<CaseAssessment>& cases) {
+  return exit_status(standing_of(cases));
 }
 
 }  // namespace slosh

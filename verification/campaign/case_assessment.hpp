@@ -37,6 +37,15 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
 // That of the first record that has it; null where none is supplied.
 const TimeSeries* series_of_record(const CaseAssessment& assessment, const std::string& quantity);
 
+// What an exit status is made of.
+struct Standing {
+  std::vector<Verdict> verdicts;  // of all gate rows
+  bool run_failed = false;
+  bool left_open = false;  // a run without a result, or a case of which no pair could be compared
+};
+Standing standing_of(const std::vector<CaseAssessment>& cases);
+int exit_status(const Standing& standing);
+
 // Exit status of the whole: a run that failed or has no result counts even where no gate row names
 // it, and so does a case of which no pair could be compared. A record that is not supplied does
 // not.

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "verification/case_file/problem_table.hpp"
+
 namespace slosh {
 namespace {
 
@@ -108,16 +110,64 @@ Json gate_entry(const GateOutcome& outcome) {
   return entry;
 }
 
+Json measure_entry(const MeasuredErrors& measure) {
+  Json errors = Json::array();
+  for (const auto& [step, error] : measure.errors)
+    errors.push_back({{"step", step}, {"error", error}});
+  const std::optional<double> order = order_of(measure.errors);
+  return {
+      {"name", measure.name}, {"order", order ? Json(*order) : Json(nullptr)}, {"errors", errors}};
+}
+
+Json gate_entry(const ProblemGateOutcome& outcome) {
+  const ProblemGateRow& row = outcome.row;
+  Json entry{{"verdict", verdict_name(outcome.verdict)},
+             {"measure", row.measure},
+             {"metric", metric_name(row.metric)},
+             {"unit", row.unit},
+             {"value", outcome.value},
+             {"message", outcome.message},
+             {"reason", row.reason},
+             {"source", row.source},
+             {"file", row.where.file},
+             {"line", row.where.line}};
+  if (row.limit) entry["limit"] = *row.limit;
+  if (row.between) entry["between"] = {row.between->first, row.between->second};
+  return entry;
+}
+
+Json problem_entry(const ProblemAssessment& one) {
+  Json entry{{"name", one.definition.name},
+             {"state", state_name(one.run.status.state)},
+             {"message", one.run.status.message},
+             {"measures", Json::array()},
+             {"gate", Json::array()}};
+  if (const auto& result = one.run.result) {
+    entry.update({{"key", result->key},
+                  {"user_time_s", result->cost.user_time},
+                  {"system_time_s", result->cost.system_time},
+                  {"wall_time_s", result->cost.wall_time},
+                  {"peak_memory_byte", result->cost.peak_memory},
+                  {"provenance", result->provenance}});
+    for (const MeasuredErrors& measure : result->outcome.measures)
+      entry["measures"].push_back(measure_entry(measure));
+  }
+  for (const ProblemGateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
+  return entry;
+}
+
 }  // namespace
 
 std::string results_json(const std::string& campaign, bool quick,
-                         const std::vector<CaseAssessment>& cases) {
+                         const std::vector<CaseAssessment>& cases,
+                         const std::vector<ProblemAssessment>& problems) {
   Json document{{"schema", "slosh results"},
                 {"schema_version", 1},
                 {"campaign", campaign},
                 {"quick", quick},
-                {"exit_status", exit_status(cases)},
-                {"cases", Json::array()}};
+                {"exit_status", exit_status(cases, problems)},
+                {"cases", Json::array()},
+                {"problems", Json::array()}};
   for (const CaseAssessment& one : cases) {
     Json entry{{"name", one.definition.name},
                {"runs", Json::array()},
@@ -130,6 +180,7 @@ std::string results_json(const std::string& campaign, bool quick,
     for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
     document["cases"].push_back(std::move(entry));
   }
+  for (const ProblemAssessment& one : problems) document["problems"].push_back(problem_entry(one));
   // nlohmann writes a number that is not finite as null. A message may end in a solver's words, in
   // whatever encoding.
   return document.dump(2, ' ', false, Json::error_handler_t::replace);

@@ -1,11 +1,48 @@
-// A campaign: cases that are run, compared, gated and reported together.
+// A campaign: cases that are run, compared, gated and reported together, and verification problems
+// with exact solutions.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "verification/case_file/case_definition.hpp"
+
 namespace slosh {
+
+// What the errors of a problem's measure over its resolutions are judged by.
+enum class ProblemMetric {
+  order_at_least,   // slope of the least-squares line through (ln step, ln |error|)
+  order_within,     // the same between two bounds
+  error_at_finest,  // |error| at the smallest step
+  largest_error     // |error| over all steps
+};
+
+struct ProblemGateRow {
+  std::string measure;
+  ProblemMetric metric;
+  std::string unit;                                  // of the bounds; an order has "1"
+  std::optional<double> limit;                       // of all but order_within
+  std::optional<std::pair<double, double>> between;  // of order_within
+  std::string reason, source;
+  SourceLocation where;
+};
+
+struct ProblemDefinition {
+  std::string name;
+  std::vector<ProblemGateRow> gate;
+};
+
+// The problems that there are, as a campaign file is checked against them.
+struct KnownMeasure {
+  std::string name, unit;
+};
+struct KnownProblem {
+  std::string name;
+  std::vector<KnownMeasure> measures;
+};
 
 struct CampaignDefinition {
   std::string name, title, source;
@@ -14,6 +51,7 @@ struct CampaignDefinition {
   std::vector<std::filesystem::path> cases;  // case files, in the order of the report
   std::string text;                          // the file as read
   std::filesystem::path file;
+  std::vector<ProblemDefinition> problems = {};  // in the order of the report, after the cases
 };
 
 }  // namespace slosh

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "verification/case_file/definition_file.hpp"
+#include "verification/case_file/problem_table.hpp"
 #include "verification/case_file/toml_reader.hpp"
 
 namespace slosh {
@@ -37,17 +38,21 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
 
 }  // namespace
 
-CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_directory) {
+CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_directory,
+                                 const std::vector<KnownProblem>& known_problems) {
   CampaignDefinition campaign;
   campaign.file = file;
   campaign.text = read_definition_text("campaign", file);
   const TomlTable root(campaign.text, file);
   root.get("schema_version", exactly(schema_version));
-  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases"});
+  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem"});
   campaign.name = root.get("name", file_safe_name());
   campaign.title = root.get("title", any_text());
   campaign.source = root.get("source", any_text());
   campaign.paper = root.find("paper", known_paper()).value_or("");
+  for (const TomlTable& table : root.tables("problem"))
+    campaign.problems.push_back(read_problem(table, known_problems, campaign.problems));
+  if (!root.has("cases") && !campaign.problems.empty()) return campaign;
   for (const PlacedText& member : root.texts("cases", any_text())) {
     campaign.cases.push_back(find_member(member, campaign, case_directory));
   }

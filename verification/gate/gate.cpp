@@ -243,10 +243,14 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
 }
 
 int exit_status(const std::vector<GateOutcome>& outcomes) {
+  std::vector<Verdict> verdicts;
+  for (const GateOutcome& outcome : outcomes) verdicts.push_back(outcome.verdict);
+  return exit_status_of(verdicts);
+}
+
+int exit_status_of(const std::vector<Verdict>& verdicts) {
   const auto any = [&](Verdict verdict) {
-    return std::any_of(outcomes.begin(), outcomes.end(), [verdict](const GateOutcome& outcome) {
-      return outcome.verdict == verdict;
-    });
+    return std::find(verdicts.begin(), verdicts.end(), verdict) != verdicts.end();
   };
   if (any(Verdict::solver_failed)) return exit_solver_failed;
   if (any(Verdict::violated)) return exit_violated;

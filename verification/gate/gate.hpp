@@ -97,6 +97,7 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
 // The worst of all: solver failed (3) over violated (1) over not compared (4) over inconclusive
 // (5); no row evaluated at all is 4. A row that is not selected or not supplied counts for nothing.
 int exit_status(const std::vector<GateOutcome>& outcomes);
+int exit_status_of(const std::vector<Verdict>& verdicts);
 
 // "pass", "violated", "inconclusive", "solver failed", "not compared", "not selected", "not
 // supplied"

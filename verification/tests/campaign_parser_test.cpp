@@ -17,6 +17,9 @@ namespace fs = std::filesystem;
 const fs::path cases = fs::path(SLOSH_SOURCE_DIR) / "verification/cases";
 const fs::path campaigns = fs::path(SLOSH_SOURCE_DIR) / "verification/campaigns";
 
+const std::vector<KnownProblem> problems{{"eddy", {{"velocity", "m/s"}, {"decay_rate", "1"}}},
+                                         {"drop", {{"period", "1"}}}};
+
 const std::string head =
     "schema_version = 1\nname = \"trial\"\ntitle = \"A trial\"\nsource = \"none\"\n";
 
@@ -30,7 +33,7 @@ class CampaignParser : public ::testing::Test {
 
   CampaignDefinition read(const std::string& text) const {
     std::ofstream(directory_ / "trial.toml") << text;
-    return read_campaign(directory_ / "trial.toml", cases);
+    return read_campaign(directory_ / "trial.toml", cases, problems);
   }
 
   // The message without the directory; "" when nothing was wrong.
@@ -54,7 +57,7 @@ class CampaignParser : public ::testing::Test {
 
 TEST_F(CampaignParser, ReadsTheShippedCampaignWhoseCasesAllParse) {
   const CampaignDefinition campaign =
-      read_campaign(find_campaign("small_amplitude", campaigns), cases);
+      read_campaign(find_campaign("small_amplitude", campaigns), cases, problems);
   EXPECT_EQ(campaign.name, "small_amplitude");
   ASSERT_EQ(campaign.cases.size(), 7u);
   EXPECT_EQ(campaign.cases.front().stem(), "li2010_small_amplitude");
@@ -78,7 +81,7 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
   expect_complaint(
       head + list + "tag = 1\n",
       "trial.toml:6: tag = 1: expected only these keys here: schema_version, name, title, "
-      "source, paper, cases; nearest known key: name");
+      "source, paper, cases, problem; nearest known key: name");
   expect_complaint("schema_version = 1\nname = \"a b\"\n",
                    "trial.toml:2: name = \"a b\": expected a name of");
   expect_complaint("schema_version = 3\n", "trial.toml:1: schema_version = 3: expected 1");
@@ -87,6 +90,68 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
   expect_complaint(head + "cases = [\"no.toml\"]\n",
                    "trial.toml:5: case = \"no.toml\": expected a file");
   expect_complaint(head + "cases = [", "trial.toml:5:");
+}
+
+const std::string eddy = "[[problem]]\nname = \"eddy\"\n";
+const std::string gate_head = "[[problem.gate]]\nmeasure = \"velocity\"\n";
+const std::string reasons = "reason = \"a reason\"\nsource = \"a source\"\n";
+const std::string order_row =
+    gate_head + "metric = \"order_at_least\"\nunit = \"1\"\nlimit = 1.9\n" + reasons;
+const std::string error_row =
+    gate_head + "metric = \"largest_error\"\nunit = \"m/s\"\nlimit = 0.1\n" + reasons;
+const std::string within_row = gate_head +
+                               "metric = \"order_within\"\nunit = \"1\"\nlower = -1.2\n"
+                               "upper = -0.8\n" +
+                               reasons;
+
+TEST_F(CampaignParser, ReadsProblemsWithTheirGateRows) {
+  const auto campaign = read(head + eddy + order_row + error_row + within_row);
+  EXPECT_TRUE(campaign.cases.empty());
+  ASSERT_EQ(campaign.problems.size(), 1u);
+  EXPECT_EQ(campaign.problems[0].name, "eddy");
+  const auto& gate = campaign.problems[0].gate;
+  ASSERT_EQ(gate.size(), 3u);
+  EXPECT_EQ(gate[0].metric, ProblemMetric::order_at_least);
+  EXPECT_EQ(gate[0].limit, 1.9);
+  EXPECT_EQ(gate[0].where.line, 7);
+  EXPECT_EQ(gate[1].unit, "m/s");
+  EXPECT_EQ(gate[2].between, std::pair(-1.2, -0.8));
+}
+
+TEST_F(CampaignParser, RefusesEachKindOfMistakeInAProblem) {
+  const auto with = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  expect_complaint(head + with(eddy, "eddy", "edy") + order_row,
+                   "trial.toml:6: problem.name = \"edy\": expected a problem, one of eddy, drop; "
+                   "nearest: eddy");
+  expect_complaint(head + eddy, "trial.toml:5: problem.gate is missing: expected at least one");
+  expect_complaint(head + eddy + order_row + eddy + order_row,
+                   "trial.toml:15: problem.name = \"eddy\": expected each problem once");
+  expect_complaint(head + eddy + "quick = true\n" + order_row,
+                   "trial.toml:7: problem.quick = true: expected only these keys here: name, gate");
+  expect_complaint(head + eddy + with(order_row, "velocity", "velocty"),
+                   "trial.toml:8: problem.gate.measure = \"velocty\": expected a measure of eddy, "
+                   "one of velocity, decay_rate; nearest: velocity");
+  expect_complaint(head + eddy + with(order_row, "order_at_least", "order"),
+                   "trial.toml:9: problem.gate.metric = \"order\": expected a metric, one of "
+                   "order_at_least, order_within, error_at_finest, largest_error; nearest: order");
+  expect_complaint(head + eddy + with(order_row, "\"1\"", "\"m/s\""),
+                   "trial.toml:10: problem.gate.unit = \"m/s\": expected the unit of "
+                   "order_at_least, which is 1");
+  expect_complaint(head + eddy + with(error_row, "\"m/s\"", "\"1\""),
+                   "trial.toml:10: problem.gate.unit = \"1\": expected the unit of largest_error, "
+                   "which is m/s");
+  expect_complaint(head + eddy + with(error_row, "0.1", "0"),
+                   "trial.toml:11: problem.gate.limit = 0: expected a number > 0");
+  expect_complaint(head + eddy + with(order_row, "limit = 1.9", "lower = 1.9"),
+                   "trial.toml:7: problem.gate.limit is missing: expected limit alone");
+  expect_complaint(head + eddy + with(within_row, "lower = -1.2", "limit = 1"),
+                   "trial.toml:11: problem.gate.limit = 1: expected lower and upper, and no limit");
+  expect_complaint(head + eddy + with(within_row, "-0.8", "-1.3"),
+                   "trial.toml:12: problem.gate.upper = -1.3: expected a number above lower");
+  expect_complaint(head + eddy + with(order_row, "reason", "reasons"),
+                   "trial.toml:12: problem.gate.reasons = \"a reason\": expected only these keys");
 }
 
 TEST_F(CampaignParser, TakesOneOfThePapersThatTheReportKnows) {

@@ -20,7 +20,7 @@ const fs::path verification = fs::path(SLOSH_SOURCE_DIR) / "verification";
 std::vector<CaseDefinition> cases_of(const std::string& campaign) {
   std::vector<CaseDefinition> cases;
   for (const fs::path& file :
-       read_campaign(verification / "campaigns" / (campaign + ".toml"), verification / "cases")
+       read_campaign(verification / "campaigns" / (campaign + ".toml"), verification / "cases", {})
            .cases)
     cases.push_back(read_case(file));
   return cases;

@@ -1,0 +1,98 @@
+#include "verification/case_file/problem_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace slosh {
+namespace {
+
+constexpr std::pair<const char*, ProblemMetric> metrics[] = {
+    {"order_at_least", ProblemMetric::order_at_least},
+    {"order_within", ProblemMetric::order_within},
+    {"error_at_finest", ProblemMetric::error_at_finest},
+    {"largest_error", ProblemMetric::largest_error}};
+
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& one : all) names.push_back(one.name);
+  return names;
+}
+
+// Of one that is there.
+template <class Named>
+const Named& named(const std::vector<Named>& all, const std::string& name) {
+  return *std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+}
+
+ProblemMetric read_metric(const TomlTable& row) {
+  std::vector<std::string> names;
+  for (const auto& [name, metric] : metrics) names.push_back(name);
+  const std::string chosen = row.choice("metric", "a metric", names);
+  return std::find_if(std::begin(metrics), std::end(metrics),
+                      [&](const auto& one) { return one.first == chosen; })
+      ->second;
+}
+
+bool is_order(ProblemMetric metric) {
+  return metric == ProblemMetric::order_at_least || metric == ProblemMetric::order_within;
+}
+
+void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
+  const bool within = gate_row.metric == ProblemMetric::order_within;
+  for (const char* key : {"limit", "lower", "upper"})
+    if (row.has(key) != (within != (std::string(key) == "limit")))
+      row.refuse(key, within ? "lower and upper, and no limit, with order_within"
+                             : "limit alone, neither lower nor upper");
+  if (!within) {
+    // A method that does not converge is no reason for a gate that any order passes.
+    gate_row.limit = row.get("limit", positive(gate_row.unit));
+    return;
+  }
+  const double lower = row.get("lower", any_number(gate_row.unit));
+  const Rule<double> above_lower{fmt::format("a number above lower ({})", lower),
+                                 [lower](double value) { return value > lower; }};
+  gate_row.between = {lower, row.get("upper", above_lower)};
+}
+
+ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
+  row.allow_only({"measure", "metric", "unit", "limit", "lower", "upper", "reason", "source"});
+  ProblemGateRow gate_row{};
+  gate_row.measure = row.choice("measure", fmt::format("a measure of {}", problem.name),
+                                names_of(problem.measures));
+  gate_row.metric = read_metric(row);
+  const std::string unit =
+      is_order(gate_row.metric) ? "1" : named(problem.measures, gate_row.measure).unit;
+  gate_row.unit =
+      row.choice("unit", fmt::format("the unit of {}", metric_name(gate_row.metric)), {unit});
+  read_bounds(row, gate_row);
+  gate_row.reason = row.get("reason", any_text());
+  gate_row.source = row.get("source", any_text());
+  gate_row.where = row.where();
+  return gate_row;
+}
+
+}  // namespace
+
+ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownProblem>& known,
+                               const std::vector<ProblemDefinition>& others) {
+  table.allow_only({"name", "gate"});
+  ProblemDefinition problem;
+  problem.name = table.choice("name", "a problem", names_of(known));
+  for (const ProblemDefinition& other : others)
+    if (other.name == problem.name) table.refuse("name", "each problem once");
+  for (const TomlTable& row : table.tables("gate"))
+    problem.gate.push_back(read_row(row, named(known, problem.name)));
+  if (problem.gate.empty()) table.refuse("gate", "at least one gate row, [[problem.gate]]");
+  return problem;
+}
+
+std::string metric_name(ProblemMetric metric) {
+  return std::find_if(std::begin(metrics), std::end(metrics),
+                      [metric](const auto& one) { return one.second == metric; })
+      ->first;
+}
+
+}  // namespace slosh

@@ -1,0 +1,18 @@
+// The [[problem]] tables of a campaign file; campaign_parser.hpp has their keys.
+#pragma once
+
+#include <vector>
+
+#include "verification/case_file/campaign_definition.hpp"
+#include "verification/case_file/toml_reader.hpp"
+
+namespace slosh {
+
+// Throws CaseFileError, also for a problem that is one of `others` already and for one without a
+// gate row, which could not fail.
+ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownProblem>& known,
+                               const std::vector<ProblemDefinition>& others);
+
+std::string metric_name(ProblemMetric metric);  // as in the campaign file
+
+}  // namespace slosh

@@ -1,0 +1,137 @@
+#include "verification/problems/problem_result.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "verification/runs/atomic_file.hpp"
+#include "verification/runs/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+using nlohmann::json;  // its objects are sorted: one text per value
+
+constexpr const char* format = "slosh problem";
+constexpr int format_version = 1;
+
+double number(const json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+std::vector<double> numbers(const json& values) {
+  std::vector<double> all;
+  for (const json& value : values) all.push_back(number(value));
+  return all;
+}
+
+json entry(const MeasuredErrors& measure) {
+  json errors = json::array();
+  for (const ErrorAtStep& one : measure.errors)
+    errors.push_back({{"step", one.step}, {"error", one.error}});
+  return {{"name", measure.name}, {"errors", errors}};
+}
+
+MeasuredErrors measure_from(const json& entry) {
+  MeasuredErrors measure{entry.at("name"), {}};
+  for (const json& one : entry.at("errors"))
+    measure.errors.push_back({number(one.at("step")), number(one.at("error"))});
+  return measure;
+}
+
+json entry(const reports::Figure& figure) {
+  json curves = json::array();
+  for (const reports::Curve& curve : figure.curves)
+    curves.push_back({{"label", curve.label},
+                      {"x", curve.x},
+                      {"y", curve.y},
+                      {"style", static_cast<int>(curve.style)}});
+  return {{"id", figure.id},           {"title", figure.title},     {"caption", figure.caption},
+          {"x_label", figure.x_label}, {"y_label", figure.y_label}, {"curves", curves}};
+}
+
+reports::Figure figure_from(const json& entry) {
+  reports::Figure figure;
+  figure.id = entry.at("id");
+  figure.title = entry.at("title");
+  figure.caption = entry.at("caption");
+  figure.x_label = entry.at("x_label");
+  figure.y_label = entry.at("y_label");
+  for (const json& one : entry.at("curves"))
+    figure.curves.push_back({one.at("label"),
+                             numbers(one.at("x")),
+                             numbers(one.at("y")),
+                             {},
+                             static_cast<reports::Curve::Style>(one.at("style").get<int>())});
+  return figure;
+}
+
+json body_of(const ProblemResult& result) {
+  json measures = json::array(), figures = json::array();
+  for (const MeasuredErrors& one : result.outcome.measures) measures.push_back(entry(one));
+  for (const reports::Figure& one : result.outcome.figures) figures.push_back(entry(one));
+  return {{"format", format},
+          {"format_version", format_version},
+          {"problem", result.problem},
+          {"quick", result.quick},
+          {"key", result.key},
+          {"provenance", result.provenance},
+          {"cost",
+           {{"wall_time_s", result.cost.wall_time},
+            {"user_time_s", result.cost.user_time},
+            {"system_time_s", result.cost.system_time},
+            {"peak_memory_byte", result.cost.peak_memory}}},
+          {"measures", measures},
+          {"figures", figures}};
+}
+
+ProblemResult result_from(const json& body) {
+  ProblemResult result;
+  result.problem = body.at("problem");
+  result.quick = body.at("quick");
+  result.key = body.at("key");
+  result.provenance = body.at("provenance").get<std::map<std::string, std::string>>();
+  const json& cost = body.at("cost");
+  result.cost.wall_time = cost.at("wall_time_s");
+  result.cost.user_time = cost.at("user_time_s");
+  result.cost.system_time = cost.at("system_time_s");
+  result.cost.peak_memory = cost.at("peak_memory_byte");
+  for (const json& one : body.at("measures")) result.outcome.measures.push_back(measure_from(one));
+  for (const json& one : body.at("figures")) result.outcome.figures.push_back(figure_from(one));
+  return result;
+}
+
+}  // namespace
+
+std::string problem_key(const std::string& problem, bool quick,
+                        const std::filesystem::path& build) {
+  ContentHash answer;
+  answer.add_file(build);
+  return content_hash(json{{"problem", problem}, {"quick", quick}}.dump()) + "-" + answer.digits();
+}
+
+void write_problem_result(const ProblemResult& result, const std::filesystem::path& file) {
+  const json body = body_of(result);
+  try {
+    replace_file(file, json{{"body", body}, {"hash", content_hash(body.dump())}}.dump(1),
+                 Durability::power_loss);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw ResultError(error.what());
+  }
+}
+
+ProblemResult read_problem_result(const std::filesystem::path& file) try {
+  if (!std::filesystem::exists(file)) throw ResultError(file.string() + " is not there");
+  const json document = json::parse(read_bytes(file));
+  const json& body = document.at("body");
+  if (document.at("hash") != content_hash(body.dump()))
+    throw ResultError(file.string() + " has been altered");
+  if (body.at("format") != format || body.at("format_version") != format_version)
+    throw ResultError(file.string() + " is no problem's result of this version");
+  return result_from(body);
+} catch (const json::exception& error) {
+  throw ResultError(file.string() + " is truncated or altered: " + error.what());
+} catch (const std::filesystem::filesystem_error& error) {
+  throw ResultError(error.what());
+}
+
+}  // namespace slosh

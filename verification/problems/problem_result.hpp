@@ -1,0 +1,38 @@
+// What a problem leaves: one JSON file, written under a temporary name and renamed when complete,
+//   body: format ("slosh problem"), format_version, problem, quick, key, provenance, cost,
+//   measures[]
+//         (name, errors[]: step and error, null for no number), figures[] (id, title, caption,
+//         x_label, y_label, curves[])
+//   hash: content_hash of the body's compact text
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "verification/problems/problem.hpp"
+#include "verification/runs/result_file.hpp"
+
+namespace slosh {
+
+struct ProblemResult {
+  std::string problem;
+  bool quick = false;
+  std::string key;
+  std::map<std::string, std::string> provenance;
+  RunCost cost;  // but for steps and elements
+  ProblemOutcome outcome;
+};
+
+// "<32 digits>-<32 digits>": the problem and its form, then the content of `build`, a file that
+// changes with the code of the solver and of the problems. Throws
+// std::filesystem::filesystem_error where that cannot be read.
+std::string problem_key(const std::string& problem, bool quick, const std::filesystem::path& build);
+
+// Throws ResultError.
+void write_problem_result(const ProblemResult& result, const std::filesystem::path& file);
+
+// Throws ResultError for a file that is absent, truncated, altered or of another version.
+ProblemResult read_problem_result(const std::filesystem::path& file);
+
+}  // namespace slosh

@@ -1,0 +1,79 @@
+// The shipped suite of problems through the tool, in its quick form: it holds, a second start
+// computes nothing, and what is wrong with a problem or its result is told.
+#include <gtest/gtest.h>
+
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+class VerificationCampaign : public SmallCampaign {};
+
+TEST_F(VerificationCampaign, HoldsInItsQuickFormAndComputesNothingTwice) {
+  const std::vector<std::string> command{"campaign", "verification", "--quick", "--output", "out"};
+  const Ended first = tool(command);
+  EXPECT_EQ(first.status, 0) << first.err << first.out;
+  EXPECT_NE(first.out.find("PASS: "), std::string::npos) << first.out;
+  for (const char* part : {"problem-taylor_green", "problem-wall_impulse"})
+    EXPECT_NE(read(report() / "index.html").find(part), std::string::npos) << part;
+  EXPECT_NE(read(report() / "results.json").find("\"oscillating_drop\""), std::string::npos);
+  const fs::path kept = directory() / "out/problems/taylor_green.json";
+  const auto written = fs::last_write_time(kept);
+  const Ended second = tool(command);
+  EXPECT_EQ(second.status, 0) << second.err;
+  EXPECT_EQ(second.err, "") << "a problem was started";
+  EXPECT_EQ(fs::last_write_time(kept), written);
+}
+
+const std::string small_suite = R"(schema_version = 1
+name = "suite"
+title = "One problem"
+source = "made for a test"
+[[problem]]
+name = "kernels"
+[[problem.gate]]
+measure = "slope_wendland_c2"
+metric = "error_at_finest"
+unit = "1"
+limit = 1e-3
+reason = "a reason"
+source = "a source"
+)";
+
+TEST_F(VerificationCampaign, EndsWithOneWhereALimitIsViolated) {
+  write("suite.toml", with(small_suite, "1e-3", "1e-6"));
+  const Ended run = tool({"campaign", "./suite.toml", "--output", "out"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_NE(run.out.find("violated       kernels error_at_finest slope_wendland_c2"),
+            std::string::npos)
+      << run.out;
+  EXPECT_NE(run.out.find("FAIL: 0 of 1 gate rows hold, 1 violated."), std::string::npos);
+}
+
+TEST_F(VerificationCampaign, NeverPassesATruncatedResultAndComputesItAgain) {
+  write("suite.toml", small_suite);
+  ASSERT_EQ(tool({"campaign", "./suite.toml", "--output", "out"}).status, 0);
+  const fs::path result = directory() / "out/problems/kernels.json";
+  fs::resize_file(result, fs::file_size(result) / 2);
+  EXPECT_EQ(tool({"report", "./suite.toml", "--output", "out"}).status, 4);
+  const Ended again = tool({"campaign", "./suite.toml", "--output", "out"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("it is computed again"), std::string::npos) << again.err;
+}
+
+TEST_F(VerificationCampaign, NamesTheNearestProblemOfAWrongName) {
+  const Ended one = tool({"problem", "kernel"});
+  EXPECT_EQ(one.status, 2);
+  EXPECT_NE(one.err.find("nearest: kernels"), std::string::npos) << one.err;
+  write("suite.toml", with(small_suite, "\"kernels\"", "\"kernel\""));
+  const Ended all = tool({"campaign", "./suite.toml"});
+  EXPECT_EQ(all.status, 2);
+  EXPECT_NE(all.err.find("suite.toml:6: problem.name = \"kernel\": expected a problem, one of "),
+            std::string::npos)
+      << all.err;
+}
+
+}  // namespace
+}  // namespace slosh
