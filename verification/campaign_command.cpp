@@ -10,6 +10,7 @@
 #include "verification/campaign/problem_run.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/problem_table.hpp"
 #include "verification/gate_files.hpp"
 #include "verification/named_paths.hpp"
 #include "verification/problems/problem.hpp"

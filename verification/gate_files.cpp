@@ -4,6 +4,7 @@
 
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/campaign/campaign_report.hpp"
+#include "verification/case_file/problem_table.hpp"
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/provenance.hpp"
 

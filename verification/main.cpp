@@ -18,6 +18,7 @@
 #include "verification/gate/gate.hpp"
 #include "verification/problem_command.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/selftest_command.hpp"
 
 namespace {
 
@@ -139,6 +140,10 @@ void add_campaign_commands(CLI::App& app, slosh::CampaignOptions& options, Actio
         options.solve = false;
         return slosh::run_campaign(options, installation(), stop_requested);
       });
+  CLI::App& selftest =
+      add_command(app, "selftest",
+                  "Whether the gate rows detect what they claim to, on the results that are there",
+                  action, [&] { return slosh::selftest_campaign(options, installation()); });
   CLI::App& gate = add_command(
       app, "gate",
       "Runs what a campaign still needs, tells what has moved since its baseline, and leaves "
@@ -148,6 +153,7 @@ void add_campaign_commands(CLI::App& app, slosh::CampaignOptions& options, Actio
     add_campaign_options(*command, options);
     add_inconclusive_option(*command, options);
   }
+  add_campaign_options(selftest, options);
   for (CLI::App* command : {&campaign, &gate})
     command->add_option("-j,--jobs", options.at_once, "Runs side by side (default: one a core)")
         ->check(CLI::PositiveNumber);

@@ -8,6 +8,7 @@
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
 #include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/error_matrix.hpp"
 #include "verification/campaign/impact_table.hpp"
 #include "verification/campaign/li2010_paper.hpp"
 #include "verification/campaign/order_table.hpp"
@@ -15,6 +16,7 @@
 #include "verification/campaign/repeat_table.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
+#include "verification/campaign/uncertainty_table.hpp"
 #include "verification/campaign/wall_treatments.hpp"
 #include "verification/campaign/zhao2021_paper.hpp"
 #include "verification/case_file/motion_table.hpp"
@@ -107,6 +109,9 @@ Section case_section(const CaseAssessment& assessment) {
   section.figures = case_figures(assessment);
   section.fields = case_fields(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
+  if (auto remedies = remedy_table(assessment)) section.tables.push_back(std::move(*remedies));
+  if (auto matrix = error_matrix(assessment)) section.tables.push_back(std::move(*matrix));
+  if (auto refined = refinement_table(assessment)) section.tables.push_back(std::move(*refined));
   if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
   if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));
   if (auto repeats = repeat_table(assessment)) section.tables.push_back(std::move(*repeats));

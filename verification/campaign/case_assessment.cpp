@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/filtered_pressure.hpp"
+#include "verification/campaign/validity_envelope.hpp"
 #include "verification/case_file/quantities.hpp"
 
 namespace slosh {
@@ -20,24 +20,6 @@ const Solver* solver_as(const CaseDefinition& definition, const std::string& run
 }
 
 bool stands(const CaseRuns& runs, const std::string& run) { return runs.results.contains(run); }
-
-// A reference may gate only where its own prediction stays within the range that the case declares
-// for it.
-void mark_references_out_of_range(const CaseDefinition& definition, CaseRuns& runs) {
-  for (const auto& [name, result] : runs.results) {
-    const LinearRun* linear = solver_as<LinearRun>(definition, name);
-    if (!linear) continue;
-    const auto recorded = result.diagnostics.find("highest_elevation_over_depth");
-    const double ratio = recorded == result.diagnostics.end()
-                             ? std::numeric_limits<double>::quiet_NaN()
-                             : recorded->second;
-    if (!(ratio <= linear->valid_elevation_over_depth))
-      runs.status[name] = {
-          RunState::out_of_range,
-          fmt::format("predicts an elevation of {:.3g} fill depths, valid to {:.3g}", ratio,
-                      linear->valid_elevation_over_depth)};
-  }
-}
 
 // The finest interFoam that stands, which SPH is compared with; empty where there is none.
 std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& runs) {
@@ -68,6 +50,7 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   std::vector<Pair> pairs;
   for (const RunDefinition& candidate : definition.runs) {
     if (!stands(runs, candidate.name) || std::holds_alternative<LinearRun>(candidate.solver) ||
+        std::holds_alternative<PotentialRun>(candidate.solver) ||
         std::holds_alternative<RecordRun>(candidate.solver))
       continue;
     const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
@@ -75,7 +58,9 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
       if (!stands(runs, reference.name)) continue;
       const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
       const bool is_theory = linear && linear->two_layer == (sees_gas && two_layers);
-      if (is_theory || std::holds_alternative<RecordRun>(reference.solver))
+      const bool is_potential_flow = std::holds_alternative<PotentialRun>(reference.solver) &&
+                                     runs.status.at(reference.name).state != RunState::out_of_range;
+      if (is_theory || is_potential_flow || std::holds_alternative<RecordRun>(reference.solver))
         pairs.push_back({candidate.name, reference.name});
     }
     if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
@@ -124,7 +109,9 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
 }
 
 CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
-  mark_references_out_of_range(definition, runs);
+  for (const auto& [name, result] : runs.results)
+    if (const auto reason = outside_validity(definition, run_named(definition, name), result))
+      runs.status[name] = {RunState::out_of_range, *reason};
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
   CaseEvidence evidence(assessment.definition, assessment.runs);

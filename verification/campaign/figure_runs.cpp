@@ -34,6 +34,11 @@ std::string kind_of(const LinearRun& linear) {
                      linear.two_layer ? ", with the gas" : "");
 }
 
+std::string kind_of(const PotentialRun& potential) {
+  return fmt::format("nonlinear potential flow, {} x {} nodes", potential.nodes_x,
+                     potential.nodes_z);
+}
+
 std::string kind_of(const RecordRun& record) {
   return "published record " + record.file.filename().string();
 }

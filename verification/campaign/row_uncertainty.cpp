@@ -61,6 +61,12 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
       found.reference = uncertainty_from_values(
           row.metric, row.mode, comparison(row.candidate, row.reference, row.quantity),
           *record->uncertainty);
+  } else if (std::holds_alternative<PotentialRun>(reference.solver)) {
+    const Comparison& compared = comparison(row.candidate, row.reference, row.quantity);
+    const auto& told = runs.results.at(row.reference).diagnostics;
+    const auto own = told.find("uncertainty_" + compared.unit);
+    if (own != told.end())
+      found.reference = uncertainty_from_values(row.metric, row.mode, compared, own->second);
   } else {
     found.reference = numerical(Role::reference);
   }

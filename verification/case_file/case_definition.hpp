@@ -145,6 +145,12 @@ struct LinearRun {
   double valid_elevation_over_depth;
 };
 
+// Fully nonlinear potential flow (reference/nonlinear_potential_flow.hpp). It may gate where it has
+// not left its own range before the comparison's window ends.
+struct PotentialRun {
+  int nodes_x = 64, nodes_z = 24;
+};
+
 // A published record of one quantity, from a CSV file; it may gate. What the project ships is
 // there; what only its user has may not be.
 struct RecordRun {
@@ -172,7 +178,7 @@ struct RefinementDefinition {
 
 struct RunDefinition {
   std::string name;
-  std::variant<SphRun, InterFoamRun, LinearRun, RecordRun> solver;
+  std::variant<SphRun, InterFoamRun, LinearRun, PotentialRun, RecordRun> solver;
   bool quick = false;  // part of the campaign's --quick form
   SourceLocation where;
 };

@@ -29,6 +29,7 @@ const std::vector<std::string> keys_of_sph{"scheme",
                                            "energy_budget"};
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
+const std::vector<std::string> keys_of_potential{"nodes_x", "nodes_z"};
 const std::vector<std::string> keys_of_any_record{"uncertainty"};
 const std::vector<std::string> keys_of_shipped_record{"file"};
 const std::vector<std::string> keys_of_experiment{"experiment", "time_column", "value_column",
@@ -59,8 +60,9 @@ const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
                               [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
 
 SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
-  run.allow_only(together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear,
-                           keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
+  run.allow_only(
+      together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_potential,
+                keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
   const double coarsest = liquid.fill_depth / least_particles_per_depth;
   const double spacing = run.get<double>(
       "particle_spacing_m",
@@ -101,6 +103,16 @@ LinearRun read_linear(const TomlTable& run) {
       .modes = run.get("modes", at_least(1)),
       .two_layer = run.flag("two_layer"),
       .valid_elevation_over_depth = run.get("valid_elevation_over_depth", positive("fill depths"))};
+}
+
+PotentialRun read_potential(const TomlTable& run) {
+  run.allow_only(together({keys_of_all, keys_of_potential}));
+  PotentialRun potential;
+  const Rule<int> enough_nodes{"an integer from 16 to 128",
+                               [](int nodes) { return nodes >= 16 && nodes <= 128; }};
+  potential.nodes_x = run.find("nodes_x", enough_nodes).value_or(potential.nodes_x);
+  potential.nodes_z = run.find("nodes_z", enough_nodes).value_or(potential.nodes_z);
+  return potential;
 }
 
 RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& definition) {
@@ -174,17 +186,19 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
 
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments) {
-  run.allow_only(together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear,
-                           keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
+  run.allow_only(
+      together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_potential,
+                keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
   RunDefinition read{.name = run.get("name", file_safe_name()),
                      .solver = {},
                      .quick = run.flag("quick"),
                      .where = run.where()};
   const std::string solver =
-      run.choice("solver", "a solver", {"sph", "interfoam", "linear", "record"});
+      run.choice("solver", "a solver", {"sph", "interfoam", "linear", "potential", "record"});
   if (solver == "sph") read.solver = read_sph(run, definition.liquid);
   if (solver == "interfoam") read.solver = read_interfoam(run);
   if (solver == "linear") read.solver = read_linear(run);
+  if (solver == "potential") read.solver = read_potential(run);
   if (solver == "record")
     read.solver = run.has("experiment") ? read_experiment(run, definition, experiments)
                                         : read_shipped_record(run, definition);

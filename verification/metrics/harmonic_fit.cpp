@@ -78,7 +78,7 @@ HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
 }
 
 PairedDifference difference(const WindowFit& candidate, const WindowFit& reference,
-                          const CommonSamples& common, std::size_t k) {
+                            const CommonSamples& common, std::size_t k) {
   const auto amplitude = [k](const WindowFit& fit) {
     return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
   };

@@ -17,6 +17,7 @@ namespace {
 const char* solver_name(const SphRun&) { return "sph"; }
 const char* solver_name(const InterFoamRun&) { return "interfoam"; }
 const char* solver_name(const LinearRun&) { return "linear"; }
+const char* solver_name(const PotentialRun&) { return "potential"; }
 const char* solver_name(const RecordRun&) { return "record"; }
 
 RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
@@ -25,6 +26,9 @@ RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
 }
 RunResult run_solver(const LinearRun& run, const RunRequest& request) {
   return run_linear(run, request);
+}
+RunResult run_solver(const PotentialRun& run, const RunRequest& request) {
+  return run_potential(run, request);
 }
 RunResult run_solver(const RecordRun& run, const RunRequest& request) {
   return run_record(run, request);
@@ -57,8 +61,9 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
 RunResult run_chosen_solver(const RunRequest& request) try {
   RunResult result =
       std::visit([&](const auto& run) { return run_solver(run, request); }, request.run.solver);
-  // A record is as long as it is.
-  if (!std::holds_alternative<RecordRun>(request.run.solver))
+  // A record is as long as it is, and potential flow ends where it leaves its range.
+  if (!std::holds_alternative<RecordRun>(request.run.solver) &&
+      !std::holds_alternative<PotentialRun>(request.run.solver))
     for (const TimeSeries& series : result.series) require_whole(series, request.definition);
   return result;
 } catch (const std::invalid_argument& error) {  // a case that the solver does not take

@@ -34,6 +34,7 @@ json description(const SphRun& run) {
 json description(const InterFoamRun& run) {
   return {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};
 }
+json description(const PotentialRun& run) { return {{"potential", {run.nodes_x, run.nodes_z}}}; }
 json description(const LinearRun& run) { return {{"linear", {run.modes, run.two_layer}}}; }
 
 json description(const RecordRun& run) {

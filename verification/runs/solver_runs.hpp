@@ -25,12 +25,15 @@ void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definiti
                    const RunDefinition& run);
 void require_scene(const LinearRun& linear, const CaseDefinition& definition,
                    const RunDefinition& run);
+void require_scene(const PotentialRun& potential, const CaseDefinition& definition,
+                   const RunDefinition& run);
 void require_scene(const RecordRun& record, const CaseDefinition& definition,
                    const RunDefinition& run);
 
 RunResult run_sph(const SphRun& sph, const RunRequest& request);
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request);
 RunResult run_linear(const LinearRun& linear, const RunRequest& request);
+RunResult run_potential(const PotentialRun& potential, const RunRequest& request);
 RunResult run_record(const RecordRun& record, const RunRequest& request);
 
 }  // namespace slosh

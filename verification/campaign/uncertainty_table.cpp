@@ -1,0 +1,115 @@
+#include "verification/campaign/uncertainty_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/campaign/case_evidence.hpp"
+#include "verification/campaign/refinement.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Table;
+
+std::string in_unit(double value, const std::string& unit) {
+  return unit == "1" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string row_text(const GateRow& row) {
+  return fmt::format("{}{}, {} {} of {}", row.candidate,
+                     row.reference.empty() ? "" : " against " + row.reference, row.mode,
+                     metric_name(row.metric), row.quantity);
+}
+
+void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Table& table) {
+  for (const RefinedMetric& path : paths) {
+    std::vector<std::string> values;
+    for (const ValueAtStep& one : path.values) values.push_back(in_unit(one.value, row.unit));
+    std::vector<std::string> line{
+        path.path,
+        fmt::format("{} {} of {}", row.mode, metric_name(row.metric), row.quantity),
+        fmt::format("{}", fmt::join(path.runs, ", ")),
+        fmt::format("{}", fmt::join(values, ", ")),
+        path.values.size() == 2 ? "two values" : behaviour_name(path.found.behaviour),
+        path.found.order ? fmt::format("{:.2f}", *path.found.order) : "",
+        in_unit(path.found.extrapolated, row.unit),
+        "± " + in_unit(path.found.uncertainty, row.unit)};
+    if (std::find(table.rows.begin(), table.rows.end(), line) == table.rows.end())
+      table.rows.push_back(std::move(line));
+  }
+}
+
+std::string contributions_text(const ThreeWayOutcome& judged, const std::string& unit) {
+  const UncertaintyContributions& of = judged.contributions;
+  std::vector<std::string> parts;
+  const auto add = [&](const char* name, double half_width) {
+    if (half_width != 0) parts.push_back(fmt::format("{} {}", name, in_unit(half_width, unit)));
+  };
+  add("time history", of.statistics);
+  add("reference", of.reference);
+  add("discretisation", of.discretisation);
+  add("input", of.input);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string remedy_text(const ThreeWayOutcome& judged) {
+  std::vector<std::string> ways;
+  if (const auto window = longer_window(judged))
+    ways.push_back(fmt::format("a window {:.3g} times as long, at {:.3g} times the cost",
+                               window->factor, window->cost_ratio));
+  if (const auto step = finer_step(judged, 1))
+    ways.push_back(fmt::format("steps {:.3g} times as fine, at {:.3g} times the cost (first order)",
+                               step->factor, step->cost_ratio));
+  if (ways.empty())
+    return fmt::format("a better {}: no single run reaches it",
+                       dominant_contribution(judged.contributions));
+  return fmt::format("{}", fmt::join(ways, "; or "));
+}
+
+}  // namespace
+
+std::optional<Table> refinement_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-refinement",
+      "Numerical uncertainty",
+      "Metrics over runs that are alike but for one number, coarse to fine; behaviour, order, "
+      "limit and 95 % uncertainty after Celik et al. 2008 and Eca & Hoekstra 2014, of two "
+      "values alone by three times their difference on an error of the first order.",
+      {"path", "metric", "runs", "values", "behaviour", "order", "tends to", "uncertainty"},
+      {}};
+  CaseEvidence evidence(assessment.definition, assessment.runs);
+  const GateEvidence gate = evidence.gate_evidence();
+  const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (!std::isfinite(outcome.value.value)) continue;
+    for (const Role role : {Role::candidate, Role::reference})
+      add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role, measure),
+                outcome.row, table);
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+std::optional<Table> remedy_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-remedies",
+      "What would make inconclusive rows conclusive",
+      "The values as they are; half widths of 95 % intervals. More work moves the value too: "
+      "this is the least to plan for.",
+      {"row", "found", "uncertainty from", "conclusive below", "reached by"},
+      {}};
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
+    const ThreeWayOutcome& judged = *outcome.judgement;
+    table.rows.push_back(
+        {row_text(outcome.row), outcome.message, contributions_text(judged, outcome.row.unit),
+         "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit), remedy_text(judged)});
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+}  // namespace slosh

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+
+#include "reference/nonlinear_potential_flow.hpp"
+#include "verification/case_file/motion.hpp"
+#include "verification/runs/solver_runs.hpp"
+
+namespace slosh {
+namespace {
+
+using reference::NonlinearRecord;
+using reference::NonlinearSloshing;
+
+// 0, interval, ..., up to the duration.
+std::vector<double> sample_times(const CaseDefinition& definition) {
+  const double intervals = definition.duration / definition.sample_interval;
+  std::vector<double> times(static_cast<std::size_t>(intervals * (1 + 1e-12)) + 1);
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = i * definition.sample_interval;
+  return times;
+}
+
+reference::TankMotion motion_of(const CaseDefinition& definition) {
+  reference::TankMotion motion;
+  if (definition.motion.surge) {
+    const SurgeMotion surge = surge_motion(definition);
+    motion.surge_velocity = surge.velocity;
+    motion.surge_acceleration = surge.acceleration;
+  }
+  if (const std::optional<RollMotion> roll = roll_motion(definition)) {
+    motion.angle = roll->angle;
+    motion.rate = roll->rate;
+    motion.roll_acceleration = roll->acceleration;
+    motion.axis_x = roll->axis_x - definition.tank.length / 2;
+    motion.axis_z = roll->axis_z - definition.liquid.fill_depth;
+  }
+  return motion;
+}
+
+NonlinearSloshing sloshing_of(const PotentialRun& potential, const CaseDefinition& definition) {
+  const double depth = definition.liquid.fill_depth;
+  return {
+      .tank = {definition.tank.length, depth, definition.gravity, definition.liquid.density},
+      .roof = definition.tank.height - depth,
+      .motion = motion_of(definition),
+      .start = definition.start == Start::earth ? reference::Start::earth : reference::Start::tank,
+      .nodes_x = potential.nodes_x,
+      .nodes_z = potential.nodes_z};
+}
+
+// The sensor's middle: over its few millimetres the pressure is linear.
+reference::Observation::Place place_of(const PressureGaugeDefinition& gauge,
+                                       const CaseDefinition& definition) {
+  const double half = definition.tank.length / 2, depth = definition.liquid.fill_depth;
+  switch (gauge.wall) {
+    case Wall::left:
+      return {-half, gauge.position - depth};
+    case Wall::right:
+      return {half, gauge.position - depth};
+    case Wall::bottom:
+      break;
+  }
+  return {gauge.position - half, -depth};
+}
+
+reference::Observation observation_of(const CaseDefinition& definition) {
+  reference::Observation observation{.times = sample_times(definition)};
+  for (const GaugeDefinition& gauge : definition.gauges)
+    observation.gauges.push_back(gauge.x - definition.tank.length / 2);
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    observation.pressure_places.push_back(place_of(gauge, definition));
+  return observation;
+}
+
+// The largest difference over the times that both have; NaN where there are none.
+double largest_difference(const std::vector<std::vector<double>>& one,
+                          const std::vector<std::vector<double>>& other) {
+  double largest = one.empty() || one.front().empty() || other.front().empty() ? std::nan("") : 0;
+  for (std::size_t k = 0; k < one.size(); ++k)
+    for (std::size_t i = 0; i < std::min(one[k].size(), other[k].size()); ++i)
+      largest = std::max(largest, std::abs(one[k][i] - other[k][i]));
+  return largest;
+}
+
+void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
+                RunResult& result) {
+  const auto add = [&](const std::string& name, const char* unit, std::vector<double> values) {
+    result.series.push_back({name, unit, record.times, std::move(values)});
+  };
+  for (std::size_t k = 0; k < definition.gauges.size(); ++k)
+    add("elevation@" + definition.gauges[k].name, "m", record.elevation[k]);
+  for (std::size_t k = 0; k < definition.pressure_gauges.size(); ++k)
+    add("wall_pressure@" + definition.pressure_gauges[k].name, "Pa", record.pressure[k]);
+  std::vector<double> force_x, force_z, moment;
+  for (const reference::WallLoad& load : record.load) {
+    force_x.push_back(load.force_x);
+    force_z.push_back(load.force_z);
+    moment.push_back(load.moment);
+  }
+  add("force_x", "N/m", std::move(force_x));
+  add("force_z", "N/m", std::move(force_z));
+  if (definition.motion.roll) add("moment", "N", std::move(moment));
+}
+
+}  // namespace
+
+void require_scene(const PotentialRun&, const CaseDefinition& definition,
+                   const RunDefinition& run) {
+  if (definition.liquid.column_width)
+    throw refused(run,
+                  "potential flow takes no liquid.column_width_m: a dam's surface is no "
+                  "function of x");
+  if (!definition.obstacles.empty())
+    throw refused(run, "potential flow takes no [[obstacle]]: its tank has four plane walls");
+}
+
+// Twice, with three quarters of the nodes too: what sets the two apart is the run's uncertainty.
+RunResult run_potential(const PotentialRun& potential, const RunRequest& request) {
+  require_scene(potential, request.definition, request.run);
+  const CaseDefinition& definition = request.definition;
+  const reference::Observation observation = observation_of(definition);
+  const NonlinearRecord record =
+      run_nonlinear_potential_flow(sloshing_of(potential, definition), observation);
+  const PotentialRun coarse{potential.nodes_x * 3 / 4, potential.nodes_z * 3 / 4};
+  const NonlinearRecord coarse_record =
+      run_nonlinear_potential_flow(sloshing_of(coarse, definition), observation);
+  request.progress(definition.duration, 0);
+  if (record.times.empty())
+    throw SolverError("potential flow leaves its range at once: " + record.left_range_because);
+
+  RunResult result;
+  add_series(record, definition, result);
+  const auto largest = [](const std::vector<double>& values) {
+    double most = 0;
+    for (const double value : values) most = std::max(most, std::abs(value));
+    return most;
+  };
+  result.diagnostics = {{"valid_until_s", std::min(record.valid_until, coarse_record.valid_until)},
+                        {"largest_volume_error_m", largest(record.volume_error)},
+                        {"largest_energy_error", largest(record.energy_error)},
+                        {"largest_unresolved_share", largest(record.unresolved)}};
+  if (!definition.gauges.empty())
+    result.diagnostics["uncertainty_m"] =
+        largest_difference(record.elevation, coarse_record.elevation);
+  if (!definition.pressure_gauges.empty())
+    result.diagnostics["uncertainty_Pa"] =
+        largest_difference(record.pressure, coarse_record.pressure);
+  const std::string& because = record.valid_until <= coarse_record.valid_until
+                                   ? record.left_range_because
+                                   : coarse_record.left_range_because;
+  if (!because.empty()) result.provenance["left_range_because"] = because;
+  result.active_terms = {"fully nonlinear potential flow"};
+  result.cost.elements = 1.0 * potential.nodes_x * potential.nodes_z;
+  return result;
+}
+
+}  // namespace slosh
