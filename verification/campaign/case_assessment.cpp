@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
 #include "reference/linear_surge.hpp"
 #include "verification/campaign/filtered_pressure.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/windowed_series.hpp"
@@ -24,21 +26,35 @@ const Solver* solver_as(const CaseDefinition& definition, const std::string& run
 
 bool stands(const CaseRuns& runs, const std::string& run) { return runs.results.contains(run); }
 
+bool is_theory(const RunDefinition& run) {
+  return std::holds_alternative<LinearRun>(run.solver) ||
+         std::holds_alternative<ViscousWaveRun>(run.solver);
+}
+
+// Of a theory; none of other runs.
+std::optional<double> valid_elevation_over_depth(const RunDefinition& run) {
+  if (const auto* linear = std::get_if<LinearRun>(&run.solver))
+    return linear->valid_elevation_over_depth;
+  if (const auto* viscous = std::get_if<ViscousWaveRun>(&run.solver))
+    return viscous->valid_elevation_over_depth;
+  return {};
+}
+
 // A reference may gate only where its own prediction stays within the range that the case declares
 // for it.
 void mark_references_out_of_range(const CaseDefinition& definition, CaseRuns& runs) {
   for (const auto& [name, result] : runs.results) {
-    const LinearRun* linear = solver_as<LinearRun>(definition, name);
-    if (!linear) continue;
+    const auto valid = valid_elevation_over_depth(run_named(definition, name));
+    if (!valid) continue;
     const auto recorded = result.diagnostics.find("highest_elevation_over_depth");
     const double ratio = recorded == result.diagnostics.end()
                              ? std::numeric_limits<double>::quiet_NaN()
                              : recorded->second;
-    if (!(ratio <= linear->valid_elevation_over_depth))
+    if (!(ratio <= *valid))
       runs.status[name] = {
           RunState::out_of_range,
           fmt::format("predicts an elevation of {:.3g} fill depths, valid to {:.3g}", ratio,
-                      linear->valid_elevation_over_depth)};
+                      *valid)};
   }
 }
 
@@ -70,16 +86,17 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   const bool two_layers = has_two_layer_theory(definition);
   std::vector<Pair> pairs;
   for (const RunDefinition& candidate : definition.runs) {
-    if (!stands(runs, candidate.name) || std::holds_alternative<LinearRun>(candidate.solver) ||
+    if (!stands(runs, candidate.name) || is_theory(candidate) ||
         std::holds_alternative<RecordRun>(candidate.solver))
       continue;
     const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
     for (const RunDefinition& reference : definition.runs) {
       if (!stands(runs, reference.name)) continue;
       const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
-      const bool is_theory = linear && linear->two_layer == (sees_gas && two_layers);
-      if (is_theory || std::holds_alternative<RecordRun>(reference.solver))
-        pairs.push_back({candidate.name, reference.name});
+      const bool of_its_kind = linear ? linear->two_layer == (sees_gas && two_layers)
+                                      : !std::holds_alternative<SphRun>(reference.solver) &&
+                                            !std::holds_alternative<InterFoamRun>(reference.solver);
+      if (of_its_kind) pairs.push_back({candidate.name, reference.name});
     }
     if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
   }
@@ -178,15 +195,16 @@ const RunDefinition& run_named(const CaseDefinition& definition, const std::stri
   return *found;
 }
 
-std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes) {
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
   const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
                              definition.gravity, definition.liquid.density};
   std::vector<ToneRequest> modes;
-  if (const double forcing = forcing_frequency(definition); forcing > 0)
-    modes.push_back({"forced", forcing, false});
-  for (int n = 1; n <= natural_modes; ++n)
+  const double forcing = forcing_frequency(definition);
+  if (forcing > 0) modes.push_back({"forced", forcing, false});
+  const std::vector<int> natural = natural_modes(definition, count);
+  for (std::size_t n = 0; n < natural.size(); ++n)
     modes.push_back(
-        {fmt::format("natural_{}", n), reference::natural_frequency(tank, 2 * n - 1), true});
+        {fmt::format("natural_{}", n + 1), reference::natural_frequency(tank, natural[n]), true});
   return modes;
 }
 

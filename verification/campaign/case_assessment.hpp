@@ -23,15 +23,16 @@ struct CaseAssessment {
   CaseDefinition definition;
   CaseRuns runs;
   // By candidate, reference and quantity: every solver against every reference of its kind of
-  // theory (SPH: one layer; interFoam: two layers where declared), against every published record
-  // over the record's part of the window, and SPH against the finest interFoam.
+  // theory (SPH: one layer; interFoam: two layers where declared; both: the viscous wave), against
+  // every published record over the record's part of the window, and SPH against the finest
+  // interFoam.
   std::vector<Comparison> comparisons;
   std::vector<std::string> not_comparable;  // "CANDIDATE against REFERENCE: why"
   std::vector<GateOutcome> gate;
 };
 
-// The forcing, where the motion has one, and the first natural modes that surge excites.
-std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes);
+// The forcing, where the motion has one, and the first `count` natural modes (natural_modes.hpp).
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 
 // Of these, the ones that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);

@@ -30,9 +30,12 @@ std::string kind_of(const InterFoamRun& mesh) {
 }
 
 std::string kind_of(const LinearRun& linear) {
-  return fmt::format("linear potential theory, {} modes{}", linear.modes,
+  return fmt::format("linear potential theory{}{}",
+                     linear.modes > 0 ? fmt::format(", {} modes", linear.modes) : "",
                      linear.two_layer ? ", with the gas" : "");
 }
+
+std::string kind_of(const ViscousWaveRun&) { return "linear theory of the viscous wave"; }
 
 std::string kind_of(const RecordRun& record) {
   return "published record " + record.file.filename().string();

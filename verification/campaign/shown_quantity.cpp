@@ -134,8 +134,10 @@ std::string measured_how(const ShownQuantity& shown, const CaseDefinition& defin
   add("SPH: ", shown.sph, any([](const auto& one) { return std::holds_alternative<SphRun>(one); }));
   add("interFoam: ", shown.interfoam,
       any([](const auto& one) { return std::holds_alternative<InterFoamRun>(one); }));
-  add("theory: ", shown.theory,
-      any([](const auto& one) { return std::holds_alternative<LinearRun>(one); }));
+  add("theory: ", shown.theory, any([](const auto& one) {
+        return std::holds_alternative<LinearRun>(one) ||
+               std::holds_alternative<ViscousWaveRun>(one);
+      }));
   std::string text = shown.what.empty() ? "" : shown.what + " ";
   if (!ways.empty()) text += fmt::format("{}. ", fmt::join(ways, "; "));
   return text + (shown.recorded.empty() ? "" : shown.recorded + " ");

@@ -50,7 +50,8 @@ ModeComparison compare_tones(const Tone& candidate, const Tone& reference) {
       .phase_lag_degrees = scaled(lag_angle, 180 / pi),
       .phase_lag_periods = scaled(lag_angle, 1 / (2 * pi)),
       .frequency_error = relative_error(candidate.angular_frequency, reference.angular_frequency),
-      .decay_rate = candidate.decay_rate};
+      .decay_rate = candidate.decay_rate,
+      .decay_error = relative_error(candidate.decay_rate, reference.decay_rate)};
 }
 
 void compare_whole_window(const CommonSamples& common, Comparison& result) {

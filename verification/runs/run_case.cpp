@@ -17,6 +17,7 @@ namespace {
 const char* solver_name(const SphRun&) { return "sph"; }
 const char* solver_name(const InterFoamRun&) { return "interfoam"; }
 const char* solver_name(const LinearRun&) { return "linear"; }
+const char* solver_name(const ViscousWaveRun&) { return "viscous_wave"; }
 const char* solver_name(const RecordRun&) { return "record"; }
 
 RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
@@ -25,6 +26,9 @@ RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
 }
 RunResult run_solver(const LinearRun& run, const RunRequest& request) {
   return run_linear(run, request);
+}
+RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
+  return run_viscous_wave(request);
 }
 RunResult run_solver(const RecordRun& run, const RunRequest& request) {
   return run_record(run, request);
