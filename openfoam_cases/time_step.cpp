@@ -1,5 +1,6 @@
 #include "openfoam_cases/time_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,23 @@ double max_time_step(const SloshingTank& tank) {
 double first_time_step(const SloshingTank& tank) {
   const bool set_off = tank.roll && tank.roll->initial_relative_rate != 0;
   return set_off ? max_time_step(tank) / 100 : max_time_step(tank);
+}
+
+// Without a momentum predictor, whose first-order error damps the waves (14 % more at a Reynolds
+// number of 50), a correction takes the viscous stress of a cell's neighbours from the one before:
+// what is left of the error shrinks by d / (1 + d), d = 2 nu dt (1/dx^2 + 1/dz^2). Left are at most
+// 0.2 %, which moves the frequency by 0.1 %: in the wave of Re = 50 at 50 x 75 cells (d = 0.96) two
+// corrections give -12.6 % in frequency and -23 % in damping, six -0.7 and -1.4 %, ten -0.03 and
+// +0.05 %. Of water two are enough.
+int pressure_corrections(const SloshingTank& tank) {
+  constexpr int fewest = 2;
+  constexpr double left = 0.002;
+  const double per_length = tank.cells_x / tank.length, per_height = tank.cells_z / tank.height;
+  const double diffusion = 2 * tank.liquid.kinematic_viscosity * max_time_step(tank) *
+                           (per_length * per_length + per_height * per_height);
+  if (!(diffusion > 0)) return fewest;
+  return std::max(
+      fewest, static_cast<int>(std::ceil(std::log(left) / std::log(diffusion / (1 + diffusion)))));
 }
 
 }  // namespace slosh::openfoam

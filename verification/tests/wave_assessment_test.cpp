@@ -90,7 +90,8 @@ TEST(WaveAssessment, RejectsTheViscosityOfAnotherReynoldsNumber) {
   const CaseAssessment assessment = assess_wave(wave_of(0.02));
   EXPECT_EQ(assessment.gate[0].verdict, Verdict::violated);
   EXPECT_EQ(assessment.gate[1].verdict, Verdict::violated);
-  EXPECT_NEAR(assessment.gate[0].value.value, 0.29665 / 0.07055 - 1, 0.01);
+  // The fit takes the growing vorticity layer in: one per cent of the decay at Re = 50.
+  EXPECT_NEAR(assessment.gate[0].value.value, 0.29665 / 0.07055 - 1, 0.05);
 }
 
 TEST(WaveAssessment, ComparesNothingWithNumbersThatAreNone) {
