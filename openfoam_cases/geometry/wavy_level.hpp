@@ -2,7 +2,8 @@
 //   height(x) = fill_depth + A cos(m pi x / length),
 // and what of a cell lies below it, as exact integrals: over x the level is a cosine between the
 // places where it crosses the cell's bottom and top, and the cell is full or empty beyond them.
-// (setAlphaField takes the level as straight between a cell's corners, which loses volume.)
+// (setAlphaField of OpenFOAM 1912 ignores a sine's phase and, its origin shifted instead, takes the
+// level as straight inside a cell: shares wrong by up to 3e-4 under 0.02 m at 50 x 75 cells.)
 #pragma once
 
 #include "openfoam_cases/sloshing_tank.hpp"
