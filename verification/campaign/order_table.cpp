@@ -43,8 +43,7 @@ Measures measures_of(const Comparison& comparison) {
     measures.frequency_error = mode.frequency_error;
     const Estimate& own = mode.decay_rate;
     const Estimate& exact = mode.reference.decay_rate;
-    measures.decay_excess = {own.value - exact.value,
-                             std::hypot(own.half_width, exact.half_width)};
+    measures.decay_excess = {own.value - exact.value, std::hypot(own.half_width, exact.half_width)};
   }
   return measures;
 }
