@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -81,6 +82,16 @@ void check_snapshots(const SloshingTank& tank) {
   }
 }
 
+// Its trough leaves the bottom covered, its crest the roof dry.
+void check_wave(const InitialWave& wave, const SloshingTank& tank) {
+  require(wave.mode >= 1, "initial_wave mode", wave.mode, "1, 2, ...");
+  const double most = std::min(tank.fill_depth, tank.height - tank.fill_depth);
+  require(std::abs(wave.amplitude) < most, "initial_wave amplitude", wave.amplitude,
+          fmt::format("a magnitude below {} m", most));
+  require(!tank.column_width && tank.obstacles.empty(), "initial_wave mode", wave.mode,
+          "no wave on a column of liquid or over obstacles");
+}
+
 void check_liquid(const SloshingTank& tank, const TankMesh& mesh) {
   if (tank.column_width) {
     require(*tank.column_width > 0 && *tank.column_width < tank.length, "column_width",
@@ -108,6 +119,7 @@ void check_tank(const SloshingTank& tank) {
   check_numbers(tank);
   const TankMesh mesh(tank);
   if (tank.roll) check_roll(*tank.roll);
+  if (tank.initial_wave) check_wave(*tank.initial_wave, tank);
   check_snapshots(tank);
   check_gauges(tank, mesh);
   check_pressure_gauges(tank, mesh);

@@ -1,7 +1,7 @@
 // interFoam (VOF) in a rectangular tank that surges, rolls or both: the case's input, its
 // directory, its run and its harvest. Solved in the tank's frame on a static mesh with a tabulated
-// acceleration, slip walls; x from the left wall, z up from the bottom. The liquid stands level or
-// as a dam about to break, and the tank may carry obstacles.
+// acceleration, slip walls; x from the left wall, z up from the bottom. The liquid stands level,
+// under a wave or as a dam about to break, and the tank may carry obstacles.
 #pragma once
 
 #include <filesystem>
@@ -40,6 +40,12 @@ struct PressureGauge {
   double width;     // [m] along the wall; 0: a point
 };
 
+// The level at the start, amplitude cos(mode pi x / length) above the fill depth.
+struct InitialWave {
+  int mode;          // half waves between the walls
+  double amplitude;  // [m]
+};
+
 // A rotation about an axis that the tank's surge carries along, counter-clockwise positive with x
 // to the right and z up; the tank stands upright at the angle 0.
 struct Roll {
@@ -54,7 +60,8 @@ struct SloshingTank {
   // The liquid stands from the left wall to here [m], and from wall to wall where this is empty.
   std::optional<double> column_width = {};
   std::vector<Obstacle> obstacles = {};
-  double gravity;  // [m/s2], downward
+  std::optional<InitialWave> initial_wave = {};  // with neither a column nor obstacles
+  double gravity;                                // [m/s2], downward
   Fluid liquid, gas;
   std::function<double(double)> velocity, acceleration;  // X'(t) [m/s], X''(t) [m/s2] of the surge,
                                                          // along the earth's horizontal

@@ -172,6 +172,7 @@ data template_values(const SloshingTank& tank) {
   set("sample_interval", tank.sample_interval);
   set("max_time_step", max_time_step(tank));
   set("first_time_step", first_time_step(tank));
+  set("pressure_corrections", pressure_corrections(tank));
   set("processes", tank.processes);
   set("reference_x", (reference.column + 0.5) * tank.length / tank.cells_x - mesh.origin_x());
   set("reference_z", (reference.row + 0.5) * tank.height / tank.cells_z - mesh.origin_z());

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sph/initial_surface.hpp"
 #include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph {
@@ -32,22 +33,23 @@ void lay_block(const Scene& scene, const DensityAt& density_at, double bottom, d
       lattice_count(length, spacing, scene.column_width ? "column's width" : "tank's length");
   const int rows = lattice_count(top - bottom, spacing, "liquid's depth");
   const double dx = length / columns, dz = (top - bottom) / rows;
+  const InitialSurface surface(scene);
   const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, 0);
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const double z = bottom + (row + 0.5) * dz;
+      const double stretch = surface.mean_height(column * dx, (column + 1) * dx) / scene.fill_depth;
+      const double z = stretch * (bottom + (row + 0.5) * dz);
       const double x = (column + 0.5) * dx;
       if (std::any_of(obstacles.begin(), obstacles.end(),
                       [=](const Rectangle& obstacle) { return holds(obstacle, x, z); }))
         continue;
-      const double density =
-          density_at(scene.rest_density * scene.gravity * (scene.fill_depth - z));
+      const double density = density_at(surface.pressure(x, z));
       p.x.push_back(x);
       p.z.push_back(z);
       p.velocity_x.push_back(0);
       p.velocity_z.push_back(0);
       p.density.push_back(density);
-      p.mass.push_back(density * dx * dz);
+      p.mass.push_back(density * dx * dz * stretch);
       p.spacing.push_back(dx);
     }
 }

@@ -20,6 +20,7 @@
 #include <stdexcept>
 
 #include "sph/initial_lattice.hpp"
+#include "sph/initial_surface.hpp"
 #include "sph/linear_solver.hpp"
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
@@ -73,11 +74,12 @@ class Projection {
  public:
   Projection(const Scene& scene, const Particles& start)
       : scene_(tank_.scene(scene)),
+        surface_(scene),
         weightless_(scene_, operators(scene, 0), start),
         heavy_(scene_, operators(scene, scene.gravity), start) {
     set_density(weightless_.particles, [&](std::size_t) { return scene.rest_density; });
     set_density(heavy_.particles, [&](std::size_t i) {
-      return heavy_.scheme().state.density(hydrostatic_pressure(heavy_.particles.z[i]));
+      return heavy_.scheme().state.density(hydrostatic_pressure(heavy_.particles, i));
     });
   }
 
@@ -99,7 +101,7 @@ class Projection {
     const Eigen::VectorXd pressure = pressure_against(
         heavy_.rates.acceleration_x, heavy_.rates.acceleration_z, wall_acceleration);
     set_density(result, [&](std::size_t i) {
-      return density_at(hydrostatic_pressure(result.z[i]) +
+      return density_at(hydrostatic_pressure(result, i) +
                         unit_pressure() * pressure[static_cast<long>(i)]);
     });
     return result;
@@ -128,8 +130,9 @@ class Projection {
     }
   }
 
-  double hydrostatic_pressure(double z) const {
-    return scene_.rest_density * scene_.gravity * (scene_.fill_depth - z);
+  double hydrostatic_pressure(const Particles& p, std::size_t i) const {
+    const Vector2 place = weightless_.tank_at(0).in_tank(p.x[i], p.z[i]);
+    return surface_.pressure(place.x, place.z);
   }
 
   double unit_pressure() const {
@@ -181,6 +184,7 @@ class Projection {
 
   HeldTank tank_;
   Scene scene_;
+  InitialSurface surface_;
   Liquid<Operators> weightless_, heavy_;
 };
 
@@ -235,10 +239,10 @@ void require_initial_state(const Scene& scene) {
         "motion.roll: expected none, the walls of this scheme cannot roll; see recommended, "
         "li2010, "
         "delta_sph, zhao2021_moving, zhao2021_fixed");
-  if (wanted == InitialState::settled && scene.column_width)
+  if (wanted == InitialState::settled && (scene.column_width || scene.initial_wave))
     throw std::invalid_argument(
-        "initial_state = settled: expected lattice | projected, a dam would break while it "
-        "settles");
+        "initial_state = settled: expected lattice | projected, a dam would break and a wave run "
+        "while it settles");
 }
 
 // In the scheme's frame, before any preparation.

@@ -120,6 +120,8 @@ std::map<std::string, double> numbers_in_common(const Setting& s, const Scene& s
       {"tank_length", scene.tank_length},
       {"tank_height", scene.tank_height},
       {"column_width", scene.column_width.value_or(scene.tank_length)},
+      {"wave_mode", scene.initial_wave ? scene.initial_wave->mode : 0},
+      {"wave_amplitude", scene.initial_wave ? scene.initial_wave->amplitude : 0},
       {"sample_interval", scene.sample_interval},
       {"axis_x", roll.axis_x},
       {"axis_z", roll.axis_z}};

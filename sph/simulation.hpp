@@ -54,6 +54,13 @@ struct Rectangle {
   double left, right, bottom, top;
 };
 
+// The surface at the start, amplitude cos(mode pi x / tank_length) above the still level, x from
+// the left wall; the liquid under it is at rest.
+struct InitialWave {
+  int mode;          // half waves between the walls
+  double amplitude;  // [m]
+};
+
 // What a run changes of its scheme's own numbers; empty: as the scheme has it.
 struct SchemeNumbers {
   std::optional<double> smoothing_length_ratio;  // h / particle spacing
@@ -85,8 +92,9 @@ struct Scene {
   // A dam about to break: the liquid stands from the left wall to here [m], and fills the tank's
   // length otherwise.
   std::optional<double> column_width = {};
-  std::vector<Rectangle> obstacles = {};  // carried by the tank
-  std::string variant = {};               // of the scheme: one thing changed; empty: none
+  std::vector<Rectangle> obstacles = {};         // carried by the tank
+  std::optional<InitialWave> initial_wave = {};  // with neither a dam nor obstacles
+  std::string variant = {};                      // of the scheme: one thing changed; empty: none
   SchemeNumbers numbers = {};
   std::optional<InitialState> initial_state = {};  // empty: the scheme's own
   // The start's lattice, every particle moved along x and z by up to this share of its spacing, at

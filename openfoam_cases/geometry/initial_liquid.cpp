@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "openfoam_cases/geometry/wavy_level.hpp"
+
 namespace slosh::openfoam {
 namespace {
 
@@ -14,9 +16,18 @@ double share_up(const SloshingTank& tank, int row) {
   return std::clamp(tank.fill_depth / tank.height * tank.cells_z - row, 0.0, 1.0);
 }
 
+double share_under_wave(const SloshingTank& tank, Cell cell) {
+  const double width = tank.length / tank.cells_x, height = tank.height / tank.cells_z;
+  return share_below_level(tank, {.left = cell.column * width,
+                                  .right = (cell.column + 1) * width,
+                                  .bottom = cell.row * height,
+                                  .top = (cell.row + 1) * height});
+}
+
 }  // namespace
 
 double liquid_share(const SloshingTank& tank, Cell cell) {
+  if (tank.initial_wave) return share_under_wave(tank, cell);
   return share_across(tank, cell.column) * share_up(tank, cell.row);
 }
 
@@ -33,6 +44,8 @@ double initial_volume(const SloshingTank& tank, const TankMesh& mesh) {
 }
 
 double initial_depth(const SloshingTank& tank, const TankMesh& mesh, int column) {
+  if (tank.initial_wave)
+    return mean_height(tank, column * mesh.cell_width(), (column + 1) * mesh.cell_width());
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {
     if (!mesh.is_free({column, row})) displaced += share_up(tank, row);

@@ -1,5 +1,5 @@
-// Where the liquid stands at the start: level from wall to wall, or as a column at the left wall.
-// Cells on its edges hold their exact share of it, so that its volume is exact.
+// Where the liquid stands at the start: level from wall to wall, under a wave, or as a column at
+// the left wall. Cells on its edges hold their exact share of it, so that its volume is exact.
 #pragma once
 
 #include "openfoam_cases/geometry/tank_mesh.hpp"

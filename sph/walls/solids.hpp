@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sph/initial_surface.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/pair_sums.hpp"
 #include "sph/setting.hpp"
@@ -145,7 +146,8 @@ class DynamicSolids {
   DynamicSolids(const Scene& scene, bool tank_walls, double depth)
       : places_(solid_places(scene, tank_walls, depth)),
         wetted_length_(scene.column_width ? *scene.column_width + depth
-                                          : scene.tank_length + depth) {
+                                          : scene.tank_length + depth),
+        surface_(scene) {
     for (SolidPlace& place : places_) {  // their own sums are taken where they stand
       place.node_x = place.x;
       place.node_z = place.z;
@@ -165,8 +167,8 @@ class DynamicSolids {
     const Setting& s = scheme.setting;
     for (std::size_t i = 0; i < n; ++i) {
       const bool wetted = places_[i].x < wetted_length_;
-      const double depth = wetted ? std::max(0.0, s.fill_depth - places_[i].z) : 0.0;
-      particles_.density[i] = scheme.state.density(s.rest_density * s.gravity * depth);
+      const double pressure = surface_.pressure(places_[i].x, places_[i].z);
+      particles_.density[i] = scheme.state.density(wetted ? std::max(0.0, pressure) : 0.0);
       particles_.spacing[i] = s.particle_spacing;
     }
   }
@@ -219,6 +221,7 @@ class DynamicSolids {
  private:
   std::vector<SolidPlace> places_;
   double wetted_length_;  // how far the liquid of the start reaches [m]
+  InitialSurface surface_;
   Particles particles_;
   Rates rates_;
 };

@@ -79,6 +79,10 @@ std::string liquid_text(const CaseDefinition& definition) {
   std::string text = fmt::format("liquid {} m deep", definition.liquid.fill_depth);
   if (definition.liquid.column_width)
     text += fmt::format(" and {} m wide, about to break", *definition.liquid.column_width);
+  if (const auto& wave = definition.initial_wave)
+    text +=
+        fmt::format(", let go from rest under a wave of {} half waves and {} m at the left wall",
+                    wave->mode, wave->amplitude);
   for (const ObstacleDefinition& one : definition.obstacles)
     text += fmt::format(", obstacle {} from {} to {} m along and {} to {} m up", one.name, one.left,
                         one.right, one.bottom, one.top);

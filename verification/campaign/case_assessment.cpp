@@ -21,6 +21,19 @@ const Solver* solver_as(const CaseDefinition& definition, const std::string& run
 
 bool stands(const CaseRuns& runs, const std::string& run) { return runs.results.contains(run); }
 
+bool is_theory(const RunDefinition& run) {
+  return std::holds_alternative<LinearRun>(run.solver) ||
+         std::holds_alternative<ViscousWaveRun>(run.solver) ||
+         std::holds_alternative<PotentialRun>(run.solver);
+}
+
+// Of potential flow that has ended early there is too little to compare.
+bool can_be_compared(const RunDefinition& reference, const CaseRuns& runs) {
+  return stands(runs, reference.name) &&
+         !(std::holds_alternative<PotentialRun>(reference.solver) &&
+           runs.status.at(reference.name).state == RunState::out_of_range);
+}
+
 // The finest interFoam that stands, which SPH is compared with; empty where there is none.
 std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& runs) {
   std::string finest;
@@ -49,19 +62,17 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   const bool two_layers = has_two_layer_theory(definition);
   std::vector<Pair> pairs;
   for (const RunDefinition& candidate : definition.runs) {
-    if (!stands(runs, candidate.name) || std::holds_alternative<LinearRun>(candidate.solver) ||
-        std::holds_alternative<PotentialRun>(candidate.solver) ||
+    if (!stands(runs, candidate.name) || is_theory(candidate) ||
         std::holds_alternative<RecordRun>(candidate.solver))
       continue;
     const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
     for (const RunDefinition& reference : definition.runs) {
-      if (!stands(runs, reference.name)) continue;
+      if (!can_be_compared(reference, runs)) continue;
       const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
-      const bool is_theory = linear && linear->two_layer == (sees_gas && two_layers);
-      const bool is_potential_flow = std::holds_alternative<PotentialRun>(reference.solver) &&
-                                     runs.status.at(reference.name).state != RunState::out_of_range;
-      if (is_theory || is_potential_flow || std::holds_alternative<RecordRun>(reference.solver))
-        pairs.push_back({candidate.name, reference.name});
+      const bool of_its_kind = linear ? linear->two_layer == (sees_gas && two_layers)
+                                      : !std::holds_alternative<SphRun>(reference.solver) &&
+                                            !std::holds_alternative<InterFoamRun>(reference.solver);
+      if (of_its_kind) pairs.push_back({candidate.name, reference.name});
     }
     if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
   }

@@ -7,6 +7,7 @@
 #include "reference/linear_surge.hpp"
 #include "verification/campaign/row_uncertainty.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/windowed_series.hpp"
@@ -55,15 +56,16 @@ Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs,
 
 }  // namespace
 
-std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes) {
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
   const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
                              definition.gravity, definition.liquid.density};
   std::vector<ToneRequest> modes;
   if (const double forcing = forcing_frequency(definition); forcing > 0)
     modes.push_back({"forced", forcing, false});
-  for (int n = 1; n <= natural_modes; ++n)
+  const std::vector<int> natural = natural_modes(definition, count);
+  for (std::size_t n = 0; n < natural.size(); ++n)
     modes.push_back(
-        {fmt::format("natural_{}", n), reference::natural_frequency(tank, 2 * n - 1), true});
+        {fmt::format("natural_{}", n + 1), reference::natural_frequency(tank, natural[n]), true});
   return modes;
 }
 

@@ -13,8 +13,8 @@
 
 namespace slosh {
 
-// The forcing, where the motion has one, and the first natural modes that surge excites.
-std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int natural_modes);
+// The forcing, where the motion has one, and the first `count` natural modes (natural_modes.hpp).
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 
 // Of these, the ones that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);

@@ -30,7 +30,8 @@ std::string kind_of(const InterFoamRun& mesh) {
 }
 
 std::string kind_of(const LinearRun& linear) {
-  return fmt::format("linear potential theory, {} modes{}", linear.modes,
+  return fmt::format("linear potential theory{}{}",
+                     linear.modes > 0 ? fmt::format(", {} modes", linear.modes) : "",
                      linear.two_layer ? ", with the gas" : "");
 }
 
@@ -38,6 +39,8 @@ std::string kind_of(const PotentialRun& potential) {
   return fmt::format("nonlinear potential flow, {} x {} nodes", potential.nodes_x,
                      potential.nodes_z);
 }
+
+std::string kind_of(const ViscousWaveRun&) { return "linear theory of the viscous wave"; }
 
 std::string kind_of(const RecordRun& record) {
   return "published record " + record.file.filename().string();

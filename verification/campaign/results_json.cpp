@@ -69,7 +69,8 @@ Json comparison_entry(const Comparison& pair) {
                      {"phase_lag_deg", estimate(mode.phase_lag_degrees)},
                      {"phase_lag_periods", estimate(mode.phase_lag_periods)},
                      {"frequency_error", estimate(mode.frequency_error)},
-                     {"decay_rate_1_s", estimate(mode.decay_rate)}});
+                     {"decay_rate_1_s", estimate(mode.decay_rate)},
+                     {"reference_decay_rate_1_s", estimate(mode.reference.decay_rate)}});
   return {{"candidate", pair.candidate},
           {"reference", pair.reference},
           {"quantity", pair.quantity},

@@ -135,7 +135,9 @@ std::string measured_how(const ShownQuantity& shown, const CaseDefinition& defin
   add("interFoam: ", shown.interfoam,
       any([](const auto& one) { return std::holds_alternative<InterFoamRun>(one); }));
   add("theory: ", shown.theory, any([](const auto& one) {
-        return std::holds_alternative<LinearRun>(one) || std::holds_alternative<PotentialRun>(one);
+        return std::holds_alternative<LinearRun>(one) ||
+               std::holds_alternative<PotentialRun>(one) ||
+               std::holds_alternative<ViscousWaveRun>(one);
       }));
   std::string text = shown.what.empty() ? "" : shown.what + " ";
   if (!ways.empty()) text += fmt::format("{}. ", fmt::join(ways, "; "));

@@ -58,17 +58,29 @@ std::optional<std::string> too_near_resonance(const CaseDefinition& definition) 
   return {};
 }
 
-std::optional<std::string> outside(const LinearRun& linear, const CaseDefinition& definition,
-                                   const RunResult& result) {
+// Of a theory of small waves.
+std::optional<std::string> too_high(double valid_elevation_over_depth,
+                                    const CaseDefinition& definition, const RunResult& result) {
   const double over_depth = recorded(result, "highest_elevation_over_depth");
-  if (!(over_depth <= linear.valid_elevation_over_depth))
+  if (!(over_depth <= valid_elevation_over_depth))
     return fmt::format("predicts an elevation of {:.3g} fill depths, valid to {:.3g}", over_depth,
-                       linear.valid_elevation_over_depth);
+                       valid_elevation_over_depth);
   const double steepness = pi / definition.tank.length * over_depth * definition.liquid.fill_depth;
   if (!(steepness <= steepest_linear_wave))
     return fmt::format("predicts a steepness k A of {:.3g}, valid to {:.3g}", steepness,
                        steepest_linear_wave);
+  return {};
+}
+
+std::optional<std::string> outside(const LinearRun& linear, const CaseDefinition& definition,
+                                   const RunResult& result) {
+  if (auto reason = too_high(linear.valid_elevation_over_depth, definition, result)) return reason;
   return too_near_resonance(definition);
+}
+
+std::optional<std::string> outside(const ViscousWaveRun& viscous, const CaseDefinition& definition,
+                                   const RunResult& result) {
+  return too_high(viscous.valid_elevation_over_depth, definition, result);
 }
 
 std::optional<std::string> outside(const PotentialRun&, const CaseDefinition& definition,

@@ -38,6 +38,13 @@ struct ObstacleDefinition {
   double left, right, bottom, top;
 };
 
+// The surface at the start, A cos(m pi x / L) above the still level, x from the left wall, m half
+// waves between the walls; the liquid under it is let go from rest.
+struct InitialWaveDefinition {
+  int mode;          // m
+  double amplitude;  // A [m], above zero with the crest at the left wall
+};
+
 // What fills the tank above the liquid; seen by interFoam and by the two-layer linear theory.
 struct GasDefinition {
   double density;              // [kg/m3]
@@ -137,10 +144,10 @@ struct InterFoamRun {
   int processes = 1;  // above 1: decomposePar and mpirun
 };
 
-// Linear potential flow (reference/linear_surge.hpp). It may gate while the highest elevation that
-// it predicts stays below valid_elevation_over_depth times the fill depth.
+// Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the
+// highest elevation that it predicts stays below valid_elevation_over_depth times the fill depth.
 struct LinearRun {
-  int modes;
+  int modes;               // that the tank's motion excites; 0 of a tank that stands
   bool two_layer = false;  // count the gas in the dispersion relation
   double valid_elevation_over_depth;
 };
@@ -149,6 +156,12 @@ struct LinearRun {
 // not left its own range before the comparison's window ends.
 struct PotentialRun {
   int nodes_x = 64, nodes_z = 24;
+};
+
+// The free wave of a viscous liquid (reference/viscous_standing_wave.hpp); it may gate as linear
+// theory.
+struct ViscousWaveRun {
+  double valid_elevation_over_depth;
 };
 
 // A published record of one quantity, from a CSV file; it may gate. What the project ships is
@@ -178,7 +191,7 @@ struct RefinementDefinition {
 
 struct RunDefinition {
   std::string name;
-  std::variant<SphRun, InterFoamRun, LinearRun, PotentialRun, RecordRun> solver;
+  std::variant<SphRun, InterFoamRun, LinearRun, ViscousWaveRun, PotentialRun, RecordRun> solver;
   bool quick = false;  // part of the campaign's --quick form
   SourceLocation where;
 };
@@ -188,6 +201,7 @@ enum class Metric {
   phase_lag,          // deg
   frequency_error,    // 1
   decay_rate,         // 1/s, of the candidate
+  decay_error,        // 1, of the candidate's decay rate
   normalised_rms,     // 1, whole window
   maximum_residual,   // the quantity's unit, whole window
   time_lag,           // s, whole window; of a quantity without modes, as the next
@@ -206,7 +220,7 @@ struct GateRow {
   std::string candidate, reference;  // run names; no reference where the metric needs none
   // One of compared_quantities(); of the candidate alone any series of its result.
   std::string quantity;
-  // "forced", "natural_1", "natural_2", ... (of those that surge excites, lowest first),
+  // "forced", "natural_1", "natural_2", ... (of natural_modes.hpp, lowest first),
   // "impact_1", "impact_2", ... (the published ones), "whole"
   std::string mode;
   Metric metric;
@@ -242,6 +256,7 @@ struct CaseDefinition {
   LiquidDefinition liquid;
   GasDefinition gas;
   std::vector<ObstacleDefinition> obstacles;
+  std::optional<InitialWaveDefinition> initial_wave = {};
   MotionDefinition motion;
   Start start;
   double duration;         // [s]
@@ -251,8 +266,8 @@ struct CaseDefinition {
   std::vector<GaugeDefinition> gauges;
   std::vector<PressureGaugeDefinition> pressure_gauges;
   std::optional<ImpactsDefinition> impacts = {};
-  // The comparison: the window and how many natural modes (of those that surge excites, lowest
-  // first) are fitted beside the forced one.
+  // The comparison: the window and how many natural modes (natural_modes.hpp) are fitted beside the
+  // forced one.
   double window_begin, window_end;  // [s]
   // [rad/s], of a tank that nearly follows a sine, but after a table
   std::optional<double> declared_forcing_frequency;

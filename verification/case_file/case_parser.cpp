@@ -76,6 +76,16 @@ bool follows_a_table(const MotionDefinition& motion) {
          (motion.roll && std::holds_alternative<TableMotion>(motion.roll->angle));
 }
 
+Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
+  if (definition.liquid.column_width)
+    return {"0 of a dam about to break, which linear theory does not know",
+            [](int modes) { return modes == 0; }};
+  if (definition.motion.still() && definition.initial_wave)
+    return {"0 or 1: a tank that stands has the mode of its initial wave alone",
+            [](int modes) { return modes == 0 || modes == 1; }};
+  return at_least(0);
+}
+
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
   comparison.allow_only(
       {"window_begin_s", "window_end_s", "natural_modes", "forcing_angular_frequency_rad_s"});
@@ -85,12 +95,7 @@ void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
       {fmt::format("a number above window_begin_s ({}) and <= the duration ({}), in s",
                    definition.window_begin, definition.duration),
        [&](double end) { return end > definition.window_begin && end <= definition.duration; }});
-  definition.natural_modes =
-      definition.liquid.column_width
-          ? comparison.get<int>("natural_modes",
-                                {"0 of a dam about to break, which linear theory does not know",
-                                 [](int modes) { return modes == 0; }})
-          : comparison.get("natural_modes", at_least(0));
+  definition.natural_modes = comparison.get("natural_modes", natural_modes_to_fit(definition));
   definition.declared_forcing_frequency =
       comparison.find("forcing_angular_frequency_rad_s", positive("rad/s"));
   if (definition.declared_forcing_frequency && !follows_a_table(definition.motion))
@@ -115,9 +120,10 @@ std::vector<Definition> read_named(const TomlTable& root, const char* key, Read 
 
 void read_head(const TomlTable& root, CaseDefinition& definition) {
   root.get("schema_version", exactly(schema_version));
-  root.allow_only({"schema_version", "name", "title", "source", "tags", "gravity_m_s2", "tank",
-                   "liquid", "gas", "obstacle", "motion", "time", "gauge", "pressure_gauge",
-                   "impacts", "comparison", "run", "refinement", "gate"});
+  root.allow_only({"schema_version", "name",       "title",  "source",     "tags",
+                   "gravity_m_s2",   "tank",       "liquid", "gas",        "obstacle",
+                   "initial_wave",   "motion",     "time",   "gauge",      "pressure_gauge",
+                   "impacts",        "comparison", "run",    "refinement", "gate"});
   definition.name = root.get("name", file_safe_name());
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
@@ -157,6 +163,8 @@ CaseDefinition read_case(const std::filesystem::path& file,
       root, "obstacle",
       [&](const TomlTable& obstacle) { return read_obstacle(obstacle, definition); });
   refuse_overlaps(root.tables("obstacle"), definition.obstacles);
+  if (root.has("initial_wave"))
+    definition.initial_wave = read_initial_wave(root.table("initial_wave"), definition);
   read_comparison(root.table("comparison"), definition);
   definition.runs = read_named<RunDefinition>(
       root, "run", [&](const TomlTable& run) { return read_run(run, definition, experiments); });

@@ -9,6 +9,10 @@
 //                 about to break: the liquid stands from the left wall to there)
 //   [gas]         density_kg_m3, kinematic_viscosity_m2_s
 //   [[obstacle]]? name, left_m, right_m (from the left wall), bottom_m, top_m (from the bottom)
+//   [initial_wave]? mode (half waves between the walls), amplitude_m (of A cos(mode pi x / L) above
+//                 the still level, x from the left wall; a crest there where above zero): the
+//                 liquid is let go from rest under it; neither with column_width_m nor with an
+//                 [[obstacle]]
 //   [motion]      still = true, or at least one of the two tables
 //   [motion.surge]? type = "sine": amplitude_m, angular_frequency_rad_s, ramp_periods?
 //                 type = "table": file (CSV: time_s,displacement_m; relative to the case file)
@@ -29,7 +33,8 @@
 //                 repeats, one for each time), plateau_begin_s, plateau_end_s, plateau_Pa, source,
 //                 peak_table? (the repeats' peaks, of up to four impacts: path of a file of
 //                 peak_table.hpp's form below the directory that a user names)
-//   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m),
+//   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m;
+//                 of a still tank's initial wave at most 1),
 //                 forcing_angular_frequency_rad_s? (of a table that nearly is a sine)
 //   [[run]]       name, quick?, and
 //                 solver = "sph": scheme, particle_spacing_m, surface_particle_spacing_m?,
@@ -40,7 +45,9 @@
 //                 then start_seed? (an integer >= 0: of runs that repeat one another);
 //                 energy_budget? (records where the liquid's energy goes)
 //                 solver = "interfoam": cells_x, cells_z, processes?
-//                 solver = "linear": modes, two_layer?, valid_elevation_over_depth
+//                 solver = "linear": modes (not of a still tank's initial wave), two_layer?,
+//                 valid_elevation_over_depth
+//                 solver = "viscous_wave": valid_elevation_over_depth
 //                 solver = "record": a published series, with uncertainty? (half width of its 95 %
 //                 interval, in the record's unit), either shipped: file (CSV: time_s and a compared
 //                 quantity with its unit, as in front_position_m; relative to the case file), or

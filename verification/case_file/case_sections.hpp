@@ -30,6 +30,9 @@ ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition
 void refuse_overlaps(const std::vector<TomlTable>& tables,
                      const std::vector<ObstacleDefinition>& obstacles);
 
+// [initial_wave], of a case whose tank, liquid and obstacles have been read.
+InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition);
+
 // [[run]], of a case whose liquid, motion and gauges have been read; the files of records are
 // relative to the case file, those of experiments to that directory, which may be empty.
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,

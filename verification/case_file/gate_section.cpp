@@ -31,11 +31,12 @@ struct MetricEntry {
   MeasuredOn measured_on;
 };
 
-constexpr std::array<MetricEntry, 12> metrics{{
+constexpr std::array<MetricEntry, 13> metrics{{
     {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
     {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
     {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
     {"decay_rate", Metric::decay_rate, "1/s", MeasuredOn::natural_mode},
+    {"decay_error", Metric::decay_error, "1", MeasuredOn::natural_mode},
     {"normalised_rms", Metric::normalised_rms, "1", MeasuredOn::whole_window},
     {"maximum_residual", Metric::maximum_residual, "", MeasuredOn::whole_window},
     {"time_lag", Metric::time_lag, "s", MeasuredOn::run_away},

@@ -30,6 +30,7 @@ const std::vector<std::string> keys_of_sph{"scheme",
 const std::vector<std::string> keys_of_interfoam{"cells_x", "cells_z", "processes"};
 const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
 const std::vector<std::string> keys_of_potential{"nodes_x", "nodes_z"};
+const std::vector<std::string> keys_of_viscous_wave{"valid_elevation_over_depth"};
 const std::vector<std::string> keys_of_any_record{"uncertainty"};
 const std::vector<std::string> keys_of_shipped_record{"file"};
 const std::vector<std::string> keys_of_experiment{"experiment", "time_column", "value_column",
@@ -97,12 +98,23 @@ InterFoamRun read_interfoam(const TomlTable& run) {
   return {.cells_x = cells_x, .cells_z = cells_z, .processes = processes.value_or(1)};
 }
 
-LinearRun read_linear(const TomlTable& run) {
+double read_valid_elevation(const TomlTable& run) {
+  return run.get("valid_elevation_over_depth", positive("fill depths"));
+}
+
+LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
   run.allow_only(together({keys_of_all, keys_of_linear}));
-  return {
-      .modes = run.get("modes", at_least(1)),
-      .two_layer = run.flag("two_layer"),
-      .valid_elevation_over_depth = run.get("valid_elevation_over_depth", positive("fill depths"))};
+  const bool wave_alone = definition.motion.still() && definition.initial_wave;
+  if (wave_alone && run.has("modes"))
+    run.refuse("modes", "no such key of a tank that stands: its initial wave is one mode");
+  return {.modes = wave_alone ? 0 : run.get("modes", at_least(1)),
+          .two_layer = run.flag("two_layer"),
+          .valid_elevation_over_depth = read_valid_elevation(run)};
+}
+
+ViscousWaveRun read_viscous_wave(const TomlTable& run) {
+  run.allow_only(together({keys_of_all, keys_of_viscous_wave}));
+  return {.valid_elevation_over_depth = read_valid_elevation(run)};
 }
 
 PotentialRun read_potential(const TomlTable& run) {
@@ -193,11 +205,12 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                      .solver = {},
                      .quick = run.flag("quick"),
                      .where = run.where()};
-  const std::string solver =
-      run.choice("solver", "a solver", {"sph", "interfoam", "linear", "potential", "record"});
+  const std::string solver = run.choice(
+      "solver", "a solver", {"sph", "interfoam", "linear", "viscous_wave", "potential", "record"});
   if (solver == "sph") read.solver = read_sph(run, definition.liquid);
   if (solver == "interfoam") read.solver = read_interfoam(run);
-  if (solver == "linear") read.solver = read_linear(run);
+  if (solver == "linear") read.solver = read_linear(run, definition);
+  if (solver == "viscous_wave") read.solver = read_viscous_wave(run);
   if (solver == "potential") read.solver = read_potential(run);
   if (solver == "record")
     read.solver = run.has("experiment") ? read_experiment(run, definition, experiments)

@@ -42,6 +42,14 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
   return *found;
 }
 
+// Of a reference that does not decay, as potential flow, there is nothing to take a share of.
+Estimate decay_error_of(const ModeComparison& mode) {
+  if (!(mode.reference.decay_rate.value > mode.reference.decay_rate.half_width))
+    throw ComparisonError("the reference's mode " + mode.mode +
+                          " does not decay; expected a viscous one, or the metric decay_rate");
+  return mode.decay_error;
+}
+
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
   switch (metric) {
     case Metric::amplitude_error:
@@ -52,6 +60,8 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       return mode_of(comparison, mode).frequency_error;
     case Metric::decay_rate:
       return mode_of(comparison, mode).decay_rate;
+    case Metric::decay_error:
+      return decay_error_of(mode_of(comparison, mode));
     case Metric::normalised_rms:
       // Of the declared window, whose samples are all there: its interval tells of other windows.
       return {comparison.normalised_rms.value, 0};
@@ -307,6 +317,8 @@ std::string metric_name(Metric metric) {
       return "frequency_error";
     case Metric::decay_rate:
       return "decay_rate";
+    case Metric::decay_error:
+      return "decay_error";
     case Metric::normalised_rms:
       return "normalised_rms";
     case Metric::maximum_residual:
@@ -331,6 +343,7 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
   switch (metric) {
     case Metric::amplitude_error:
     case Metric::frequency_error:
+    case Metric::decay_error:
     case Metric::normalised_rms:
     case Metric::aligned_rms:
     case Metric::plateau_error:

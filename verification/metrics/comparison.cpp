@@ -58,6 +58,10 @@ ModeComparison compare_tones(const Tone& candidate, const Tone& reference,
                      reference.angular_frequency)},
              1 / reference.angular_frequency.value);
   mode.decay_rate = candidate.decay_rate;
+  mode.decay_error =
+      scaled({candidate.decay_rate.value - reference.decay_rate.value,
+              either(mode, difference.decay_rate, candidate.decay_rate, reference.decay_rate)},
+             1 / reference.decay_rate.value);
   return mode;
 }
 

@@ -30,6 +30,7 @@ struct ModeComparison {
   Estimate frequency_error;  // omega_c / omega_r - 1 (zero for the forced mode, whose frequency is
                              // given)
   Estimate decay_rate;       // of the candidate [1/s]
+  Estimate decay_error;      // g_c / g_r - 1; means something where the reference decays
 };
 
 struct Comparison {

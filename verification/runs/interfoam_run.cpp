@@ -36,6 +36,8 @@ openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& de
       .cells_x = run.cells_x,
       .cells_z = run.cells_z,
       .processes = run.processes};
+  if (const auto& wave = definition.initial_wave)
+    tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
   if (const std::optional<RollMotion> roll = roll_motion(definition))
     tank.roll = openfoam::Roll{
         roll->angle,  roll->rate,   roll->acceleration,

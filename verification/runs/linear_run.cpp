@@ -6,7 +6,9 @@
 
 #include "reference/linear_roll.hpp"
 #include "reference/linear_surge.hpp"
+#include "reference/standing_wave.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/runs/reference_tank.hpp"
 #include "verification/runs/solver_runs.hpp"
 
 namespace slosh {
@@ -20,14 +22,6 @@ constexpr int motion_samples_per_sample = 4;
 // [s]
 constexpr double shortest_motion_step = 2.5e-3;
 
-// 0, interval, ..., up to and including the duration (but for a rounding error).
-std::vector<double> sample_times(const CaseDefinition& definition) {
-  const double intervals = definition.duration / definition.sample_interval;
-  std::vector<double> times(static_cast<std::size_t>(intervals * (1 + 1e-12)) + 1);
-  for (std::size_t i = 0; i < times.size(); ++i) times[i] = i * definition.sample_interval;
-  return times;
-}
-
 // The surge where it has a closed form: a sine without a ramp.
 const SineMotion* sine_surge(const CaseDefinition& definition) {
   if (!definition.motion.surge) return nullptr;
@@ -35,9 +29,10 @@ const SineMotion* sine_surge(const CaseDefinition& definition) {
   return sine && sine->ramp_periods == 0 ? sine : nullptr;
 }
 
-reference::Tank tank_of(const CaseDefinition& definition) {
-  return {definition.tank.length, definition.liquid.fill_depth, definition.gravity,
-          definition.liquid.density};
+std::optional<reference::Gas> gas_of(const LinearRun& linear, const CaseDefinition& definition) {
+  if (!linear.two_layer) return {};
+  return reference::Gas{definition.gas.density,
+                        definition.tank.height - definition.liquid.fill_depth};
 }
 
 // The answer to `motion`, with the gas where the run counts it.
@@ -45,10 +40,9 @@ template <class Solution, class Motion>
 Solution solution(const LinearRun& linear, const CaseDefinition& definition, const Motion& motion) {
   const auto start =
       definition.start == Start::earth ? reference::Start::earth : reference::Start::tank;
-  if (!linear.two_layer) return {tank_of(definition), start, motion, linear.modes};
-  const reference::Gas gas{definition.gas.density,
-                           definition.tank.height - definition.liquid.fill_depth};
-  return {tank_of(definition), gas, start, motion, linear.modes};
+  const auto gas = gas_of(linear, definition);
+  if (!gas) return {tank_of(definition), start, motion, linear.modes};
+  return {tank_of(definition), *gas, start, motion, linear.modes};
 }
 
 double motion_step(const CaseDefinition& definition) {
@@ -80,15 +74,24 @@ std::optional<reference::LinearRoll> roll_of(const LinearRun& linear,
                             motion_step(definition)});
 }
 
-// Surge and roll together: to the first order the sum of what each does, on still water counted
-// once.
+std::optional<reference::StandingWave> wave_of(const LinearRun& linear,
+                                               const CaseDefinition& definition) {
+  if (!definition.initial_wave) return {};
+  return reference::StandingWave(
+      tank_of(definition), gas_of(linear, definition),
+      {definition.initial_wave->mode, definition.initial_wave->amplitude});
+}
+
+// Surge, roll and the initial wave together: to the first order the sum of what each does, on still
+// water counted once.
 class LinearTank {
  public:
   LinearTank(const LinearRun& linear, const CaseDefinition& definition)
       : definition_(definition),
         times_(sample_times(definition)),
         surge_(surge_of(linear, definition)),
-        roll_(roll_of(linear, definition)) {}
+        roll_(roll_of(linear, definition)),
+        wave_(wave_of(linear, definition)) {}
 
   const std::vector<double>& times() const { return times_; }
 
@@ -97,6 +100,7 @@ class LinearTank {
     std::vector<double> sum(times_.size(), 0.0);
     if (surge_) add(sum, surge_->elevation(x, times_));
     if (roll_) add(sum, roll_->elevation(x, times_));
+    if (wave_) add(sum, series([&](double t) { return wave_->elevation(x, t); }));
     return sum;
   }
 
@@ -113,11 +117,12 @@ class LinearTank {
 
   std::vector<double> force_x() const {
     return series([&](double t) {
-      return (surge_ ? surge_->horizontal_force(t) : 0) + (roll_ ? roll_->force(t).x : 0);
+      return (surge_ ? surge_->horizontal_force(t) : 0) + (roll_ ? roll_->force(t).x : 0) +
+             (wave_ ? wave_->horizontal_force(t) : 0);
     });
   }
   // Where nothing but roll excites the liquid.
-  bool has_moment() const { return roll_ && !surge_; }
+  bool has_moment() const { return roll_ && !surge_ && !wave_; }
   std::vector<double> moment() const {
     return series([&](double t) { return roll_->moment(t); });
   }
@@ -145,9 +150,10 @@ class LinearTank {
     std::vector<double> sum(times_.size(), 0.0);
     if (roll_) add(sum, roll_->pressure(x, z, times_));
     if (surge_) add(sum, series([&](double t) { return surge_->pressure(x, z, t); }));
+    if (wave_) add(sum, series([&](double t) { return wave_->pressure(x, z, t); }));
     const double still = -definition_.liquid.density * definition_.gravity * z;
-    if (roll_ && surge_)
-      for (double& value : sum) value -= still;
+    const int counted = surge_.has_value() + roll_.has_value() + wave_.has_value();
+    for (double& value : sum) value -= (counted - 1) * still;
     return sum;
   }
 
@@ -155,6 +161,7 @@ class LinearTank {
   std::vector<double> times_;
   std::optional<reference::LinearSurge> surge_;
   std::optional<reference::LinearRoll> roll_;
+  std::optional<reference::StandingWave> wave_;
 };
 
 bool under_still_water(const PressureGaugeDefinition& gauge, const CaseDefinition& definition) {
@@ -179,10 +186,10 @@ void require_scene(const LinearRun&, const CaseDefinition& definition, const Run
     throw refused(run,
                   "linear theory takes no [[obstacle]]: its modes are those of a tank "
                   "without one");
-  if (definition.motion.still())
+  if (definition.motion.still() && !definition.initial_wave)
     throw refused(run,
                   "linear theory of motion.still = true is a level surface, against "
-                  "which nothing can be compared; expected a tank that moves");
+                  "which nothing can be compared; expected a tank that moves or an [initial_wave]");
 }
 
 RunResult run_linear(const LinearRun& linear, const RunRequest& request) {
@@ -204,16 +211,20 @@ RunResult run_linear(const LinearRun& linear, const RunRequest& request) {
   if (tank.has_moment()) add("moment", "N", tank.moment());
   request.progress(definition.duration, 0);
 
-  // Every antisymmetric mode is highest at the walls, and what one wall has the other has with the
-  // other sign.
-  const double highest = largest_magnitude(tank.elevation(centre));
+  // Every mode is highest at the walls.
+  const double highest = std::max(largest_magnitude(tank.elevation(-centre)),
+                                  largest_magnitude(tank.elevation(centre)));
   result.diagnostics = {{"modes", linear.modes},
                         {"highest_elevation_m", highest},
                         {"highest_elevation_over_depth", highest / definition.liquid.fill_depth}};
-  result.active_terms = {
-      "linear potential flow", fmt::format("{} antisymmetric modes", linear.modes),
-      sine_surge(definition) && !definition.motion.roll ? "closed form of a sine surge"
-                                                        : "Duhamel's integral of the motion"};
+  result.active_terms = {"linear potential flow"};
+  if (!definition.motion.still()) {
+    result.active_terms.push_back(fmt::format("{} antisymmetric modes", linear.modes));
+    result.active_terms.push_back(sine_surge(definition) && !definition.motion.roll
+                                      ? "closed form of a sine surge"
+                                      : "Duhamel's integral of the motion");
+  }
+  if (definition.initial_wave) result.active_terms.push_back("closed form of the standing wave");
   if (linear.two_layer) result.active_terms.push_back("gas in the dispersion relation");
   return result;
 }

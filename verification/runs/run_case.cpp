@@ -18,6 +18,7 @@ const char* solver_name(const SphRun&) { return "sph"; }
 const char* solver_name(const InterFoamRun&) { return "interfoam"; }
 const char* solver_name(const LinearRun&) { return "linear"; }
 const char* solver_name(const PotentialRun&) { return "potential"; }
+const char* solver_name(const ViscousWaveRun&) { return "viscous_wave"; }
 const char* solver_name(const RecordRun&) { return "record"; }
 
 RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
@@ -29,6 +30,9 @@ RunResult run_solver(const LinearRun& run, const RunRequest& request) {
 }
 RunResult run_solver(const PotentialRun& run, const RunRequest& request) {
   return run_potential(run, request);
+}
+RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
+  return run_viscous_wave(request);
 }
 RunResult run_solver(const RecordRun& run, const RunRequest& request) {
   return run_record(run, request);

@@ -37,6 +37,8 @@ json description(const InterFoamRun& run) {
 json description(const PotentialRun& run) { return {{"potential", {run.nodes_x, run.nodes_z}}}; }
 json description(const LinearRun& run) { return {{"linear", {run.modes, run.two_layer}}}; }
 
+json description(const ViscousWaveRun&) { return "viscous_wave"; }
+
 json description(const RecordRun& run) {
   return {
       {"record", {run.quantity, run.unit, run.time, run.value, number_or_null(run.uncertainty)}}};
@@ -75,11 +77,15 @@ json physics(const CaseDefinition& definition) {
   for (const ObstacleDefinition& one : definition.obstacles)
     obstacles.push_back({one.left, one.right, one.bottom, one.top});
   const LiquidDefinition& liquid = definition.liquid;
+  json wave = nullptr;
+  if (definition.initial_wave)
+    wave = {definition.initial_wave->mode, definition.initial_wave->amplitude};
   return {{"gravity", definition.gravity},
           {"tank", {definition.tank.length, definition.tank.height}},
           {"liquid", {liquid.fill_depth, liquid.density, liquid.kinematic_viscosity}},
           {"column_width", number_or_null(liquid.column_width)},
           {"obstacles", obstacles},
+          {"initial_wave", wave},
           {"gas", {definition.gas.density, definition.gas.kinematic_viscosity}},
           {"motion", description(definition.motion)},
           {"start", definition.start == Start::earth ? "earth" : "tank"},

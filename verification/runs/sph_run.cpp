@@ -32,7 +32,8 @@ sph::Wall wall_of(Wall wall) {
 
 sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
   const SurgeMotion motion = surge_motion(definition);
-  const bool still_water = definition.motion.still() && !definition.liquid.column_width;
+  const bool still_water =
+      definition.motion.still() && !definition.liquid.column_width && !definition.initial_wave;
   sph::Scene scene{.tank_length = definition.tank.length,
                    .tank_height = definition.tank.height,
                    .fill_depth = definition.liquid.fill_depth,
@@ -62,6 +63,8 @@ sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
                    .record_still_water = still_water,
                    .record_energy_budget = sph.energy_budget,
                    .record_snapshot = {}};
+  if (const auto& wave = definition.initial_wave)
+    scene.initial_wave = sph::InitialWave{wave->mode, wave->amplitude};
   for (const GaugeDefinition& gauge : definition.gauges)
     scene.gauges.push_back({gauge.name, gauge.x});
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)

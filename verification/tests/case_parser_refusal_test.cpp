@@ -268,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownSolver",
                 {"\"interfoam\"", "\"interFoam\""},
                 "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
-                "interfoam, linear, record; nearest: interfoam"},
+                "interfoam, linear, viscous_wave, record; nearest: interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
                 "trial.toml:38: run.modes = 0: expected an integer >= 1"},
@@ -366,7 +366,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownMetric",
                 {"amplitude_error", "amplitude_eror"},
                 "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
-                "amplitude_error, phase_lag, frequency_error, decay_rate, normalised_rms, "
+                "amplitude_error, phase_lag, frequency_error, decay_rate, decay_error, "
+                "normalised_rms, "
                 "maximum_residual, time_lag, aligned_rms, largest_magnitude, impact_time, "
                 "plateau_error, impact_percentile; nearest: "
                 "amplitude_error"},

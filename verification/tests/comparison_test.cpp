@@ -86,6 +86,17 @@ TEST(Comparison, TellsAFrequencyErrorAndADecayOfTheNaturalModeFromTheForcedOne) 
   EXPECT_NEAR(result.modes[1].amplitude_error.value, 0, 1e-8);
 }
 
+TEST(Comparison, GivesTheDecayAsAShareOfTheReferences) {
+  const auto decaying = [](double rate) {
+    return sampled([rate](double t) { return 0.01 * std::exp(-rate * t) * std::cos(natural * t); },
+                   0, 20);
+  };
+  const auto result =
+      compare(decaying(0.06), decaying(0.05), window, {{"natural_1", natural, true}});
+  EXPECT_NEAR(result.modes[0].decay_error.value, 0.2, 1e-7);
+  EXPECT_NEAR(result.modes[0].frequency_error.value, 0, 1e-8);
+}
+
 TEST(Comparison, KeepsDriftAndOffsetOutOfTheModesButInTheResidual) {
   const auto drifting = sampled([](double t) { return wave(t) + 0.001 + 1e-4 * t; }, 0, 20);
   const auto result = compare(drifting, reference, window, modes);

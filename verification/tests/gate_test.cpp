@@ -58,6 +58,8 @@ Comparison comparison_of(double amplitude_error) {
   natural.mode = "natural_1";
   natural.frequency_error = {-0.002, 0.0001};
   natural.decay_rate = {0.02, 0.001};
+  natural.reference.decay_rate = {0.016, 0.001};
+  natural.decay_error = {0.25, 0.08};
   comparison.modes.push_back(natural);
   for (ModeComparison& mode : comparison.modes)
     mode.candidate.resolved = mode.reference.resolved = true;
@@ -137,6 +139,7 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
   EXPECT_EQ(value(Metric::phase_lag, "forced", "deg"), 1.5);
   EXPECT_EQ(value(Metric::frequency_error, "natural_1", "1"), -0.002);
   EXPECT_EQ(value(Metric::decay_rate, "natural_1", "1/s"), 0.02);
+  EXPECT_EQ(value(Metric::decay_error, "natural_1", "1"), 0.25);
   EXPECT_EQ(value(Metric::normalised_rms, "whole", "1"), 0.1);
   EXPECT_EQ(value(Metric::maximum_residual, "whole", "m"), 0.0004);
   EXPECT_EQ(value(Metric::time_lag, "whole", "s"), -0.003);
@@ -152,6 +155,19 @@ TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
             "the candidate's mode forced cannot be told from the rest");
   EXPECT_EQ(judge(amplitude_row, lost_reference).verdict, Verdict::not_compared);
   EXPECT_EQ(judge(row_of(Metric::normalised_rms, "whole", "1", 0.2), lost).verdict, Verdict::pass);
+}
+
+TEST(Gate, TakesNoDecayErrorAgainstAReferenceWhoseDecayIsWithinItsInterval) {
+  const GateRow row = row_of(Metric::decay_error, "natural_1", "1", 0.3);
+  Comparison comparison = comparison_of(0);
+  EXPECT_EQ(judge(row, comparison).message, "25 % +- 8 % <= 30 %");
+  for (const Estimate decay : {Estimate{1e-4, 1e-3}, Estimate{-0.01, 1e-3}, Estimate{nan, 1e-3}}) {
+    comparison.modes[1].reference.decay_rate = decay;
+    EXPECT_EQ(judge(row, comparison).verdict, Verdict::not_compared) << decay.value;
+  }
+  comparison = comparison_of(0);
+  comparison.modes[1].decay_error.value = nan;
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::violated);
 }
 
 TEST(Gate, HoldsAValueBetweenItsBounds) {
@@ -459,6 +475,7 @@ TEST(GateMetrics, HaveNamesAndUnits) {
   EXPECT_EQ(metric_unit(Metric::time_lag, "m"), "s");
   EXPECT_EQ(metric_unit(Metric::aligned_rms, "m"), "1");
   EXPECT_EQ(metric_unit(Metric::decay_rate, "m"), "1/s");
+  EXPECT_EQ(metric_unit(Metric::decay_error, "m"), "1");
 }
 
 }  // namespace

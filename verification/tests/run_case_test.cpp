@@ -85,6 +85,70 @@ TEST(LinearRunOfACase, TellsItsHighestElevationForTheRangeOfValidity) {
   EXPECT_DOUBLE_EQ(result.diagnostics.at("highest_elevation_over_depth"), highest / 0.35);
 }
 
+TEST(LinearRunOfACase, SwingsAnInitialWaveInATankThatStands) {
+  CaseDefinition waved = sample_case();
+  waved.motion = {};
+  waved.initial_wave = InitialWaveDefinition{2, -0.01};
+  const RunResult result = execute(waved, sample_run(LinearRun{0, false, 0.1}), {}, no_progress);
+  const double k = 2 * M_PI, omega = std::sqrt(9.81 * k * std::tanh(k * 0.35));
+  EXPECT_NEAR(at_time(result.at("elevation@left"), 0), -0.01 * std::cos(0.05 * k), 1e-12);
+  EXPECT_NEAR(at_time(result.at("elevation@right"), 1),
+              -0.01 * std::cos(0.05 * k) * std::cos(omega), 1e-12);
+  EXPECT_NEAR(result.diagnostics.at("highest_elevation_m"), 0.01, 1e-9);
+  EXPECT_EQ(result.active_terms, (std::vector<std::string>{"linear potential flow",
+                                                           "closed form of the standing wave"}));
+}
+
+TEST(LinearRunOfACase, AddsAnInitialWaveToTheTanksMotionOnStillWaterCountedOnce) {
+  CaseDefinition both = sample_case();
+  both.pressure_gauges = {{.name = "low", .wall = Wall::left, .position = 0.1}};
+  CaseDefinition surge = both, wave = both;
+  both.initial_wave = wave.initial_wave = InitialWaveDefinition{1, 0.01};
+  wave.motion = {};
+  const RunResult sum = execute(both, linear, {}, no_progress),
+                  one = execute(surge, linear, {}, no_progress),
+                  two = execute(wave, linear, {}, no_progress);
+  for (const char* name : {"elevation@left", "force_x", "wall_pressure@low"}) {
+    const double still = std::string(name) == "wall_pressure@low" ? 1000 * 9.81 * 0.25 : 0;
+    for (const std::size_t i : {1u, 40u, 77u})
+      EXPECT_NEAR(sum.at(name).value[i], one.at(name).value[i] + two.at(name).value[i] - still,
+                  1e-8)
+          << name;
+  }
+}
+
+class ViscousWaveOfACase : public ::testing::Test {
+ protected:
+  ViscousWaveOfACase() {
+    definition.motion = {};
+    definition.liquid.kinematic_viscosity = 1e-3;
+    definition.initial_wave = InitialWaveDefinition{1, 0.01};
+  }
+  CaseDefinition definition = sample_case();
+  RunDefinition run = sample_run(ViscousWaveRun{0.1});
+};
+
+TEST_F(ViscousWaveOfACase, DecaysAtTheGauges) {
+  const RunResult result = execute(definition, run, {}, no_progress);
+  EXPECT_EQ(result.solver, "viscous_wave");
+  EXPECT_NEAR(at_time(result.at("elevation@left"), 0), 0.01 * std::cos(0.05 * M_PI), 1e-12);
+  EXPECT_NEAR(result.diagnostics.at("damping_1_s"), 2e-3 * M_PI * M_PI, 2e-3);
+  EXPECT_DOUBLE_EQ(result.diagnostics.at("highest_elevation_over_depth"), 0.01 / 0.35);
+  EXPECT_EQ(result.series.size(), 2u);
+}
+
+TEST_F(ViscousWaveOfACase, RefusesATankThatMovesOneWithoutAWaveAndAnInviscidLiquid) {
+  CaseDefinition moving = definition, level = definition, inviscid = definition;
+  moving.motion = sample_case().motion;
+  level.initial_wave.reset();
+  inviscid.liquid.kinematic_viscosity = 0;
+  for (const CaseDefinition& wrong : {moving, level, inviscid}) {
+    EXPECT_THROW(require_runnable(wrong, run), CaseFileError);
+    EXPECT_THROW(execute(wrong, run, {}, no_progress), CaseFileError);
+  }
+  EXPECT_NO_THROW(require_runnable(definition, run));
+}
+
 TEST(RunOfACase, SamplesFromZeroToTheDurationInclusive) {
   CaseDefinition definition = sample_case();
   definition.duration = 0.7;

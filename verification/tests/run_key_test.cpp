@@ -47,6 +47,15 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       [](auto& c) {
         c.obstacles.push_back({"baffle", 0.4, 0.5, 0, 0.2});
       },
+      [](auto& c) {
+        c.initial_wave = {1, 0.01};
+      },
+      [](auto& c) {
+        c.initial_wave = {2, 0.01};
+      },
+      [](auto& c) {
+        c.initial_wave = {1, -0.01};
+      },
       [](auto& c) { c.motion = {}; },
       [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
       [](auto& c) { c.gas.density = 1.3; },
@@ -134,6 +143,7 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
                                         sample_run(LinearRun{500, false, 0.1}),
                                         sample_run(LinearRun{500, true, 0.1}),
                                         sample_run(LinearRun{600, false, 0.1}),
+                                        sample_run(ViscousWaveRun{0.1}),
                                         sample_run(record),
                                         sample_run(later),
                                         sample_run(surer)};

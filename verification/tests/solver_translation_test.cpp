@@ -124,6 +124,34 @@ TEST(SolverTranslation, InterFoamFollowsLinearRollTheory) {
   expect_linear_roll(InterFoamRun{40, 80, 1});
 }
 
+// Let go from rest: the elevations, the force on the walls and the pressure in a corner.
+void expect_linear_wave(const decltype(RunDefinition::solver)& solver, double gas_density) {
+  CaseDefinition definition = sample_case();
+  definition.motion = {};
+  definition.initial_wave = InitialWaveDefinition{1, 0.01};
+  definition.start = Start::tank;
+  definition.gas.density = gas_density;
+  const RunResult exact =
+      run(definition, LinearRun{.modes = 0, .two_layer = true, .valid_elevation_over_depth = 0.1});
+  const RunResult result = run(definition, solver);
+  EXPECT_NEAR(result.at("elevation@left").value.front(), exact.at("elevation@left").value.front(),
+              1e-4);
+  for (const char* name : {"elevation@left", "elevation@right", "force_x"}) {
+    const std::size_t lacking = std::string(name) == "force_x" ? 1 : 0;
+    const double difference = normalised_difference(result.at(name), exact.at(name), lacking);
+    EXPECT_TRUE(difference <= allowed) << name << ": " << difference;
+  }
+}
+
+TEST(SolverTranslation, SphSwingsAnInitialWave) {
+  expect_linear_wave(SphRun{"recommended", 0.025, 0.025}, 0);
+}
+
+TEST(SolverTranslation, InterFoamSwingsAnInitialWave) {
+  if (openfoam::installed_version().empty()) GTEST_SKIP() << "interFoam is not installed";
+  expect_linear_wave(InterFoamRun{40, 80, 1}, 1.2);
+}
+
 TEST(SolverTranslation, LinearTheoryAddsSurgeAndRollOnStillWaterCountedOnce) {
   CaseDefinition both = sample_case();
   both.motion.roll =

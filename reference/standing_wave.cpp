@@ -1,0 +1,56 @@
+#include "reference/standing_wave.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "reference/require.hpp"
+#include "reference/tank_mode.hpp"
+#include "reference/within.hpp"
+
+namespace slosh::reference {
+namespace {
+
+constexpr auto where = "StandingWave";
+
+}  // namespace
+
+double mode_shape(const Tank& tank, int mode, double x) {
+  require_within(tank, where, x);
+  return std::cos(mode * std::numbers::pi * (x / tank.length + 0.5));
+}
+
+StandingWave::StandingWave(const Tank& tank, const std::optional<Gas>& gas, const InitialWave& wave)
+    : tank_(tank),
+      wave_(wave),
+      wave_number_(wave.mode * std::numbers::pi / tank.length),
+      angular_frequency_(gas ? natural_frequency(tank, *gas, wave.mode)
+                             : natural_frequency(tank, wave.mode)) {
+  require(std::isfinite(wave.amplitude), where, "amplitude", wave.amplitude, "a finite length, m");
+}
+
+double StandingWave::acceleration(double t) const {
+  const double time = time_within(where, t, std::numeric_limits<double>::max());
+  return wave_.amplitude * angular_frequency_ * angular_frequency_ *
+         std::cos(angular_frequency_ * time);
+}
+
+double StandingWave::elevation(double x, double t) const {
+  return mode_shape(tank_, wave_.mode, x) * acceleration(t) /
+         (angular_frequency_ * angular_frequency_);
+}
+
+double StandingWave::pressure(double x, double z, double t) const {
+  require_within(tank_, where, x, z);
+  const double profile = depth_profile(wave_number_, z, tank_.fill_depth).cosh /
+                         (wave_number_ * std::tanh(wave_number_ * tank_.fill_depth));
+  return tank_.density *
+         (acceleration(t) * mode_shape(tank_, wave_.mode, x) * profile - tank_.gravity * z);
+}
+
+double StandingWave::horizontal_force(double t) const {
+  const double between_walls = wave_.mode % 2 == 0 ? 0 : -2;
+  return tank_.density * acceleration(t) * between_walls / (wave_number_ * wave_number_);
+}
+
+}  // namespace slosh::reference

@@ -1,0 +1,76 @@
+#include "reference/standing_wave.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "reference/tests/li_tank.hpp"
+#include "reference/tests/quadrature.hpp"
+
+namespace slosh::reference {
+namespace {
+
+TEST(StandingWave, StartsAsACosineFromTheLeftWall) {
+  for (const int mode : {1, 2, 5}) {
+    const StandingWave wave(li_tank, std::nullopt, {mode, 0.01});
+    const double k = mode * std::numbers::pi / li_tank.length;
+    for (const double from_wall : {0.0, 0.13, 0.5, 1.0})
+      EXPECT_NEAR(wave.elevation(from_wall - 0.5, 0), 0.01 * std::cos(k * from_wall), 1e-16);
+  }
+}
+
+TEST(StandingWave, SwingsWithTheNaturalFrequencyOfItsModeAndWithTheGasOnTop) {
+  const Gas air{.density = 1.2, .height = 0.65};
+  for (const int mode : {1, 2}) {
+    EXPECT_EQ(StandingWave(li_tank, std::nullopt, {mode, 0.01}).angular_frequency(),
+              natural_frequency(li_tank, mode));
+    EXPECT_EQ(StandingWave(li_tank, air, {mode, 0.01}).angular_frequency(),
+              natural_frequency(li_tank, air, mode));
+  }
+  const StandingWave wave(li_tank, std::nullopt, {1, 0.01});
+  const double period = 2 * std::numbers::pi / wave.angular_frequency();
+  EXPECT_NEAR(wave.elevation(-0.5, period / 2), -0.01, 1e-15);
+  EXPECT_NEAR(wave.elevation(-0.5, 7 * period), 0.01, 1e-14);
+}
+
+TEST(StandingWave, HasTheSurfacesPressureUnderItsOwnWeight) {
+  const StandingWave wave(li_tank, std::nullopt, {2, 0.01});
+  // To the first order p = rho g eta on the still surface, and still water far below a short wave.
+  for (const double x : {-0.5, -0.2, 0.4})
+    for (const double t : {0.0, 0.3})
+      EXPECT_NEAR(wave.pressure(x, 0, t), 1000 * 9.81 * wave.elevation(x, t), 1e-10);
+  const StandingWave ripple(li_tank, std::nullopt, {60, 0.01});
+  EXPECT_NEAR(ripple.pressure(-0.5, -0.35, 0), 1000 * 9.81 * 0.35, 1e-9);
+}
+
+TEST(StandingWave, PushesTheTankByItsPressureOnTheWalls) {
+  for (const int mode : {1, 2, 3}) {
+    const StandingWave wave(li_tank, std::nullopt, {mode, 0.01});
+    for (const double t : {0.0, 0.4, 1.7}) {
+      const double force = integral(-0.35, 0, 200, [&](double z) {
+        return wave.pressure(0.5, z, t) - wave.pressure(-0.5, z, t);
+      });
+      EXPECT_NEAR(wave.horizontal_force(t), force, 1e-6) << mode << " " << t;
+    }
+  }
+}
+
+TEST(StandingWave, RefusesWhatIsImpossible) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(StandingWave(li_tank, std::nullopt, {0, 0.01}), std::invalid_argument);
+  EXPECT_THROW(StandingWave(li_tank, std::nullopt, {1, nan}), std::invalid_argument);
+  EXPECT_THROW(StandingWave({1, -0.35, 9.81, 1000}, std::nullopt, {1, 0.01}),
+               std::invalid_argument);
+  const StandingWave wave(li_tank, std::nullopt, {1, 0.01});
+  EXPECT_THROW(wave.elevation(0.6, 0), std::invalid_argument);
+  EXPECT_THROW(wave.elevation(0, -1), std::invalid_argument);
+  EXPECT_THROW(wave.pressure(0, 0.1, 0), std::invalid_argument);
+  EXPECT_THROW(wave.pressure(0, -0.36, 0), std::invalid_argument);
+  EXPECT_THROW(wave.horizontal_force(nan), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace slosh::reference

@@ -1,0 +1,125 @@
+#include "sph/initial_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "sph/initial_lattice.hpp"
+#include "sph/initial_state.hpp"
+#include "sph/schemes.hpp"
+#include "sph/tests/surging_scene.hpp"
+
+namespace slosh::sph {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Scene waved_scene(int mode, double amplitude, double spacing = 0.025, double duration = 0) {
+  Scene scene = still_scene(spacing, duration);
+  scene.initial_wave = InitialWave{mode, amplitude};
+  return scene;
+}
+
+const Scheme<Recommended>& scheme() {
+  static const Scheme<Recommended> scheme(still_scene(0.025, 0));
+  return scheme;
+}
+double density_at(double pressure) { return scheme().state.density(pressure); }
+
+TEST(InitialSurface, IsACosineFromTheLeftWallAndLevelWithoutAWave) {
+  const InitialSurface wave(waved_scene(3, 0.02)), level(still_scene(0.025, 0));
+  for (const double x : {0.0, 0.2, 0.5, 1.0}) {
+    EXPECT_NEAR(wave.height(x), 0.35 + 0.02 * std::cos(3 * pi * x), 1e-15);
+    EXPECT_EQ(level.height(x), 0.35);
+    EXPECT_NEAR(wave.pressure(x, 0.1), 1000 * 9.81 * (wave.height(x) - 0.1), 1e-10);
+  }
+  EXPECT_EQ(level.mean_height(0.1, 0.3), 0.35);
+  const double integral = 0.02 * (std::sin(3 * pi * 0.3) - std::sin(3 * pi * 0.1)) / (3 * pi);
+  EXPECT_NEAR(wave.mean_height(0.1, 0.3), 0.35 + integral / 0.2, 1e-15);
+}
+
+TEST(InitialSurface, RefusesAWaveThatTheTankCannotHold) {
+  for (const double amplitude : {0.35, -0.4, 0.7, std::nan("")})
+    EXPECT_THROW(InitialSurface{waved_scene(1, amplitude)}, std::invalid_argument) << amplitude;
+  for (const int mode : {0, -1})
+    EXPECT_THROW(InitialSurface{waved_scene(mode, 0.02)}, std::invalid_argument);
+  Scene dam = waved_scene(1, 0.02), baffled = dam;
+  dam.column_width = 0.5;
+  baffled.obstacles = {{0.4, 0.6, 0, 0.1}};
+  EXPECT_THROW(InitialSurface{dam}, std::invalid_argument);
+  EXPECT_THROW(InitialSurface{baffled}, std::invalid_argument);
+}
+
+TEST(InitialLattice, FillsEveryColumnUpToTheWaveExactly) {
+  for (const int mode : {1, 2, 5})
+    for (const double spacing : {0.05, 0.025, 0.01}) {
+      const Scene scene = waved_scene(mode, 0.02, spacing);
+      const Particles p = initial_lattice(scene, density_at);
+      double volume = 0, first_column = 0;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        volume += p.mass[i] / p.density[i];
+        if (p.x[i] < spacing) first_column += p.mass[i] / p.density[i];
+      }
+      EXPECT_NEAR(volume, 0.35, 1e-13) << mode << " " << spacing;
+      EXPECT_NEAR(first_column / spacing, InitialSurface(scene).mean_height(0, spacing), 1e-13);
+    }
+}
+
+TEST(InitialLattice, CarriesTheHydrostaticPressureUnderTheWave) {
+  const Scene scene = waved_scene(1, 0.02);
+  const Particles p = initial_lattice(scene, density_at);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    EXPECT_NEAR(scheme().state.pressure(p.density[i]),
+                1000 * 9.81 * (0.35 + 0.02 * std::cos(pi * p.x[i]) - p.z[i]), 1e-7);
+  EXPECT_LT(flattest_cell(scene), 1 - 0.9 * 0.02 / 0.35);
+}
+
+// Linear theory's pressure at the moment of release, cosh(k z) / cosh(k h) of the surface's. Still
+// water's own error, 0.4 % of rho g h, is 7 % of this wave.
+TEST(Projected, FindsTheDepthProfileOfAWavesPressure) {
+  const Scene scene = waved_scene(2, 0.02, 0.0125, 1);
+  const Scheme<Recommended> own(scene);
+  const auto density = [&](double pressure) { return own.state.density(pressure); };
+  const Particles lattice = initial_lattice(scene, density);
+  const Particles state = Projection<Recommended>(scene, lattice).state(0, 0, density);
+  const double k = 2 * pi, weight = 1000 * 9.81;
+  double error2 = 0, hydrostatic_error2 = 0, wave2 = 0;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    EXPECT_NEAR(std::hypot(state.velocity_x[i], state.velocity_z[i]), 0, 1e-12);
+    if (state.z[i] > 0.25) continue;
+    const double hydrostatic = weight * 0.02 * std::cos(k * state.x[i]);
+    const double wave = hydrostatic * std::cosh(k * state.z[i]) / std::cosh(k * 0.35);
+    const double above_still = own.state.pressure(state.density[i]) - weight * (0.35 - state.z[i]);
+    error2 += std::pow(above_still - wave, 2);
+    hydrostatic_error2 += std::pow(hydrostatic - wave, 2);
+    wave2 += wave * wave;
+  }
+  EXPECT_LE(std::sqrt(error2 / wave2), 0.2);
+  EXPECT_GE(std::sqrt(hydrostatic_error2 / wave2), 1);
+}
+
+TEST(Settled, IsRefusedForAWaveThatWouldRunMeanwhile) {
+  Scene scene = waved_scene(1, 0.02, 0.025, 0.1);
+  scene.initial_state = InitialState::settled;
+  EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
+}
+
+// A quarter of a period after its release the wave passes the still level.
+TEST(InitialWave, SwingsWithItsNaturalFrequencyUnderEveryKindOfWalls) {
+  const double omega = std::sqrt(9.81 * pi * std::tanh(pi * 0.35)), quarter = pi / 2 / omega;
+  for (const char* variant : {"", "ghost_walls", "dynamic_walls"}) {
+    Scene scene = waved_scene(1, 0.01, 0.025, 1.1 * quarter);
+    scene.variant = variant;
+    scene.sample_interval = 1.1 * quarter / 44;
+    const History left = run("recommended", scene, {}).elevation.at("left");
+    EXPECT_NEAR(left.value.front(), 0.01 * std::cos(0.05 * pi), 2e-5) << variant;
+    EXPECT_GT(left.value[36], 0) << variant;  // 0.9 of the quarter
+    EXPECT_LT(left.value[44], 0) << variant;  // 1.1 of it
+  }
+}
+
+}  // namespace
+}  // namespace slosh::sph
