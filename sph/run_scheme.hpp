@@ -110,6 +110,9 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
   }
   output.exchanged_at_walls = liquid.exchanged_at_walls();
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
+  output.diagnostics["smoothing_length_ratio"] = scheme.setting.smoothing_length_ratio;
+  if constexpr (Choice::TimeStep::adapts)
+    output.diagnostics["courant_number"] = scheme.setting.courant_number;
   output.diagnostics["smallest_time_step_s"] = smallest_step;
   output.diagnostics["wall_crossings"] = static_cast<double>(output.exchanged_at_walls);
   return std::move(output);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 #include "reference/nonlinear_potential_flow.hpp"
 #include "verification/case_file/motion.hpp"
@@ -36,6 +38,17 @@ reference::TankMotion motion_of(const CaseDefinition& definition) {
   return motion;
 }
 
+// From the tank's centre; empty for a level surface.
+std::function<double(double)> initial_elevation(const CaseDefinition& definition) {
+  if (!definition.initial_wave) return {};
+  const double wave_number =
+      definition.initial_wave->mode * std::numbers::pi / definition.tank.length;
+  return [wave_number, amplitude = definition.initial_wave->amplitude,
+          half = definition.tank.length / 2](double x) {
+    return amplitude * std::cos(wave_number * (x + half));
+  };
+}
+
 NonlinearSloshing sloshing_of(const PotentialRun& potential, const CaseDefinition& definition) {
   const double depth = definition.liquid.fill_depth;
   return {
@@ -43,6 +56,7 @@ NonlinearSloshing sloshing_of(const PotentialRun& potential, const CaseDefinitio
       .roof = definition.tank.height - depth,
       .motion = motion_of(definition),
       .start = definition.start == Start::earth ? reference::Start::earth : reference::Start::tank,
+      .initial_elevation = initial_elevation(definition),
       .nodes_x = potential.nodes_x,
       .nodes_z = potential.nodes_z};
 }

@@ -128,7 +128,7 @@ TEST(ProblemAssessment, IsASectionOfTheReportWithItsErrorsAndLimits) {
   const reports::Report report =
       campaign_report(campaign, false, "./slosh", {}, {assess(operators, whole_run())});
   EXPECT_NO_THROW(reports::check_report(report));
-  EXPECT_TRUE(report.passed);
+  EXPECT_EQ(report.outcome, reports::Outcome::pass);
   ASSERT_EQ(report.sections.size(), 2u);
   EXPECT_EQ(report.sections[0].tables[0].rows.size(), 4u);
   const reports::Section& section = report.sections[1];
