@@ -15,14 +15,6 @@ double reference_amplitude(const Comparison& comparison, const std::string& mode
   return found == comparison.modes.end() ? 0 : found->reference.amplitude.value;
 }
 
-// rms of the reference about its mean.
-double variation(const Comparison& comparison) {
-  double squares = 0;
-  for (const double value : comparison.residual.value) squares += value * value;
-  return std::sqrt(squares / static_cast<double>(comparison.residual.value.size())) /
-         comparison.normalised_rms.value;
-}
-
 }  // namespace
 
 double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
@@ -32,11 +24,6 @@ double uncertainty_from_values(Metric metric, const std::string& mode, const Com
       return half_width / reference_amplitude(comparison, mode);
     case Metric::phase_lag:
       return 180 / std::numbers::pi * half_width / reference_amplitude(comparison, mode);
-    case Metric::normalised_rms:
-    case Metric::aligned_rms:
-      return half_width / variation(comparison);
-    case Metric::maximum_residual:
-      return half_width;
     default:
       return 0;
   }

@@ -18,8 +18,9 @@
 namespace slosh {
 
 // The half width of a metric's interval that values uncertain by `half_width` [the series' unit]
-// give it, where they are all too high, or all scaled, together: relative to the reference's
-// amplitude or variation. Zero of metrics that do not depend on the values' size.
+// give it, where all are too high or scaled together, relative to the reference's amplitude. Zero
+// of metrics that do not depend on the values' size, and of residuals: what scatters the reference
+// only raises them.
 double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
                                double half_width);
 

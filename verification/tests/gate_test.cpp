@@ -158,9 +158,9 @@ TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
 }
 
 TEST(Gate, TakesNoDecayErrorAgainstAReferenceWhoseDecayIsWithinItsInterval) {
-  const GateRow row = row_of(Metric::decay_error, "natural_1", "1", 0.3);
+  const GateRow row = row_of(Metric::decay_error, "natural_1", "1", 0.4);
   Comparison comparison = comparison_of(0);
-  EXPECT_EQ(judge(row, comparison).message, "25 % +- 8 % <= 30 %");
+  EXPECT_EQ(judge(row, comparison).message, "25 % +- 8 % <= 40 %");
   for (const Estimate decay : {Estimate{1e-4, 1e-3}, Estimate{-0.01, 1e-3}, Estimate{nan, 1e-3}}) {
     comparison.modes[1].reference.decay_rate = decay;
     EXPECT_EQ(judge(row, comparison).verdict, Verdict::not_compared) << decay.value;
