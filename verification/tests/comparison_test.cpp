@@ -106,6 +106,45 @@ TEST(Comparison, KeepsDriftAndOffsetOutOfTheModesButInTheResidual) {
   EXPECT_NEAR(result.maximum_residual, 0.003, 1e-12);
 }
 
+// What no fitted mode takes of either series.
+double higher_mode(double t) { return 0.002 * std::sin(9.1 * t + 0.3); }
+
+TEST(Comparison, IsNotMadeUncertainByWhatBothSeriesShowAlike) {
+  const auto both = sampled([](double t) { return wave(t) + higher_mode(t); }, 0, 20);
+  const auto high = sampled([](double t) { return 1.05 * (wave(t) + higher_mode(t)); }, 0, 20);
+  const auto result = compare(high, both, window, modes);
+  for (const auto& mode : result.modes) {
+    EXPECT_GT(mode.candidate.amplitude.half_width, 1e-5);
+    EXPECT_LT(mode.amplitude_error.half_width, 1e-9);
+    EXPECT_LT(mode.phase_lag_degrees.half_width, 1e-6);
+    EXPECT_LT(mode.frequency_error.half_width, 1e-9);
+  }
+}
+
+TEST(Comparison, IsMadeUncertainByWhatOneSeriesAloneShows) {
+  const auto alone = sampled([](double t) { return wave(t) + higher_mode(t); }, 0, 20);
+  const auto result = compare(alone, reference, window, modes);
+  for (const auto& mode : result.modes) {
+    EXPECT_GT(mode.amplitude_error.half_width, 0.01);
+    EXPECT_LE(std::abs(mode.amplitude_error.value), 1.5 * mode.amplitude_error.half_width);
+  }
+}
+
+TEST(Comparison, DifferencesHoldTheTruthAsOftenAsTheySay) {
+  int held = 0;
+  constexpr int trials = 200;
+  for (int seed = 1; seed <= trials; ++seed) {
+    const auto one = with_noise(sampled([](double t) { return 0.9 * wave(t); }, 0, 20), 3e-4, 0.9,
+                                static_cast<std::uint64_t>(seed));
+    const auto other = with_noise(reference, 3e-4, 0.9, static_cast<std::uint64_t>(seed + trials));
+    const auto result = compare(one, other, window, modes);
+    const Estimate& error = result.modes[1].amplitude_error;
+    held += std::abs(error.value + 0.1) <= error.half_width;
+  }
+  EXPECT_GE(held, 0.90 * trials);  // 95 % but for four standard deviations of the count
+  EXPECT_LE(held, trials);
+}
+
 TEST(Comparison, IntervalsHoldTheTruthUnderNoise) {
   const double lag = 0.02;
   const auto clean = sampled([&](double t) { return 0.9 * wave(t - lag); }, 0, 20);

@@ -168,6 +168,47 @@ TEST_F(Tool, TellsTheGateEvenWhereTheReportCannotBeDrawn) {
   EXPECT_FALSE(fs::exists(report()));
 }
 
+TEST_F(Tool, GatesAChangeAgainstItsBaseline) {
+  write_campaign(particles_case);
+  ASSERT_EQ(campaign().status, 0);
+  const std::vector<std::string> of_campaign{"./surges.toml", "--output", "out", "--ledger",
+                                             "ledger.jsonl"};
+  const auto run = [&](std::vector<std::string> command, std::vector<std::string> more = {}) {
+    command.insert(command.end(), of_campaign.begin(), of_campaign.end());
+    command.insert(command.end(), more.begin(), more.end());
+    return tool(command);
+  };
+  EXPECT_EQ(run({"baseline", "diff"}).status, 1);
+  EXPECT_EQ(run({"baseline", "approve"}, {"--who", "a tester", "--reason", "first"}).status, 4);
+  EXPECT_FALSE(fs::exists(directory() / "ledger.jsonl"));
+  ASSERT_EQ(run({"baseline", "propose"}).status, 0);
+  ASSERT_EQ(run({"baseline", "approve"}, {"--who", "a tester", "--reason", "first"}).status, 0);
+  EXPECT_EQ(run({"baseline", "diff"}).status, 0);
+  EXPECT_EQ(run({"baseline", "approve"}, {"--who", "", "--reason", "none"}).status, 2);
+
+  write_campaign(with(particles_case, "limit = 0.3", "limit = 0.4"));
+  const Ended loosened = run({"gate"});
+  EXPECT_EQ(loosened.status, 0) << loosened.err;
+  EXPECT_TRUE(holds(loosened.out, "tolerance loosened: -30 % .. +30 % -> -40 % .. +40 %"));
+  EXPECT_TRUE(holds(read("out/gate/gate.md"), "tolerance loosened"));
+  EXPECT_TRUE(holds(read("out/gate/gate.sarif"), "tolerance-loosened"));
+  EXPECT_TRUE(holds(read("out/gate/junit.xml"), "tests=\"1\""));
+  write_campaign(with(particles_case, "limit = 0.3", "limit = 0.0001"));
+  const Ended violated = run({"gate"});
+  EXPECT_NE(violated.status, 0);
+  EXPECT_TRUE(holds(read("out/gate/junit.xml"), "<failure"));
+}
+
+TEST_F(Tool, TestsWhatItsOwnGateDetects) {
+  write_campaign(particles_case);
+  EXPECT_EQ(tool({"selftest", "./surges.toml", "--output", "out"}).status, 4);
+  ASSERT_EQ(campaign().status, 0);
+  const Ended tested = tool({"selftest", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(tested.status, 0) << tested.out << tested.err;
+  EXPECT_TRUE(holds(tested.out, "PASS: "));
+  EXPECT_TRUE(holds(tested.out, "0 that a row claims to detect passed"));
+}
+
 // A record of the elevation that the user supplies: theory's own, read back from a table.
 const std::string experiment_run = R"([[run]]
 name = "probe"

@@ -11,8 +11,18 @@ namespace fs = std::filesystem;
 
 class VerificationCampaign : public SmallCampaign {};
 
+// The shipped campaign without its cases, which take minutes.
+std::string shipped_problems() {
+  std::ifstream stream(fs::path(SLOSH_SOURCE_DIR) / "verification/campaigns/verification.toml");
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::size_t cases = text.find("cases = [");
+  return text.erase(cases, text.find("]\n", cases) + 2 - cases);
+}
+
 TEST_F(VerificationCampaign, HoldsInItsQuickFormAndComputesNothingTwice) {
-  const std::vector<std::string> command{"campaign", "verification", "--quick", "--output", "out"};
+  write("problems.toml", shipped_problems());
+  const std::vector<std::string> command{"campaign", "./problems.toml", "--quick", "--output",
+                                         "out"};
   const Ended first = tool(command);
   EXPECT_EQ(first.status, 0) << first.err << first.out;
   EXPECT_NE(first.out.find("PASS: "), std::string::npos) << first.out;

@@ -1,0 +1,74 @@
+// [[refinement]] of a case file: runs that are alike but for one number, and what is none.
+#include <gtest/gtest.h>
+
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh {
+namespace {
+
+const std::string runs = R"([[run]]
+name = "fine"
+solver = "sph"
+scheme = "any"
+particle_spacing_m = 0.01
+[[run]]
+name = "finer"
+solver = "sph"
+scheme = "any"
+particle_spacing_m = 0.005
+[[run]]
+name = "thick"
+solver = "sph"
+scheme = "any"
+particle_spacing_m = 0.005
+artificial_viscosity = 0.2
+)";
+
+std::string refined(const std::string& number, const std::string& names) {
+  return valid_text + runs + "[[refinement]]\nname = \"path\"\nnumber = \"" + number +
+         "\"\nruns = [" + names + "]\n";
+}
+
+std::string complaint_about(const std::string& number, const std::string& names) {
+  const Workspace workspace;
+  return complaint(workspace.write("trial.toml", refined(number, names)));
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(RefinementSection, ReadsAPathOfRunsThatAreAlikeButForTheirSpacing) {
+  const CaseDefinition definition =
+      read_text(refined("particle_spacing", "\"coarse\", \"fine\", \"finer\""));
+  ASSERT_EQ(definition.refinements.size(), 1U);
+  EXPECT_EQ(definition.refinements[0].name, "path");
+  EXPECT_EQ(definition.refinements[0].number, RefinedNumber::particle_spacing);
+  EXPECT_EQ(definition.refinements[0].runs, (std::vector<std::string>{"coarse", "fine", "finer"}));
+}
+
+TEST(RefinementSection, RefusesRunsThatDifferInMoreThanTheNumber) {
+  const std::string said = complaint_about("particle_spacing", "\"fine\", \"thick\"");
+  EXPECT_TRUE(holds(said, "fine and thick are not")) << said;
+  const std::string other = complaint_about("courant_number", "\"fine\", \"finer\"");
+  EXPECT_TRUE(holds(other, "fine and finer are not")) << other;
+}
+
+TEST(RefinementSection, RefusesWhatIsNoRunOfTheSolver) {
+  EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"mesh\""),
+                    "SPH runs of this case, which mesh is not"));
+  EXPECT_TRUE(holds(complaint_about("mesh", "\"mesh\", \"fine\""),
+                    "interFoam runs of this case, which fine is not"));
+  EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"nobody\""), "nobody is not"));
+}
+
+TEST(RefinementSection, RefusesAPathThatIsNone) {
+  EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\""), "two runs or more"));
+  EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"fine\""),
+                    "each run once, fine is there twice"));
+  EXPECT_TRUE(
+      holds(complaint_about("spacing", "\"fine\", \"finer\""), "nearest: particle_spacing"));
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,145 @@
+// What makes a row uncertain beside its own interval, on the small surge of surge_results.hpp.
+#include "verification/campaign/row_uncertainty.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verification/campaign/uncertainty_table.hpp"
+#include "verification/campaign/validity_envelope.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh {
+namespace {
+
+TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+// The forced amplitude of "particles" against the fine mesh, each mesh too high by what is told.
+struct OfMeshes {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs = surge_runs();
+
+  OfMeshes(double coarse, double fine) {
+    definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+    definition.gate[0].reference = "fine_mesh";
+    const TimeSeries wave = elevation_of({});
+    runs.results["coarse_mesh"] = result_of("coarse_mesh", scaled(wave, 1 + coarse));
+    runs.results["fine_mesh"] = result_of("fine_mesh", scaled(wave, 1 + fine));
+    definition.refinements = {{"mesh", RefinedNumber::mesh, {"coarse_mesh", "fine_mesh"}}};
+  }
+  GateOutcome judged() const { return assess(definition, runs).gate.at(0); }
+};
+
+TEST(RowUncertainty, CountsThatOfAMeshThatIsTheReference) {
+  // Two meshes of 50 x 50 and 50 x 100: steps apart by sqrt(2), so three times their difference
+  // over sqrt(2) - 1.
+  const GateOutcome outcome = OfMeshes(0.01, 0.005).judged();
+  const double difference = 1 / 1.005 - 1 / 1.01;
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference,
+              3 * difference / (std::sqrt(2.0) - 1), 1e-6);
+  EXPECT_EQ(outcome.verdict, Verdict::pass);  // 0.5 % +- 3.6 % within 5 %
+}
+
+TEST(RowUncertainty, MakesARowInconclusiveAgainstAMeshThatHasNotConverged) {
+  const OfMeshes meshes(0.03, 0.01);
+  EXPECT_EQ(meshes.judged().verdict, Verdict::inconclusive);
+  const CaseAssessment assessment = assess(meshes.definition, meshes.runs);
+  EXPECT_EQ(exit_status({assessment}), exit_inconclusive);
+  const auto remedies = remedy_table(assessment);
+  ASSERT_TRUE(remedies.has_value());
+  EXPECT_NE(remedies->rows.at(0).at(2).find("reference"), std::string::npos);
+  const auto refined = refinement_table(assessment);
+  ASSERT_TRUE(refined.has_value());
+  EXPECT_EQ(refined->rows.at(0).at(2), "coarse_mesh, fine_mesh");
+}
+
+TEST(RowUncertainty, OfAVerificationRowIsNotTheDiscretisationErrorThatItMeasures) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  RunDefinition coarse = definition.runs.at(2);
+  coarse.name = "coarse_particles";
+  std::get<SphRun>(coarse.solver).particle_spacing = 0.02;
+  definition.runs.push_back(coarse);
+  definition.refinements = {
+      {"spacing", RefinedNumber::particle_spacing, {"coarse_particles", "particles"}}};
+  CaseRuns runs = surge_runs();
+  runs.results["coarse_particles"] = result_of("coarse_particles", scaled(elevation_of({}), 1.04));
+  runs.status["coarse_particles"] = {RunState::finished, ""};
+  const GateOutcome outcome = assess(definition, runs).gate.at(0);
+  EXPECT_EQ(outcome.judgement.value().contributions.discretisation, 0);
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+}
+
+TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
+  CaseDefinition definition = surge_case();
+  const TimeSeries wave = elevation_of({});
+  RecordRun record{"eta.csv", surge_quantity, "m", wave.time, wave.value, 0.0005};
+  definition.runs.at(0).solver = record;
+  definition.runs.resize(3);
+  definition.runs.erase(definition.runs.begin() + 1);
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05),
+                     surge_row("whole", Metric::normalised_rms, "1", 0.05)};
+  CaseRuns runs;
+  for (const char* name : {"theory", "particles"}) {
+    runs.results[name] = result_of(name, wave);
+    runs.status[name] = {RunState::finished, ""};
+  }
+  const CaseAssessment assessment = assess(definition, runs);
+  const double amplitude = assessment.comparisons.at(0).modes.at(0).reference.amplitude.value;
+  EXPECT_NEAR(assessment.gate.at(0).judgement.value().contributions.reference, 0.0005 / amplitude,
+              1e-12);
+  // Scatter of the record only raises a residual.
+  EXPECT_EQ(assessment.gate.at(1).judgement.value().contributions.reference, 0);
+}
+
+TEST(ValidityEnvelope, LetsASmallWaveFarFromResonanceGate) {
+  EXPECT_FALSE(
+      outside_validity(surge_case(), surge_case().runs.at(0), surge_runs().results.at("theory")));
+}
+
+TEST(ValidityEnvelope, KeepsLinearTheoryFromGatingNearResonance) {
+  CaseDefinition definition = surge_case();
+  definition.motion.surge = SineMotion{.amplitude = 0.02, .angular_frequency = 0.98 * 4.96646};
+  const auto reason =
+      outside_validity(definition, definition.runs.at(0), surge_runs().results.at("theory"));
+  ASSERT_TRUE(reason.has_value());
+  EXPECT_NE(reason->find("0.98 times its natural mode 1"), std::string::npos) << *reason;
+  // A tenth of the motion narrows the band by 10^(2/3): 4 % of detuning is outside then.
+  definition.motion.surge = SineMotion{.amplitude = 0.0002, .angular_frequency = 0.98 * 4.96646};
+  EXPECT_FALSE(
+      outside_validity(definition, definition.runs.at(0), surge_runs().results.at("theory")));
+}
+
+TEST(ValidityEnvelope, KeepsLinearTheoryFromGatingASteepOrAHighWaveOrOneThatItDoesNotTell) {
+  CaseDefinition definition = surge_case();
+  RunResult theory = surge_runs().results.at("theory");
+  theory.diagnostics["highest_elevation_over_depth"] = 0.11;
+  EXPECT_NE(outside_validity(definition, definition.runs.at(0), theory)->find("0.11 fill depths"),
+            std::string::npos);
+  std::get<LinearRun>(definition.runs.at(0).solver).valid_elevation_over_depth = 1;
+  theory.diagnostics["highest_elevation_over_depth"] = 0.19;  // k A = pi 0.19 0.35 = 0.209
+  EXPECT_NE(outside_validity(definition, definition.runs.at(0), theory)->find("steepness"),
+            std::string::npos);
+  theory.diagnostics.clear();
+  EXPECT_TRUE(outside_validity(definition, definition.runs.at(0), theory).has_value());
+}
+
+TEST(ValidityEnvelope, KeepsPotentialFlowFromGatingBeyondItsEnd) {
+  CaseDefinition definition = surge_case();
+  definition.runs.at(0).solver = PotentialRun{};
+  RunResult flow = surge_runs().results.at("theory");
+  flow.diagnostics = {{"valid_until_s", 12}};
+  flow.provenance["left_range_because"] = "too steep";
+  const auto reason = outside_validity(definition, definition.runs.at(0), flow);
+  ASSERT_TRUE(reason.has_value());
+  EXPECT_NE(reason->find("12 s, before the window's end at 20 s: too steep"), std::string::npos)
+      << *reason;
+  flow.diagnostics = {{"valid_until_s", 20}};
+  EXPECT_FALSE(outside_validity(definition, definition.runs.at(0), flow));
+}
+
+}  // namespace
+}  // namespace slosh
