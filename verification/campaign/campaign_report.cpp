@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
@@ -16,6 +17,7 @@
 #include "verification/campaign/repeat_table.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
+#include "verification/campaign/row_strength.hpp"
 #include "verification/campaign/uncertainty_table.hpp"
 #include "verification/campaign/wall_treatments.hpp"
 #include "verification/campaign/zhao2021_paper.hpp"
@@ -90,6 +92,8 @@ std::string liquid_text(const CaseDefinition& definition) {
 }
 
 Section case_section(const CaseAssessment& assessment) {
+  const std::vector<RowStrength> strengths = row_strengths(
+      assessment, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   const CaseDefinition& definition = assessment.definition;
   Section section;
   section.id = definition.name;
@@ -113,6 +117,7 @@ Section case_section(const CaseAssessment& assessment) {
   section.figures = case_figures(assessment);
   section.fields = case_fields(assessment);
   if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
+  if (!definition.gate.empty()) section.tables.push_back(strength_table(assessment, strengths));
   if (auto remedies = remedy_table(assessment)) section.tables.push_back(std::move(*remedies));
   if (auto matrix = error_matrix(assessment)) section.tables.push_back(std::move(*matrix));
   if (auto refined = refinement_table(assessment)) section.tables.push_back(std::move(*refined));

@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <numbers>
 
 #include "verification/metrics/windowed_series.hpp"
@@ -18,6 +19,9 @@ constexpr std::size_t padding = 4;
 
 std::vector<std::complex<double>> transform(std::vector<double>& samples) {
   std::vector<std::complex<double>> coefficients(samples.size() / 2 + 1);
+  // FFTW makes and destroys plans in one thread at a time; spectra are small.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   const std::unique_ptr<fftw_plan_s, decltype(&fftw_destroy_plan)> plan(
       fftw_plan_dft_r2c_1d(static_cast<int>(samples.size()), samples.data(),
                            reinterpret_cast<fftw_complex*>(coefficients.data()), FFTW_ESTIMATE),

@@ -66,8 +66,8 @@ TEST(RefinementSection, RefusesAPathThatIsNone) {
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\""), "two runs or more"));
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"fine\""),
                     "each run once, fine is there twice"));
-  EXPECT_TRUE(
-      holds(complaint_about("spacing", "\"fine\", \"finer\""), "nearest: particle_spacing"));
+  EXPECT_TRUE(holds(complaint_about("particle_spacin", "\"fine\", \"finer\""),
+                    "nearest: particle_spacing"));
 }
 
 }  // namespace
