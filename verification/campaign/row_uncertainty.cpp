@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/campaign/repeat_spread.hpp"
 #include "verification/gate/impact_metrics.hpp"
 
 namespace slosh {
@@ -33,6 +34,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
                                          const GateRow& row, const FindComparison& comparison,
                                          const MeasureRow& measure) {
   UncertaintyContributions found;
+  found.statistics = repeat_spread(definition, runs, row, measure);
   const auto numerical = [&](Role role) {
     return numerical_uncertainty(refined_metrics(definition, runs, row, role, measure));
   };

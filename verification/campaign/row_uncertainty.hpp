@@ -4,6 +4,8 @@
 //                   closed-form theory nothing, inside its range
 //   discretisation  of the candidate, against a record alone: against theory or another method the
 //                   candidate's discretisation error is what the row measures
+//   statistics      of a flow that small disturbances decide what its repeats spread (beside the
+//                   metric's own interval)
 //   input           nothing: both sides are told the same tank, liquid and motion, and what an
 //                   experiment knows of its own is part of its stated uncertainty
 #pragma once

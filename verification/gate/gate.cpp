@@ -170,7 +170,7 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged) {
 GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
   UncertaintyContributions contributions;
   if (evidence.uncertainty) contributions = evidence.uncertainty(row);
-  contributions.statistics = value.half_width;
+  contributions.statistics = std::hypot(contributions.statistics, value.half_width);
   const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
   return {row, verdict_of(judged.verdict), value, bound_text(row, judged), judged};
 }

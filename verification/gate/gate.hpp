@@ -70,8 +70,8 @@ using FindSeries = std::function<TimeSeries(const std::string& run, const std::s
 // no such series.
 using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
 
-// Gives what makes a row's metric uncertain beside its own interval (`statistics`, which is zero
-// here).
+// Gives what makes a row's metric uncertain beside its own interval, which is added to its
+// `statistics`.
 using FindUncertainty = std::function<UncertaintyContributions(const GateRow& row)>;
 
 // What rows are judged by.

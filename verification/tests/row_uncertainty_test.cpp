@@ -73,6 +73,34 @@ TEST(RowUncertainty, OfAVerificationRowIsNotTheDiscretisationErrorThatItMeasures
   EXPECT_EQ(outcome.verdict, Verdict::pass);
 }
 
+TEST(RowUncertainty, OfAFlowThatDisturbancesDecideIsWhatItsRepeatsSpread) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  CaseRuns runs = surge_runs();
+  const double errors[] = {0.01, 0.03, 0.05};
+  for (int seed = 1; seed <= 3; ++seed) {
+    RunDefinition repeat = definition.runs.at(2);
+    repeat.name = "repeat_" + std::to_string(seed);
+    auto& sph = std::get<SphRun>(repeat.solver);
+    sph.particle_spacing = sph.surface_particle_spacing = 0.02;  // another spacing serves too
+    sph.start_disorder = 0.05;
+    sph.start_seed = seed;
+    definition.runs.push_back(repeat);
+    runs.results[repeat.name] =
+        result_of(repeat.name, scaled(elevation_of({}), 1 + errors[seed - 1]));
+    runs.status[repeat.name] = {RunState::finished, ""};
+  }
+  const GateOutcome outcome = assess(definition, runs).gate.at(0);
+  // Standard deviation 0.02, Student's t of two degrees of freedom 4.3027 (tables).
+  EXPECT_NEAR(outcome.judgement.value().contributions.statistics,
+              4.3027 * 0.02 * std::sqrt(4.0 / 3), 1e-5);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+  definition.runs.pop_back();
+  runs.results.erase("repeat_3");
+  runs.status.erase("repeat_3");
+  EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::pass);  // of two: not known
+}
+
 TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
   CaseDefinition definition = surge_case();
   const TimeSeries wave = elevation_of({});

@@ -1,0 +1,52 @@
+#include "verification/campaign/repeat_spread.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace slosh {
+namespace {
+
+bool repeats(const SphRun& one, const SphRun& other) {
+  SphRun alike = one;
+  alike.particle_spacing = other.particle_spacing;
+  alike.surface_particle_spacing = other.surface_particle_spacing;
+  alike.start_disorder = other.start_disorder;
+  alike.start_seed = other.start_seed;
+  alike.energy_budget = other.energy_budget;
+  return one.start_disorder > 0 && alike == other;
+}
+
+double prediction_half_width(const std::vector<double>& values) {
+  const double n = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  return t * std::sqrt(squares / (n - 1) * (1 + 1 / n));
+}
+
+}  // namespace
+
+double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
+                     const MeasureRow& measure) {
+  const auto* candidate = std::get_if<SphRun>(&run_named(definition, row.candidate).solver);
+  if (!candidate) return 0;
+  std::vector<double> values;
+  for (const RunDefinition& run : definition.runs) {
+    const auto* sph = std::get_if<SphRun>(&run.solver);
+    if (!sph || !runs.results.contains(run.name) || !repeats(*sph, *candidate)) continue;
+    GateRow repeated = row;
+    repeated.candidate = run.name;
+    try {
+      const double value = measure(repeated).value;
+      if (std::isfinite(value)) values.push_back(value);
+    } catch (const std::runtime_error&) {
+      continue;  // ComparisonError or ResultError: this run has no such metric
+    }
+  }
+  return values.size() < 3 ? 0 : prediction_half_width(values);
+}
+
+}  // namespace slosh
