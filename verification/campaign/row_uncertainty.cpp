@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/repeat_spread.hpp"
 #include "verification/gate/impact_metrics.hpp"
+#include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
@@ -14,6 +16,22 @@ double reference_amplitude(const Comparison& comparison, const std::string& mode
   const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
                                   [&](const ModeComparison& one) { return one.mode == mode; });
   return found == comparison.modes.end() ? 0 : found->reference.amplitude.value;
+}
+
+// The metric against the same potential flow of fewer nodes.
+double measure_against_coarser(const CaseDefinition& definition, const CaseRuns& runs,
+                               const GateRow& row) {
+  CaseRuns with_coarser;
+  for (const std::string& run : {row.candidate, row.reference}) {
+    with_coarser.results[run] = runs.results.at(run);
+    with_coarser.status[run] = runs.status.at(run);
+  }
+  std::vector<TimeSeries>& series = with_coarser.results.at(row.reference).series;
+  std::erase_if(series, [&](const TimeSeries& one) { return one.name == row.quantity; });
+  for (TimeSeries& one : series)
+    if (one.name == row.quantity + coarser) one.name = row.quantity;
+  CaseEvidence evidence(definition, with_coarser);
+  return measured(row, evidence.gate_evidence()).value;
 }
 
 }  // namespace
@@ -51,11 +69,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
           row.metric, row.mode, comparison(row.candidate, row.reference, row.quantity),
           *record->uncertainty);
   } else if (std::holds_alternative<PotentialRun>(reference.solver)) {
-    const Comparison& compared = comparison(row.candidate, row.reference, row.quantity);
-    const auto& told = runs.results.at(row.reference).diagnostics;
-    const auto own = told.find("uncertainty_" + compared.unit);
-    if (own != told.end())
-      found.reference = uncertainty_from_values(row.metric, row.mode, compared, own->second);
+    found.reference = std::abs(measure_against_coarser(definition, runs, row) - measure(row).value);
   } else {
     found.reference = numerical(Role::reference);
   }

@@ -1,7 +1,7 @@
 // What makes a gate row's metric uncertain beside its own interval, after ASME V&V 20.
 //   reference       of a record what its publisher states of it; of interFoam its numerical
-//                   uncertainty; of potential flow what its own two resolutions differ by; of
-//                   closed-form theory nothing, inside its range
+//                   uncertainty; of potential flow what the metric changes by against its own
+//                   coarser run; of closed-form theory nothing, inside its range
 //   discretisation  of the candidate, against a record alone: against theory or another method the
 //                   candidate's discretisation error is what the row measures
 //   statistics      of a flow that small disturbances decide what its repeats spread (beside the

@@ -85,20 +85,10 @@ reference::Observation observation_of(const CaseDefinition& definition) {
   return observation;
 }
 
-// The largest difference over the times that both have; NaN where there are none.
-double largest_difference(const std::vector<std::vector<double>>& one,
-                          const std::vector<std::vector<double>>& other) {
-  double largest = one.empty() || one.front().empty() || other.front().empty() ? std::nan("") : 0;
-  for (std::size_t k = 0; k < one.size(); ++k)
-    for (std::size_t i = 0; i < std::min(one[k].size(), other[k].size()); ++i)
-      largest = std::max(largest, std::abs(one[k][i] - other[k][i]));
-  return largest;
-}
-
 void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
-                RunResult& result) {
+                const std::string& suffix, RunResult& result) {
   const auto add = [&](const std::string& name, const char* unit, std::vector<double> values) {
-    result.series.push_back({name, unit, record.times, std::move(values)});
+    result.series.push_back({name + suffix, unit, record.times, std::move(values)});
   };
   for (std::size_t k = 0; k < definition.gauges.size(); ++k)
     add("elevation@" + definition.gauges[k].name, "m", record.elevation[k]);
@@ -127,7 +117,7 @@ void require_scene(const PotentialRun&, const CaseDefinition& definition,
     throw refused(run, "potential flow takes no [[obstacle]]: its tank has four plane walls");
 }
 
-// Twice, with three quarters of the nodes too: what sets the two apart is the run's uncertainty.
+// Twice, with three quarters of the nodes too: what sets the two apart tells the run's uncertainty.
 RunResult run_potential(const PotentialRun& potential, const RunRequest& request) {
   require_scene(potential, request.definition, request.run);
   const CaseDefinition& definition = request.definition;
@@ -142,7 +132,8 @@ RunResult run_potential(const PotentialRun& potential, const RunRequest& request
     throw SolverError("potential flow leaves its range at once: " + record.left_range_because);
 
   RunResult result;
-  add_series(record, definition, result);
+  add_series(record, definition, "", result);
+  add_series(coarse_record, definition, coarser, result);
   const auto largest = [](const std::vector<double>& values) {
     double most = 0;
     for (const double value : values) most = std::max(most, std::abs(value));
@@ -152,12 +143,6 @@ RunResult run_potential(const PotentialRun& potential, const RunRequest& request
                         {"largest_volume_error_m", largest(record.volume_error)},
                         {"largest_energy_error", largest(record.energy_error)},
                         {"largest_unresolved_share", largest(record.unresolved)}};
-  if (!definition.gauges.empty())
-    result.diagnostics["uncertainty_m"] =
-        largest_difference(record.elevation, coarse_record.elevation);
-  if (!definition.pressure_gauges.empty())
-    result.diagnostics["uncertainty_Pa"] =
-        largest_difference(record.pressure, coarse_record.pressure);
   const std::string& because = record.valid_until <= coarse_record.valid_until
                                    ? record.left_range_because
                                    : coarse_record.left_range_because;

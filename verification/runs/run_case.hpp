@@ -2,6 +2,7 @@
 // what it gives into a result. Series: the case's quantities (quantities.hpp) as far as the solver
 // has them; of SPH also "kinetic_energy", "potential_energy" [J/m] and, of still water, those of
 // sph/still_water.hpp; of interFoam also "liquid_volume" [m2]; of a record its own quantity alone.
+// Of potential flow each also with the suffix `coarser`, from a run of fewer nodes.
 // SPH and interFoam leave snapshots at the case's times.
 #pragma once
 
@@ -20,6 +21,8 @@ namespace slosh {
 struct SolverError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+inline constexpr const char* coarser = "/coarser";
 
 struct RunSettings {
   std::filesystem::path work_directory;  // for OpenFOAM's case and the snapshots; made if need be

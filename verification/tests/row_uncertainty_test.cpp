@@ -73,6 +73,23 @@ TEST(RowUncertainty, OfAVerificationRowIsNotTheDiscretisationErrorThatItMeasures
   EXPECT_EQ(outcome.verdict, Verdict::pass);
 }
 
+TEST(RowUncertainty, OfPotentialFlowIsWhatItsCoarserRunChanges) {
+  CaseDefinition definition = surge_case();
+  definition.runs.at(0).solver = PotentialRun{};
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  CaseRuns runs = surge_runs();
+  RunResult& flow = runs.results.at("theory");
+  flow.diagnostics = {{"valid_until_s", 20}};
+  TimeSeries coarse = scaled(elevation_of({}), 1 / 1.03);
+  coarse.name += "/coarser";
+  flow.series.push_back(coarse);
+  const GateOutcome outcome = assess(definition, runs).gate.at(0);
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference, 0.03, 1e-9);
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+  flow.series.pop_back();  // a run that does not tell it
+  EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::not_compared);
+}
+
 TEST(RowUncertainty, OfAFlowThatDisturbancesDecideIsWhatItsRepeatsSpread) {
   CaseDefinition definition = surge_case();
   definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
