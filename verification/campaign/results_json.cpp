@@ -105,6 +105,12 @@ Json gate_entry(const GateOutcome& outcome) {
              {"source", row.source},
              {"file", row.where.file},
              {"line", row.where.line}};
+  if (const auto& judged = outcome.judgement)
+    entry["uncertainty_95"] = {{"all", judged->uncertainty},
+                               {"time_history", judged->contributions.statistics},
+                               {"reference", judged->contributions.reference},
+                               {"discretisation", judged->contributions.discretisation},
+                               {"input", judged->contributions.input}};
   if (row.limit) entry["limit"] = *row.limit;
   if (row.between) entry["between"] = {row.between->first, row.between->second};
   if (row.improves_on) entry["improves_on"] = *row.improves_on;
@@ -163,7 +169,7 @@ std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems) {
   Json document{{"schema", "slosh results"},
-                {"schema_version", 1},
+                {"schema_version", 2},
                 {"campaign", campaign},
                 {"quick", quick},
                 {"exit_status", exit_status(cases, problems)},

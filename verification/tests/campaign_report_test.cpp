@@ -166,7 +166,7 @@ nlohmann::json json_of(const std::vector<CaseAssessment>& cases) {
 TEST(ResultsJson, HasTheFieldsOfItsSchema) {
   const nlohmann::json document = json_of({good()});
   EXPECT_EQ(document.at("schema"), "slosh results");
-  EXPECT_EQ(document.at("schema_version"), 1);
+  EXPECT_EQ(document.at("schema_version"), 2);
   EXPECT_EQ(document.at("campaign"), "surges");
   EXPECT_EQ(document.at("quick"), true);
   EXPECT_EQ(document.at("exit_status"), 0);
@@ -183,6 +183,8 @@ TEST(ResultsJson, HasTheFieldsOfItsSchema) {
   EXPECT_EQ(comparison.at("modes").at(0).at("mode"), "forced");
   EXPECT_NEAR(comparison.at("modes").at(0).at("amplitude_error").at("value"), 0, 1e-12);
   const nlohmann::json& row = one.at("gate").at(0);
+  EXPECT_EQ(row.at("uncertainty_95").at("reference"), 0);
+  EXPECT_EQ(row.at("uncertainty_95").at("all"), row.at("uncertainty_95").at("time_history"));
   EXPECT_EQ(row.at("verdict"), "pass");
   EXPECT_EQ(row.at("metric"), "amplitude_error");
   EXPECT_EQ(row.at("limit"), 0.05);
