@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <thread>
+#include <utility>
 
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/baseline_command.hpp"
@@ -51,7 +53,7 @@ constexpr const char* closing_words =
     "Examples:\n"
     "  ./slosh campaign small_amplitude --quick\n"
     "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
-    "  ./slosh gate small_amplitude --quick";
+    "  ./slosh problem kernels --quick --output kernels.json";
 
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
   command
@@ -86,6 +88,11 @@ void add_ledger_option(CLI::App& command, slosh::CampaignOptions& options) {
   command.add_option("--ledger", options.ledger,
                      "The baselines' ledger (default: verification/baselines/NAME.jsonl, with "
                      "-quick after the NAME of a quick form)");
+}
+
+void add_jobs_option(CLI::App& command, slosh::CampaignOptions& options) {
+  command.add_option("-j,--jobs", options.at_once, "Runs side by side (default: one a core)")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_run_options(CLI::App& command, slosh::RunOptions& options) {
@@ -130,59 +137,88 @@ void add_problem_options(CLI::App& command, slosh::ProblemOptions& options) {
   command.add_option("-o,--output", options.output, "Result file (default: NAME.json)");
 }
 
-void add_campaign_commands(CLI::App& app, slosh::CampaignOptions& options, Action& action) {
-  options.at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  CLI::App& campaign =
-      add_command(app, "campaign", "Runs a campaign's cases, compares, reports and gates", action,
-                  [&] { return slosh::run_campaign(options, installation(), stop_requested); });
-  CLI::App& report = add_command(
-      app, "report", "The same from the results that are there; starts no solver", action, [&] {
+// A command on a campaign, with options of its own: the environment fills in those of every
+// command, asked for or not.
+template <class Command>
+std::pair<CLI::App*, std::shared_ptr<slosh::CampaignOptions>> add_campaign_command(
+    CLI::App& app, const char* name, const char* description, Action& action, Command command) {
+  auto options = std::make_shared<slosh::CampaignOptions>();
+  options->at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  CLI::App& added =
+      add_command(app, name, description, action, [options, command] { return command(*options); });
+  add_campaign_options(added, *options);
+  return {&added, options};
+}
+
+// A run that is ended ends; a campaign ends its runs first.
+void stop_on_signals() {
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+}
+
+void add_campaign_commands(CLI::App& app, Action& action) {
+  const auto [campaign, campaign_options] =
+      add_campaign_command(app, "campaign", "Runs a campaign's cases, compares, reports and gates",
+                           action, [](const slosh::CampaignOptions& options) {
+                             stop_on_signals();
+                             return slosh::run_campaign(options, installation(), stop_requested);
+                           });
+  const auto [report, report_options] = add_campaign_command(
+      app, "report", "The same from the results that are there; starts no solver", action,
+      [](slosh::CampaignOptions options) {
+        stop_on_signals();
         options.solve = false;
         return slosh::run_campaign(options, installation(), stop_requested);
       });
-  CLI::App& selftest =
-      add_command(app, "selftest",
-                  "Whether the gate rows detect what they claim to, on the results that are there",
-                  action, [&] { return slosh::selftest_campaign(options, installation()); });
-  CLI::App& gate = add_command(
+  const auto [gate, gate_options] = add_campaign_command(
       app, "gate",
       "Runs what a campaign still needs, tells what has moved since its baseline, and leaves "
       "junit.xml, gate.md and gate.sarif",
-      action, [&] { return slosh::gate_campaign(options, installation(), stop_requested); });
-  for (CLI::App* command : {&campaign, &report, &gate}) {
-    add_campaign_options(*command, options);
-    add_inconclusive_option(*command, options);
-  }
-  add_campaign_options(selftest, options);
-  for (CLI::App* command : {&campaign, &gate})
-    command->add_option("-j,--jobs", options.at_once, "Runs side by side (default: one a core)")
-        ->check(CLI::PositiveNumber);
-  add_ledger_option(gate, options);
+      action, [](const slosh::CampaignOptions& options) {
+        stop_on_signals();
+        return slosh::gate_campaign(options, installation(), stop_requested);
+      });
+  add_campaign_command(
+      app, "selftest",
+      "Whether the gate rows detect what they claim to, on the results that are there", action,
+      [](const slosh::CampaignOptions& options) {
+        return slosh::selftest_campaign(options, installation());
+      });
+  add_inconclusive_option(*campaign, *campaign_options);
+  add_inconclusive_option(*report, *report_options);
+  add_inconclusive_option(*gate, *gate_options);
+  add_jobs_option(*campaign, *campaign_options);
+  add_jobs_option(*gate, *gate_options);
+  add_ledger_option(*gate, *gate_options);
 }
 
-void add_baseline_commands(CLI::App& app, slosh::CampaignOptions& options,
-                           slosh::ApprovalOptions& approval, Action& action) {
+void add_baseline_commands(CLI::App& app, slosh::ApprovalOptions& approval, Action& action) {
   CLI::App& baseline = *app.add_subcommand(
       "baseline", "Our own earlier figures of a campaign, and what has moved since");
   baseline.require_subcommand(1);
-  CLI::App& diff =
-      add_command(baseline, "diff", "Prints what has changed; exit status 1 where something has",
-                  action, [&] { return slosh::diff_baseline(options, installation()); });
-  CLI::App& propose =
-      add_command(baseline, "propose", "Leaves a proposal to make the present figures the baseline",
-                  action, [&] { return slosh::propose_baseline(options, installation()); });
-  CLI::App& approve =
-      add_command(baseline, "approve", "Adds the proposal to the ledger", action,
-                  [&] { return slosh::approve_baseline(options, approval, installation()); });
-  for (CLI::App* command : {&diff, &propose, &approve}) {
-    add_campaign_options(*command, options);
-    add_ledger_option(*command, options);
-  }
+  const auto [diff, diff_options] = add_campaign_command(
+      baseline, "diff", "Prints what has changed; exit status 1 where something has", action,
+      [](const slosh::CampaignOptions& options) {
+        return slosh::diff_baseline(options, installation());
+      });
+  const auto [propose, propose_options] = add_campaign_command(
+      baseline, "propose", "Leaves a proposal to make the present figures the baseline", action,
+      [](const slosh::CampaignOptions& options) {
+        return slosh::propose_baseline(options, installation());
+      });
+  const auto [approve, approve_options] =
+      add_campaign_command(baseline, "approve", "Adds the proposal to the ledger", action,
+                           [&approval](const slosh::CampaignOptions& options) {
+                             return slosh::approve_baseline(options, approval, installation());
+                           });
+  add_ledger_option(*diff, *diff_options);
+  add_ledger_option(*propose, *propose_options);
+  add_ledger_option(*approve, *approve_options);
   const CLI::Validator not_empty(
       [](const std::string& text) { return text.empty() ? "expected a text" : std::string(); },
       "TEXT");
-  approve.add_option("--who", approval.who, "Who approves it")->required()->check(not_empty);
-  approve.add_option("--reason", approval.reason, "Why the figures may move")
+  approve->add_option("--who", approval.who, "Who approves it")->required()->check(not_empty);
+  approve->add_option("--reason", approval.reason, "Why the figures may move")
       ->required()
       ->check(not_empty);
 }
@@ -191,13 +227,12 @@ int dispatch(int argc, char** argv) {
   CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
   app.footer(closing_words);
   app.require_subcommand(1);
-  slosh::CampaignOptions campaign;
   slosh::ApprovalOptions approval;
   slosh::RunOptions run;
   slosh::ProblemOptions problem;
   Action action;
-  add_campaign_commands(app, campaign, action);
-  add_baseline_commands(app, campaign, approval, action);
+  add_campaign_commands(app, action);
+  add_baseline_commands(app, approval, action);
   add_run_options(add_command(app, "run", "Executes one run of a case and leaves its result file",
                               action, [&] { return slosh::run_one(run, installation()); }),
                   run);
@@ -214,8 +249,6 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? slosh::exit_pass : slosh::exit_usage;
   }
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
   return action();
 }
 

@@ -18,7 +18,8 @@ std::size_t files_in(const std::filesystem::path& directory) {
 
 TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
   if (!reports::browser_is_installed()) GTEST_SKIP() << "chromium is not installed";
-  write_campaign(particles_case + with(gate_on("particles"), "limit = 0.3", "limit = 1e-9"));
+  write_campaign(particles_case +
+                 with(gate_on("particles"), "limit = 0.3", "lower = 0.5\nupper = 0.6"));
   ASSERT_EQ(campaign().status, 1);
   const nlohmann::json results = nlohmann::json::parse(read(report() / "results.json"));
   const reports::BrowserRun run =

@@ -54,7 +54,7 @@ TEST_F(Tool, PassesACampaignAndComputesNothingTwice) {
 }
 
 TEST_F(Tool, EndsWithOneWhereALimitIsViolated) {
-  write_campaign(with(particles_case, "limit = 0.3", "limit = 1e-9"));
+  write_campaign(with(particles_case, "limit = 0.3", "lower = 0.5\nupper = 0.6"));
   const Ended run = campaign();
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_TRUE(holds(run.out, "violated       small particles forced amplitude_error"));
