@@ -3,13 +3,14 @@
 
 #include <optional>
 
+#include "sph/energy_bound.hpp"
 #include "sph/energy_budget.hpp"
 #include "sph/free_surface_gauge.hpp"
 #include "sph/front_position.hpp"
 #include "sph/liquid.hpp"
+#include "sph/scheme.hpp"
 #include "sph/seen_from_tank.hpp"
 #include "sph/simulation.hpp"
-#include "sph/stability_guard.hpp"
 #include "sph/still_water.hpp"
 #include "sph/wall_pressure_gauge.hpp"
 #include "sph/walls/frames.hpp"
@@ -19,7 +20,8 @@ namespace slosh::sph {
 template <class Scheme>
 class Recorder {
  public:
-  Recorder(const Scene& scene, Liquid<Scheme>& liquid) : scene_(scene) {
+  Recorder(const Scene& scene, Liquid<Scheme>& liquid)
+      : scene_(scene), energy_bound_(scene, liquid.particles) {
     for (const PressureGauge& gauge : scene.pressure_gauges) require_on_wall(gauge, scene);
     if (scene.record_still_water)
       still_water_.emplace(
@@ -34,7 +36,6 @@ class Recorder {
   }
 
   void record(Liquid<Scheme>& liquid) {
-    check_state(liquid.particles, scene_.rest_density, liquid.time);
     const TankMotion motion(scene_, liquid.time);
     see_from_tank(liquid, motion, seen_);
     record_gauges(liquid, motion);
@@ -46,6 +47,7 @@ class Recorder {
           output.energy);
     // Before the first step there is no acceleration.
     if (output.steps > 0) record_forces(liquid.time, motion);
+    check_energy(liquid.time, motion);
   }
 
   // Of the moment that has just been recorded.
@@ -65,6 +67,7 @@ class Recorder {
   template <class Visit>
   void for_each_number(const Visit& visit) {
     visit("initial_potential_energy", initial_potential_);
+    energy_bound_.for_each_number(visit);
     if (still_water_) still_water_->for_each_number(visit);
     if (energy_budget_) energy_budget_->for_each_number(visit);
   }
@@ -125,8 +128,21 @@ class Recorder {
     if (scene_.roll) push(output.moment, t, moment);
   }
 
+  void check_energy(double t, const TankMotion& motion) {
+    const auto& kinetic = output.kinetic_energy.value;
+    const double gained = kinetic.back() - kinetic.front() + output.potential_energy.value.back();
+    double power = 0;
+    if (!output.force_x.value.empty()) {
+      const Vector2 axis = motion.in_earth().along_tank(motion.in_earth().velocity, 0);
+      power = output.force_x.value.back() * axis.x + output.force_z.value.back() * axis.z;
+      if (scene_.roll) power += output.moment.value.back() * motion.in_earth().rate;
+    }
+    energy_bound_.check(t, gained, power, tank_speed(scene_, t), seen_.particles);
+  }
+
   const Scene& scene_;
   SeenFromTank seen_;
+  EnergyBound energy_bound_;
   double initial_potential_ = 0;
   std::optional<StillWater> still_water_;
   std::optional<EnergyBudget<Scheme>> energy_budget_;

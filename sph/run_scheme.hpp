@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "sph/initial_state.hpp"
+#include "sph/last_good_state.hpp"
 #include "sph/liquid.hpp"
 #include "sph/recorder.hpp"
 #include "sph/resume.hpp"
 #include "sph/scheme.hpp"
 #include "sph/simulation.hpp"
+#include "sph/stability_guard.hpp"
 
 namespace slosh::sph {
 
@@ -61,60 +63,89 @@ std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& 
   return terms;
 }
 
+// From the last sample on to the next one.
 template <class Choice>
-RunOutput run_scheme(const Scene& scene, const Progress& progress) {
-  const Scheme<Choice> scheme(scene);
-  if constexpr (!Choice::TimeStep::adapts) check_fixed_step(scene, scheme);
+void advance_to(double target, RunMemory<Choice>& run, const Scene& scene) {
+  auto& [liquid, recorder, integrator, sample, smallest_step] = run;
+  const Scheme<Choice>& scheme = liquid.scheme();
+  while (liquid.time < target) {
+    // Equal steps up to the sample, each at most the stable one; the last one lands on it exactly.
+    const double left = target - liquid.time;
+    const double stable = scheme.time_step(largest_acceleration(liquid.rates, scene.gravity));
+    check_step(stable, scheme.time_step(0), liquid.particles, liquid.rates, liquid.time);
+    const double count = std::ceil(left / stable - 1e-9);
+    const double dt = left / count;
+    integrator.advance(liquid, dt);
+    liquid.time = count <= 1 ? target : liquid.time + dt;
+    if constexpr (Choice::Shifting::active) liquid.shift();
+    check_state(liquid.particles, scene.rest_density, liquid.time);
+    recorder.add_step(liquid);
+    smallest_step = std::min(smallest_step, dt);
+    recorder.output.steps += 1;
+  }
+}
+
+// From sample to sample.
+template <class Choice>
+void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const Scene& scene,
+                const Progress& progress) {
+  auto& [liquid, recorder, integrator, sample, smallest_step] = run;
   const int snapshot_stride = samples_per("snapshot", scene.snapshot_interval, scene),
             state_stride = samples_per("state", scene.state_interval, scene);
-  RunMemory<Choice> run(scene, scheme,
-                        scene.resume ? start_lattice(scene, scheme) : initial_state(scene, scheme));
-  auto& [liquid, recorder, integrator, sample, smallest_step] = run;
-  RunOutput& output = recorder.output;
-  output.particles = liquid.particles.size();
-  output.active_terms = terms_of_run(scene, scheme);
-  if (scene.resume) {
-    go_on_from(run, scene, *scene.resume);
-    ++sample;
-  }
   auto last_report = std::chrono::steady_clock::now();
 
   const int samples = static_cast<int>(std::floor(scene.duration / scene.sample_interval + 1e-9));
   for (; sample <= samples; ++sample) {
-    const double target = sample * scene.sample_interval;
-    while (liquid.time < target) {
-      // Equal steps up to the sample, each at most the stable one; the last one lands on it
-      // exactly.
-      const double left = target - liquid.time;
-      const double stable = scheme.time_step(largest_acceleration(liquid.rates, scene.gravity));
-      const double count = std::ceil(left / stable - 1e-9);
-      const double dt = left / count;
-      integrator.advance(liquid, dt);
-      liquid.time = count <= 1 ? target : liquid.time + dt;
-      if constexpr (Choice::Shifting::active) liquid.shift();
-      recorder.add_step(liquid);
-      smallest_step = std::min(smallest_step, dt);
-      output.steps += 1;
-    }
+    advance_to(sample * scene.sample_interval, run, scene);
     recorder.record(liquid);
     if (snapshot_stride != 0 && sample % snapshot_stride == 0) recorder.record_snapshot(liquid);
     if (state_stride != 0 && sample > 0 && sample % state_stride == 0) {
       scene.save_state(saved_state(run, scene));
       liquid.forget_neighbours();
     }
+    if (scene.save_last_good_state) last_good.keep(run);
     if (progress &&
         std::chrono::steady_clock::now() - last_report > std::chrono::milliseconds(100)) {
-      progress(liquid.time, output.steps);
+      progress(liquid.time, recorder.output.steps);
       last_report = std::chrono::steady_clock::now();
     }
   }
-  output.exchanged_at_walls = liquid.exchanged_at_walls();
+}
+
+template <class Choice>
+void add_diagnostics(const RunMemory<Choice>& run, RunOutput& output) {
+  const Scheme<Choice>& scheme = run.liquid.scheme();
+  output.exchanged_at_walls = run.liquid.exchanged_at_walls();
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
   output.diagnostics["smoothing_length_ratio"] = scheme.setting.smoothing_length_ratio;
   if constexpr (Choice::TimeStep::adapts)
     output.diagnostics["courant_number"] = scheme.setting.courant_number;
-  output.diagnostics["smallest_time_step_s"] = smallest_step;
+  output.diagnostics["smallest_time_step_s"] = run.smallest_step;
   output.diagnostics["wall_crossings"] = static_cast<double>(output.exchanged_at_walls);
+}
+
+template <class Choice>
+RunOutput run_scheme(const Scene& scene, const Progress& progress) {
+  const Scheme<Choice> scheme(scene);
+  if constexpr (!Choice::TimeStep::adapts) check_fixed_step(scene, scheme);
+  RunMemory<Choice> run(scene, scheme,
+                        scene.resume ? start_lattice(scene, scheme) : initial_state(scene, scheme));
+  RunOutput& output = run.recorder.output;
+  output.particles = run.liquid.particles.size();
+  output.active_terms = terms_of_run(scene, scheme);
+  if (scene.resume) {
+    go_on_from(run, scene, *scene.resume);
+    ++run.sample;
+  }
+  check_state(run.liquid.particles, scene.rest_density, run.liquid.time);
+  LastGoodState<Choice> last_good;
+  try {
+    go_through(run, last_good, scene, progress);
+  } catch (const SimulationError&) {
+    if (last_good.kept()) scene.save_last_good_state(last_good.state(run, scene));
+    throw;
+  }
+  add_diagnostics(run, output);
   return std::move(output);
 }
 

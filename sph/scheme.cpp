@@ -16,16 +16,20 @@ double chosen(const std::optional<double>& changed, const std::optional<double>&
 
 }  // namespace
 
-double expected_speed(const Scene& scene) {
+double tank_speed(const Scene& scene, double t) {
   const Roll& roll = roll_of(scene);
   const double reach =
       std::hypot(std::max(std::abs(roll.axis_x), std::abs(scene.tank_length - roll.axis_x)),
                  std::max(std::abs(roll.axis_z), std::abs(scene.fill_depth - roll.axis_z)));
-  double tank_speed = 0;
+  return std::abs(scene.velocity(t)) + reach * std::abs(roll.rate(t));
+}
+
+double expected_speed(const Scene& scene) {
+  double fastest = 0;
   for (double t = 0; t <= scene.duration; t += scene.sample_interval)
-    tank_speed = std::max(tank_speed, std::abs(scene.velocity(t)) + reach * std::abs(roll.rate(t)));
+    fastest = std::max(fastest, tank_speed(scene, t));
   const double wave_speed = std::sqrt(scene.gravity * scene.fill_depth);
-  return (scene.column_width ? 2 : 1) * wave_speed + tank_speed;
+  return (scene.column_width ? 2 : 1) * wave_speed + fastest;
 }
 
 Setting setting_of(const Scene& scene, const SchemeNumbers& own) {

@@ -18,6 +18,9 @@
 
 namespace slosh::sph {
 
+// Of the tank's fastest point where it holds the still liquid [m/s].
+double tank_speed(const Scene& scene, double t);
+
 // The largest speed that the liquid is expected to reach: that of a long wave, sqrt(g h), twice
 // that where a dam breaks (Ritter 1892), over the tank's own where it holds the still liquid.
 double expected_speed(const Scene& scene);

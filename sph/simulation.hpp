@@ -113,6 +113,9 @@ struct Scene {
   double state_interval = 0;
   std::function<void(const SavedState&)> save_state = {};
   const SavedState* resume = nullptr;
+  // Given what the run was at its last sample where it goes wrong after that: it can be gone on
+  // from, with the same numbers. Empty: the run keeps no such memory.
+  std::function<void(const SavedState&)> save_last_good_state = {};
 };
 
 // The scene's roll, or one that stands still.
@@ -168,8 +171,9 @@ struct RunOutput {
   }
 };
 
-// The run went wrong: a non-finite state, a density out of range, a particle outside, an unstable
-// fixed step. what() names the first bad particle, its state, the time and the cause.
+// The run went wrong: a non-finite state, a density out of range, a particle outside, a step below
+// its limit, energy from nowhere, an unstable fixed step. what() names the first bad particle, its
+// state, the time and the cause.
 struct SimulationError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

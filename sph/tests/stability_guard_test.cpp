@@ -62,8 +62,8 @@ TEST(StabilityGuard, NamesTheParticleWhoseDensityIsOutOfRange) {
   }
 }
 
-TEST(StabilityGuard, StopsARunThatDiverges) {
-  // A liquid that a tank which stops within 10 ms throws against the wall at three times its sound.
+// A liquid that a tank which stops within 10 ms throws against the wall at three times its sound.
+Scene thrown_scene() {
   Scene scene = still_scene(0.025, 0.2);
   constexpr double speed = 20, span = 0.01;
   scene.displacement = [=](double t) {
@@ -74,8 +74,47 @@ TEST(StabilityGuard, StopsARunThatDiverges) {
   scene.acceleration = [=](double t) { return t < span ? -speed / span : 0.0; };
   scene.start = Start::tank;
   scene.numbers.sound_speed_ratio = 0.3;
+  return scene;
+}
+
+TEST(StabilityGuard, StopsARunThatDiverges) {
   for (const std::string& scheme : scheme_names())
-    EXPECT_THROW(run(scheme, scene, {}), SimulationError) << scheme;
+    EXPECT_THROW(run(scheme, thrown_scene(), {}), SimulationError) << scheme;
+}
+
+TEST(StabilityGuard, StopsARunAtTheStepThatWentWrongAndNotAtTheNextSample) {
+  Scene scene = thrown_scene();
+  scene.sample_interval = 0.1;
+  try {
+    run("recommended", scene, {});
+    FAIL() << "the run went on";
+  } catch (const SimulationError& error) {
+    EXPECT_FALSE(names(error.what(), "t = 0.1 s")) << error.what();
+    EXPECT_FALSE(names(error.what(), "t = 0.2 s")) << error.what();
+  }
+}
+
+TEST(StabilityGuard, NamesTheParticleThatAsksForAStepBelowTheLimit) {
+  const Particles particles = lattice();
+  Rates rates;
+  rates.resize(particles.size());
+  for (auto* field : {&rates.acceleration_x, &rates.acceleration_z, &rates.density_rate})
+    std::fill(field->begin(), field->end(), 1.0);
+  rates.acceleration_z[11] = -3e9;
+  EXPECT_NO_THROW(check_step(1.1e-7, 1e-3, particles, rates, 2));
+  for (const double step : {0.9e-7, 0.0, nan}) try {
+      check_step(step, 1e-3, particles, rates, 2);
+      FAIL() << step;
+    } catch (const SimulationError& error) {
+      EXPECT_TRUE(names(error.what(), "particle 11 is accelerated by 3e+09 m/s2"));
+      EXPECT_TRUE(names(error.what(), "t = 2 s"));
+    }
+}
+
+TEST(StabilityGuard, StopsARunWhoseTankIsJerkedBeyondAnyStep) {
+  Scene scene = still_scene(0.05, 0.2);
+  scene.acceleration = [](double t) { return t > 0.1 ? 1e12 : 0.0; };
+  EXPECT_THROW(run("zhao2021_fixed", scene, {}), SimulationError);
 }
 
 TEST(StabilityGuard, StopsARunWhoseTankMovesByNotANumber) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -124,6 +126,26 @@ FieldSnapshot as_seen_in_the_tank(const sph::Snapshot& snapshot, const CaseDefin
   return field;
 }
 
+// Where the run goes wrong its last good state stays on the disk, and the message says where.
+sph::RunOutput run_scene(const std::string& scheme, sph::Scene& scene, const RunRequest& request) {
+  const auto file = last_good_state_file(request.settings.work_directory, request.run.name);
+  std::string left;
+  scene.save_last_good_state = [&](const sph::SavedState& state) {
+    const double time = state.numbers.at("time");
+    try {
+      write_state(state, request.settings.key, file);
+      left = fmt::format("; the last good state, of t = {:.6g} s, is {}", time, file.string());
+    } catch (const ResultError& error) {
+      left = fmt::format("; the last good state could not be saved: {}", error.what());
+    }
+  };
+  try {
+    return sph::run(scheme, scene, request.progress);
+  } catch (const sph::SimulationError& error) {
+    throw SolverError(error.what() + left);
+  }
+}
+
 }  // namespace
 
 void require_scene(const SphRun& sph, const CaseDefinition& definition,
@@ -160,7 +182,7 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) {
     resumed = read_state(request.settings.key, request.settings.resume);
     scene.resume = &*resumed;
   }
-  sph::RunOutput output = sph::run(sph.scheme, scene, request.progress);
+  sph::RunOutput output = run_scene(sph.scheme, scene, request);
 
   take_common_series(output, result);
   take_series("kinetic_energy", "J/m", output.kinetic_energy, result);

@@ -83,6 +83,11 @@ std::filesystem::path state_file(const std::filesystem::path& directory,
   return directory / (run_name + ".state.h5");
 }
 
+std::filesystem::path last_good_state_file(const std::filesystem::path& directory,
+                                           const std::string& run_name) {
+  return directory / (run_name + ".last_good.h5");
+}
+
 void write_state(const sph::SavedState& state, const std::string& key,
                  const std::filesystem::path& file) {
   write_sealed(kind, file, [&](hid_t root) {

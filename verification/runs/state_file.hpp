@@ -13,6 +13,10 @@ namespace slosh {
 std::filesystem::path state_file(const std::filesystem::path& directory,
                                  const std::string& run_name);
 
+// What a run that went wrong was at its last sample.
+std::filesystem::path last_good_state_file(const std::filesystem::path& directory,
+                                           const std::string& run_name);
+
 // `key` of the run (run_key.hpp). Both throw ResultError; reading also where the state is of a run
 // of another key.
 void write_state(const sph::SavedState& state, const std::string& key,

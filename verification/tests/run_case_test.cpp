@@ -359,6 +359,42 @@ TEST_F(SphRunOfACase, GoesOnFromASavedStateToTheSameBits) {
   EXPECT_THROW(execute(definition, coarse_sph, again, no_progress), ResultError);
 }
 
+TEST_F(SphRunOfACase, LeavesItsLastGoodStateWhereItGoesWrongAndSaysWhere) {
+  RunDefinition unstable = coarse_sph;
+  auto& sph = std::get<SphRun>(unstable.solver);
+  sph.scheme = "recommended";
+  sph.numbers.courant_number = 2;
+  definition.duration = 4;
+  settings.key = "a key";
+  const fs::path file = last_good_state_file(directory.path(), "a_run");
+  try {
+    execute(definition, unstable, settings, no_progress);
+    FAIL() << "an unstable step went on";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("is " + file.string()), std::string::npos)
+        << error.what();
+  }
+  const sph::SavedState state = read_state("a key", file);
+  EXPECT_LT(state.numbers.at("time"), 4);
+}
+
+TEST_F(SphRunOfACase, SaysWhatWentWrongWhereItsLastGoodStateCannotBeSaved) {
+  RunDefinition unstable = coarse_sph;
+  auto& sph = std::get<SphRun>(unstable.solver);
+  sph.scheme = "recommended";
+  sph.numbers.courant_number = 2;
+  definition.duration = 4;
+  settings.work_directory = "/proc/nowhere";
+  try {
+    execute(definition, unstable, settings, no_progress);
+    FAIL() << "an unstable step went on";
+  } catch (const SolverError& error) {
+    const std::string complaint = error.what();
+    EXPECT_NE(complaint.find("particle "), std::string::npos) << complaint;
+    EXPECT_NE(complaint.find("could not be saved: "), std::string::npos) << complaint;
+  }
+}
+
 TEST_F(SphRunOfACase, LeavesSnapshotsAtTheCasesTimesWithVelocitiesAgainstTheTank) {
   definition.snapshot_times = {0.05, 0.1};
   definition.start = Start::tank;
