@@ -12,12 +12,11 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress);
 // The variants of `recommended`.
 template <class... Choices>
 struct ChoiceList {};
-using Variants =
-    ChoiceList<WithCubicSpline, WithWendlandC2, WithWendlandC4, WithSymmetricPressure,
-               WithLinearState, WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
-               WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono,
-               WithShifting, WithStickingWalls, WithRepulsiveWalls, WithGhostWalls,
-               WithStickingGhostWalls, WithDynamicWalls, WithFixedDynamicWalls, WithTwoSpacings,
-               WithPredictorCorrector, WithSymplectic, WithVerlet>;
+using Variants = ChoiceList<
+    WithCubicSpline, WithWendlandC2, WithWendlandC4, WithSymmetricPressure, WithLinearState,
+    WithCubicState, WithQuinticState, WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
+    WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono, WithShifting,
+    WithStickingWalls, WithRepulsiveWalls, WithGhostWalls, WithStickingGhostWalls, WithDynamicWalls,
+    WithFixedDynamicWalls, WithTwoSpacings, WithPredictorCorrector, WithSymplectic, WithVerlet>;
 
 }  // namespace slosh::sph

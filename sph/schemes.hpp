@@ -167,6 +167,14 @@ struct WithLinearState : Recommended {
   static constexpr const char* variant = "linear_state";
   using EquationOfState = LinearState;
 };
+struct WithCubicState : Recommended {
+  static constexpr const char* variant = "gamma_3";
+  using EquationOfState = CubicState;
+};
+struct WithQuinticState : Recommended {
+  static constexpr const char* variant = "gamma_5";
+  using EquationOfState = QuinticState;
+};
 struct WithoutViscosity : Recommended {
   static constexpr const char* variant = "no_viscosity";
   using Viscosity = NoViscosity;

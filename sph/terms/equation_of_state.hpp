@@ -10,32 +10,63 @@
 
 namespace slosh::sph {
 
-// Tait: p = B ((rho / rho_0)^7 - 1), B = rho_0 c0^2 / 7 (Monaghan 1994; Li et al. 2010, eq. 9).
-struct Tait {
-  static constexpr const char* name = "Tait equation of state, gamma = 7";
+// s to a whole power, by squares.
+template <int power, class Number>
+Number to_the(Number s) {
+  if constexpr (power == 1) return s;
+  if constexpr (power == 2) return s * s;
+  if constexpr (power == 3) return s * s * s;
+  if constexpr (power == 5) {
+    const Number s2 = s * s;
+    return s2 * s2 * s;
+  }
+  if constexpr (power == 7) {
+    const Number s2 = s * s;
+    return s2 * s2 * s2 * s;
+  }
+}
+
+// p = B ((rho / rho_0)^gamma - 1), B = rho_0 c0^2 / gamma (Batchelor 1967, section 1.8).
+template <int gamma>
+struct PowerLawState {
   double rest_density;    // [kg/m3]
   double speed_of_sound;  // c0 [m/s], at the rest density
 
-  Tait(double density, double sound) : rest_density(density), speed_of_sound(sound) {}
-  explicit Tait(const Setting& s) : Tait(s.rest_density, s.speed_of_sound) {}
+  PowerLawState(double density, double sound) : rest_density(density), speed_of_sound(sound) {}
+  explicit PowerLawState(const Setting& s) : PowerLawState(s.rest_density, s.speed_of_sound) {}
 
-  double stiffness() const { return rest_density * speed_of_sound * speed_of_sound / 7.0; }
+  double stiffness() const { return rest_density * speed_of_sound * speed_of_sound / gamma; }
 
   auto pressure(auto density) const {
-    const auto s = density / rest_density, s2 = s * s;
-    return stiffness() * (s2 * s2 * s2 * s - 1.0);
+    return stiffness() * (to_the<gamma>(density / rest_density) - 1.0);
   }
   // Inverse, for p > -B.
   double density(double pressure) const {
-    return rest_density * std::pow(1.0 + pressure / stiffness(), 1.0 / 7.0);
+    return rest_density * std::pow(1.0 + pressure / stiffness(), 1.0 / gamma);
   }
-  // [J/kg], with s = rho / rho_0: B / rho_0 ((s^6 - 1) / 6 + 1 / s - 1), whose terms all but cancel
-  // near s = 1; the root at s = 1 is double and taken out.
+  // [J/kg], with s = rho / rho_0: B / rho_0 ((s^(gamma - 1) - 1) / (gamma - 1) + 1 / s - 1), whose
+  // terms all but cancel near s = 1; the root at s = 1 is double and taken out.
   double energy(double density) const {
     const double s = density / rest_density, compression = s - 1.0;
-    const double rest = ((((s + 2.0) * s + 3.0) * s + 4.0) * s + 5.0) * s + 6.0;
-    return stiffness() / rest_density * compression * compression * rest / (6.0 * s);
+    double rest = 1.0;
+    for (int k = 2; k < gamma; ++k) rest = rest * s + k;
+    return stiffness() / rest_density * compression * compression * rest / ((gamma - 1) * s);
   }
+};
+
+// Of water: gamma = 7 (Monaghan 1994; Li et al. 2010, eq. 9).
+struct Tait : PowerLawState<7> {
+  static constexpr const char* name = "Tait equation of state, gamma = 7";
+  using PowerLawState::PowerLawState;
+};
+// Between it and the linear one.
+struct CubicState : PowerLawState<3> {
+  static constexpr const char* name = "power-law equation of state, gamma = 3";
+  using PowerLawState::PowerLawState;
+};
+struct QuinticState : PowerLawState<5> {
+  static constexpr const char* name = "power-law equation of state, gamma = 5";
+  using PowerLawState::PowerLawState;
 };
 
 // Linear: p = c0^2 (rho - rho_0) (Antuono et al. 2010, eq. 1).

@@ -29,6 +29,7 @@ struct FixedStep {
 // at 10 mm went unstable at 0.107 beside a Courant number of 0.8.
 struct AdaptiveStep {
   static constexpr bool adapts = true;
+  static constexpr double viscous_number = 0.0625;  // nu dt / h^2
   double longest_step, h;
 
   explicit AdaptiveStep(const Setting& s)
@@ -36,7 +37,7 @@ struct AdaptiveStep {
         h(s.smoothing_length()) {
     const double nu =
         std::max(s.kinematic_viscosity, s.artificial_viscosity * h * s.speed_of_sound / 8);
-    if (nu > 0) longest_step = std::min(longest_step, 0.0625 * h * h / nu);
+    if (nu > 0) longest_step = std::min(longest_step, viscous_number * h * h / nu);
   }
   double operator()(double largest_acceleration) const {
     return std::min(longest_step, 0.25 * std::sqrt(h / largest_acceleration));

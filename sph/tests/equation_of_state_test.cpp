@@ -51,6 +51,14 @@ TEST(Energy, IsZeroAtRestAndGrowsByThePressureOverTheDensitySquared) {
   setting.rest_density = 1000;
   setting.speed_of_sound = 20;
   expect_the_energy_of_compression(LinearState(setting));
+  expect_the_energy_of_compression(CubicState(setting));
+  expect_the_energy_of_compression(QuinticState(setting));
+}
+
+TEST(PowerLawStates, AreThatPower) {
+  EXPECT_NEAR(CubicState(1000, 20).pressure(1010), 400000.0 / 3 * 0.030301, 1e-8);
+  EXPECT_NEAR(QuinticState(1000, 20).pressure(1010), 400000.0 / 5 * 0.0510100501, 1e-8);
+  EXPECT_NEAR(CubicState(1000, 20).density(400000.0 / 3 * 7), 2000, 1e-9);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ Table error_table(const Problem& problem, const ProblemResult& result) {
   Table table{problem.name + "-errors",
               "Errors and observed orders",
               "From the coarsest resolution to the finest; the order between neighbours, and the "
-              "slope of the least-squares line through all of them.",
+              "slope of the least-squares line through all of them, where the steps are those of a "
+              "resolution.",
               {"measure", "what it is", "step", "steps", "errors", "unit", "orders", "order"},
               {}};
   for (const MeasuredErrors& measure : result.outcome.measures)
@@ -51,8 +52,8 @@ Table error_table(const Problem& problem, const ProblemResult& result) {
       if (kind.name == measure.name)
         table.rows.push_back({measure.name, kind.meaning, kind.step, step_texts(measure.errors),
                               error_texts(measure.errors), kind.unit,
-                              orders_between(measure.errors),
-                              order_text(order_of(measure.errors))});
+                              kind.has_order ? orders_between(measure.errors) : "",
+                              kind.has_order ? order_text(order_of(measure.errors)) : ""});
   return table;
 }
 
@@ -78,6 +79,7 @@ std::vector<reports::Figure> error_figures(const Problem& problem, const Problem
   for (std::size_t m = 0; m < result.outcome.measures.size(); ++m) {
     const MeasuredErrors& measure = result.outcome.measures[m];
     const MeasureKind& kind = problem.measures.at(m);
+    if (!kind.has_order) continue;
     reports::Curve curve{measure.name, {}, {}, {}, reports::Curve::Style::line_points};
     for (const auto& [step, error] : measure.errors) {
       curve.x.push_back(step);
@@ -127,6 +129,7 @@ reports::Section problem_section(const ProblemAssessment& assessment) {
   const ProblemResult& result = *assessment.run.result;
   section.tables.insert(section.tables.begin(), error_table(problem, result));
   section.paragraphs.push_back(cost_text(result));
+  for (const reports::Table& one : result.outcome.tables) section.tables.push_back(one);
   section.figures = error_figures(problem, result);
   for (const reports::Figure& one : result.outcome.figures) section.figures.push_back(one);
   return section;

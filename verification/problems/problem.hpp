@@ -22,6 +22,7 @@ struct MeasureKind {
   std::string unit;  // of the error; "1" for none
   std::string step;  // what the steps are, with their unit: "h / L"
   std::string meaning;
+  bool has_order = true;  // in the steps: the report shows it
 };
 
 struct MeasuredErrors {
@@ -32,6 +33,7 @@ struct MeasuredErrors {
 struct ProblemOutcome {
   std::vector<MeasuredErrors> measures;  // in the order of the problem's kinds
   std::vector<reports::Figure> figures;
+  std::vector<reports::Table> tables = {};
 };
 
 struct Problem {

@@ -13,5 +13,9 @@ Problem rigid_rotation_problem();
 Problem uniform_translation_problem();
 Problem wall_impulse_problem();
 Problem mirror_symmetry_problem();
+Problem courant_map_problem();
+Problem viscosity_map_problem();
+Problem gamma_map_problem();
+Problem diffusion_map_problem();
 
 }  // namespace slosh

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;  // its objects are sorted: one text per value
 
 constexpr const char* format = "slosh problem";
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 double number(const json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
@@ -46,7 +46,8 @@ json entry(const reports::Figure& figure) {
                       {"y", curve.y},
                       {"style", static_cast<int>(curve.style)}});
   return {{"id", figure.id},           {"title", figure.title},     {"caption", figure.caption},
-          {"x_label", figure.x_label}, {"y_label", figure.y_label}, {"curves", curves}};
+          {"x_label", figure.x_label}, {"y_label", figure.y_label}, {"log_x", figure.log_x},
+          {"log_y", figure.log_y},     {"curves", curves}};
 }
 
 reports::Figure figure_from(const json& entry) {
@@ -56,6 +57,8 @@ reports::Figure figure_from(const json& entry) {
   figure.caption = entry.at("caption");
   figure.x_label = entry.at("x_label");
   figure.y_label = entry.at("y_label");
+  figure.log_x = entry.at("log_x");
+  figure.log_y = entry.at("log_y");
   for (const json& one : entry.at("curves"))
     figure.curves.push_back({one.at("label"),
                              numbers(one.at("x")),
@@ -65,10 +68,25 @@ reports::Figure figure_from(const json& entry) {
   return figure;
 }
 
+json entry(const reports::Table& table) {
+  return {{"id", table.id},
+          {"title", table.title},
+          {"caption", table.caption},
+          {"header", table.header},
+          {"rows", table.rows}};
+}
+
+reports::Table table_from(const json& entry) {
+  return {entry.at("id"), entry.at("title"), entry.at("caption"),
+          entry.at("header").get<std::vector<std::string>>(),
+          entry.at("rows").get<std::vector<std::vector<std::string>>>()};
+}
+
 json body_of(const ProblemResult& result) {
-  json measures = json::array(), figures = json::array();
+  json measures = json::array(), figures = json::array(), tables = json::array();
   for (const MeasuredErrors& one : result.outcome.measures) measures.push_back(entry(one));
   for (const reports::Figure& one : result.outcome.figures) figures.push_back(entry(one));
+  for (const reports::Table& one : result.outcome.tables) tables.push_back(entry(one));
   return {{"format", format},
           {"format_version", format_version},
           {"problem", result.problem},
@@ -81,7 +99,8 @@ json body_of(const ProblemResult& result) {
             {"system_time_s", result.cost.system_time},
             {"peak_memory_byte", result.cost.peak_memory}}},
           {"measures", measures},
-          {"figures", figures}};
+          {"figures", figures},
+          {"tables", tables}};
 }
 
 ProblemResult result_from(const json& body) {
@@ -97,6 +116,7 @@ ProblemResult result_from(const json& body) {
   result.cost.peak_memory = cost.at("peak_memory_byte");
   for (const json& one : body.at("measures")) result.outcome.measures.push_back(measure_from(one));
   for (const json& one : body.at("figures")) result.outcome.figures.push_back(figure_from(one));
+  for (const json& one : body.at("tables")) result.outcome.tables.push_back(table_from(one));
   return result;
 }
 

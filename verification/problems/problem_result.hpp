@@ -2,7 +2,7 @@
 //   body: format ("slosh problem"), format_version, problem, quick, key, provenance, cost,
 //   measures[]
 //         (name, errors[]: step and error, null for no number), figures[] (id, title, caption,
-//         x_label, y_label, curves[])
+//         x_label, y_label, log_x, log_y, curves[]), tables[] (id, title, caption, header, rows[])
 //   hash: content_hash of the body's compact text
 #pragma once
 

@@ -26,7 +26,9 @@ ProblemResult sample() {
   reports::Figure figure;
   figure.id = "shapes";
   figure.curves = {{"one", {0, 1}, {2, 3}, {}, reports::Curve::Style::dashed}};
+  figure.log_y = true;
   result.outcome.figures = {figure};
+  result.outcome.tables = {{"limits", "Limits", "", {"C", "how"}, {{"1.4", "stable"}}}};
   return result;
 }
 

@@ -1,0 +1,61 @@
+// Maps of where a run is stable: the solver is run at every point of a grid of two numbers, and
+// along each row the limit is found by bisection. A run either ends with no more energy than it
+// had, is stopped by the solver's guards, or ends and has gained energy all the same, which no run
+// may.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sph/simulation.hpp"
+#include "verification/problems/problem.hpp"
+
+namespace slosh {
+
+enum class Stability { stable, stopped, unnoticed };
+
+struct Probe {
+  Stability stability;
+  std::string message;  // of a guard
+};
+
+// Runs `recommended`, or what the scene's variant makes of it, on a free wave, and judges by its
+// energy: unnoticed where kinetic and potential energy end at more than a twentieth of the wave's
+// own above their start.
+Probe probe_of_wave(const sph::Scene& scene);
+
+// One long wave in 1 m of water 0.4 m deep, at 0.04 m, for that many steps of the Courant number
+// and twenty to a sample.
+sph::Scene wave_scene(const sph::SchemeNumbers& numbers, int steps);
+
+struct MapAxis {
+  std::string label;
+  std::vector<double> values;  // increasing
+};
+
+struct StabilityMap {
+  std::string id, title, caption;
+  MapAxis across, up;  // stable at the low end of `across`
+  std::function<Probe(double across, double up)> probe;
+  std::string theory_label;
+  std::function<double(double up)> theory;  // the limit of `across`
+  bool log_across = false, log_up = false;
+};
+
+struct MapOutcome {
+  std::vector<double> measured;  // limit of `across` by value of `up`, to 2 %; NaN: none in the map
+  int unnoticed = 0;             // of all runs
+  reports::Figure figure;
+  reports::Table table;
+};
+
+MapOutcome explore(const StabilityMap& map);
+
+// The measures that every map leaves, and their entries.
+std::vector<MeasureKind> map_measures(const std::string& step);
+// `shipped`: the number that schemes have on the axis `across`.
+std::vector<MeasuredErrors> measures_of(const StabilityMap& map, const MapOutcome& outcome,
+                                        const std::function<double(double up)>& shipped);
+
+}  // namespace slosh
