@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "reference/linear_surge.hpp"
 #include "verification/campaign/row_uncertainty.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/windowed_series.hpp"
+#include "verification/runs/reference_tank.hpp"
 
 namespace slosh {
 namespace {
@@ -57,8 +57,7 @@ Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs,
 }  // namespace
 
 std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
-  const reference::Tank tank{definition.tank.length, definition.liquid.fill_depth,
-                             definition.gravity, definition.liquid.density};
+  const reference::Tank tank = tank_of(definition);
   std::vector<ToneRequest> modes;
   if (const double forcing = forcing_frequency(definition); forcing > 0)
     modes.push_back({"forced", forcing, false});

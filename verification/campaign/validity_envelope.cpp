@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "reference/linear_surge.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/runs/reference_tank.hpp"
 
 namespace slosh {
 namespace {
@@ -23,10 +23,7 @@ double recorded(const RunResult& result, const char* name) {
 
 double amplitude_of(const MotionHistory& history) {
   if (const auto* sine = std::get_if<SineMotion>(&history)) return sine->amplitude;
-  double largest = 0;
-  for (const double value : std::get<TableMotion>(history).value)
-    largest = std::max(largest, std::abs(value));
-  return largest;
+  return largest_magnitude(std::get<TableMotion>(history).value);
 }
 
 // Of the motion as a surge [m].
@@ -42,10 +39,8 @@ double forcing_amplitude(const CaseDefinition& definition) {
 std::optional<std::string> too_near_resonance(const CaseDefinition& definition) {
   const double forcing = forcing_frequency(definition);
   if (!(forcing > 0)) return {};
-  const double length = definition.tank.length;
-  const reference::Tank tank{length, definition.liquid.fill_depth, definition.gravity,
-                             definition.liquid.density};
-  const double least = std::pow(forcing_amplitude(definition) / length, 2.0 / 3);
+  const reference::Tank tank = tank_of(definition);
+  const double least = std::pow(forcing_amplitude(definition) / tank.length, 2.0 / 3);
   for (int m = 1; m == 1 || reference::natural_frequency(tank, m) < 2 * forcing; m += 2) {
     const double ratio = forcing / reference::natural_frequency(tank, m);
     const double detuning = std::abs(ratio * ratio - 1);

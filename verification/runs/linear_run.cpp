@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "reference/linear_roll.hpp"
@@ -38,11 +37,9 @@ std::optional<reference::Gas> gas_of(const LinearRun& linear, const CaseDefiniti
 // The answer to `motion`, with the gas where the run counts it.
 template <class Solution, class Motion>
 Solution solution(const LinearRun& linear, const CaseDefinition& definition, const Motion& motion) {
-  const auto start =
-      definition.start == Start::earth ? reference::Start::earth : reference::Start::tank;
   const auto gas = gas_of(linear, definition);
-  if (!gas) return {tank_of(definition), start, motion, linear.modes};
-  return {tank_of(definition), *gas, start, motion, linear.modes};
+  if (!gas) return {tank_of(definition), start_of(definition), motion, linear.modes};
+  return {tank_of(definition), *gas, start_of(definition), motion, linear.modes};
 }
 
 double motion_step(const CaseDefinition& definition) {
@@ -142,16 +139,12 @@ class LinearTank {
   }
 
   std::vector<double> pressure(Wall wall, double along) const {
-    const double length = definition_.tank.length, depth = definition_.liquid.fill_depth;
-    const double x = wall == Wall::bottom ? along - length / 2
-                     : wall == Wall::left ? -length / 2
-                                          : length / 2;
-    const double z = wall == Wall::bottom ? -depth : along - depth;
+    const reference::Observation::Place place = place_on_wall(definition_, wall, along);
     std::vector<double> sum(times_.size(), 0.0);
-    if (roll_) add(sum, roll_->pressure(x, z, times_));
-    if (surge_) add(sum, series([&](double t) { return surge_->pressure(x, z, t); }));
-    if (wave_) add(sum, series([&](double t) { return wave_->pressure(x, z, t); }));
-    const double still = -definition_.liquid.density * definition_.gravity * z;
+    if (roll_) add(sum, roll_->pressure(place.x, place.z, times_));
+    if (surge_) add(sum, series([&](double t) { return surge_->pressure(place.x, place.z, t); }));
+    if (wave_) add(sum, series([&](double t) { return wave_->pressure(place.x, place.z, t); }));
+    const double still = -definition_.liquid.density * definition_.gravity * place.z;
     const int counted = surge_.has_value() + roll_.has_value() + wave_.has_value();
     for (double& value : sum) value -= (counted - 1) * still;
     return sum;
@@ -167,12 +160,6 @@ class LinearTank {
 bool under_still_water(const PressureGaugeDefinition& gauge, const CaseDefinition& definition) {
   return gauge.wall == Wall::bottom ||
          gauge.position + gauge.width / 2 < definition.liquid.fill_depth;
-}
-
-double largest_magnitude(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
 }
 
 }  // namespace

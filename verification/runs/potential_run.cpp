@@ -5,6 +5,7 @@
 
 #include "reference/nonlinear_potential_flow.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/runs/reference_tank.hpp"
 #include "verification/runs/solver_runs.hpp"
 
 namespace slosh {
@@ -12,14 +13,6 @@ namespace {
 
 using reference::NonlinearRecord;
 using reference::NonlinearSloshing;
-
-// 0, interval, ..., up to the duration.
-std::vector<double> sample_times(const CaseDefinition& definition) {
-  const double intervals = definition.duration / definition.sample_interval;
-  std::vector<double> times(static_cast<std::size_t>(intervals * (1 + 1e-12)) + 1);
-  for (std::size_t i = 0; i < times.size(); ++i) times[i] = i * definition.sample_interval;
-  return times;
-}
 
 reference::TankMotion motion_of(const CaseDefinition& definition) {
   reference::TankMotion motion;
@@ -50,38 +43,22 @@ std::function<double(double)> initial_elevation(const CaseDefinition& definition
 }
 
 NonlinearSloshing sloshing_of(const PotentialRun& potential, const CaseDefinition& definition) {
-  const double depth = definition.liquid.fill_depth;
-  return {
-      .tank = {definition.tank.length, depth, definition.gravity, definition.liquid.density},
-      .roof = definition.tank.height - depth,
-      .motion = motion_of(definition),
-      .start = definition.start == Start::earth ? reference::Start::earth : reference::Start::tank,
-      .initial_elevation = initial_elevation(definition),
-      .nodes_x = potential.nodes_x,
-      .nodes_z = potential.nodes_z};
-}
-
-// The sensor's middle: over its few millimetres the pressure is linear.
-reference::Observation::Place place_of(const PressureGaugeDefinition& gauge,
-                                       const CaseDefinition& definition) {
-  const double half = definition.tank.length / 2, depth = definition.liquid.fill_depth;
-  switch (gauge.wall) {
-    case Wall::left:
-      return {-half, gauge.position - depth};
-    case Wall::right:
-      return {half, gauge.position - depth};
-    case Wall::bottom:
-      break;
-  }
-  return {gauge.position - half, -depth};
+  return {.tank = tank_of(definition),
+          .roof = definition.tank.height - definition.liquid.fill_depth,
+          .motion = motion_of(definition),
+          .start = start_of(definition),
+          .initial_elevation = initial_elevation(definition),
+          .nodes_x = potential.nodes_x,
+          .nodes_z = potential.nodes_z};
 }
 
 reference::Observation observation_of(const CaseDefinition& definition) {
   reference::Observation observation{.times = sample_times(definition)};
   for (const GaugeDefinition& gauge : definition.gauges)
     observation.gauges.push_back(gauge.x - definition.tank.length / 2);
+  // The sensor's middle: over its few millimetres the pressure is linear.
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    observation.pressure_places.push_back(place_of(gauge, definition));
+    observation.pressure_places.push_back(place_on_wall(definition, gauge.wall, gauge.position));
   return observation;
 }
 
@@ -134,15 +111,10 @@ RunResult run_potential(const PotentialRun& potential, const RunRequest& request
   RunResult result;
   add_series(record, definition, "", result);
   add_series(coarse_record, definition, coarser, result);
-  const auto largest = [](const std::vector<double>& values) {
-    double most = 0;
-    for (const double value : values) most = std::max(most, std::abs(value));
-    return most;
-  };
   result.diagnostics = {{"valid_until_s", std::min(record.valid_until, coarse_record.valid_until)},
-                        {"largest_volume_error_m", largest(record.volume_error)},
-                        {"largest_energy_error", largest(record.energy_error)},
-                        {"largest_unresolved_share", largest(record.unresolved)}};
+                        {"largest_volume_error_m", largest_magnitude(record.volume_error)},
+                        {"largest_energy_error", largest_magnitude(record.energy_error)},
+                        {"largest_unresolved_share", largest_magnitude(record.unresolved)}};
   const std::string& because = record.valid_until <= coarse_record.valid_until
                                    ? record.left_range_because
                                    : coarse_record.left_range_because;
