@@ -150,14 +150,15 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
 int gate_campaign(const CampaignOptions& options, const Installation& installation,
                   const std::atomic<bool>& stop) {
   const AssessedCampaign assessed = assess_campaign(options, installation, stop);
-  const Baseline baseline =
-      baseline_of(read_ledger(ledger_of(options, assessed.definition, installation)));
+  const std::vector<RowMovement> moved =
+      movements(baseline_of(read_ledger(ledger_of(options, assessed.definition, installation))),
+                assessed.cases);
   print(assessed);
-  for (const RowMovement& movement : movements(baseline, assessed.cases))
+  for (const RowMovement& movement : moved)
     if (movement.before && movement.has_changed())
       std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
   const fs::path directory = assessed.output / "gate";
-  write_gate_files(gate_document(assessed, baseline, installation.source), directory);
+  write_gate_files(gate_document(assessed, moved, installation.source), directory);
   std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
             << verdict_sentence(assessed.cases, assessed.problems)
             << "\ngate: " << (directory / "gate.md").string() << ", junit.xml, gate.sarif\n";

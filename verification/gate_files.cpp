@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "verification/baseline/baseline_diff.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/case_file/problem_table.hpp"
 #include "verification/runs/atomic_file.hpp"
@@ -37,24 +36,32 @@ std::string relative_to(const fs::path& source, const fs::path& file) {
   return relative.empty() || *relative.begin() == ".." ? file.string() : relative.string();
 }
 
+// What rows of cases and of problems tell alike: all but the name, the value and what has moved.
+template <class Outcome>
+reports::GateEntry entry_in(const std::string& group, const Outcome& outcome,
+                            const fs::path& source) {
+  return {.outcome = kind_of(outcome.verdict),
+          .group = group,
+          .name = "",
+          .message = outcome.message,
+          .unit = outcome.row.unit,
+          .lower = {},
+          .upper = {},
+          .moved = "",
+          .file = relative_to(source, outcome.row.where.file),
+          .line = outcome.row.where.line};
+}
+
 reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome& outcome,
                             const std::vector<RowMovement>& movements, const fs::path& source) {
-  const std::string name = row_name(assessment.definition.name, outcome.row);
-  reports::GateEntry entry{.outcome = kind_of(outcome.verdict),
-                           .group = assessment.definition.name,
-                           .name = name.substr(assessment.definition.name.size() + 2),
-                           .message = outcome.message,
-                           .unit = outcome.row.unit,
-                           .value = outcome.value.value,
-                           .uncertainty = outcome.value.half_width,
-                           .lower = {},
-                           .upper = {},
-                           .moved = "",
-                           .loosened = false,
-                           .file = relative_to(source, outcome.row.where.file),
-                           .line = outcome.row.where.line};
-  const auto moved = std::find_if(movements.begin(), movements.end(),
-                                  [&](const RowMovement& one) { return one.row == name; });
+  const std::string& group = assessment.definition.name;
+  reports::GateEntry entry = entry_in(group, outcome, source);
+  entry.name = row_name(outcome.row);
+  entry.value = outcome.value.value;
+  entry.uncertainty = outcome.value.half_width;
+  const auto moved = std::find_if(movements.begin(), movements.end(), [&](const RowMovement& one) {
+    return one.row == row_name(group, outcome.row);
+  });
   if (moved == movements.end()) return entry;
   if (moved->after) {
     entry.lower = moved->after->lower;
@@ -67,33 +74,24 @@ reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome&
 
 reports::GateEntry entry_of(const ProblemAssessment& assessment, const ProblemGateOutcome& outcome,
                             const fs::path& source) {
-  return {.outcome = kind_of(outcome.verdict),
-          .group = assessment.definition.name,
-          .name = metric_name(outcome.row.metric) + " of " + outcome.row.measure,
-          .message = outcome.message,
-          .unit = outcome.row.unit,
-          .value = outcome.value,
-          .uncertainty = 0,
-          .lower = {},
-          .upper = {},
-          .moved = "",
-          .loosened = false,
-          .file = relative_to(source, outcome.row.where.file),
-          .line = outcome.row.where.line};
+  reports::GateEntry entry = entry_in(assessment.definition.name, outcome, source);
+  entry.name = metric_name(outcome.row.metric) + " of " + outcome.row.measure;
+  entry.value = outcome.value;
+  return entry;
 }
 
 }  // namespace
 
-reports::GateDocument gate_document(const AssessedCampaign& assessed, const Baseline& baseline,
+reports::GateDocument gate_document(const AssessedCampaign& assessed,
+                                    const std::vector<RowMovement>& movements,
                                     const fs::path& source) {
   reports::GateDocument document{.title = assessed.definition.title,
                                  .verdict = verdict_sentence(assessed.cases, assessed.problems),
                                  .tool_version = provenance("").at("slosh_version"),
                                  .entries = {}};
-  const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
   for (const CaseAssessment& one : assessed.cases)
     for (const GateOutcome& outcome : one.gate)
-      document.entries.push_back(entry_of(one, outcome, moved, source));
+      document.entries.push_back(entry_of(one, outcome, movements, source));
   for (const ProblemAssessment& one : assessed.problems)
     for (const ProblemGateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, source));

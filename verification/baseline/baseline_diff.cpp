@@ -31,14 +31,14 @@ double uncertainties_between(const BaselineValue& before, const BaselineValue& a
   return moved == 0 ? 0 : moved / std::hypot(before.half_width, after.half_width);
 }
 
-std::string in_unit(double value, const std::string& unit) {
+std::string signed_in_unit(double value, const std::string& unit) {
   return unit == "1" ? fmt::format("{:+.3g} %", 100 * value)
                      : fmt::format("{:+.3g} {}", value, unit);
 }
 
 std::string range(const BaselineValue& value, const std::string& unit) {
-  return fmt::format("{} .. {}", in_unit(value.lower.value_or(-unbounded), unit),
-                     in_unit(value.upper.value_or(unbounded), unit));
+  return fmt::format("{} .. {}", signed_in_unit(value.lower.value_or(-unbounded), unit),
+                     signed_in_unit(value.upper.value_or(unbounded), unit));
 }
 
 bool is_judged_here(const GateOutcome& outcome) {
@@ -53,10 +53,7 @@ bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
 }
 
 std::string row_name(const std::string& case_name, const GateRow& row) {
-  return fmt::format("{}: {}{}, {} {} of {}{}", case_name, row.candidate,
-                     row.reference.empty() ? "" : " against " + row.reference, row.mode,
-                     metric_name(row.metric), row.quantity,
-                     row.improves_on ? ", below that of " + *row.improves_on : "");
+  return case_name + ": " + row_name(row);
 }
 
 std::vector<RowMovement> movements(const Baseline& baseline,
@@ -90,12 +87,12 @@ std::string movement_text(const RowMovement& movement) {
   if (!declared) return "no row any more";
   if (!before && !after) return "no value";
   if (!after) return "no value any more";
-  if (!before) return "new: " + in_unit(after->value, unit);
+  if (!before) return "new: " + signed_in_unit(after->value, unit);
   std::string text =
       before->value == after->value
           ? "unmoved"
-          : fmt::format("{} -> {} ({:.2g} uncertainties)", in_unit(before->value, unit),
-                        in_unit(after->value, unit), uncertainties);
+          : fmt::format("{} -> {} ({:.2g} uncertainties)", signed_in_unit(before->value, unit),
+                        signed_in_unit(after->value, unit), uncertainties);
   if (loosened)
     text +=
         fmt::format(", tolerance loosened: {} -> {}", range(*before, unit), range(*after, unit));

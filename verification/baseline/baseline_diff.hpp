@@ -15,9 +15,7 @@ namespace slosh {
 bool is_loosened(const BaselineValue& before, const BaselineValue& after);
 
 struct RowMovement {
-  // "CASE: CANDIDATE against REFERENCE, MODE METRIC of QUANTITY", and ", below that of RUN" of a
-  // row that is to improve on a run
-  std::string row;
+  std::string row;  // its name in the campaign
   std::string unit;
   std::optional<BaselineValue> before, after;  // none: not there, or without a value now
   // |after - before| over the root of the sum of both half widths' squares; infinite where it has
@@ -29,6 +27,7 @@ struct RowMovement {
   bool has_changed() const { return before != after; }
 };
 
+// Its name in the campaign: "CASE: " before its name in the case (gate.hpp).
 std::string row_name(const std::string& case_name, const GateRow& row);
 
 // Every row of the campaign, in its order, then those of the baseline that it no longer has. A row

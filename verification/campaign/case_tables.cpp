@@ -34,12 +34,9 @@ std::vector<std::string> mode_measures(const ModeComparison& mode) {
 }
 
 std::string allowed(const GateRow& row) {
-  const auto in_unit = [&](double value) {
-    return row.unit == "1" ? fmt::format("{:.3g} %", 100 * value)
-                           : fmt::format("{:.3g} {}", value, row.unit);
-  };
-  if (row.limit) return "at most " + in_unit(*row.limit);
-  if (row.between) return in_unit(row.between->first) + " to " + in_unit(row.between->second);
+  if (row.limit) return "at most " + in_unit(*row.limit, row.unit);
+  if (row.between)
+    return in_unit(row.between->first, row.unit) + " to " + in_unit(row.between->second, row.unit);
   return "below that of " + *row.improves_on;
 }
 

@@ -14,16 +14,6 @@ namespace {
 
 using reports::Table;
 
-std::string in_unit(double value, const std::string& unit) {
-  return unit == "1" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} {}", value, unit);
-}
-
-std::string row_text(const GateRow& row) {
-  return fmt::format("{}{}, {} {} of {}", row.candidate,
-                     row.reference.empty() ? "" : " against " + row.reference, row.mode,
-                     metric_name(row.metric), row.quantity);
-}
-
 void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Table& table) {
   for (const RefinedMetric& path : paths) {
     std::vector<std::string> values;
@@ -105,7 +95,7 @@ std::optional<Table> remedy_table(const CaseAssessment& assessment) {
     if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
     const ThreeWayOutcome& judged = *outcome.judgement;
     table.rows.push_back(
-        {row_text(outcome.row), outcome.message, contributions_text(judged, outcome.row.unit),
+        {row_name(outcome.row), outcome.message, contributions_text(judged, outcome.row.unit),
          "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit), remedy_text(judged)});
   }
   if (table.rows.empty()) return {};

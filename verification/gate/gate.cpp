@@ -18,11 +18,6 @@ namespace {
 constexpr Estimate no_value{std::numeric_limits<double>::quiet_NaN(),
                             std::numeric_limits<double>::quiet_NaN()};
 
-// "1" reads as percent, everything else in its own unit.
-std::string in_unit(double value, const std::string& unit) {
-  return unit == "1" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} {}", value, unit);
-}
-
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
   const std::string value = in_unit(estimate.value, unit);
   if (!(estimate.half_width > 0)) return value;  // a whole-window metric has none
@@ -361,6 +356,17 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
       return quantity_unit;
   }
   throw std::logic_error("a metric without a unit");
+}
+
+std::string row_name(const GateRow& row) {
+  return fmt::format("{}{}, {} {} of {}{}", row.candidate,
+                     row.reference.empty() ? "" : " against " + row.reference, row.mode,
+                     metric_name(row.metric), row.quantity,
+                     row.improves_on ? ", below that of " + *row.improves_on : "");
+}
+
+std::string in_unit(double value, const std::string& unit) {
+  return unit == "1" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} {}", value, unit);
 }
 
 }  // namespace slosh

@@ -106,5 +106,10 @@ std::string verdict_name(Verdict verdict);
 std::string state_name(RunState state);
 std::string metric_name(Metric metric);  // as in the case file
 std::string metric_unit(Metric metric, const std::string& quantity_unit);
+// "CANDIDATE against REFERENCE, MODE METRIC of QUANTITY", and ", below that of RUN" of a row that
+// is to improve on a run
+std::string row_name(const GateRow& row);
+// "1.5 %" of a share, whose unit is "1"; "0.034 Pa" of anything else
+std::string in_unit(double value, const std::string& unit);
 
 }  // namespace slosh
