@@ -6,36 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
+#include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
 namespace {
 
 using Values = std::vector<double>;
-
-double mean(const Values& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double rms(const Values& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-Values without_mean(Values values) {
-  const double m = mean(values);
-  for (double& value : values) value -= m;
-  return values;
-}
-
-Values minus(Values one, const Values& other) {
-  for (std::size_t i = 0; i < one.size(); ++i) one[i] -= other[i];
-  return one;
-}
 
 // The one's as candidate and the other's as reference, over a window that both are checked for.
 CommonSamples within_window(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {

@@ -11,6 +11,7 @@
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/campaign/shown_quantity.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/metrics/sample_moments.hpp"
 
 namespace slosh {
 namespace {
@@ -24,12 +25,8 @@ double tolerated_residual(const CaseAssessment& assessment, const Comparison& co
   for (const GateRow& row : assessment.definition.gate)
     if (row.metric == Metric::normalised_rms && row.limit &&
         row.candidate == comparison.candidate && row.reference == comparison.reference &&
-        row.quantity == comparison.quantity) {
-      double sum2 = 0;
-      for (const double r : comparison.residual.value) sum2 += r * r;
-      const double rms = std::sqrt(sum2 / static_cast<double>(comparison.residual.value.size()));
-      return *row.limit * rms / comparison.normalised_rms.value;
-    }
+        row.quantity == comparison.quantity)
+      return *row.limit * rms(comparison.residual.value) / comparison.normalised_rms.value;
   return 0;
 }
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -17,27 +17,14 @@ namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-double rms_about(const std::vector<double>& values, double level) {
-  double squares = 0;
-  for (const double value : values) squares += (value - level) * (value - level);
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 // NaN of series that cannot be compared.
 double distance(const TimeSeries& one, const TimeSeries& other, TimeWindow window) try {
   const TimeWindow both{std::max({window.begin, one.time.front(), other.time.front()}),
                         std::min({window.end, one.time.back(), other.time.back()})};
   cut_to_window(one, both);  // for its checks
   const CommonSamples common = common_samples(one, cut_to_window(other, both));
-  std::vector<double> apart(common.time.size());
-  for (std::size_t i = 0; i < apart.size(); ++i)
-    apart[i] = common.candidate[i] - common.reference[i];
-  return rms_about(apart, 0) / std::sqrt(rms_about(common.candidate, mean(common.candidate)) *
-                                         rms_about(common.reference, mean(common.reference)));
+  return rms(minus(common.candidate, common.reference)) /
+         std::sqrt(rms(without_mean(common.candidate)) * rms(without_mean(common.reference)));
 } catch (const ComparisonError&) {
   return no_number;
 }

@@ -2,8 +2,9 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <numeric>
 #include <vector>
+
+#include "verification/metrics/sample_moments.hpp"
 
 namespace slosh {
 namespace {
@@ -20,9 +21,8 @@ bool repeats(const SphRun& one, const SphRun& other) {
 
 double prediction_half_width(const std::vector<double>& values) {
   const double n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   double squares = 0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
+  for (const double value : without_mean(values)) squares += value * value;
   const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
   return t * std::sqrt(squares / (n - 1) * (1 + 1 / n));
 }

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <utility>
 
+#include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -41,14 +41,6 @@ TimeSeries delayed(const TimeSeries& series, double lag) {
 TimeSeries stretched(const TimeSeries& series, double speed) {
   const double begin = series.time.front();
   return moved_in_time(series, [=](double t) { return begin + speed * (t - begin); });
-}
-
-double standard_deviation(const std::vector<double>& values) {
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  const double mean = sum / static_cast<double>(values.size());
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 TimeSeries with_white_noise(TimeSeries series, double deviation) {
@@ -97,7 +89,7 @@ TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const Mut
     case MutationKind::slower:
       return stretched(series, 1 - s);
     case MutationKind::noisy:
-      return with_white_noise(series, s * standard_deviation(judged.value));
+      return with_white_noise(series, s * rms(without_mean(judged.value)));
     case MutationKind::truncated:
       return ending_at(series, window.end - s * (window.end - window.begin));
     case MutationKind::not_a_number:
