@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "verification/runs/run_case.hpp"
+
 namespace slosh {
 
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity) {
@@ -17,6 +19,16 @@ const RunDefinition& run_named(const CaseDefinition& definition, const std::stri
   if (found == definition.runs.end())
     throw std::invalid_argument("case " + definition.name + " has no run " + name);
   return *found;
+}
+
+RunResult judged_part(const RunResult& result, const std::string& quantity) {
+  RunResult part{};
+  part.case_name = result.case_name;
+  part.run_name = result.run_name;
+  part.diagnostics = result.diagnostics;
+  for (const TimeSeries& one : result.series)
+    if (one.name == quantity || one.name == quantity + coarser) part.series.push_back(one);
+  return part;
 }
 
 const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,

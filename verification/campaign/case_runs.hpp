@@ -20,6 +20,10 @@ bool has_series(const CaseRuns& runs, const std::string& run, const std::string&
 // The run's definition by its name; the case has one.
 const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
 
+// What judging a row on the quantity takes of a result: its name, its diagnostics, that series and
+// potential flow's of fewer nodes.
+RunResult judged_part(const RunResult& result, const std::string& quantity);
+
 // That of the first record that has it; null where none is supplied.
 const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,
                                    const std::string& quantity);

@@ -31,13 +31,15 @@ TimeSeries& series_of(RunResult& result, const std::string& quantity) {
 
 GateStrength strength_of(const CaseAssessment& assessment, const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
-  CaseRuns runs = assessment.runs;
-  RunResult& candidate = runs.results.at(row.candidate);
-  const TimeSeries own = candidate.at(row.quantity);
+  CaseRuns runs{assessment.runs.status, {}};
+  for (const auto& [run, result] : assessment.runs.results)
+    runs.results[run] = judged_part(result, row.quantity);
+  TimeSeries& judged = series_of(runs.results.at(row.candidate), row.quantity);
+  const TimeSeries own = judged;
   const PassesWith passes_with = [&](const TimeSeries& series) {
-    series_of(candidate, row.quantity).time = series.time;
-    series_of(candidate, row.quantity).value = series.value;
-    series_of(candidate, row.quantity).unit = series.unit;
+    judged.time = series.time;
+    judged.value = series.value;
+    judged.unit = series.unit;
     return CaseEvidence(assessment.definition, runs).judge(row).verdict == Verdict::pass;
   };
   return gate_strength(row, {outcome.value.value, own}, frame_of(assessment.definition, row),

@@ -23,7 +23,7 @@ double measure_against_coarser(const CaseDefinition& definition, const CaseRuns&
                                const GateRow& row) {
   CaseRuns with_coarser;
   for (const std::string& run : {row.candidate, row.reference}) {
-    with_coarser.results[run] = runs.results.at(run);
+    with_coarser.results[run] = judged_part(runs.results.at(run), row.quantity);
     with_coarser.status[run] = runs.status.at(run);
   }
   std::vector<TimeSeries>& series = with_coarser.results.at(row.reference).series;

@@ -77,20 +77,26 @@ HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
   return found;
 }
 
-PairedDifference difference(const WindowFit& candidate, const WindowFit& reference,
-                            const CommonSamples& common, std::size_t k) {
-  const auto amplitude = [k](const WindowFit& fit) {
-    return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
-  };
-  const double ratio = amplitude(candidate) / amplitude(reference);
-  const Eigen::VectorXd apart = candidate.residual(common.time, common.candidate) -
-                                ratio * reference.residual(common.time, common.reference);
-  const WindowFit::HalfWidths widths =
-      candidate.half_widths(k, fit_covariance(candidate.jacobian(common.time), apart));
-  return {.amplitude_ratio = {ratio, widths.amplitude / amplitude(reference)},
-          .phase_at_middle = widths.phase_at_middle,
-          .angular_frequency = widths.angular_frequency,
-          .decay_rate = widths.decay_rate};
+// Tone by tone.
+std::vector<PairedDifference> differences(const WindowFit& candidate, const WindowFit& reference,
+                                          const CommonSamples& common) {
+  const Eigen::MatrixXd jacobian = candidate.jacobian(common.time);
+  const Eigen::VectorXd of_candidate = candidate.residual(common.time, common.candidate),
+                        of_reference = reference.residual(common.time, common.reference);
+  std::vector<PairedDifference> found;
+  for (std::size_t k = 0; k < candidate.requests.size(); ++k) {
+    const auto amplitude = [k](const WindowFit& fit) {
+      return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
+    };
+    const double ratio = amplitude(candidate) / amplitude(reference);
+    const WindowFit::HalfWidths widths =
+        candidate.half_widths(k, fit_covariance(jacobian, of_candidate - ratio * of_reference));
+    found.push_back({.amplitude_ratio = {ratio, widths.amplitude / amplitude(reference)},
+                     .phase_at_middle = widths.phase_at_middle,
+                     .angular_frequency = widths.angular_frequency,
+                     .decay_rate = widths.decay_rate});
+  }
+  return found;
 }
 
 }  // namespace
@@ -135,12 +141,9 @@ PairedFit fit_pair(const TimeSeries& candidate, const TimeSeries& reference, Tim
   const WindowFit fitted_candidate = fit_window(cut_candidate, window, requests),
                   fitted_reference = fit_window(cut_reference, window, requests);
   const CommonSamples common = common_samples(candidate, cut_reference);
-  PairedFit pair{harmonic_fit(fitted_candidate, cut_candidate),
-                 harmonic_fit(fitted_reference, cut_reference),
-                 {}};
-  for (std::size_t k = 0; k < requests.size(); ++k)
-    pair.differences.push_back(difference(fitted_candidate, fitted_reference, common, k));
-  return pair;
+  return {harmonic_fit(fitted_candidate, cut_candidate),
+          harmonic_fit(fitted_reference, cut_reference),
+          differences(fitted_candidate, fitted_reference, common)};
 }
 
 }  // namespace slosh
