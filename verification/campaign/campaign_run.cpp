@@ -13,7 +13,6 @@
 #include "verification/runs/progress_display.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/runs/run_pool.hpp"
 
 namespace slosh {
 namespace {
@@ -45,12 +44,7 @@ void take_result(const CaseDefinition& definition, const RunDefinition& run,
   RunResult result = read_result(file);
   const std::string key =
       run_key(definition, run, settings.solver_build, settings.openfoam_templates);
-  if (!asks_the_same(result.key, key))
-    throw ResultError(file.string() + " was made for another state of the case file");
-  const bool of_this_build = result.key == key;
-  if (settings.solve && !of_this_build)
-    throw ResultError(file.string() + " was " + made_by_another_build);
-  runs.status[run.name] = {RunState::finished, of_this_build ? "" : made_by_another_build};
+  runs.status[run.name] = status_of({file, result.key, key}, "state of the case file", settings);
   runs.results[run.name] = std::move(result);
 }
 
@@ -127,6 +121,30 @@ void take_over(const JobState& state, const CaseDefinition& definition, const Ru
 
 }  // namespace
 
+RunStatus status_of(const KeptResult& kept, const std::string& asked,
+                    const CampaignSettings& settings) {
+  constexpr const char* made_by_another_build = "made by another build or version";
+  const auto& [file, key, expected] = kept;
+  if (!asks_the_same(key, expected))
+    throw ResultError(file.string() + " was made for another " + asked);
+  if (key == expected) return {RunState::finished, ""};
+  if (settings.solve) throw ResultError(file.string() + " was " + made_by_another_build);
+  return {RunState::finished, made_by_another_build};
+}
+
+std::vector<JobState> run_jobs(const std::vector<Job>& jobs, const std::string& what,
+                               const CampaignSettings& settings, const std::atomic<bool>& stop) {
+  // They share the cores by running side by side, one thread each.
+  setenv("OMP_NUM_THREADS", "1", 0);
+  ProgressDisplay display(std::cerr, style_of_standard_error());
+  std::vector<JobState> states = run_pool(
+      jobs, settings.at_once, stop, [&](const std::vector<JobState>& now) { display.show(now); });
+  if (stop)
+    throw InterruptedError("interrupted: finished " + what + " are kept in " +
+                           settings.output.string());
+  return states;
+}
+
 std::string complaint_in(const fs::path& log) {
   constexpr std::string_view mark = "slosh: ";  // main.cpp puts it before every error
   std::ifstream stream(log);
@@ -156,13 +174,7 @@ std::vector<CaseRuns> run_cases(const std::vector<CaseDefinition>& cases,
   for (const PendingRun& one : pending)
     jobs.push_back(job_for(cases[one.case_index], *one.run, settings));
 
-  // Runs share the cores by running side by side, one thread each.
-  setenv("OMP_NUM_THREADS", "1", 0);
-  ProgressDisplay display(std::cerr, style_of_standard_error());
-  const auto states = run_pool(jobs, settings.at_once, stop,
-                               [&](const std::vector<JobState>& now) { display.show(now); });
-  if (stop)
-    throw InterruptedError("interrupted: finished runs are kept in " + settings.output.string());
+  const std::vector<JobState> states = run_jobs(jobs, "runs", settings, stop);
   for (std::size_t i = 0; i < pending.size(); ++i)
     take_over(states[i], cases[pending[i].case_index], *pending[i].run, settings,
               outcome[pending[i].case_index]);

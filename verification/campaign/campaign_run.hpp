@@ -10,6 +10,7 @@
 
 #include "verification/campaign/case_assessment.hpp"
 #include "verification/case_file/campaign_definition.hpp"
+#include "verification/runs/run_pool.hpp"
 
 namespace slosh {
 
@@ -29,8 +30,22 @@ struct InterruptedError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Of a result that may be read but not kept.
-inline constexpr const char* made_by_another_build = "made by another build or version";
+// A result that is there, and the key that one made now would have.
+struct KeptResult {
+  std::filesystem::path file;
+  std::string key, expected_key;
+};
+
+// "made by another build or version" of what may be read but not kept. Throws ResultError where the
+// key does not fit: what was asked must be the same ("<file> was made for another <asked>"), and
+// while there is a solver to ask again (settings.solve) the build must be this one too.
+RunStatus status_of(const KeptResult& kept, const std::string& asked,
+                    const CampaignSettings& settings);
+
+// All of them side by side, told of on standard error; `what` they are, "runs". Throws
+// InterruptedError once `stop` is set.
+std::vector<JobState> run_jobs(const std::vector<Job>& jobs, const std::string& what,
+                               const CampaignSettings& settings, const std::atomic<bool>& stop);
 
 // Why a run failed, in its own words: the first line of the tool's message, or else the last line
 // that it wrote.

@@ -1,13 +1,9 @@
 #include "verification/campaign/problem_run.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 
 #include "verification/problems/problem.hpp"
-#include "verification/runs/progress_display.hpp"
-#include "verification/runs/run_key.hpp"
-#include "verification/runs/run_pool.hpp"
 
 namespace slosh {
 namespace {
@@ -19,12 +15,8 @@ ProblemRun finished_run(const ProblemDefinition& problem, const CampaignSettings
   const fs::path file = problem_file(settings, problem);
   ProblemResult result = read_problem_result(file);
   const std::string key = problem_key(problem.name, settings.quick, settings.problem_build);
-  if (!asks_the_same(result.key, key))
-    throw ResultError(file.string() + " was made for another form of the problem");
-  const bool of_this_build = result.key == key;
-  if (settings.solve && !of_this_build)
-    throw ResultError(file.string() + " was " + made_by_another_build);
-  return {{RunState::finished, of_this_build ? "" : made_by_another_build}, std::move(result)};
+  const RunStatus status = status_of({file, result.key, key}, "form of the problem", settings);
+  return {status, std::move(result)};
 }
 
 Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) {
@@ -82,14 +74,7 @@ std::vector<ProblemRun> run_problems(const std::vector<ProblemDefinition>& probl
   std::vector<Job> jobs;
   for (const std::size_t i : pending) jobs.push_back(job_for(problems[i], settings));
 
-  // Problems share the cores by running side by side, one thread each.
-  setenv("OMP_NUM_THREADS", "1", 0);
-  ProgressDisplay display(std::cerr, style_of_standard_error());
-  const auto states = run_pool(jobs, settings.at_once, stop,
-                               [&](const std::vector<JobState>& now) { display.show(now); });
-  if (stop)
-    throw InterruptedError("interrupted: finished problems are kept in " +
-                           settings.output.string());
+  const std::vector<JobState> states = run_jobs(jobs, "problems", settings, stop);
   for (std::size_t i = 0; i < pending.size(); ++i)
     runs[pending[i]] = ended_run(states[i], problems[pending[i]], settings);
   return runs;
