@@ -22,14 +22,9 @@ std::vector<double> mode(const ModalRecord& record, int n) {
 TEST(ModalThirdOrder, HasTheFrequencyOfTadjbakhshAndKeller) {
   for (const double depth : {0.22, 0.45, 0.9, 2.0}) {
     const Tank tank{.length = 1, .fill_depth = depth, .gravity = 9.81, .density = 1000};
-    const double T = std::tanh(pi * depth), s1 = natural_frequency(tank, 1),
-                 s2 = natural_frequency(tank, 2);
-    const double law = (9 * std::pow(T, -4) - 12 * std::pow(T, -2) - 3 - 2 * T * T) / 64;
-    const auto d = modal_coefficients(tank);
+    const double s1 = natural_frequency(tank, 1), law = frequency_shift_of_lasting_wave(tank);
     const auto shift = [&](double amplitude) {
-      const double b2 =
-          amplitude * amplitude * s1 * s1 *
-          ((d[3] - d[4]) / (2 * s2 * s2) + (d[3] + d[4]) / (2 * (s2 * s2 - 4 * s1 * s1)));
+      const double b2 = SecondMode(tank, amplitude).of_lasting_form();
       const double at = 9.5 * pi / s1 / (1 + pi * pi * amplitude * amplitude * law);
       const auto record = run_modal_third_order({.tank = tank, .initial_modes = {amplitude, b2, 0}},
                                                 {at - 1e-3, at + 1e-3});
@@ -44,18 +39,10 @@ TEST(ModalThirdOrder, HasTheFrequencyOfTadjbakhshAndKeller) {
 }
 
 TEST(ModalThirdOrder, HasTheSecondOrdersSecondMode) {
-  const auto d = modal_coefficients(deep_tank);
-  const double s1 = natural_frequency(deep_tank, 1), s2 = natural_frequency(deep_tank, 2);
   const auto relative_error = [&](double amplitude) {
     const auto record = run_modal_third_order(
         {.tank = deep_tank, .initial_modes = {amplitude, 0, 0}}, instants_up_to(1.5, 0.1));
-    std::vector<double> expected;
-    for (const double t : record.times) {
-      expected.push_back(amplitude * amplitude * s1 * s1 *
-                         ((d[3] - d[4]) / (2 * s2 * s2) * (1 - std::cos(s2 * t)) +
-                          (d[3] + d[4]) / (2 * (s2 * s2 - 4 * s1 * s1)) *
-                              (std::cos(2 * s1 * t) - std::cos(s2 * t))));
-    }
+    const auto expected = SecondMode(deep_tank, amplitude).of_released_wave(record.times);
     return largest_difference(mode(record, 2), expected) / largest(expected);
   };
   // Measured: 9.3e-4 and 2.3e-4, a ratio of 3.99.

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "reference/linear_roll.hpp"
-#include "reference/modal_third_order.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
@@ -96,19 +95,11 @@ TEST(NonlinearOrder, TendsToTheLinearRollAtSecondOrder) {
 
 // b2(t) of a wave released at rest, against the second order: the error is of the fourth.
 TEST(NonlinearOrder, HasTheSecondOrdersSecondMode) {
-  const auto d = modal_coefficients(li_tank);
-  const double s1 = natural_frequency(li_tank, 1), s2 = natural_frequency(li_tank, 2);
   const auto relative_error = [&](double amplitude) {
     const auto record = run_nonlinear_potential_flow(
         on_grid(standing_wave(li_tank, amplitude), 24, 14),
         {.times = instants_up_to(1.5, 0.1), .gauges = midpoints(1, 24)});
-    std::vector<double> expected;
-    for (const double t : record.times) {
-      expected.push_back(amplitude * amplitude * s1 * s1 *
-                         ((d[3] - d[4]) / (2 * s2 * s2) * (1 - std::cos(s2 * t)) +
-                          (d[3] + d[4]) / (2 * (s2 * s2 - 4 * s1 * s1)) *
-                              (std::cos(2 * s1 * t) - std::cos(s2 * t))));
-    }
+    const auto expected = SecondMode(li_tank, amplitude).of_released_wave(record.times);
     return largest_difference(mode(record, 2), expected) / largest(expected);
   };
   // Measured: 2.65e-3 and 6.62e-4, a ratio of 3.998.
@@ -116,20 +107,15 @@ TEST(NonlinearOrder, HasTheSecondOrdersSecondMode) {
   EXPECT_NEAR(relative_error(0.01) / relative_error(0.005), 4, 0.02);
 }
 
-// Tadjbakhsh & Keller (1960): omega/omega_1 = 1 + (k A)^2 (9 T^-4 - 12 T^-2 - 3 - 2 T^2)/64,
-// T = tanh kh, for a wave of lasting form; this one is released from its second-order shape. The
-// frequency is that of the first mode's tenth return to zero.
+// Of a wave released from the second-order shape of the lasting one. The frequency is that of the
+// first mode's tenth return to zero.
 TEST(NonlinearOrder, HasTheFrequencyOfTadjbakhshAndKeller) {
   for (const double depth : {0.25, 0.6}) {
     const Tank tank{.length = 1, .fill_depth = depth, .gravity = 9.81, .density = 1000};
-    const double k = std::numbers::pi, T = std::tanh(k * depth);
-    const double law = (9 * std::pow(T, -4) - 12 * std::pow(T, -2) - 3 - 2 * T * T) / 64;
-    const auto d = modal_coefficients(tank);
-    const double s1 = natural_frequency(tank, 1), s2 = natural_frequency(tank, 2);
+    const double k = std::numbers::pi, s1 = natural_frequency(tank, 1);
+    const double law = frequency_shift_of_lasting_wave(tank);
     const auto shift = [&](double amplitude) {
-      const double b2 =
-          amplitude * amplitude * s1 * s1 *
-          ((d[3] - d[4]) / (2 * s2 * s2) + (d[3] + d[4]) / (2 * (s2 * s2 - 4 * s1 * s1)));
+      const double b2 = SecondMode(tank, amplitude).of_lasting_form();
       NonlinearSloshing wave = on_grid({.tank = tank}, 24, 12);
       wave.initial_elevation = [=](double x) {
         return amplitude * std::cos(k * (x + 0.5)) + b2 * std::cos(2 * k * (x + 0.5));
