@@ -136,6 +136,7 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
       }
     }
   for (const GateRow& row : definition.gate) assessment.gate.push_back(evidence.judge(row));
+  assessment.fitted = evidence.release_fitted();
   return assessment;
 }
 

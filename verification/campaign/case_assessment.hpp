@@ -23,6 +23,8 @@ struct CaseAssessment {
   std::vector<Comparison> comparisons;
   std::vector<std::string> not_comparable;  // "CANDIDATE against REFERENCE: why"
   std::vector<GateOutcome> gate;
+  // Those comparisons and the ones that rows and their uncertainties rest on.
+  FittedComparisons fitted = {};
 };
 
 // Marks references that have left their declared range, compares and gates.

@@ -72,16 +72,18 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
   return modes_of(definition, definition.natural_modes);
 }
 
-CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs)
-    : definition_(definition), runs_(runs), modes_(fitted_modes(definition)) {}
+CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
+                           const FittedComparisons* known)
+    : definition_(definition), runs_(runs), known_(known), modes_(fitted_modes(definition)) {}
 
 const Comparison& CaseEvidence::comparison(const std::string& candidate,
                                            const std::string& reference,
                                            const std::string& quantity) {
-  const std::string key = candidate + "\n" + reference + "\n" + quantity;
-  const auto known = computed_.find(key);
-  if (known != computed_.end()) return known->second;
-  return computed_
+  const FittedComparisons::key_type key{candidate, reference, quantity};
+  if (known_)
+    if (const auto known = known_->find(key); known != known_->end()) return known->second;
+  if (const auto fitted = fitted_.find(key); fitted != fitted_.end()) return fitted->second;
+  return fitted_
       .emplace(key, compare_runs(definition_, runs_, candidate, reference, quantity, modes_))
       .first->second;
 }

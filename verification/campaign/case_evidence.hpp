@@ -2,8 +2,10 @@
 // computed once.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/campaign/case_runs.hpp"
@@ -19,10 +21,14 @@ std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 // Of these, the ones that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 
+// Comparisons by candidate, reference and quantity.
+using FittedComparisons = std::map<std::array<std::string, 3>, Comparison>;
+
 class CaseEvidence {
  public:
-  // Both stay the caller's and outlive this.
-  CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs);
+  // All stay the caller's and outlive this; `known` are comparisons of these runs, null for none.
+  CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
+               const FittedComparisons* known = nullptr);
 
   // Throws ComparisonError or ResultError where there is none.
   const Comparison& comparison(const std::string& candidate, const std::string& reference,
@@ -33,11 +39,15 @@ class CaseEvidence {
 
   GateOutcome judge(const GateRow& row);
 
+  // What was computed here; this has none of it any more.
+  FittedComparisons release_fitted() { return std::exchange(fitted_, {}); }
+
  private:
   const CaseDefinition& definition_;
   const CaseRuns& runs_;
+  const FittedComparisons* known_;
   std::vector<ToneRequest> modes_;
-  std::map<std::string, Comparison> computed_;
+  FittedComparisons fitted_;
 };
 
 }  // namespace slosh

@@ -1,7 +1,6 @@
 #include "verification/campaign/case_runs.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "verification/runs/run_case.hpp"
 
@@ -11,14 +10,6 @@ bool has_series(const CaseRuns& runs, const std::string& run, const std::string&
   const auto& series = runs.results.at(run).series;
   return std::any_of(series.begin(), series.end(),
                      [&](const TimeSeries& one) { return one.name == quantity; });
-}
-
-const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name) {
-  const auto found = std::find_if(definition.runs.begin(), definition.runs.end(),
-                                  [&](const RunDefinition& run) { return run.name == name; });
-  if (found == definition.runs.end())
-    throw std::invalid_argument("case " + definition.name + " has no run " + name);
-  return *found;
 }
 
 RunResult judged_part(const RunResult& result, const std::string& quantity) {

@@ -17,9 +17,6 @@ struct CaseRuns {
 
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
-// The run's definition by its name; the case has one.
-const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name);
-
 // What judging a row on the quantity takes of a result: its name, its diagnostics, that series and
 // potential flow's of fewer nodes.
 RunResult judged_part(const RunResult& result, const std::string& quantity);

@@ -70,7 +70,7 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
       "values alone by three times their difference on an error of the first order.",
       {"path", "metric", "runs", "values", "behaviour", "order", "tends to", "uncertainty"},
       {}};
-  CaseEvidence evidence(assessment.definition, assessment.runs);
+  CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
   const GateEvidence gate = evidence.gate_evidence();
   const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
   for (const GateOutcome& outcome : assessment.gate) {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -278,5 +279,12 @@ struct CaseDefinition {
   std::string text;  // the file as read
   std::filesystem::path file;
 };
+
+// The run's definition by its name. Throws std::invalid_argument where the case has none.
+inline const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name) {
+  for (const RunDefinition& run : definition.runs)
+    if (run.name == name) return run;
+  throw std::invalid_argument("case " + definition.name + " has no run " + name);
+}
 
 }  // namespace slosh

@@ -46,11 +46,6 @@ SphRun without(SphRun run, RefinedNumber number) {
   return run;
 }
 
-const RunDefinition& named(const CaseDefinition& definition, const std::string& name) {
-  return *std::find_if(definition.runs.begin(), definition.runs.end(),
-                       [&](const RunDefinition& run) { return run.name == name; });
-}
-
 bool are_alike(const RunDefinition& one, const RunDefinition& other, RefinedNumber number) {
   const auto* a = std::get_if<SphRun>(&one.solver);
   const auto* b = std::get_if<SphRun>(&other.solver);
@@ -83,7 +78,8 @@ RefinementDefinition read_refinement(const TomlTable& refinement,
     if (std::find(path.runs.begin(), path.runs.end(), run.text) != path.runs.end())
       refinement.refuse("runs", fmt::format("each run once, {} is there twice", run.text));
     if (!path.runs.empty() && !of_mesh &&
-        !are_alike(named(definition, path.runs.front()), named(definition, run.text), path.number))
+        !are_alike(run_named(definition, path.runs.front()), run_named(definition, run.text),
+                   path.number))
       refinement.refuse("runs",
                         fmt::format("runs that are alike but for the refined number, {} and {} are "
                                     "not",
