@@ -77,6 +77,8 @@ bool follows_a_table(const MotionDefinition& motion) {
 }
 
 Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
+  if (definition.gravity == 0)
+    return {"0 without gravity: no liquid sways by itself", [](int modes) { return modes == 0; }};
   if (definition.liquid.column_width)
     return {"0 of a dam about to break, which linear theory does not know",
             [](int modes) { return modes == 0; }};
@@ -128,7 +130,7 @@ void read_head(const TomlTable& root, CaseDefinition& definition) {
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
   for (const PlacedText& tag : root.texts("tags", any_text())) definition.tags.push_back(tag.text);
-  definition.gravity = root.get("gravity_m_s2", positive("m/s2"));
+  definition.gravity = root.get("gravity_m_s2", not_negative("m/s2"));
 }
 
 // At least one of either kind.
@@ -156,6 +158,8 @@ CaseDefinition read_case(const std::filesystem::path& file,
   definition.gas = read_gas(root.table("gas"), definition.liquid);
   read_time(root.table("time"), definition);
   definition.motion = read_motion(root.table("motion"), definition);
+  if (definition.gravity == 0 && definition.motion.still())
+    root.refuse("gravity_m_s2", "a number > 0, in m/s2, of a tank that stands: nothing would move");
   read_gauges(root, definition);
   if (root.has("impacts"))
     definition.impacts = read_impacts(root.table("impacts"), definition, experiments);

@@ -10,9 +10,6 @@
 namespace slosh {
 namespace {
 
-// Fewer layers of particles than this hold no wave; far below any spacing worth running.
-constexpr double least_particles_per_depth = 3;
-
 const std::vector<std::string> keys_of_all{"name", "solver", "quick"};
 const std::vector<std::string> keys_of_sph{"scheme",
                                            "particle_spacing_m",
@@ -64,11 +61,10 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
   run.allow_only(
       together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_potential,
                 keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
-  const double coarsest = liquid.fill_depth / least_particles_per_depth;
   const double spacing = run.get<double>(
       "particle_spacing_m",
-      {fmt::format("a number > 0 and <= a third of the fill depth ({:.4g}), in m", coarsest),
-       [coarsest](double value) { return value > 0 && value <= coarsest; }});
+      {fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m", liquid.fill_depth),
+       [most = liquid.fill_depth](double value) { return value > 0 && value <= most; }});
   const auto surface_spacing =
       run.find<double>("surface_particle_spacing_m",
                        {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m", spacing),
