@@ -60,6 +60,12 @@ class EnergyBudget {
     }
   }
 
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    real_rates_.for_each_named_field(visit);
+    ideal_rates_.for_each_named_field(visit);
+  }
+
   // What is kept from sample to sample: visit(name, value).
   template <class Visit>
   void for_each_number(const Visit& visit) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sph/held_arrays.hpp"
 #include "sph/integrators.hpp"
 #include "sph/neighbours/density_gradient.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
@@ -134,6 +135,16 @@ class Liquid {
     visit("acceleration_x", rates.acceleration_x);
     visit("acceleration_z", rates.acceleration_z);
     if constexpr (Scheme::Solids::has_density) visit("solid_density", solids_.density());
+  }
+  void tell_held(HeldArrays& held) {
+    held.add_all("state", particles);
+    held.add_all("rates", rates);
+    held.add_all("saved state", saved_);
+    held.add("saved state", "solid_density", saved_solid_density_);
+    held.add_all("density gradient", gradient_);
+    held.add_all("shifting", shifts_);
+    held.add_all("solids", solids_);
+    held.add_all("neighbours", neighbours_);
   }
   // The next step sorts and lists anew.
   void forget_neighbours() { neighbours_.forget(); }

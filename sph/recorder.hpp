@@ -7,6 +7,7 @@
 #include "sph/energy_budget.hpp"
 #include "sph/free_surface_gauge.hpp"
 #include "sph/front_position.hpp"
+#include "sph/held_arrays.hpp"
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
 #include "sph/seen_from_tank.hpp"
@@ -70,6 +71,11 @@ class Recorder {
     energy_bound_.for_each_number(visit);
     if (still_water_) still_water_->for_each_number(visit);
     if (energy_budget_) energy_budget_->for_each_number(visit);
+  }
+
+  void tell_held(HeldArrays& held) {
+    held.add_all("record", seen_);
+    if (energy_budget_) held.add_all("energy budget", *energy_budget_);
   }
 
   RunOutput output;

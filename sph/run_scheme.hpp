@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "sph/held_arrays.hpp"
 #include "sph/initial_state.hpp"
 #include "sph/last_good_state.hpp"
 #include "sph/liquid.hpp"
@@ -63,6 +64,14 @@ std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& 
   return terms;
 }
 
+template <class Choice>
+std::vector<HeldArray> held_arrays(RunMemory<Choice>& run) {
+  HeldArrays arrays;
+  run.liquid.tell_held(arrays);
+  run.recorder.tell_held(arrays);
+  return arrays.held();
+}
+
 // From the last sample on to the next one.
 template <class Choice>
 void advance_to(double target, RunMemory<Choice>& run, const Scene& scene) {
@@ -113,8 +122,9 @@ void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const 
 }
 
 template <class Choice>
-void add_diagnostics(const RunMemory<Choice>& run, RunOutput& output) {
+void add_diagnostics(RunMemory<Choice>& run, RunOutput& output) {
   const Scheme<Choice>& scheme = run.liquid.scheme();
+  output.held_arrays = held_arrays(run);
   output.exchanged_at_walls = run.liquid.exchanged_at_walls();
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
   output.diagnostics["smoothing_length_ratio"] = scheme.setting.smoothing_length_ratio;

@@ -13,6 +13,13 @@ struct SeenFromTank {
   // What the other particles and the walls add to the acceleration of each: all but gravity and the
   // frame's own forces, along the tank's axes [m/s2].
   Array<double> push_x, push_z;
+
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    particles.for_each_named_field(visit);
+    visit("push_x", push_x);
+    visit("push_z", push_z);
+  }
 };
 
 // `motion` of the liquid's time.

@@ -133,6 +133,12 @@ struct RecordedSeries {
   History history;
 };
 
+// What a run holds in memory for its particles.
+struct HeldArray {
+  std::string purpose, name;  // such as "state", "x"
+  std::size_t bytes;
+};
+
 struct RunOutput {
   std::map<std::string, History> elevation;        // by gauge name [m] above the still level
   std::map<std::string, History> highest_surface;  // by gauge name [m] above the still level
@@ -150,6 +156,7 @@ struct RunOutput {
   std::size_t particles = 0;                  // of the liquid
   std::size_t exchanged_at_walls = 0;         // times that a particle beyond a wall was put back
   std::vector<std::string> active_terms;      // the physics compiled into the scheme
+  std::vector<HeldArray> held_arrays;         // at the end of the run; none that is empty
   std::map<std::string, double> diagnostics;  // "smallest_time_step_s", "speed_of_sound_m_s", ...
 
   // visit(name, series) for all that the samples leave; `output` may be const.

@@ -14,9 +14,9 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-count() {  # SCHEME; leaves the instruction set in $work/set
-  OMP_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" \
-    >"$work/set" 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
+count() {  # SCHEME; leaves what the run tells in $work/facts
+  OMP_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" 0.13 \
+    >"$work/facts" 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
   sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$work/log"
 }
 
@@ -24,7 +24,7 @@ count() {  # SCHEME; leaves the instruction set in $work/set
 status=77
 for scheme in $(sed 's/#.*//' "$counts" | awk -F' *[|] *' -v c="$compiler" '$1 == c {print $3}' | sort -u); do
   now=$(count "$scheme")
-  set=$(cat "$work/set")
+  set=$(sed -n 's/^instruction set|//p' "$work/facts")
   before=$(sed 's/#.*//' "$counts" |
     awk -F' *[|] *' -v c="$compiler" -v i="$set" -v s="$scheme" '$1 == c && $2 == i && $3 == s {print $4}')
   if [ -z "$before" ]; then continue; fi

@@ -50,6 +50,10 @@ class CellGrid {
     const std::uint32_t* cells = begin_.data() + static_cast<std::size_t>(row) * columns_;
     return {cells[from], cells[to + 1]};
   }
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("cells", begin_);
+  }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 

@@ -121,6 +121,16 @@ class ClusterLists {
     }
   }
 
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("clusters", firsts_);
+    visit("clusters", batches_);
+    for (Batch& batch : batches_) {
+      visit("clusters", batch.ends);
+      visit("lists", batch.sources);
+    }
+  }
+
  private:
   static constexpr std::size_t batch_size = 32;
   struct Batch {

@@ -22,6 +22,13 @@ struct SourceGradient {
 struct DensityGradient {
   Array<double> x, z;                      // of the particles [kg/m4]
   std::vector<SourceGradient> of_sources;  // in their order
+
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("density_gradient_x", x);
+    visit("density_gradient_z", z);
+    visit("density_gradient_of_sources", of_sources);
+  }
 };
 
 // (dW/dr)/r of a pair [1/m4] is gradient_scale times gradient_shape; `inverse_h` [1/m].

@@ -178,6 +178,21 @@ class NeighbourSources {
   // Of the solids' nodes.
   const ClusterLists& solid_clusters() const { return solid_clusters_; }
 
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("sources", sources_);
+    clusters_.for_each_named_field(visit);
+    solid_clusters_.for_each_named_field(visit);
+    for (CellGrid* grid : {&grid_, &wall_grid_, &solid_grid_}) grid->for_each_named_field(visit);
+    if (node_grid_) node_grid_->for_each_named_field(visit);
+    for (auto* images : {&images_, &listed_}) visit("images", *images);
+    for (auto* places : {&image_x_, &image_z_}) visit("images", *places);
+    for (auto* places : {&node_x_, &node_z_, &solid_x_, &solid_z_}) visit("solids", *places);
+    visit("solids", solid_order_);
+    for (auto* sorted : {&keys_, &order_}) visit("order", *sorted);
+    for (auto* built : {&built_x_, &built_z_}) visit("built_places", *built);
+  }
+
  private:
   // Fills in what both sums read of every source; complete(source, owner) does the rest.
   template <class Mirror, class Scheme, class Tank, class Complete>

@@ -103,6 +103,12 @@ struct Rates {
   void resize(std::size_t n) {
     for (auto* field : {&acceleration_x, &acceleration_z, &density_rate}) field->resize(n);
   }
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("acceleration_x", acceleration_x);
+    visit("acceleration_z", acceleration_z);
+    visit("density_rate", density_rate);
+  }
 };
 
 // All that a pair loop reads of one source, in one cache line. What `strength` and `weight` are is

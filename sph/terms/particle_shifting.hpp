@@ -33,6 +33,14 @@ struct Shifts {
   Array<double> x, z;  // [m]
   Array<double> fullness;
   std::vector<double> fullness_of_sources;  // in their order; none of solids
+
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("shift_x", x);
+    visit("shift_z", z);
+    visit("fullness", fullness);
+    visit("fullness_of_sources", fullness_of_sources);
+  }
 };
 
 inline constexpr double fullness_of_surface = 0.75;  // Sun et al. 2017, eq. 13

@@ -42,6 +42,8 @@ class NoSolids {
       throw std::invalid_argument("obstacle: expected none, this scheme's walls take no obstacles");
   }
   std::vector<SolidPlace>& places() { return places_; }
+  template <class Visit>
+  void for_each_named_field(const Visit&) {}
   template <class... Arguments>
   void refresh_for_momentum(const Arguments&...) {}
   template <class... Arguments>
@@ -68,6 +70,11 @@ class GhostSolids {
   GhostSolids(const Scene& scene, bool tank_walls, double depth)
       : places_(solid_places(scene, tank_walls, depth)), nodes_(places_.size()) {}
   std::vector<SolidPlace>& places() { return places_; }
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("places", places_);
+    visit("nodes", nodes_);
+  }
 
   template <class Scheme, class Tank>
   void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
@@ -154,6 +161,12 @@ class DynamicSolids {
     }
   }
   std::vector<SolidPlace>& places() { return places_; }
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    visit("places", places_);
+    particles_.for_each_named_field(visit);
+    rates_.for_each_named_field(visit);
+  }
 
   // Density at rest, after the places have their final order.
   template <class Scheme>
