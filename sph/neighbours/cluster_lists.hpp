@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include "sph/neighbours/cell_grid.hpp"
@@ -78,7 +77,7 @@ class ClusterLists {
   // rows, and lists for each the points within reach. `x`, `z`: the particles' positions in the
   // points' frame.
   void build(const CellGrid& grid, const Array<float>& x, const Array<float>& z,
-             std::initializer_list<SortedPoints> points, double reach) {
+             const std::vector<SortedPoints>& points, double reach) {
     cut_into_clusters(grid);
     batches_.resize((firsts_.size() - 1 + batch_size - 1) / batch_size);
     const InstructionSet set = widest_instruction_set();

@@ -36,10 +36,7 @@ class NeighbourSources {
         length_(tank.length()),
         height_(tank.tank_height()),
         rounding_(4 * std::numeric_limits<float>::epsilon() * std::max(length_, height_)),
-        grid_(0, length_, 0, height_, cell_width * spacing, cell_height * spacing),
-        wall_grid_(-support, length_ + support, -support, height_ + support, kernel_cells * support,
-                   kernel_cells * support),
-        solid_grid_(wall_grid_) {
+        grid_(0, length_, 0, height_, cell_width * spacing, cell_height * spacing) {
     const double narrowest = std::min(length_, height_);
     if (!(narrowest >= 2 * support * (1 + 2 * largest_slack)))
       throw std::invalid_argument(
@@ -54,17 +51,18 @@ class NeighbourSources {
       return grid_.cell(a.node_x, a.node_z) < grid_.cell(b.node_x, b.node_z);
     });
     obstacles_ = std::move(obstacles);
+    if (places.empty()) return;
+    solid_grid_ = grid_beyond_walls();
     std::vector<std::uint32_t> node_cells, cells, in_order;
     for (const SolidPlace& place : places) {
       node_cells.push_back(grid_.cell(place.node_x, place.node_z));
-      cells.push_back(wall_grid_.cell(place.x, place.z));
+      cells.push_back(solid_grid_->cell(place.x, place.z));
       node_x_.push_back(static_cast<float>(place.node_x));
       node_z_.push_back(static_cast<float>(place.node_z));
     }
-    if (places.empty()) return;
     node_grid_ = grid_;
     node_grid_->sort(node_cells, in_order);
-    solid_grid_.sort(cells, solid_order_);
+    solid_grid_->sort(cells, solid_order_);
     for (const std::uint32_t i : solid_order_) {
       solid_x_.push_back(static_cast<float>(places[i].x));
       solid_z_.push_back(static_cast<float>(places[i].z));
@@ -86,10 +84,9 @@ class NeighbourSources {
     images_.clear();
     if constexpr (Mirror::exists) list_images();
     sources_.resize(n + images_.size() + solid_order_.size());
-    const std::initializer_list<SortedPoints> points{
-        {grid_, built_x_, built_z_, 0},
-        {wall_grid_, image_x_, image_z_, n},
-        {solid_grid_, solid_x_, solid_z_, n + images_.size()}};
+    std::vector<SortedPoints> points{{grid_, built_x_, built_z_, 0}};
+    if constexpr (Mirror::exists) points.push_back({*image_grid_, image_x_, image_z_, n});
+    if (solid_grid_) points.push_back({*solid_grid_, solid_x_, solid_z_, n + images_.size()});
     clusters_.build(grid_, built_x_, built_z_, points, reach_);
     if (node_grid_) solid_clusters_.build(*node_grid_, node_x_, node_z_, points, reach_);
     return true;
@@ -183,8 +180,9 @@ class NeighbourSources {
     visit("sources", sources_);
     clusters_.for_each_named_field(visit);
     solid_clusters_.for_each_named_field(visit);
-    for (CellGrid* grid : {&grid_, &wall_grid_, &solid_grid_}) grid->for_each_named_field(visit);
-    if (node_grid_) node_grid_->for_each_named_field(visit);
+    grid_.for_each_named_field(visit);
+    for (auto* grid : {&image_grid_, &solid_grid_, &node_grid_})
+      if (*grid) (*grid)->for_each_named_field(visit);
     for (auto* images : {&images_, &listed_}) visit("images", *images);
     for (auto* places : {&image_x_, &image_z_}) visit("images", *places);
     for (auto* places : {&node_x_, &node_z_, &solid_x_, &solid_z_}) visit("solids", *places);
@@ -267,7 +265,13 @@ class NeighbourSources {
     }
   }
 
+  CellGrid grid_beyond_walls() const {
+    return {-support_,          length_ + support_,      -support_,
+            height_ + support_, kernel_cells * support_, kernel_cells * support_};
+  }
+
   void list_images() {
+    if (!image_grid_) image_grid_ = grid_beyond_walls();
     listed_.clear();
     keys_.clear();
     const auto maps = mirror_maps<FreeSlipMirror>({0, length_, 0, height_, 0, 0});
@@ -279,7 +283,7 @@ class NeighbourSources {
       if (level) list_image(i, level, maps);
       if (side && level) list_image(i, side + level, maps);
     }
-    wall_grid_.sort(keys_, order_);
+    image_grid_->sort(keys_, order_);
     image_x_.clear();
     image_z_.clear();
     for (const std::uint32_t k : order_) {
@@ -296,7 +300,7 @@ class NeighbourSources {
     for (const Rectangle& obstacle : obstacles_)
       if (holds(obstacle, x, z)) return;
     listed_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint8_t>(bits)});
-    keys_.push_back(wall_grid_.cell(x, z));
+    keys_.push_back(image_grid_->cell(x, z));
   }
 
   struct Image {
@@ -313,8 +317,8 @@ class NeighbourSources {
   static constexpr double kernel_cells = 0.5;
 
   double support_, length_, height_, rounding_, reach_ = 0, slack_ = 0;
-  CellGrid grid_, wall_grid_, solid_grid_;
-  std::optional<CellGrid> node_grid_;  // of the solids' nodes
+  CellGrid grid_;
+  std::optional<CellGrid> image_grid_, solid_grid_, node_grid_;  // where there are any
   Array<Source> sources_;
   ClusterLists clusters_, solid_clusters_;
   std::vector<Rectangle> obstacles_;
