@@ -133,6 +133,7 @@ class GhostSolids {
   template <double Source::*value, class Scheme>
   void look_up(const Scheme& scheme, NeighbourSources& neighbours, const TankWalls& walls,
                InstructionSet set) {
+    if (places_.empty()) return;
     neighbours.for_each_solid_source([](Source& source, std::size_t) { source.weight = 0; });
     sum_at_nodes<value>(scheme, neighbours, places_, walls, nodes_, set);
   }
@@ -171,18 +172,15 @@ class DynamicSolids {
   // Density at rest, after the places have their final order.
   template <class Scheme>
   void initialise(const Scheme& scheme) {
+    static_assert(!Scheme::Smoothing::reads_spacing);  // the particles hold none
     const std::size_t n = places_.size();
-    for (auto* field :
-         {&particles_.x, &particles_.z, &particles_.velocity_x, &particles_.velocity_z,
-          &particles_.density, &particles_.mass, &particles_.spacing})
+    for (auto* field : {&particles_.x, &particles_.z, &particles_.velocity_x,
+                        &particles_.velocity_z, &particles_.density, &rates_.density_rate})
       field->assign(n, 0.0);
-    rates_.resize(n);
-    const Setting& s = scheme.setting;
     for (std::size_t i = 0; i < n; ++i) {
       const bool wetted = places_[i].x < wetted_length_;
       const double pressure = surface_.pressure(places_[i].x, places_[i].z);
       particles_.density[i] = scheme.state.density(wetted ? std::max(0.0, pressure) : 0.0);
-      particles_.spacing[i] = s.particle_spacing;
     }
   }
 
@@ -235,6 +233,7 @@ class DynamicSolids {
   std::vector<SolidPlace> places_;
   double wetted_length_;  // how far the liquid of the start reaches [m]
   InitialSurface surface_;
+  // Of them what the continuity sum reads and leaves.
   Particles particles_;
   Rates rates_;
 };
