@@ -157,7 +157,7 @@ class Liquid {
   const typename Scheme::Solids& solids() const { return solids_; }
   // The walls' power on the liquid, whose accelerations at that time are given.
   PowerAt power_of_walls(const Rates& of, double t) const {
-    return {t, slosh::sph::power_of_walls(particles, of, tank_at(t), TankMotion(scene_, t),
+    return {t, slosh::sph::power_of_walls(particles, of, tank_at(t), Motion<Scheme>(scene_, t),
                                           scene_.gravity)};
   }
   // From the next acceleration on: the walls' power on the liquid where the last one was taken.

@@ -37,7 +37,7 @@ class Recorder {
   }
 
   void record(Liquid<Scheme>& liquid) {
-    const TankMotion motion(scene_, liquid.time);
+    const Motion<Scheme> motion(scene_, liquid.time);
     see_from_tank(liquid, motion, seen_);
     record_gauges(liquid, motion);
     if (still_water_) still_water_->record(seen_.particles, liquid.time, output.still_water);
@@ -47,7 +47,7 @@ class Recorder {
           liquid, output.kinetic_energy.value.back() + output.potential_energy.value.back(),
           output.energy);
     // Before the first step there is no acceleration.
-    if (output.steps > 0) record_forces(liquid.time, motion);
+    if (output.steps > 0) record_forces(liquid.time);
     check_energy(liquid.time, motion);
   }
 
@@ -85,7 +85,7 @@ class Recorder {
     history.time.push_back(time);
     history.value.push_back(value);
   }
-  void record_gauges(const Liquid<Scheme>& liquid, const TankMotion& motion) {
+  void record_gauges(const Liquid<Scheme>& liquid, const Motion<Scheme>& motion) {
     const Particles& p = seen_.particles;
     const double t = liquid.time;
     for (const Gauge& gauge : scene_.gauges) {
@@ -101,7 +101,7 @@ class Recorder {
       push(output.front_position, t, front_position(p, scene_.particle_spacing));
   }
 
-  void record_energies(double t, const TankMotion& motion) {
+  void record_energies(double t, const Motion<Scheme>& motion) {
     const Particles& p = seen_.particles;
     double potential = 0;
     Vector2 momentum{0, 0};
@@ -119,29 +119,37 @@ class Recorder {
   }
 
   // The reaction to what the walls, and nothing else, give the liquid as a whole.
-  void record_forces(double t, const TankMotion& motion) {
+  void record_forces(double t) {
     const Particles& p = seen_.particles;
-    const double axis_x = motion.in_tank().axis_x, axis_z = motion.in_tank().axis_z;
-    double force_x = 0, force_z = 0, moment = 0;
+    double force_x = 0, force_z = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double x = -p.mass[i] * seen_.push_x[i], z = -p.mass[i] * seen_.push_z[i];
-      force_x += x;
-      force_z += z;
-      moment += (p.x[i] - axis_x) * z - (p.z[i] - axis_z) * x;
+      force_x -= p.mass[i] * seen_.push_x[i];
+      force_z -= p.mass[i] * seen_.push_z[i];
     }
     push(output.force_x, t, force_x);
     push(output.force_z, t, force_z);
-    if (scene_.roll) push(output.moment, t, moment);
+    if (scene_.roll) push(output.moment, t, moment_about(scene_.roll->axis_x, scene_.roll->axis_z));
   }
 
-  void check_energy(double t, const TankMotion& motion) {
+  // Counter-clockwise, at a tank that rolls.
+  double moment_about(double axis_x, double axis_z) const {
+    const Particles& p = seen_.particles;
+    double moment = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double x = -p.mass[i] * seen_.push_x[i], z = -p.mass[i] * seen_.push_z[i];
+      moment += (p.x[i] - axis_x) * z - (p.z[i] - axis_z) * x;
+    }
+    return moment;
+  }
+
+  void check_energy(double t, const Motion<Scheme>& motion) {
     const auto& kinetic = output.kinetic_energy.value;
     const double gained = kinetic.back() - kinetic.front() + output.potential_energy.value.back();
     double power = 0;
     if (!output.force_x.value.empty()) {
-      const Vector2 axis = motion.in_earth().along_tank(motion.in_earth().velocity, 0);
+      const Vector2 axis = motion.in_earth().along_tank(scene_.velocity(t), 0);
       power = output.force_x.value.back() * axis.x + output.force_z.value.back() * axis.z;
-      if (scene_.roll) power += output.moment.value.back() * motion.in_earth().rate;
+      if (scene_.roll) power += output.moment.value.back() * scene_.roll->rate(t);
     }
     energy_bound_.check(t, gained, power, tank_speed(scene_, t), seen_.particles);
   }

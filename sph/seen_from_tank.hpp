@@ -24,7 +24,7 @@ struct SeenFromTank {
 
 // `motion` of the liquid's time.
 template <class Scheme>
-void see_from_tank(const Liquid<Scheme>& liquid, const TankMotion& motion, SeenFromTank& seen) {
+void see_from_tank(const Liquid<Scheme>& liquid, const Motion<Scheme>& motion, SeenFromTank& seen) {
   const Particles& p = liquid.particles;
   const auto tank = liquid.tank_at(liquid.time);
   const double gravity = liquid.scheme().setting.gravity;

@@ -24,9 +24,9 @@ struct PowerAt {
 // the roll's axis and their moment about it times the rate, which is the sum of every particle's
 // push times the velocity of the tank's point that it is at. What the particles give one another
 // has neither a force nor a moment. `tank` and `motion` of the moment of the rates.
-template <class Tank>
+template <class Tank, class Motion>
 double power_of_walls(const Particles& p, const Rates& rates, const Tank& tank,
-                      const TankMotion& motion, double gravity) {
+                      const Motion& motion, double gravity) {
   double power = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector2 place = tank.in_tank(p.x[i], p.z[i]), of_tank = motion.velocity(place.x, place.z),

@@ -37,8 +37,9 @@ double pressure_at_place(const Particles& p, Vector2 place, Vector2 gravity,
 
 }  // namespace
 
+template <class Motion>
 double wall_pressure(const Particles& p, const PressureGauge& gauge, const Scene& scene,
-                     const TankMotion& motion, const std::function<double(double)>& pressure_at) {
+                     const Motion& motion, const std::function<double(double)>& pressure_at) {
   const double dp = scene.particle_spacing;
   const int places = 1 + static_cast<int>(std::ceil(gauge.width / dp - 1e-9));
   double sum = 0;
@@ -52,6 +53,10 @@ double wall_pressure(const Particles& p, const PressureGauge& gauge, const Scene
   }
   return sum / places;
 }
+template double wall_pressure(const Particles&, const PressureGauge&, const Scene&,
+                              const SurgeMotion&, const std::function<double(double)>&);
+template double wall_pressure(const Particles&, const PressureGauge&, const Scene&,
+                              const TankMotion&, const std::function<double(double)>&);
 
 void require_on_wall(const PressureGauge& gauge, const Scene& scene) {
   const double length = gauge.wall == Wall::bottom ? scene.tank_length : scene.tank_height;

@@ -16,10 +16,11 @@
 
 namespace slosh::sph {
 
-// [Pa]. `particles` as seen from the tank; `pressure_at`, the equation of state: pressure [Pa] at a
-// density [kg/m3].
+// [Pa]. `particles` as seen from the tank; `motion`, the tank's (frames.hpp); `pressure_at`, the
+// equation of state: pressure [Pa] at a density [kg/m3].
+template <class Motion>
 double wall_pressure(const Particles& particles, const PressureGauge& gauge, const Scene& scene,
-                     const TankMotion& motion, const std::function<double(double)>& pressure_at);
+                     const Motion& motion, const std::function<double(double)>& pressure_at);
 
 // Throws std::invalid_argument where the sensor is not wholly on its wall.
 void require_on_wall(const PressureGauge& gauge, const Scene& scene);

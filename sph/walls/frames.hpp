@@ -13,9 +13,13 @@
 
 namespace slosh::sph {
 
+class SurgeMotion;
+class TankMotion;
+
 struct EarthFrame {
   static constexpr const char* name = "walls move in the frame of the earth";
   using Tank = TankWalls;
+  using Motion = SurgeMotion;
   static constexpr bool takes_roll = false;
 
   static Tank tank(const Scene& scene, double t) {
@@ -28,6 +32,7 @@ struct EarthFrame {
 struct RollingEarthFrame {
   static constexpr const char* name = "walls move and roll in the frame of the earth";
   using Tank = RollingTank;
+  using Motion = TankMotion;
   static constexpr bool takes_roll = true;
 
   static Tank tank(const Scene& scene, double t) {
@@ -49,6 +54,7 @@ struct TankFrame {
   static constexpr const char* name =
       "walls fixed, the tank's motion as forces (turning gravity, angular, centripetal, Coriolis)";
   using Tank = TankInItsFrame;
+  using Motion = TankMotion;
   static constexpr bool takes_roll = true;
 
   static Tank tank(const Scene& scene, double t) {
@@ -87,12 +93,28 @@ class TankMotion {
   TankInItsFrame seen_from_tank_;
 };
 
+// The same of a tank that does not roll, whose axes are the earth's.
+class SurgeMotion {
+ public:
+  SurgeMotion(const Scene& scene, double t) : walls_(EarthFrame::tank(scene, t)) {}
+
+  Vector2 velocity(double x, double z) const { return walls_.wall_velocity(x, z); }
+  const TankWalls& in_earth() const { return walls_; }
+  const TankWalls& in_tank() const { return walls_; }
+
+ private:
+  TankWalls walls_;
+};
+
+template <class Scheme>
+using Motion = typename Scheme::Frame::Motion;
+
 // Particles at places in the tank, at rest against it, as the frame has them at the start: with the
 // tank, or at rest in the earth.
 template <class Frame>
 void enter(const Scene& scene, Particles& p) {
   const typename Frame::Tank tank = Frame::tank(scene, 0);
-  const TankMotion motion(scene, 0);
+  const typename Frame::Motion motion(scene, 0);
   constexpr bool against_tank = std::is_same_v<Frame, TankFrame>;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector2 velocity = motion.velocity(p.x[i], p.z[i]);
