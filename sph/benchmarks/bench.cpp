@@ -16,11 +16,11 @@
 #include <utility>
 
 #include "sph/benchmarks/answer_check.hpp"
-#include "sph/benchmarks/counted_memory.hpp"
 #include "sph/benchmarks/machine_ceilings.hpp"
 #include "sph/benchmarks/pair_loops.hpp"
 #include "sph/benchmarks/stepping.hpp"
 #include "sph/benchmarks/summary.hpp"
+#include "sph/counts/counted_memory.hpp"
 #include "sph/schemes.hpp"
 
 namespace slosh::sph {

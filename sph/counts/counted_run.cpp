@@ -8,8 +8,8 @@
 #include <exception>
 #include <string>
 
-#include "sph/benchmarks/counted_memory.hpp"
-#include "sph/benchmarks/counted_scenes.hpp"
+#include "sph/counts/counted_memory.hpp"
+#include "sph/counts/counted_scenes.hpp"
 #include "sph/neighbours/instruction_sets.hpp"
 
 namespace slosh::sph {

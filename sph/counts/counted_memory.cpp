@@ -1,4 +1,4 @@
-#include "sph/benchmarks/counted_memory.hpp"
+#include "sph/counts/counted_memory.hpp"
 
 #include <malloc.h>
 

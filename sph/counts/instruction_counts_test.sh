@@ -1,7 +1,7 @@
 #!/bin/sh
 # Counts the instructions of a short run of each scheme under valgrind, which no busy machine disturbs, and holds them
 # against the counts of instruction_counts.txt: 3 % more is a failure; 3 % less asks for a new count.
-# Usage: instruction_count_test.sh PROGRAM COUNTS COMPILER [--must-fail]
+# Usage: instruction_counts_test.sh PROGRAM COUNTS COMPILER [--must-fail]
 #   --must-fail  the check of the check: against a count that is 4 % lower it has to fail
 # Exit status: 0 held, 1 not, 77 skipped: no valgrind, or no count for this compiler and instruction set.
 set -eu

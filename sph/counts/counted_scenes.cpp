@@ -1,4 +1,4 @@
-#include "sph/benchmarks/counted_scenes.hpp"
+#include "sph/counts/counted_scenes.hpp"
 
 #include <fmt/format.h>
 
@@ -81,7 +81,7 @@ CountedScene counted_scene(const std::string& parts, double duration) {
     else
       throw std::invalid_argument(
           fmt::format("\"{}\": expected a scheme, a variant or a part of "
-                      "sph/benchmarks/counted_scenes.hpp",
+                      "sph/counts/counted_scenes.hpp",
                       name));
     if (name == "two_spacings") counted.scene.surface_particle_spacing = 0.5 * particle_spacing;
   }

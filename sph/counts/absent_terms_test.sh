@@ -1,0 +1,60 @@
+#!/bin/sh
+# A term that a scene leaves out runs no instruction: of the functions that stand for terms, a short run of each scene
+# calls those that are its own and no other, by callgrind's record of every function that was called.
+# Usage: absent_terms_test.sh PROGRAM FUNCTIONS [--must-fail]
+#   --must-fail  the check of the check: a function that is called must not pass as left out, nor one that is not called
+#                as its own
+# Exit status: 0 held, 1 not, 77 skipped: no valgrind.
+set -eu
+
+program=$1 functions=$2
+if ! command -v valgrind >/dev/null; then
+  echo "SKIPPED: valgrind is not installed"
+  exit 77
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+called() {  # SCENE; the names of the functions that its run calls
+  OMP_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file="$work/out" "$program" "$1" 0.01 \
+    >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+  sed -n 's/^c\{0,1\}fn=([0-9]*) //p' "$work/out"
+}
+
+# Reads the names from $work/called.
+check() {  # SCENE FUNCTIONS
+  sed 's/#.*//' "$2" | awk -F' *[|] *' -v scene="$1" '
+    FNR == NR { called = called "\n" $0; next }
+    NF == 2 {
+      names = " " $2 " "
+      own = index(names, " " scene " ") > 0
+      if (sub(/^ all but /, " ", names)) own = !own
+      is_called = index(called, $1) > 0
+      if (is_called != own) {
+        printf "FAILS: %s %s %s\n", scene, is_called ? "calls" : "does not call", $1
+        failed = 1
+      }
+      ++checked
+    }
+    END {
+      if (!failed && checked) printf "%s calls what is its own of %d functions\n", scene, checked
+      exit failed || !checked
+    }' "$work/called" -
+}
+
+if [ "${3-}" = --must-fail ]; then
+  called recommended >"$work/called"
+  for wrong in 'MomentumOfCluster | shifting' 'shift_of_cluster | recommended'; do
+    echo "$wrong" >"$work/wrong"
+    if check recommended "$work/wrong"; then echo "FAILED: passed \"$wrong\""; exit 1; fi
+  done
+  exit 0
+fi
+
+status=0
+for scene in recommended still no_gauge antuono shifting ghost_walls baffle roll dam pressure_gauge energy_budget \
+  still_water snapshots saved_states li2010 zhao2021_moving+roll; do
+  called "$scene" >"$work/called"
+  check "$scene" "$functions" || status=1
+done
+exit $status

@@ -1,0 +1,32 @@
+#!/bin/sh
+# The arrays that a run tells of are all that it holds for its particles: operator new counted little more, the recorded
+# series and the like, less than an array of a double for each of some 900 particles beside them would make.
+# Usage: held_memory_test.sh PROGRAM [--must-fail]
+#   --must-fail  the check of the check: with one array left out it has to fail
+# Exit status: 0 held, 1 not.
+set -eu
+
+program=$1
+left_out=
+if [ "${2-}" = --must-fail ]; then left_out='held|state|x|'; fi
+
+status=0
+for scene in recommended two_spacings verlet antuono shifting baffle ghost_walls energy_budget li2010 \
+  zhao2021_moving+roll; do
+  "$program" "$scene" 0.08 | awk -F'|' -v scene="$scene" -v left_out="$left_out" '
+    left_out != "" && index($0, left_out) == 1 { next }
+    $1 == "held" { told += $4 }
+    $1 == "counted" { counted = $2 }
+    END {
+      # Measured: 5.6 to 8.4 kB of series; an array takes 7.2 kB or more.
+      held = told > 0 && told <= counted && counted <= told + 10000
+      printf "%-20s told %d byte, counted %d: %s\n", scene, told, counted, held ? "holds" : "FAILS"
+      exit !held
+    }' || status=1
+  [ -z "$left_out" ] || break  # one will do
+done
+if [ -n "$left_out" ]; then
+  if [ $status = 0 ]; then echo "FAILED: an array that was left out went unnoticed"; exit 1; fi
+  exit 0
+fi
+exit $status
