@@ -206,6 +206,30 @@ rm -f "$work/bin/clang-format" "$work/programs/clang-format"
 PATH=$work/bin:$work/programs run 0 test
 expect_in "$work/out" "formatting: skipped (clang-format is not installed)"
 
+# The table of terms: asks for valgrind and builds the counted program alone, whose path the script gets.
+mkdir "$project/sph/counts"
+cat >>"$project/CMakeLists.txt" <<'END'
+add_subdirectory(sph/counts)
+END
+cat >"$project/sph/counts/CMakeLists.txt" <<'END'
+add_executable(slosh_counted_run EXCLUDE_FROM_ALL ../../verification/tool.cpp)
+END
+cat >"$project/sph/counts/terms_table.sh" <<'END'
+#!/bin/sh
+test -x "$1" && shift && printf '<%s>\n' "$@"
+END
+chmod +x "$project/sph/counts/terms_table.sh"
+echo 0 >"$uid"
+printf '%s\n' valgrind libbenchmark-dev >"$lacking"
+rm -f "$project"/build/launcher/*.seen
+PATH=$work/bin:$work/programs run 0 bench terms recommended "a baffle"
+printf '<recommended>\n<a baffle>\n' | cmp - "$work/out" || fail "the arguments of the table changed"
+expect_in "$calls" "install -y --no-install-recommends valgrind"
+expect_not_in "$calls" libbenchmark-dev
+rm -f "$work/programs/valgrind"
+PATH=$work/bin:$work/programs run 2 bench terms
+expect_in "$work/err" "the table of terms needs valgrind"
+
 # A tree that was moved, with its build directory, is built afresh.
 mv "$project" "$work/moved tank"
 project="$work/moved tank"
