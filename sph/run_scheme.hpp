@@ -103,7 +103,10 @@ void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const 
             state_stride = samples_per("state", scene.state_interval, scene);
   auto last_report = std::chrono::steady_clock::now();
 
-  const int samples = static_cast<int>(std::floor(scene.duration / scene.sample_interval + 1e-9));
+  const int samples =
+      scene.takes_steps
+          ? static_cast<int>(std::floor(scene.duration / scene.sample_interval + 1e-9))
+          : 0;
   for (; sample <= samples; ++sample) {
     advance_to(sample * scene.sample_interval, run, scene);
     recorder.record(liquid);

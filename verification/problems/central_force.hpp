@@ -27,6 +27,7 @@ struct CentralField : sph::TankWalls {
 struct CentralFrame {
   static constexpr const char* name = "central force -Omega^2 r about the middle of the box";
   using Tank = CentralField;
+  using Motion = sph::SurgeMotion;
   static constexpr bool takes_roll = false;
 
   static Tank tank(const sph::Scene& scene, double) {

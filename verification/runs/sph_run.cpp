@@ -151,7 +151,7 @@ sph::RunOutput run_scene(const std::string& scheme, sph::Scene& scene, const Run
 void require_scene(const SphRun& sph, const CaseDefinition& definition,
                    const RunDefinition& run) try {
   sph::Scene scene = scene_of(sph, definition);
-  scene.duration = 0;  // lays the lattice and takes no step
+  scene.takes_steps = false;
   sph::run(sph.scheme, scene, {});
 } catch (const std::invalid_argument& error) {
   throw refused(run, error.what());

@@ -186,12 +186,16 @@ add_test(NAME quick COMMAND slosh_tool)
 add_test(NAME long COMMAND slosh_tool one_argument)
 set_tests_properties(quick PROPERTIES LABELS unit)
 set_tests_properties(long PROPERTIES LABELS validation_long)
+option(SLOSH_UNIT_TESTS "" ON)
+file(WRITE "${CMAKE_BINARY_DIR}/unit_tests" "${SLOSH_UNIT_TESTS}")
 END
 run 0 test
+expect_in "$project/build/release/unit_tests" OFF # they run under the sanitizers alone
 [ "$(tail -n 1 "$work/out")" = "100% tests passed, 0 tests failed out of 1" ] || fail "another closing line"
 expect_in "$work/out" "under the sanitizers: 100% tests passed, 0 tests failed out of 1"
 run 1 test --all
 [ "$(tail -n 1 "$work/out")" = "50% tests passed, 1 tests failed out of 2" ] || fail "another closing line"
+expect_in "$project/build/release/unit_tests" ON
 run 1 test -R no_such_test
 echo 1 >"$work/format"
 run 1 test
