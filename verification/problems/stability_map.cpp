@@ -85,7 +85,7 @@ MapOutcome explore(const StabilityMap& map) {
   for (const char* label : labels)
     figure.curves.push_back({label, {}, {}, {}, reports::Curve::Style::points});
   reports::Curve theory{map.theory_label, {}, {}, {}, reports::Curve::Style::line};
-  outcome.table = {map.id + "-limits",
+  outcome.table = {map.id + "-measured",
                    map.title + ": limits",
                    "The first point that is not stable, and what stopped it there.",
                    {map.up.label, "measured limit", map.theory_label, "first stopped at", "by"},
