@@ -15,7 +15,7 @@ namespace {
 constexpr double depth = 0.4, amplitude = 0.04, gravity = 9.81;  // [m], [m], [m/s2]
 constexpr double spacing = 0.04, smoothing_length = 1.5 * spacing;
 
-const char* const labels[] = {"stable", "stopped by a guard", "gains energy unnoticed"};
+const char* const labels[] = {"stable", "unstable", "gains energy unnoticed"};
 
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "none in the map";
@@ -69,7 +69,7 @@ Probe probe_of_wave(const sph::Scene& scene) try {
                gained = output.kinetic_energy.value.back() + output.potential_energy.value.back();
   return {gained <= 0.05 * own ? Stability::stable : Stability::unnoticed, ""};
 } catch (const sph::SimulationError& error) {
-  return {Stability::stopped, error.what()};
+  return {Stability::unstable, error.what()};
 }
 
 MapOutcome explore(const StabilityMap& map) {
@@ -87,8 +87,8 @@ MapOutcome explore(const StabilityMap& map) {
   reports::Curve theory{map.theory_label, {}, {}, {}, reports::Curve::Style::line};
   outcome.table = {map.id + "-measured",
                    map.title + ": limits",
-                   "The first point that is not stable, and what stopped it there.",
-                   {map.up.label, "measured limit", map.theory_label, "first stopped at", "by"},
+                   "The first point that is unstable, and how that was found.",
+                   {map.up.label, "measured limit", map.theory_label, "first unstable at", "how"},
                    {}};
 
   for (const double up : map.up.values) {
@@ -104,35 +104,41 @@ MapOutcome explore(const StabilityMap& map) {
     outcome.measured.push_back(measured);
     theory.x.push_back(expected);
     theory.y.push_back(up);
-    const auto stopped = std::find_if(row.begin(), row.end(), [](const Probe& probe) {
-      return probe.stability == Stability::stopped;
+    const auto unstable = std::find_if(row.begin(), row.end(), [](const Probe& probe) {
+      return probe.stability == Stability::unstable;
     });
-    const bool none = stopped == row.end();
+    const bool none = unstable == row.end();
     outcome.table.rows.push_back(
         {number(up), number(measured), number(expected),
-         none ? "" : number(map.across.values[static_cast<std::size_t>(stopped - row.begin())]),
-         none ? "" : stopped->message});
+         none ? "" : number(map.across.values[static_cast<std::size_t>(unstable - row.begin())]),
+         none ? "" : unstable->message});
   }
   std::erase_if(figure.curves, [](const reports::Curve& curve) { return curve.x.empty(); });
   figure.curves.push_back(std::move(theory));
   return outcome;
 }
 
-std::vector<MeasureKind> map_measures(const std::string& step) {
-  return {{"limit", "1", step, "measured limit over the theoretical one, less 1", false},
-          {"shipped", "1", step, "the schemes' number over the measured limit", false},
-          {"unnoticed", "1", "runs", "runs that gained energy and were not stopped", false}};
+std::vector<MeasureKind> map_measures(const std::string& step, Guarded guarded) {
+  std::vector<MeasureKind> kinds{
+      {"limit", "1", step, "measured limit over the theoretical one, less 1", false},
+      {"shipped", "1", step, "the schemes' number over the measured limit", false}};
+  if (guarded == Guarded::yes)
+    kinds.push_back(
+        {"unnoticed", "1", "runs", "runs that gained energy and were not stopped", false});
+  return kinds;
 }
 
 std::vector<MeasuredErrors> measures_of(const StabilityMap& map, const MapOutcome& outcome,
-                                        const std::function<double(double up)>& shipped) {
-  std::vector<MeasuredErrors> measures{{"limit", {}}, {"shipped", {}}, {"unnoticed", {}}};
+                                        const std::function<double(double up)>& shipped,
+                                        Guarded guarded) {
+  std::vector<MeasuredErrors> measures{{"limit", {}}, {"shipped", {}}};
   for (std::size_t i = 0; i < map.up.values.size(); ++i) {
     const double up = map.up.values[i], measured = outcome.measured[i];
     measures[0].errors.push_back({up, measured / map.theory(up) - 1});
     measures[1].errors.push_back({up, shipped(up) / measured});
   }
-  measures[2].errors.push_back({1, static_cast<double>(outcome.unnoticed)});
+  if (guarded == Guarded::yes)
+    measures.push_back({"unnoticed", {{1, static_cast<double>(outcome.unnoticed)}}});
   return measures;
 }
 

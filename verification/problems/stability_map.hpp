@@ -1,7 +1,6 @@
-// Maps of where a run is stable: the solver is run at every point of a grid of two numbers, and
-// along each row the limit is found by bisection. A run either ends with no more energy than it
-// had, is stopped by the solver's guards, or ends and has gained energy all the same, which no run
-// may.
+// Maps of where the solver is stable: it is run at every point of a grid of two numbers, and along
+// each row the limit is found by bisection. A run that its guards watch either ends with no more
+// energy than it had, is stopped, or ends and has gained energy unnoticed, which none may.
 #pragma once
 
 #include <functional>
@@ -13,11 +12,11 @@
 
 namespace slosh {
 
-enum class Stability { stable, stopped, unnoticed };
+enum class Stability { stable, unstable, unnoticed };
 
 struct Probe {
   Stability stability;
-  std::string message;  // of a guard
+  std::string message;  // how it was found unstable
 };
 
 // Runs `recommended`, or what the scene's variant makes of it, on a free wave, and judges by its
@@ -52,10 +51,12 @@ struct MapOutcome {
 
 MapOutcome explore(const StabilityMap& map);
 
-// The measures that every map leaves, and their entries.
-std::vector<MeasureKind> map_measures(const std::string& step);
-// `shipped`: the number that schemes have on the axis `across`.
+// What a map leaves: how far the measured limits are from the theory's, the schemes' own number,
+// `shipped`, over them, and of guarded runs how many gained energy unnoticed.
+enum class Guarded { no, yes };
+std::vector<MeasureKind> map_measures(const std::string& step, Guarded guarded = Guarded::yes);
 std::vector<MeasuredErrors> measures_of(const StabilityMap& map, const MapOutcome& outcome,
-                                        const std::function<double(double up)>& shipped);
+                                        const std::function<double(double up)>& shipped,
+                                        Guarded guarded = Guarded::yes);
 
 }  // namespace slosh

@@ -20,7 +20,7 @@ StabilityMap invented() {
               [](double a, double b) {
                 if (a < 3 + b) return Probe{Stability::stable, ""};
                 if (a > 5) return Probe{Stability::unnoticed, ""};
-                return Probe{Stability::stopped, "particle 7"};
+                return Probe{Stability::unstable, "particle 7"};
               },
           .theory_label = "theory",
           .theory = [](double b) { return 3 + b; }};
@@ -38,7 +38,7 @@ TEST(StabilityMap, CountsTheRunsThatGainEnergyUnnoticed) {
   EXPECT_EQ(explore(invented()).unnoticed, 2);
 }
 
-TEST(StabilityMap, TellsWhatStoppedTheFirstRunOfEachRow) {
+TEST(StabilityMap, TellsHowTheFirstUnstableRunOfEachRowWasFound) {
   const MapOutcome found = explore(invented());
   EXPECT_EQ(found.table.rows[0][3], "4");
   EXPECT_EQ(found.table.rows[0][4], "particle 7");
@@ -51,7 +51,17 @@ TEST(StabilityMap, LeavesTheErrorOfTheTheorysLimitAndTheShareThatTheSchemeUses) 
   EXPECT_NEAR(measures[0].errors[0].error, 0, 0.02);
   EXPECT_NEAR(measures[1].errors[0].error, 0.5, 0.01);
   EXPECT_TRUE(std::isnan(measures[0].errors[2].error)) << "a map without a limit passes no gate";
-  EXPECT_EQ(measures[2].errors[0].error, 2);
+  EXPECT_EQ(measures.at(2).errors[0].error, 2);
+}
+
+TEST(StabilityMap, CountsNothingUnnoticedWhereNoGuardWatches) {
+  const StabilityMap map = invented();
+  EXPECT_EQ(measures_of(
+                map, explore(map), [](double) { return 1.5; }, Guarded::no)
+                .size(),
+            2u);
+  EXPECT_EQ(map_measures("b", Guarded::no).size(), 2u);
+  EXPECT_EQ(map_measures("b").size(), 3u);
 }
 
 sph::SchemeNumbers recommended_at(double courant_number) {
@@ -60,10 +70,10 @@ sph::SchemeNumbers recommended_at(double courant_number) {
   return numbers;
 }
 
-TEST(ProbeOfWave, TellsAStableStepFromOneThatIsStopped) {
+TEST(ProbeOfWave, TellsAStableStepFromAnUnstableOne) {
   EXPECT_EQ(probe_of_wave(wave_scene(recommended_at(0.8), 400)).stability, Stability::stable);
   const Probe stopped = probe_of_wave(wave_scene(recommended_at(2.0), 2000));
-  EXPECT_EQ(stopped.stability, Stability::stopped);
+  EXPECT_EQ(stopped.stability, Stability::unstable);
   EXPECT_NE(stopped.message.find("particle "), std::string::npos);
 }
 
