@@ -154,8 +154,8 @@ TEST(Simulation, RefusesAVariantOfASchemeThatHasNone) {
   }
 }
 
-TEST(Simulation, HasTwentyThreeVariantsOfTheRecommendedScheme) {
-  EXPECT_EQ(variant_names().size(), 23);
+TEST(Simulation, HasTwentyFiveVariantsOfTheRecommendedScheme) {
+  EXPECT_EQ(variant_names().size(), 25);
   EXPECT_EQ(scheme_names().size(), 5);
 }
 

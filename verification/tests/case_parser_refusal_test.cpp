@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:6: gravity_m_s2 = -9.81: expected a number >= 0, in m/s2"},
         Mistake{"NaturalModesWithoutGravity",
                 {"9.81", "0"},
-                "trial.toml:32: comparison.natural_modes = 2: expected 0 without gravity"},
+                "trial.toml:34: comparison.natural_modes = 2: expected 0 without gravity"},
         Mistake{"NegativeLength",
                 {"length_m = 2", "length_m = -2"},
                 "trial.toml:8: tank.length_m = -2: expected a number > 0, in m"},
@@ -278,8 +278,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:44: run.particle_spacing_m = -0.02: expected a number > 0 and <= the "
                 "fill depth (0.5), in m"},
         Mistake{"SpacingAboveDepth",
-                {"e_spacing_m = 0.02", "e_spacing_m = 0.2"},
-                "trial.toml:44: run.particle_spacing_m = 0.2: expected"},
+                {"e_spacing_m = 0.02", "e_spacing_m = 0.6"},
+                "trial.toml:44: run.particle_spacing_m = 0.6: expected"},
         Mistake{"SurfaceCoarserThanInside",
                 {"spacing_m = 0.01", "spacing_m = 0.03"},
                 "trial.toml:45: run.surface_particle_spacing_m = 0.03: expected a number > 0 and "
