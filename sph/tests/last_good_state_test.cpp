@@ -11,12 +11,12 @@
 namespace slosh::sph {
 namespace {
 
-// A tank whose motion is no number from 0.125 s on, sampled every 0.01 s.
-Scene scene_that_goes_wrong(std::optional<SavedState>& last_good) {
+// A tank whose motion is no number from a time on, sampled every 0.01 s.
+Scene scene_that_goes_wrong(std::optional<SavedState>& last_good, double from = 0.125) {
   Scene scene = surging_scene(0.05, 0.2);
   for (auto* motion : {&scene.displacement, &scene.velocity, &scene.acceleration})
-    *motion = [of = *motion](double t) {
-      return t > 0.125 ? std::numeric_limits<double>::quiet_NaN() : of(t);
+    *motion = [of = *motion, from](double t) {
+      return t > from ? std::numeric_limits<double>::quiet_NaN() : of(t);
     };
   scene.save_last_good_state = [&](const SavedState& state) { last_good = state; };
   return scene;
@@ -47,6 +47,14 @@ TEST_P(LastGoodStateOf, CanBeGoneOnFrom) {
   // The neighbour lists are made anew, which changes the order of the sums.
   EXPECT_NEAR(resumed.kinetic_energy.value.back(), whole.kinetic_energy.value.back(),
               1e-9 * whole.kinetic_energy.value.back());
+}
+
+TEST_P(LastGoodStateOf, IsTheStartWhereTheRunGoesWrongBeforeItsFirstSample) {
+  std::optional<SavedState> last_good;
+  EXPECT_THROW(run(GetParam(), scene_that_goes_wrong(last_good, 0.002), {}), SimulationError);
+  Scene mended = surging_scene(0.05, 0.02);
+  mended.resume = &last_good.value();
+  EXPECT_EQ(run(GetParam(), mended, {}).kinetic_energy.time.size(), 3u);
 }
 
 TEST(LastGoodState, IsOfTheSampleBeforeTheOneThatShowsEnergyFromNowhere) {
