@@ -2,7 +2,6 @@
 // on the start's lattice does not know c0; the softer the liquid, the more the free surface and the
 // moving particles change it.
 #include "sph/schemes.hpp"
-#include "verification/problems/lattice_stability.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/problems/stability_map.hpp"
 
@@ -12,12 +11,6 @@ namespace {
 constexpr int steps = 4000;
 
 double shipped_courant_number() { return sph::Recommended::numbers.courant_number.value(); }
-
-LatticeScheme lattice_of_recommended() {
-  const sph::SchemeNumbers& own = sph::Recommended::numbers;
-  return {&gradient_shape_of<sph::Recommended::Kernel>, own.smoothing_length_ratio.value(),
-          own.artificial_viscosity.value() / 8, own.density_diffusion.value()};
-}
 
 ProblemOutcome run(bool quick) {
   const StabilityMap map{

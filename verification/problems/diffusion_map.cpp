@@ -1,7 +1,6 @@
 // Stability map: density diffusion delta over the Courant number. The diffusion is explicit, and on
 // the lattice shares the step's limit with the sound.
 #include "sph/schemes.hpp"
-#include "verification/problems/lattice_stability.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/problems/stability_map.hpp"
 
@@ -12,9 +11,6 @@ constexpr int steps = 4000;
 
 ProblemOutcome run(bool quick) {
   const sph::SchemeNumbers& own = sph::Recommended::numbers;
-  const LatticeScheme lattice{&gradient_shape_of<sph::Recommended::Kernel>,
-                              own.smoothing_length_ratio.value(),
-                              own.artificial_viscosity.value() / 8};
   const StabilityMap map{
       .id = "diffusion_map",
       .title = "Stable density diffusion over the Courant number",
@@ -32,7 +28,9 @@ ProblemOutcome run(bool quick) {
           },
       .theory_label = "limit of the lattice (von Neumann)",
       .theory =
-          [lattice](double courant_number) { return stable_diffusion(lattice, courant_number); }};
+          [](double courant_number) {
+            return stable_diffusion(lattice_of_recommended(), courant_number);
+          }};
   const MapOutcome found = explore(map);
   return {measures_of(map, found, [&](double) { return own.density_diffusion.value(); }),
           {found.figure},

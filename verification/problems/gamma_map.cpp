@@ -6,7 +6,6 @@
 #include <string>
 
 #include "sph/schemes.hpp"
-#include "verification/problems/lattice_stability.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/problems/stability_map.hpp"
 
@@ -22,9 +21,6 @@ std::string variant_of(double gamma) {
 
 ProblemOutcome run(bool) {
   const sph::SchemeNumbers& own = sph::Recommended::numbers;
-  const LatticeScheme lattice{&gradient_shape_of<sph::Recommended::Kernel>,
-                              own.smoothing_length_ratio.value(),
-                              own.artificial_viscosity.value() / 8, own.density_diffusion.value()};
   const StabilityMap map{
       .id = "gamma_map",
       .title = "Stable Courant numbers over the exponent of the equation of state",
@@ -41,7 +37,8 @@ ProblemOutcome run(bool) {
             return probe_of_wave(scene);
           },
       .theory_label = "limit of the lattice (von Neumann)",
-      .theory = [limit = stable_courant_number(lattice)](double) { return limit; }};
+      .theory = [limit =
+                     stable_courant_number(lattice_of_recommended())](double) { return limit; }};
   const MapOutcome found = explore(map);
   return {measures_of(map, found, [&](double) { return own.courant_number.value(); }),
           {found.figure},

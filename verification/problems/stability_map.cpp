@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "sph/scheme.hpp"
+#include "sph/schemes.hpp"
 
 namespace slosh {
 namespace {
@@ -61,6 +61,12 @@ sph::Scene wave_scene(const sph::SchemeNumbers& numbers, int steps) {
   scene.initial_wave = sph::InitialWave{1, amplitude};
   scene.numbers = numbers;
   return scene;
+}
+
+LatticeScheme lattice_of_recommended() {
+  const sph::SchemeNumbers& own = sph::Recommended::numbers;
+  return {&gradient_shape_of<sph::Recommended::Kernel>, own.smoothing_length_ratio.value(),
+          own.artificial_viscosity.value() / 8, own.density_diffusion.value()};
 }
 
 Probe probe_of_wave(const sph::Scene& scene) try {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sph/simulation.hpp"
+#include "verification/problems/lattice_stability.hpp"
 #include "verification/problems/problem.hpp"
 
 namespace slosh {
@@ -27,6 +28,9 @@ Probe probe_of_wave(const sph::Scene& scene);
 // One long wave in 1 m of water 0.4 m deep, at 0.04 m, for that many steps of the Courant number
 // and twenty to a sample.
 sph::Scene wave_scene(const sph::SchemeNumbers& numbers, int steps);
+
+// The sums of `recommended` on its lattice, whose limits a free wave's map is held against.
+LatticeScheme lattice_of_recommended();
 
 struct MapAxis {
   std::string label;
