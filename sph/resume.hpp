@@ -21,8 +21,8 @@ struct RunMemory {
   Liquid<Scheme<Choice>> liquid;
   Recorder<Scheme<Choice>> recorder;
   typename Choice::Integrator integrator = {};
-  int sample = 0;                                             // the last one recorded
-  double smallest_step = std::numeric_limits<double>::max();  // [s]; finite, as a state must be
+  int sample = 0;                                                  // the last one recorded
+  double smallest_step = std::numeric_limits<double>::infinity();  // [s]
 
   RunMemory(const Scene& scene, const Scheme<Choice>& scheme, Particles start)
       : liquid(scene, scheme, std::move(start)), recorder(scene, liquid) {}

@@ -115,7 +115,7 @@ void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const 
       scene.save_state(saved_state(run, scene));
       liquid.forget_neighbours();
     }
-    if (scene.save_last_good_state) last_good.keep(run);
+    if (scene.save_last_good_state && sample > 0) last_good.keep(run);
     if (progress &&
         std::chrono::steady_clock::now() - last_report > std::chrono::milliseconds(100)) {
       progress(liquid.time, recorder.output.steps);

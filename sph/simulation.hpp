@@ -115,8 +115,8 @@ struct Scene {
   const SavedState* resume = nullptr;
   bool takes_steps =
       true;  // otherwise the run ends at its start, which shows whether it can be made
-  // Given what the run was at its last sample where it goes wrong after that: it can be gone on
-  // from, with the same numbers. Empty: the run keeps no such memory.
+  // Given what the run was at its last sample after the start, where it goes wrong after that: it
+  // can be gone on from, with the same numbers. Empty: the run keeps no such memory.
   std::function<void(const SavedState&)> save_last_good_state = {};
 };
 

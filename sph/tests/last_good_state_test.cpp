@@ -49,12 +49,11 @@ TEST_P(LastGoodStateOf, CanBeGoneOnFrom) {
               1e-9 * whole.kinetic_energy.value.back());
 }
 
-TEST_P(LastGoodStateOf, IsTheStartWhereTheRunGoesWrongBeforeItsFirstSample) {
+// The start can be made again.
+TEST_P(LastGoodStateOf, IsNotGivenWhereTheRunGoesWrongBeforeItsFirstSample) {
   std::optional<SavedState> last_good;
   EXPECT_THROW(run(GetParam(), scene_that_goes_wrong(last_good, 0.002), {}), SimulationError);
-  Scene mended = surging_scene(0.05, 0.02);
-  mended.resume = &last_good.value();
-  EXPECT_EQ(run(GetParam(), mended, {}).kinetic_energy.time.size(), 3u);
+  EXPECT_FALSE(last_good);
 }
 
 TEST(LastGoodState, IsOfTheSampleBeforeTheOneThatShowsEnergyFromNowhere) {

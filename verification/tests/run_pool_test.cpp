@@ -26,8 +26,9 @@ int processes_with(const std::string& text) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     std::ifstream stream(entry.path() / "cmdline");
-    const std::string line{std::istreambuf_iterator<char>(stream), {}};
-    count += line.find(text) != std::string::npos;
+    std::ostringstream line;
+    line << stream.rdbuf();  // nothing of a process that ends meanwhile
+    count += line.str().find(text) != std::string::npos;
   }
   return count;
 }
