@@ -7,10 +7,7 @@
 namespace slosh {
 namespace {
 
-constexpr int steps = 4000;
-
 ProblemOutcome run(bool quick) {
-  const sph::SchemeNumbers& own = sph::Recommended::numbers;
   const StabilityMap map{
       .id = "diffusion_map",
       .title = "Stable density diffusion over the Courant number",
@@ -20,36 +17,30 @@ ProblemOutcome run(bool quick) {
                                 : std::vector<double>{0.4, 0.6, 0.8, 1.0, 1.2}},
       .probe =
           [](double delta, double courant_number) {
-            sph::SchemeNumbers numbers = sph::Recommended::numbers;
+            sph::SchemeNumbers numbers = sph::recommended_at(courant_number);
             numbers.sound_speed_ratio = 20;
-            numbers.courant_number = courant_number;
             numbers.density_diffusion = delta;
-            return probe_of_wave(wave_scene(numbers, steps));
+            return probe_of_wave(wave_scene(numbers, steps_of_probe));
           },
-      .theory_label = "limit of the lattice (von Neumann)",
       .theory =
           [](double courant_number) {
             return stable_diffusion(lattice_of_recommended(), courant_number);
           }};
-  const MapOutcome found = explore(map);
-  return {measures_of(map, found, [&](double) { return own.density_diffusion.value(); }),
-          {found.figure},
-          {found.table}};
+  return outcome_of(map,
+                    [](double) { return sph::Recommended::numbers.density_diffusion.value(); });
 }
 
 }  // namespace
 
 Problem diffusion_map_problem() {
-  return {
-      "diffusion_map",
-      "Stability: density diffusion and Courant number",
-      "The same wave with delta from none to beyond its limit, at several Courant numbers.",
-      "the staggered leapfrog's amplification factor on the lattice (Press et al. 2007, section "
-      "20.1, for the method)",
-      "The largest delta at which no wave of the square lattice grows.",
-      map_measures("dt c0 / h"),
-      &run,
-      15};
+  return {"diffusion_map",
+          "Stability: density diffusion and Courant number",
+          "The same wave with delta from none to beyond its limit, at several Courant numbers.",
+          lattice_source,
+          "The largest delta at which no wave of the square lattice grows.",
+          map_measures("dt c0 / h"),
+          &run,
+          15};
 }
 
 }  // namespace slosh

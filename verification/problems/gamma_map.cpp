@@ -12,15 +12,12 @@
 namespace slosh {
 namespace {
 
-constexpr int steps = 4000;
-
 std::string variant_of(double gamma) {
   const auto whole = std::lround(gamma);
   return whole == 7 ? "" : whole == 1 ? "linear_state" : "gamma_" + std::to_string(whole);
 }
 
 ProblemOutcome run(bool) {
-  const sph::SchemeNumbers& own = sph::Recommended::numbers;
   const StabilityMap map{
       .id = "gamma_map",
       .title = "Stable Courant numbers over the exponent of the equation of state",
@@ -29,35 +26,28 @@ ProblemOutcome run(bool) {
       .up = {"gamma", {1, 3, 5, 7}},
       .probe =
           [](double courant_number, double gamma) {
-            sph::SchemeNumbers numbers = sph::Recommended::numbers;
+            sph::SchemeNumbers numbers = sph::recommended_at(courant_number);
             numbers.sound_speed_ratio = 20;
-            numbers.courant_number = courant_number;
-            sph::Scene scene = wave_scene(numbers, steps);
+            sph::Scene scene = wave_scene(numbers, steps_of_probe);
             scene.variant = variant_of(gamma);
             return probe_of_wave(scene);
           },
-      .theory_label = "limit of the lattice (von Neumann)",
       .theory = [limit =
                      stable_courant_number(lattice_of_recommended())](double) { return limit; }};
-  const MapOutcome found = explore(map);
-  return {measures_of(map, found, [&](double) { return own.courant_number.value(); }),
-          {found.figure},
-          {found.table}};
+  return outcome_of(map, [](double) { return sph::Recommended::numbers.courant_number.value(); });
 }
 
 }  // namespace
 
 Problem gamma_map_problem() {
-  return {
-      "gamma_map",
-      "Stability: exponent of the equation of state",
-      "The same wave with gamma = 1 (the linear equation of state), 3, 5 and 7.",
-      "the staggered leapfrog's amplification factor on the lattice (Press et al. 2007, section "
-      "20.1, for the method)",
-      "The linear limit, which does not depend on gamma.",
-      map_measures("gamma"),
-      &run,
-      10};
+  return {"gamma_map",
+          "Stability: exponent of the equation of state",
+          "The same wave with gamma = 1 (the linear equation of state), 3, 5 and 7.",
+          lattice_source,
+          "The linear limit, which does not depend on gamma.",
+          map_measures("gamma"),
+          &run,
+          10};
 }
 
 }  // namespace slosh

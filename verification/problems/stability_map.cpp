@@ -15,6 +15,7 @@ namespace {
 constexpr double depth = 0.4, amplitude = 0.04, gravity = 9.81;  // [m], [m], [m/s2]
 constexpr double spacing = 0.04, smoothing_length = 1.5 * spacing;
 
+constexpr const char* theory_label = "limit of the lattice (von Neumann)";
 const char* const labels[] = {"stable", "unstable", "gains energy unnoticed"};
 
 std::string number(double value) {
@@ -90,11 +91,11 @@ MapOutcome explore(const StabilityMap& map) {
   figure.log_y = map.log_up;
   for (const char* label : labels)
     figure.curves.push_back({label, {}, {}, {}, reports::Curve::Style::points});
-  reports::Curve theory{map.theory_label, {}, {}, {}, reports::Curve::Style::line};
+  reports::Curve theory{theory_label, {}, {}, {}, reports::Curve::Style::line};
   outcome.table = {map.id + "-measured",
                    map.title + ": limits",
                    "The first point that is unstable, and how that was found.",
-                   {map.up.label, "measured limit", map.theory_label, "first unstable at", "how"},
+                   {map.up.label, "measured limit", theory_label, "first unstable at", "how"},
                    {}};
 
   for (const double up : map.up.values) {
@@ -108,6 +109,7 @@ MapOutcome explore(const StabilityMap& map) {
     }
     const double measured = limit_of(map, up, row, outcome.unnoticed), expected = map.theory(up);
     outcome.measured.push_back(measured);
+    outcome.expected.push_back(expected);
     theory.x.push_back(expected);
     theory.y.push_back(up);
     const auto unstable = std::find_if(row.begin(), row.end(), [](const Probe& probe) {
@@ -140,12 +142,18 @@ std::vector<MeasuredErrors> measures_of(const StabilityMap& map, const MapOutcom
   std::vector<MeasuredErrors> measures{{"limit", {}}, {"shipped", {}}};
   for (std::size_t i = 0; i < map.up.values.size(); ++i) {
     const double up = map.up.values[i], measured = outcome.measured[i];
-    measures[0].errors.push_back({up, measured / map.theory(up) - 1});
+    measures[0].errors.push_back({up, measured / outcome.expected[i] - 1});
     measures[1].errors.push_back({up, shipped(up) / measured});
   }
   if (guarded == Guarded::yes)
     measures.push_back({"unnoticed", {{1, static_cast<double>(outcome.unnoticed)}}});
   return measures;
+}
+
+ProblemOutcome outcome_of(const StabilityMap& map, const std::function<double(double up)>& shipped,
+                          Guarded guarded) {
+  const MapOutcome found = explore(map);
+  return {measures_of(map, found, shipped, guarded), {found.figure}, {found.table}};
 }
 
 }  // namespace slosh

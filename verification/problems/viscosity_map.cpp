@@ -69,20 +69,16 @@ ProblemOutcome run(bool) {
       .across = {"nu (m2/s)", viscosities},
       .up = {"dp (m)", {0.01, 0.02, 0.04, 0.08}},
       .probe = &probe,
-      .theory_label = "limit of the lattice (von Neumann)",
       .theory = [limit](double spacing) { return limit * smoothing_length(spacing) * sound; },
       .log_across = true,
       .log_up = true};
-  const MapOutcome found = explore(map);
-  return {measures_of(
-              map, found,
-              [](double spacing) {
-                return sph::AdaptiveStep::viscous_number * smoothing_length(spacing) * sound /
-                       courant_number;
-              },
-              Guarded::no),
-          {found.figure},
-          {found.table}};
+  return outcome_of(
+      map,
+      [](double spacing) {
+        return sph::AdaptiveStep::viscous_number * smoothing_length(spacing) * sound /
+               courant_number;
+      },
+      Guarded::no);
 }
 
 }  // namespace

@@ -308,6 +308,15 @@ TEST(RunOfACase, RefusesWhatTheLinearReferenceDoesNotTake) {
                CaseFileError);
 }
 
+// At a step beyond what a lattice bears.
+RunDefinition unstable_sph() {
+  RunDefinition run = coarse_sph;
+  auto& sph = std::get<SphRun>(run.solver);
+  sph.scheme = "recommended";
+  sph.numbers.courant_number = 2;
+  return run;
+}
+
 class SphRunOfACase : public ::testing::Test {
  protected:
   SphRunOfACase() {
@@ -360,15 +369,11 @@ TEST_F(SphRunOfACase, GoesOnFromASavedStateToTheSameBits) {
 }
 
 TEST_F(SphRunOfACase, LeavesItsLastGoodStateWhereItGoesWrongAndSaysWhere) {
-  RunDefinition unstable = coarse_sph;
-  auto& sph = std::get<SphRun>(unstable.solver);
-  sph.scheme = "recommended";
-  sph.numbers.courant_number = 2;
   definition.duration = 4;
   settings.key = "a key";
   const fs::path file = last_good_state_file(directory.path(), "a_run");
   try {
-    execute(definition, unstable, settings, no_progress);
+    execute(definition, unstable_sph(), settings, no_progress);
     FAIL() << "an unstable step went on";
   } catch (const SolverError& error) {
     EXPECT_NE(std::string(error.what()).find("is " + file.string()), std::string::npos)
@@ -379,14 +384,10 @@ TEST_F(SphRunOfACase, LeavesItsLastGoodStateWhereItGoesWrongAndSaysWhere) {
 }
 
 TEST_F(SphRunOfACase, SaysWhatWentWrongWhereItsLastGoodStateCannotBeSaved) {
-  RunDefinition unstable = coarse_sph;
-  auto& sph = std::get<SphRun>(unstable.solver);
-  sph.scheme = "recommended";
-  sph.numbers.courant_number = 2;
   definition.duration = 4;
   settings.work_directory = "/proc/nowhere";
   try {
-    execute(definition, unstable, settings, no_progress);
+    execute(definition, unstable_sph(), settings, no_progress);
     FAIL() << "an unstable step went on";
   } catch (const SolverError& error) {
     const std::string complaint = error.what();

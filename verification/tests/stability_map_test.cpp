@@ -22,7 +22,6 @@ StabilityMap invented() {
                 if (a > 5) return Probe{Stability::unnoticed, ""};
                 return Probe{Stability::unstable, "particle 7"};
               },
-          .theory_label = "theory",
           .theory = [](double b) { return 3 + b; }};
 }
 
@@ -64,15 +63,9 @@ TEST(StabilityMap, CountsNothingUnnoticedWhereNoGuardWatches) {
   EXPECT_EQ(map_measures("b").size(), 3u);
 }
 
-sph::SchemeNumbers recommended_at(double courant_number) {
-  sph::SchemeNumbers numbers = sph::Recommended::numbers;
-  numbers.courant_number = courant_number;
-  return numbers;
-}
-
 TEST(ProbeOfWave, TellsAStableStepFromAnUnstableOne) {
-  EXPECT_EQ(probe_of_wave(wave_scene(recommended_at(0.8), 400)).stability, Stability::stable);
-  const Probe stopped = probe_of_wave(wave_scene(recommended_at(2.0), 2000));
+  EXPECT_EQ(probe_of_wave(wave_scene(sph::recommended_at(0.8), 400)).stability, Stability::stable);
+  const Probe stopped = probe_of_wave(wave_scene(sph::recommended_at(2.0), 2000));
   EXPECT_EQ(stopped.stability, Stability::unstable);
   EXPECT_NE(stopped.message.find("particle "), std::string::npos);
 }
