@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "verification/case_file/case_definition.hpp"
 #include "verification/gate/gate.hpp"
@@ -13,6 +14,9 @@ namespace slosh {
 struct CaseRuns {
   std::map<std::string, RunStatus> status;   // of every run that the case declares
   std::map<std::string, RunResult> results;  // of the finished ones and those out of their range
+  // By run: what repeats of it took that had their core for themselves, in the order they were made;
+  // none where the campaign asks for none.
+  std::map<std::string, std::vector<RunCost>> timings = {};
 };
 
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
