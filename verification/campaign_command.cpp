@@ -5,75 +5,38 @@
 #include <iostream>
 
 #include "reports/write_report.hpp"
+#include "verification/assessment_text.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/campaign/campaign_report.hpp"
-#include "verification/campaign/problem_run.hpp"
-#include "verification/case_file/campaign_parser.hpp"
-#include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/problem_table.hpp"
+#include "verification/campaign_plan_text.hpp"
+#include "verification/campaign_standing.hpp"
+#include "verification/case_file/case_file_error.hpp"
 #include "verification/gate_files.hpp"
 #include "verification/named_paths.hpp"
-#include "verification/problems/problem.hpp"
-#include "verification/runs/run_case.hpp"
+#include "verification/requested_campaign.hpp"
 
 namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string gate_line(const CaseAssessment& assessment, const GateOutcome& outcome) {
-  return fmt::format("{:<14} {} {} {} {} {}: {}", verdict_name(outcome.verdict),
-                     assessment.definition.name, outcome.row.candidate, outcome.row.mode,
-                     metric_name(outcome.row.metric), outcome.row.quantity, outcome.message);
+// What --resume promises: a name that is mistyped starts nothing from the beginning.
+void require_earlier_start(const CampaignSettings& settings) {
+  if (!fs::exists(settings.output / "jobs/jobs.json"))
+    throw CaseFileError(fmt::format("--resume: expected an earlier start of this campaign in {}",
+                                    settings.output.string()));
 }
 
-void print(const CaseAssessment& assessment) {
-  for (const auto& [run, status] : assessment.runs.status)
-    if (status.state == RunState::failed || status.state == RunState::missing ||
-        status.state == RunState::not_supplied)
-      std::cerr << fmt::format("{}/{}: {}: {}\n", assessment.definition.name, run,
-                               state_name(status.state), status.message);
-  for (const GateOutcome& outcome : assessment.gate)
-    std::cout << gate_line(assessment, outcome) << "\n";
-}
-
-void print(const ProblemAssessment& assessment) {
-  if (!assessment.run.result)
-    std::cerr << fmt::format("{}: {}: {}\n", assessment.definition.name,
-                             state_name(assessment.run.status.state),
-                             assessment.run.status.message);
-  for (const ProblemGateOutcome& outcome : assessment.gate)
-    std::cout << fmt::format("{:<14} {} {} {}: {}\n", verdict_name(outcome.verdict),
-                             assessment.definition.name, metric_name(outcome.row.metric),
-                             outcome.row.measure, outcome.message);
-}
-
-void require_window(const CaseDefinition& definition) try {
-  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
-} catch (const ComparisonError& error) {
-  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
-}
-
-// All that a campaign's cases get wrong is found before anything runs.
-std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
-                                       const fs::path& experiments) {
-  std::vector<CaseDefinition> cases;
-  for (const fs::path& file : campaign.cases) {
-    CaseDefinition definition = read_case(file, experiments);
-    for (const CaseDefinition& other : cases)
-      if (other.name == definition.name)
-        throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
-                                        file.string(), definition.name, other.file.string()));
-    require_window(definition);
-    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
-    cases.push_back(std::move(definition));
-  }
-  return cases;
-}
-
-void print(const AssessedCampaign& assessed) {
-  for (const CaseAssessment& one : assessed.cases) print(one);
-  for (const ProblemAssessment& one : assessed.problems) print(one);
+AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& stop) {
+  CampaignRuns runs =
+      run_campaign_jobs(campaign.cases, campaign.definition.problems, campaign.settings, stop);
+  AssessedCampaign assessed{std::move(campaign.definition), campaign.settings.output, {}, {}};
+  for (std::size_t i = 0; i < campaign.cases.size(); ++i)
+    assessed.cases.push_back(assess(campaign.cases[i], std::move(runs.cases[i])));
+  for (std::size_t i = 0; i < runs.problems.size(); ++i)
+    assessed.problems.push_back(
+        assess(assessed.definition.problems[i], std::move(runs.problems[i])));
+  return assessed;
 }
 
 std::string word_for(int status) {
@@ -81,46 +44,15 @@ std::string word_for(int status) {
 }
 
 // As the user wants inconclusive rows to end.
-int ended(const AssessedCampaign& assessed, const CampaignOptions& options) {
-  const int status = exit_status(assessed.cases, assessed.problems);
+int ended(int status, const CampaignOptions& options) {
   return status == exit_inconclusive ? options.inconclusive_exit : status;
 }
-
-std::string form_of(const CampaignOptions& options) { return options.quick ? "-quick" : ""; }
 
 }  // namespace
 
 AssessedCampaign assess_campaign(const CampaignOptions& options, const Installation& installation,
                                  const std::atomic<bool>& stop) {
-  AssessedCampaign assessed{
-      .definition = read_campaign(find_campaign(options.campaign, installation.campaigns),
-                                  installation.cases, known_problems()),
-      .output = {},
-      .cases = {},
-      .problems = {}};
-  const fs::path experiments = whole(options.experiments);
-  const std::vector<CaseDefinition> cases = read_cases(assessed.definition, experiments);
-  assessed.output =
-      fs::absolute(options.output.empty() ? installation.build / "campaigns" /
-                                                (assessed.definition.name + form_of(options))
-                                          : options.output);
-  const CampaignSettings settings{assessed.output,
-                                  installation.executable,
-                                  installation.solver_build,
-                                  installation.problem_build,
-                                  installation.openfoam_templates,
-                                  experiments,
-                                  options.quick,
-                                  options.solve,
-                                  options.at_once};
-  std::vector<ProblemRun> problem_runs = run_problems(assessed.definition.problems, settings, stop);
-  std::vector<CaseRuns> runs = run_cases(cases, settings, stop);
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    assessed.cases.push_back(assess(cases[i], std::move(runs[i])));
-  for (std::size_t i = 0; i < problem_runs.size(); ++i)
-    assessed.problems.push_back(
-        assess(assessed.definition.problems[i], std::move(problem_runs[i])));
-  return assessed;
+  return assess(requested(options, installation), stop);
 }
 
 fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
@@ -132,19 +64,39 @@ fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& cam
 
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
-  const AssessedCampaign assessed = assess_campaign(options, installation, stop);
-  print(assessed);
+  RequestedCampaign campaign = requested(options, installation);
+  const CampaignSettings settings = campaign.settings;
+  if (options.resume) require_earlier_start(settings);
+  if (options.dry_run) {
+    std::cout << plan_text(campaign.cases, campaign.definition.problems, settings);
+    return exit_pass;
+  }
+  const fs::path page = settings.output / "report/index.html";
+  const std::vector<CaseDefinition> cases = campaign.cases;
+  if (const auto standing = read_standing(settings.output);
+      standing && fs::exists(page) &&
+      standing->fingerprint == fingerprint_of(campaign.definition, cases, settings)) {
+    std::cout << standing->out;
+    return ended(standing->status, options);
+  }
+  const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  std::cerr << complaints(assessed.cases, assessed.problems);
+  const std::string rows = gate_lines(assessed.cases, assessed.problems);
+  std::cout << rows;
   const std::string command = fmt::format(
       "./slosh campaign {}{}{}", name_or_path(assessed.definition.file, installation.campaigns),
-      options.quick ? " --quick" : "", experiments_option(whole(options.experiments)));
-  const fs::path report = assessed.output / "report";
+      options.quick ? " --quick" : "", experiments_option(settings.experiments));
   reports::write_report(campaign_report(assessed.definition, options.quick, command, assessed.cases,
                                         assessed.problems),
-                        report);
-  std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
-            << verdict_sentence(assessed.cases, assessed.problems)
-            << "\nreport: " << (report / "index.html").string() << "\n";
-  return ended(assessed, options);
+                        settings.output / "report");
+  const int status = exit_status(assessed.cases, assessed.problems);
+  const std::string verdict =
+      fmt::format("{}: {}\nreport: {}\n", word_for(status),
+                  verdict_sentence(assessed.cases, assessed.problems), page.string());
+  std::cout << verdict;
+  if (const auto fingerprint = fingerprint_of(assessed.definition, cases, settings))
+    write_standing({*fingerprint, status, rows + verdict}, settings.output);
+  return ended(status, options);
 }
 
 int gate_campaign(const CampaignOptions& options, const Installation& installation,
@@ -153,7 +105,8 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
   const std::vector<RowMovement> moved =
       movements(baseline_of(read_ledger(ledger_of(options, assessed.definition, installation))),
                 assessed.cases);
-  print(assessed);
+  std::cerr << complaints(assessed.cases, assessed.problems);
+  std::cout << gate_lines(assessed.cases, assessed.problems);
   for (const RowMovement& movement : moved)
     if (movement.before && movement.has_changed())
       std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
@@ -162,7 +115,7 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
   std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
             << verdict_sentence(assessed.cases, assessed.problems)
             << "\ngate: " << (directory / "gate.md").string() << ", junit.xml, gate.sarif\n";
-  return ended(assessed, options);
+  return ended(exit_status(assessed.cases, assessed.problems), options);
 }
 
 }  // namespace slosh

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct CampaignOptions {
   bool quick = false;
   bool solve = true;  // false: only what is there is read
   int at_once = 1;
+  Engine engine = Engine::ninja;
+  bool dry_run = false;                       // only tell what would be done
+  bool resume = false;                        // there must be an earlier start to go on from
+  std::optional<int> timings = {};            // repeats a run; none: as the campaign says
+  std::filesystem::path store = {};           // of results; empty: <build>/store
   int inconclusive_exit = exit_inconclusive;  // where nothing is worse than inconclusive
   std::filesystem::path experiments;          // empty: none is named
   std::filesystem::path

@@ -10,6 +10,8 @@
 
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/sweep.hpp"
+#include "verification/engine/run_job.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/named_paths.hpp"
 #include "verification/problems/problem.hpp"
@@ -18,6 +20,7 @@
 #include "verification/runs/run_key.hpp"
 #include "verification/runs/snapshots.hpp"
 #include "verification/runs/state_file.hpp"
+#include "verification/stored_run.hpp"
 
 namespace slosh {
 namespace {
@@ -46,44 +49,83 @@ Progress progress_writer(const fs::path& file, double end_time) {
   };
 }
 
+const RunDefinition& requested_run(const CaseDefinition& definition, const std::string& name) {
+  std::string names;
+  for (const RunDefinition& one : definition.runs) {
+    if (one.name == name) return one;
+    names += (names.empty() ? "" : ", ") + one.name;
+  }
+  throw CaseFileError(
+      fmt::format("{}: run = {}: expected one of {}", definition.file.string(), name, names));
+}
+
+RunSettings settings_for(const RunOptions& options, const Installation& installation,
+                         const std::string& key, fs::path file) {
+  return {.work_directory = file.replace_extension(options.timing ? ".timing.work" : ".work"),
+          .openfoam_templates = installation.openfoam_templates,
+          .snapshot_interval = options.snapshot_interval,
+          .state_interval = options.state_interval,
+          .resume = options.resume,
+          .key = key,
+          .command = {}};
+}
+
+// What repeats the run.
+std::string command_of(const RunOptions& options, const Installation& installation,
+                       const CaseDefinition& definition, const RunDefinition& run) {
+  const std::string campaign =
+      options.campaign.empty()
+          ? ""
+          : " --campaign " + name_or_path(find_campaign(options.campaign, installation.campaigns),
+                                          installation.campaigns);
+  return fmt::format(
+      "./slosh run {} {} --output {}.h5{}{}", name_or_path(definition.file, installation.cases),
+      run.name, run.name, campaign,
+      std::holds_alternative<RecordRun>(run.solver) ? experiments_option(whole(options.experiments))
+                                                    : "");
+}
+
 }  // namespace
+
+int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
+  run_job(JobList::open(fs::current_path()), index, stop);
+  return exit_pass;  // how it has ended is in the list
+}
 
 int run_one(const RunOptions& options, const Installation& installation) {
   const fs::path experiments = whole(options.experiments);
-  const CaseDefinition definition =
+  CaseDefinition definition =
       read_case(find_case(options.case_name, installation.cases), experiments);
-  const auto run = std::find_if(definition.runs.begin(), definition.runs.end(),
-                                [&](const RunDefinition& one) { return one.name == options.run; });
-  if (run == definition.runs.end()) {
-    std::string names;
-    for (const RunDefinition& one : definition.runs)
-      names += (names.empty() ? "" : ", ") + one.name;
-    throw CaseFileError(fmt::format("{}: run = {}: expected one of {}", definition.file.string(),
-                                    options.run, names));
+  if (!options.campaign.empty())
+    add_swept_runs(read_campaign(find_campaign(options.campaign, installation.campaigns),
+                                 installation.cases, known_problems()),
+                   experiments, definition);
+  const RunDefinition& run = requested_run(definition, options.run);
+  const std::string key =
+      run_key(definition, run, installation.solver_build, installation.openfoam_templates);
+  const ResultStore store(options.store);
+  const fs::path file = !options.store.empty()   ? store.file(key, ".h5")
+                        : options.output.empty() ? fs::path(run.name + ".h5")
+                                                 : options.output;
+  RunSettings settings = settings_for(options, installation, key, file);
+  settings.command = command_of(options, installation, definition, run);
+  const auto compute = [&] {
+    return execute(definition, run, settings,
+                   progress_writer(options.progress_file, definition.duration));
+  };
+  if (options.timing) {
+    time_run(store, key, compute);
+  } else if (!options.store.empty()) {
+    keep_run(store, key, compute);
+  } else {
+    write_result(compute(), file);
+    std::cout << "result: " << file.string() << "\n";
   }
-  const fs::path file = options.output.empty() ? fs::path(run->name + ".h5") : options.output;
-  fs::path work = file;
-  work.replace_extension(".work");
-  RunSettings settings;
-  settings.work_directory = work;
-  settings.openfoam_templates = installation.openfoam_templates;
-  settings.snapshot_interval = options.snapshot_interval;
-  settings.state_interval = options.state_interval;
-  settings.resume = options.resume;
-  settings.key =
-      run_key(definition, *run, installation.solver_build, installation.openfoam_templates);
-  settings.command = fmt::format(
-      "./slosh run {} {} --output {}.h5{}", name_or_path(definition.file, installation.cases),
-      run->name, run->name,
-      std::holds_alternative<RecordRun>(run->solver) ? experiments_option(experiments) : "");
-  write_result(execute(definition, *run, settings,
-                       progress_writer(options.progress_file, definition.duration)),
-               file);
-  std::cout << "result: " << file.string() << "\n";
   if (options.snapshot_interval != 0)
-    std::cout << "snapshots: " << snapshot_index(work, run->name).string() << "\n";
+    std::cout << "snapshots: " << snapshot_index(settings.work_directory, run.name).string()
+              << "\n";
   if (options.state_interval != 0)
-    std::cout << "state: " << state_file(work, run->name).string() << "\n";
+    std::cout << "state: " << state_file(settings.work_directory, run.name).string() << "\n";
   return exit_pass;
 }
 

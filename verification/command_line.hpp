@@ -4,6 +4,8 @@
 // and exit statuses.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -15,14 +17,25 @@ struct Installation {
       baselines, openfoam_templates, build;
 };
 
+inline std::filesystem::path usual_store(const Installation& installation) {
+  return installation.build / "store";
+}
+
 struct RunOptions {
   std::string case_name, run;
   std::filesystem::path output, progress_file;
   std::filesystem::path experiments;  // empty: none is named
+  std::filesystem::path campaign;     // a name or path: with the runs of its sweeps; or empty
+  std::filesystem::path store;        // the result goes there, under its key; empty: to the output
+  bool timing = false;                // only its timing, into the store
   double snapshot_interval = 0;       // [s]
   double state_interval = 0;          // [s]
   std::filesystem::path resume;       // empty: from the start
 };
+
+// Runs job `index` of the list in the current directory (engine/job_list.hpp): what an engine
+// starts.
+int run_listed_job(std::size_t index, const std::atomic<bool>& stop);
 
 int run_one(const RunOptions& options, const Installation& installation);
 int list_definitions(const Installation& installation);

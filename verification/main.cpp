@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -64,6 +65,11 @@ void add_experiments_option(CLI::App& command, std::filesystem::path& experiment
       ->check(CLI::ExistingDirectory);
 }
 
+CLI::Option* add_store_option(CLI::App& command, std::filesystem::path& store,
+                              const char* description) {
+  return command.add_option("--store", store, description);
+}
+
 void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
   command
       .add_option("name", options.campaign,
@@ -75,6 +81,10 @@ void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
       "Directory of the results and the report (default: build/campaigns/NAME, with -quick "
       "after the NAME of a quick form)");
   add_experiments_option(command, options.experiments);
+  add_store_option(command, options.store,
+                   "Directory of the results, which campaigns share "
+                   "(default: build/store)")
+      ->envname("SLOSH_STORE");
 }
 
 void add_inconclusive_option(CLI::App& command, slosh::CampaignOptions& options) {
@@ -93,6 +103,24 @@ void add_ledger_option(CLI::App& command, slosh::CampaignOptions& options) {
 void add_jobs_option(CLI::App& command, slosh::CampaignOptions& options) {
   command.add_option("-j,--jobs", options.at_once, "Runs side by side (default: one a core)")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--launcher", options.engine,
+                  "What runs them: ninja, on this machine (default), or slurm, on a cluster")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, slosh::Engine>{{"ninja", slosh::Engine::ninja},
+                                               {"slurm", slosh::Engine::slurm}},
+          CLI::ignore_case));
+  command
+      .add_option("--timings", options.timings,
+                  "Repeats of each run, alone, for its timings (default: what the campaign says)")
+      ->check(CLI::NonNegativeNumber);
+}
+
+void add_start_options(CLI::App& command, slosh::CampaignOptions& options) {
+  command.add_flag("--dry-run", options.dry_run,
+                   "Only tell what would be run, what that costs and what is kept");
+  command.add_flag("--resume", options.resume,
+                   "Go on from an earlier start, which there must have been");
 }
 
 void add_run_options(CLI::App& command, slosh::RunOptions& options) {
@@ -118,6 +146,15 @@ void add_run_options(CLI::App& command, slosh::RunOptions& options) {
       ->check(CLI::ExistingFile);
   add_experiments_option(command, options.experiments);
   command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
+  command.add_option("--campaign", options.campaign,
+                     "A campaign, by name or path, whose sweeps add runs to the case");
+  CLI::Option* store = add_store_option(
+      command, options.store,
+      "Directory of results: leave it there under its key, unless it is there already");
+  command
+      .add_flag("--timing", options.timing,
+                "Repeat the run of the store and add what it takes to its timings")
+      ->needs(store);
 }
 
 // What the command line asks for, chosen while it is parsed.
@@ -135,6 +172,9 @@ void add_problem_options(CLI::App& command, slosh::ProblemOptions& options) {
   command.add_option("name", options.problem, "A problem of `slosh list`")->required();
   command.add_flag("--quick", options.quick, "Without the finest resolutions");
   command.add_option("-o,--output", options.output, "Result file (default: NAME.json)");
+  add_store_option(
+      command, options.store,
+      "Directory of results: leave it there under its key, unless it is there already");
 }
 
 // A command on a campaign, with options of its own: the environment fills in those of every
@@ -189,6 +229,7 @@ void add_campaign_commands(CLI::App& app, Action& action) {
   add_inconclusive_option(*gate, *gate_options);
   add_jobs_option(*campaign, *campaign_options);
   add_jobs_option(*gate, *gate_options);
+  add_start_options(*campaign, *campaign_options);
   add_ledger_option(*gate, *gate_options);
 }
 
@@ -241,6 +282,14 @@ int dispatch(int argc, char** argv) {
                   "Solves one verification problem and leaves its errors over the resolutions",
                   action, [&] { return slosh::run_problem(problem, installation()); }),
       problem);
+  std::size_t job = 0;
+  add_command(app, "job", "Runs one job of the list in the current directory", action,
+              [&] {
+                stop_on_signals();
+                return slosh::run_listed_job(job, stop_requested);
+              })
+      .add_option("index", job, "Its place in jobs.json, from 0")
+      ->required();
   add_command(app, "list", "Lists campaigns, cases and their runs, and problems", action,
               [] { return slosh::list_definitions(installation()); });
 
@@ -259,6 +308,7 @@ int main(int argc, char** argv) {
     std::cerr << "slosh: " << error.what() << "\n";
     return status;
   };
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, as a full disk
   try {
     return dispatch(argc, argv);
   } catch (const slosh::CaseFileError& error) {

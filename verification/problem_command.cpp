@@ -11,6 +11,7 @@
 #include "verification/runs/cost_meter.hpp"
 #include "verification/runs/provenance.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/stored_run.hpp"
 
 namespace slosh {
 namespace {
@@ -31,28 +32,45 @@ ProblemOutcome outcome_of(const Problem& problem, bool quick) try {
   throw SolverError(error.what());
 }
 
-}  // namespace
-
-int run_problem(const ProblemOptions& options, const Installation& installation) {
-  const Problem& problem = named_problem(options.problem);
-  const fs::path file = options.output.empty() ? fs::path(problem.name + ".json") : options.output;
+ProblemResult solved(const Problem& problem, bool quick, const std::string& key) {
   const CostMeter meter;
   ProblemResult result;
   result.problem = problem.name;
-  result.quick = options.quick;
-  result.key = problem_key(problem.name, options.quick, installation.problem_build);
-  result.provenance = provenance(
-      fmt::format("./slosh problem {}{}", problem.name, options.quick ? " --quick" : ""));
-  result.outcome = outcome_of(problem, options.quick);
+  result.quick = quick;
+  result.key = key;
+  result.provenance =
+      provenance(fmt::format("./slosh problem {}{}", problem.name, quick ? " --quick" : ""));
+  result.outcome = outcome_of(problem, quick);
   result.cost = meter.cost();
-  write_problem_result(result, file);
-  for (const MeasuredErrors& measure : result.outcome.measures) {
+  return result;
+}
+
+void print(const ProblemOutcome& outcome) {
+  for (const MeasuredErrors& measure : outcome.measures) {
     std::cout << measure.name << ":";
     for (const ErrorAtStep& one : measure.errors) std::cout << fmt::format(" {:.3g}", one.error);
     if (const auto order = order_of(measure.errors))
       std::cout << fmt::format(", order {:.2f}", *order);
     std::cout << "\n";
   }
+}
+
+}  // namespace
+
+int run_problem(const ProblemOptions& options, const Installation& installation) {
+  const Problem& problem = named_problem(options.problem);
+  const std::string key = problem_key(problem.name, options.quick, installation.problem_build);
+  const auto compute = [&] {
+    ProblemResult result = solved(problem, options.quick, key);
+    print(result.outcome);
+    return result;
+  };
+  if (!options.store.empty()) {
+    keep_problem(ResultStore(options.store), key, compute);
+    return exit_pass;
+  }
+  const fs::path file = options.output.empty() ? fs::path(problem.name + ".json") : options.output;
+  write_problem_result(compute(), file);
   std::cout << "result: " << file.string() << "\n";
   return exit_pass;
 }

@@ -12,6 +12,7 @@ struct ProblemOptions {
   std::string problem;
   bool quick = false;
   std::filesystem::path output;  // empty: NAME.json
+  std::filesystem::path store;   // the result goes there, under its key; empty: to the output
 };
 
 // Throws as the commands of command_line.hpp do.

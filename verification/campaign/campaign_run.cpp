@@ -1,17 +1,19 @@
 #include "verification/campaign/campaign_run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <string_view>
+#include <map>
+#include <optional>
 
+#include "verification/campaign/campaign_plan.hpp"
+#include "verification/campaign/job_log.hpp"
+#include "verification/campaign/problem_run.hpp"
 #include "verification/case_file/case_file_error.hpp"
-#include "verification/runs/progress_display.hpp"
-#include "verification/runs/run_case.hpp"
+#include "verification/engine/file_lock.hpp"
+#include "verification/engine/progress_display.hpp"
+#include "verification/engine/slurm_engine.hpp"
+#include "verification/engine/timings.hpp"
 #include "verification/runs/run_key.hpp"
 
 namespace slosh {
@@ -19,165 +21,161 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PendingRun {
-  std::size_t case_index;
-  const RunDefinition* run;
-};
-
-// Orders the queue, longest first, so that no long run is left alone at the end. Core-seconds per
-// simulated second as measured on two-core machines; only their order of size matters.
-double expected_cost(const CaseDefinition& definition, const RunDefinition& run) {
-  const double area = definition.liquid.column_width.value_or(definition.tank.length) *
-                      definition.liquid.fill_depth;
-  if (const auto* sph = std::get_if<SphRun>(&run.solver))
-    return definition.duration * 2e-6 * area / std::pow(sph->particle_spacing, 3);
-  if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
-    return definition.duration * 5e-4 * mesh->cells_x * mesh->cells_z;
-  return 0;
+// The campaign's directory shows what it took by a link of the run's name.
+void show_result(const PlannedRun& planned, const CampaignSettings& settings) {
+  const fs::path link = link_to_result(settings, *planned.definition, *planned.run);
+  std::error_code none;
+  if (fs::read_symlink(link, none) == planned.file) return;
+  fs::create_directories(link.parent_path());
+  const fs::path next = link.string() + ".next";
+  fs::remove(next);
+  fs::create_symlink(planned.file, next);
+  fs::rename(next, link);
 }
 
-// Enters the result under the run's name. Throws ResultError where there is none that fits: what a
-// solver could compute must be of this very build, what is only read must be of this case and run.
-void take_result(const CaseDefinition& definition, const RunDefinition& run,
-                 const CampaignSettings& settings, CaseRuns& runs) {
-  const fs::path file = result_file(settings, definition, run);
-  RunResult result = read_result(file);
-  const std::string key =
-      run_key(definition, run, settings.solver_build, settings.openfoam_templates);
-  runs.status[run.name] = status_of({file, result.key, key}, "state of the case file", settings);
-  runs.results[run.name] = std::move(result);
+// Enters the result under the run's name. Throws ResultError where it cannot be used.
+void take_result(const PlannedRun& planned, const CampaignSettings& settings, CaseRuns& runs) {
+  RunResult result = read_result(planned.file);
+  if (!asks_the_same(result.key, planned.key))
+    throw ResultError(planned.file.string() + " was made for another state of the case file");
+  // Another case or run that asks the same may have made it.
+  result.case_name = planned.definition->name;
+  result.run_name = planned.run->name;
+  runs.timings[planned.run->name] =
+      comparable_costs(read_timings(settings.store.file(planned.key, ".timings.json")));
+  runs.status[planned.run->name] = planned.status;
+  runs.results[planned.run->name] = std::move(result);
+  show_result(planned, settings);
 }
 
-Job job_for(const CaseDefinition& definition, const RunDefinition& run,
-            const CampaignSettings& settings) {
-  const fs::path result = result_file(settings, definition, run);
-  fs::path stem = result;
-  stem.replace_extension();
-  Job job;
-  job.name = definition.name + "/" + run.name;
-  job.log_file = stem.string() + ".log";
-  job.progress_file = stem.string() + ".progress";
-  job.command = {settings.executable.string(),
-                 "run",
-                 definition.file.string(),
-                 run.name,
-                 "--output",
-                 result.string(),
-                 "--progress-file",
-                 job.progress_file.string()};
-  if (!settings.experiments.empty())
-    job.command.insert(job.command.end(), {"--experiments", settings.experiments.string()});
-  return job;
-}
-
-// Enters what stands before anything is started, and returns the runs that are to be computed.
-std::vector<PendingRun> take_stock(const std::vector<CaseDefinition>& cases,
-                                   const CampaignSettings& settings,
-                                   std::vector<CaseRuns>& outcome) {
-  std::vector<PendingRun> pending;
-  for (std::size_t c = 0; c < cases.size(); ++c)
-    for (const RunDefinition& run : cases[c].runs) {
-      RunStatus& status = outcome[c].status[run.name];
-      if (settings.quick && !run.quick) {
-        status = {RunState::not_selected, ""};
-        continue;
-      }
-      const auto* record = std::get_if<RecordRun>(&run.solver);
-      if (record && !record->supplied) {
-        status = {RunState::not_supplied, where_to_get(*record, cases[c])};
-        continue;
-      }
-      try {
-        take_result(cases[c], run, settings, outcome[c]);
-        if (!status.message.empty())
-          std::cerr << cases[c].name << "/" << run.name << " was " << status.message << '\n';
+// Enters what stands before anything is started; of what cannot be used the run is pending.
+void take_stock(std::vector<PlannedRun>& plan, const CampaignSettings& settings,
+                std::map<const CaseDefinition*, CaseRuns*>& outcome) {
+  for (PlannedRun& planned : plan) {
+    CaseRuns& runs = *outcome.at(planned.definition);
+    const std::string name = planned.definition->name + "/" + planned.run->name;
+    if (planned.status.state == RunState::finished) try {
+        take_result(planned, settings, runs);
+        if (!planned.status.message.empty())
+          std::cerr << name << " was " << planned.status.message << '\n';
       } catch (const ResultError& error) {
-        status = {RunState::missing, error.what()};
-        if (!settings.solve) continue;
-        pending.push_back({c, &run});
-        if (fs::exists(result_file(settings, cases[c], run)))
-          std::cerr << error.what() << ": it is computed again\n";
+        planned.status = {RunState::missing, error.what()};
+        if (settings.solve) std::cerr << error.what() << ": it is computed again\n";
       }
-    }
-  return pending;
+    runs.status[planned.run->name] = planned.status;
+  }
 }
 
 // Enters how a run that was started has ended. Throws CaseFileError where the run refused its case.
-void take_over(const JobState& state, const CaseDefinition& definition, const RunDefinition& run,
-               const CampaignSettings& settings, CaseRuns& runs) {
+void take_over(const JobState& state, PlannedRun& planned, const CampaignSettings& settings,
+               CaseRuns& runs) {
   if (state.phase == JobPhase::exited && state.status == exit_usage)
     throw CaseFileError(complaint_in(state.job.log_file));
-  RunStatus& status = runs.status[run.name];
+  RunStatus& status = runs.status[planned.run->name];
   if (!has_succeeded(state)) {
     status = {RunState::failed, description(state) + ": " + complaint_in(state.job.log_file)};
     return;
   }
   try {
-    take_result(definition, run, settings, runs);
+    planned.status = {RunState::finished, ""};
+    take_result(planned, settings, runs);
   } catch (const ResultError& error) {
     status = {RunState::missing, error.what()};
   }
 }
 
-}  // namespace
+// A job, and what it is for: a run, a problem by its number, or the timing of a run, of which
+// nothing is taken over.
+struct Pending {
+  Job job;
+  PlannedRun* run = nullptr;
+  std::optional<std::size_t> problem = {};
+};
 
-RunStatus status_of(const KeptResult& kept, const std::string& asked,
-                    const CampaignSettings& settings) {
-  constexpr const char* made_by_another_build = "made by another build or version";
-  const auto& [file, key, expected] = kept;
-  if (!asks_the_same(key, expected))
-    throw ResultError(file.string() + " was made for another " + asked);
-  if (key == expected) return {RunState::finished, ""};
-  if (settings.solve) throw ResultError(file.string() + " was " + made_by_another_build);
-  return {RunState::finished, made_by_another_build};
+// Longest first, so that none is left alone at the end.
+std::vector<Pending> pending_jobs(std::vector<PlannedRun>& plan,
+                                  const std::vector<ProblemDefinition>& problems,
+                                  const std::vector<ProblemRun>& standing,
+                                  const CampaignSettings& settings) {
+  std::vector<Pending> pending;
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    if (standing[i].status.state == RunState::missing)
+      pending.push_back({.job = job_for(problems[i], settings), .problem = i});
+  for (PlannedRun& planned : plan)
+    if (is_pending(planned))
+      pending.push_back({.job = job_for(planned, settings), .run = &planned});
+  std::stable_sort(pending.begin(), pending.end(), [](const Pending& a, const Pending& b) {
+    return a.job.expected_time > b.job.expected_time;
+  });
+  for (const PlannedRun& planned : plan)
+    for (Job& job : timing_jobs(planned, settings)) pending.push_back({.job = std::move(job)});
+  return pending;
 }
 
-std::vector<JobState> run_jobs(const std::vector<Job>& jobs, const std::string& what,
+// The timings that were made meanwhile.
+void take_timings(const std::vector<PlannedRun>& plan, const CampaignSettings& settings,
+                  std::map<const CaseDefinition*, CaseRuns*>& outcome) {
+  for (const PlannedRun& planned : plan)
+    if (planned.status.state == RunState::finished)
+      outcome.at(planned.definition)->timings[planned.run->name] =
+          comparable_costs(read_timings(settings.store.file(planned.key, ".timings.json")));
+}
+
+void tell_of_problems(const std::vector<ProblemDefinition>& problems,
+                      const std::vector<ProblemRun>& standing) {
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    if (standing[i].result && !standing[i].status.message.empty())
+      std::cerr << problems[i].name << " was " << standing[i].status.message << '\n';
+}
+
+std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
                                const CampaignSettings& settings, const std::atomic<bool>& stop) {
+  std::vector<Job> jobs;
+  for (const Pending& one : pending) jobs.push_back(one.job);
   // They share the cores by running side by side, one thread each.
   setenv("OMP_NUM_THREADS", "1", 0);
   ProgressDisplay display(std::cerr, style_of_standard_error());
-  std::vector<JobState> states = run_pool(
-      jobs, settings.at_once, stop, [&](const std::vector<JobState>& now) { display.show(now); });
+  std::vector<JobState> states =
+      launch(jobs,
+             {.directory = settings.output / "jobs",
+              .tool = settings.executable,
+              .engine = settings.engine,
+              .at_once = settings.at_once},
+             stop, [&](const std::vector<JobState>& now) { display.show(now); });
   if (stop)
-    throw InterruptedError("interrupted: finished " + what + " are kept in " +
-                           settings.output.string());
+    throw InterruptedError("interrupted: what is finished is kept in " +
+                           settings.store.root().string());
   return states;
 }
 
-std::string complaint_in(const fs::path& log) {
-  constexpr std::string_view mark = "slosh: ";  // main.cpp puts it before every error
-  std::ifstream stream(log);
-  std::string line, last;
-  while (std::getline(stream, line)) {
-    if (line.starts_with(mark)) return line.substr(mark.size());
-    if (!line.empty()) last = line;
+}  // namespace
+
+CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
+                               const std::vector<ProblemDefinition>& problems,
+                               const CampaignSettings& settings, const std::atomic<bool>& stop) {
+  const FileLock lock(settings.output / "jobs/lock", [&] {
+    std::cerr << "another start works in " << settings.output.string() << "; waiting for it\n";
+  });
+  if (settings.engine == Engine::slurm) wait_for_earlier_arrays(settings.output / "jobs", stop);
+  CampaignRuns outcome{std::vector<CaseRuns>(cases.size()), {}};
+  std::map<const CaseDefinition*, CaseRuns*> runs_of;
+  for (std::size_t i = 0; i < cases.size(); ++i) runs_of[&cases[i]] = &outcome.cases[i];
+  std::vector<PlannedRun> plan = plan_runs(cases, settings);
+  take_stock(plan, settings, runs_of);
+  for (const ProblemDefinition& problem : problems)
+    outcome.problems.push_back(standing_problem(problem, settings));
+  tell_of_problems(problems, outcome.problems);
+  if (!settings.solve) return outcome;
+
+  std::vector<Pending> pending = pending_jobs(plan, problems, outcome.problems, settings);
+  const std::vector<JobState> states = run_jobs(pending, settings, stop);
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    const Pending& one = pending[i];
+    if (one.run) take_over(states[i], *one.run, settings, *runs_of.at(one.run->definition));
+    if (one.problem)
+      outcome.problems[*one.problem] = ended_problem(states[i], problems[*one.problem], settings);
   }
-  return last;
-}
-
-fs::path result_file(const CampaignSettings& settings, const CaseDefinition& definition,
-                     const RunDefinition& run) {
-  return settings.output / "runs" / definition.name / (run.name + ".h5");
-}
-
-std::vector<CaseRuns> run_cases(const std::vector<CaseDefinition>& cases,
-                                const CampaignSettings& settings, const std::atomic<bool>& stop) {
-  std::vector<CaseRuns> outcome(cases.size());
-  std::vector<PendingRun> pending = take_stock(cases, settings, outcome);
-  const auto cost = [&](const PendingRun& one) {
-    return expected_cost(cases[one.case_index], *one.run);
-  };
-  std::stable_sort(pending.begin(), pending.end(),
-                   [&](const PendingRun& a, const PendingRun& b) { return cost(a) > cost(b); });
-  std::vector<Job> jobs;
-  for (const PendingRun& one : pending)
-    jobs.push_back(job_for(cases[one.case_index], *one.run, settings));
-
-  const std::vector<JobState> states = run_jobs(jobs, "runs", settings, stop);
-  for (std::size_t i = 0; i < pending.size(); ++i)
-    take_over(states[i], cases[pending[i].case_index], *pending[i].run, settings,
-              outcome[pending[i].case_index]);
+  take_timings(plan, settings, runs_of);
   return outcome;
 }
 

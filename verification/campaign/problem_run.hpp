@@ -1,23 +1,21 @@
-// Runs the verification problems of a campaign, each a process of its own, and keeps every finished
-// result: one whose key still fits is not computed again.
+// The verification problems of a campaign, each a process of its own: what of them stands, the jobs
+// that are left, and how those have ended.
 #pragma once
 
-#include <atomic>
-#include <filesystem>
 #include <vector>
 
-#include "verification/campaign/campaign_run.hpp"
+#include "verification/campaign/campaign_settings.hpp"
 #include "verification/campaign/problem_assessment.hpp"
+#include "verification/engine/job.hpp"
 
 namespace slosh {
 
-// In the order given. Throws InterruptedError once `stop` is set; what was finished stays.
-std::vector<ProblemRun> run_problems(const std::vector<ProblemDefinition>& problems,
-                                     const CampaignSettings& settings,
-                                     const std::atomic<bool>& stop);
+// That of the result that stands, or why none does.
+ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings);
 
-// Where a problem's result lies.
-std::filesystem::path problem_file(const CampaignSettings& settings,
-                                   const ProblemDefinition& problem);
+Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings);
+
+ProblemRun ended_problem(const JobState& state, const ProblemDefinition& problem,
+                         const CampaignSettings& settings);
 
 }  // namespace slosh

@@ -44,6 +44,13 @@ struct KnownProblem {
   std::vector<KnownMeasure> measures;
 };
 
+// Which runs are repeated alone on the machine, so that what they take can be compared.
+struct TimingDefinition {
+  int repeats = 0;                 // of each; 0: none
+  double longest_run = 60;         // [s] of processor time: what takes longer is not repeated
+  std::vector<std::string> cases;  // names; empty: all
+};
+
 struct CampaignDefinition {
   std::string name, title, source;
   std::string paper;  // whose printed numbers and errata the report sets beside ours: "li2010",
@@ -52,6 +59,7 @@ struct CampaignDefinition {
   std::string text;                          // the file as read
   std::filesystem::path file;
   std::vector<ProblemDefinition> problems = {};  // in the order of the report, after the cases
+  TimingDefinition timing = {};
 };
 
 }  // namespace slosh

@@ -36,6 +36,16 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
   return file;
 }
 
+TimingDefinition read_timing(const TomlTable& timing) {
+  timing.allow_only({"repeats", "longest_run_s", "cases"});
+  TimingDefinition read;
+  read.repeats = timing.get("repeats", at_least(1));
+  read.longest_run = timing.find("longest_run_s", positive("s")).value_or(read.longest_run);
+  if (timing.has("cases"))
+    for (const PlacedText& one : timing.texts("cases", any_text())) read.cases.push_back(one.text);
+  return read;
+}
+
 }  // namespace
 
 CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_directory,
@@ -45,13 +55,15 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   campaign.text = read_definition_text("campaign", file);
   const TomlTable root(campaign.text, file);
   root.get("schema_version", exactly(schema_version));
-  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem"});
+  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem", "sweep",
+                   "timing"});
   campaign.name = root.get("name", file_safe_name());
   campaign.title = root.get("title", any_text());
   campaign.source = root.get("source", any_text());
   campaign.paper = root.find("paper", known_paper()).value_or("");
   for (const TomlTable& table : root.tables("problem"))
     campaign.problems.push_back(read_problem(table, known_problems, campaign.problems));
+  if (root.has("timing")) campaign.timing = read_timing(root.table("timing"));
   if (!root.has("cases") && !campaign.problems.empty()) return campaign;
   for (const PlacedText& member : root.texts("cases", any_text())) {
     campaign.cases.push_back(find_member(member, campaign, case_directory));

@@ -4,7 +4,8 @@
 // .toml) relative to the campaign file, [[problem]]? with the name of a problem and its gate rows
 // [[problem.gate]]: measure (one of the problem's), metric = "order_at_least" | "error_at_finest" |
 // "largest_error" with limit, or "order_within" with lower and upper; unit, reason, source. At
-// least one case or problem.
+// least one case or problem. [[sweep]]? as sweep.hpp says; [timing]? with repeats, longest_run_s?
+// and cases? = [names of cases], which runs are repeated for their timings.
 #pragma once
 
 #include <filesystem>

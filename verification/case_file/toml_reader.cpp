@@ -20,9 +20,16 @@ struct TomlTable::Content {
   const toml::table* table;
   std::string file;
   std::string path;  // "" for the root, "tank." inside [tank]
+  int line = 0;      // of a copy, whose nodes know no place
 
   SourceLocation where(const toml::node& node) const {
-    return {file, static_cast<int>(node.source().begin.line)};
+    const auto own = node.source().begin.line;
+    return {file, own ? static_cast<int>(own) : line};
+  }
+  std::shared_ptr<const Content> copy(toml::table changed) const {
+    const auto held = std::make_shared<const toml::table>(std::move(changed));
+    return std::make_shared<const Content>(
+        Content{held, held.get(), file, path, where(*table).line});
   }
   std::string place(const toml::node& node) const {
     return fmt::format("{}:{}", file, where(node).line);
@@ -202,6 +209,43 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
                                                 fmt::format("{}{}.", content_->path, key)})));
   }
   return tables;
+}
+
+TomlTable TomlTable::without(const std::vector<std::string>& keys) const {
+  toml::table rest = *content_->table;
+  for (const std::string& key : keys) rest.erase(key);
+  return TomlTable(content_->copy(std::move(rest)));
+}
+
+TomlTable TomlTable::with(std::string_view key, const std::string& text) const {
+  toml::table more = *content_->table;
+  more.insert_or_assign(key, text);
+  return TomlTable(content_->copy(std::move(more)));
+}
+
+std::vector<TomlTable> TomlTable::combinations() const {
+  std::vector<toml::table> made{*content_->table};
+  for (const auto& [key, node] : *content_->table) {
+    const toml::array* axis = node.as_array();
+    if (!axis || node.is_array_of_tables()) continue;
+    if (axis->empty()) refuse(key.str(), "a value, or an array of at least one");
+    std::vector<toml::table> longer;
+    for (const toml::table& table : made)
+      for (const toml::node& element : *axis) {
+        longer.push_back(table);
+        element.visit([&](const auto& value) { longer.back().insert_or_assign(key.str(), value); });
+      }
+    made = std::move(longer);
+  }
+  std::vector<TomlTable> tables;
+  for (toml::table& table : made) tables.push_back(TomlTable(content_->copy(std::move(table))));
+  return tables;
+}
+
+std::string TomlTable::written(std::string_view key) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node) return "";
+  return node->is_string() ? node->as_string()->get() : as_written(*node);
 }
 
 bool TomlTable::has(std::string_view key) const { return content_->table->contains(key); }

@@ -50,7 +50,14 @@ class TomlTable {
   TomlTable table(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  // [[key]]; empty when absent
 
+  // Copies of this table, at its place in the file: without some keys; with a text at a key; and
+  // one for every combination of the elements of its arrays of values, the last key's fastest.
+  TomlTable without(const std::vector<std::string>& keys) const;
+  TomlTable with(std::string_view key, const std::string& text) const;
+  std::vector<TomlTable> combinations() const;
+
   bool has(std::string_view key) const;
+  std::string written(std::string_view key) const;  // a value's own text; "" when absent
   SourceLocation where() const;
   // Refuses the value at a key, which may be absent, for what else the file says.
   [[noreturn]] void refuse(std::string_view key, std::string_view expected) const;

@@ -1,8 +1,10 @@
 #include "verification/runs/child_process.hpp"
 
 #include <signal.h>
+#include <sys/prctl.h>
 
 #include <boost/process.hpp>
+#include <boost/process/extend.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <optional>
@@ -14,9 +16,6 @@ namespace {
 
 namespace bp = boost::process;
 using Clock = std::chrono::steady_clock;
-
-constexpr std::chrono::seconds grace{
-    3};  // from SIGTERM to SIGKILL: long enough for mpirun to end its ranks
 
 using LogFile = std::unique_ptr<FILE, int (*)(FILE*)>;
 
@@ -37,6 +36,7 @@ struct ChildProcess::State {
   bp::child child;
   Clock::time_point begin = Clock::now();
   std::optional<Clock::time_point> terminated;
+  std::chrono::seconds grace;
 
   void signal_group(int signal) const { ::kill(-group.native_handle(), signal); }
   bool group_lives() const { return ::kill(-group.native_handle(), 0) == 0; }
@@ -49,12 +49,19 @@ struct ChildProcess::State {
   }
 };
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command,
-                           const std::filesystem::path& log_file)
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildSettings& settings)
     : state_(std::make_unique<State>()) {
-  const LogFile log = open_log(log_file);
+  state_->grace = settings.grace;
+  const LogFile log = open_log(settings.log_file);
   const std::vector<std::string> arguments(command.begin() + 1, command.end());
-  state_->child = bp::child(bp::exe = command.front(), bp::args = arguments, state_->group,
+  bp::environment environment = boost::this_process::environment();
+  for (const auto& [name, value] : settings.environment) environment[name] = value;
+  const std::filesystem::path directory =
+      settings.directory.empty() ? std::filesystem::current_path() : settings.directory;
+  const auto end_with_parent = [](auto&) { ::prctl(PR_SET_PDEATHSIG, SIGTERM); };
+  state_->child = bp::child(bp::exe = command.front(), bp::args = arguments, environment,
+                            bp::start_dir = directory.string(), state_->group,
+                            bp::extend::on_exec_setup = end_with_parent,
                             bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.get());
 }
 
@@ -71,7 +78,7 @@ void ChildProcess::terminate() {
 bool ChildProcess::is_over() {
   const bool child_runs = state_->child.running();
   if (!state_->terminated) return !child_runs;
-  const bool out_of_grace = Clock::now() - *state_->terminated > grace;
+  const bool out_of_grace = Clock::now() - *state_->terminated > state_->grace;
   if (out_of_grace) state_->signal_group(SIGKILL);
   // Out of grace a group may still show: killed processes that nobody has reaped.
   return !child_runs && (out_of_grace || !state_->group_lives());

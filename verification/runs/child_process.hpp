@@ -1,25 +1,33 @@
 // One child process in a process group of its own, so that what it starts in turn can be ended with
-// it.
+// it. It gets SIGTERM where this process dies without a word.
 #pragma once
 
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace slosh {
 
+struct ChildSettings {
+  std::filesystem::path log_file;  // of its output and errors; its directory is made if need be
+  std::filesystem::path directory = {};                 // that it works in; empty: this process's
+  std::map<std::string, std::string> environment = {};  // beside this process's
+  // From SIGTERM to SIGKILL: long enough for mpirun to end its ranks.
+  std::chrono::seconds grace{3};
+};
+
 class ChildProcess {
  public:
-  // No shell, empty standard input, output and error to the log. Throws std::runtime_error where it
-  // cannot start.
-  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& log_file);
+  // No shell, and empty standard input. Throws std::runtime_error where it cannot start.
+  ChildProcess(const std::vector<std::string>& command, const ChildSettings& settings);
   ChildProcess(ChildProcess&&) noexcept;
   ChildProcess& operator=(ChildProcess&&) noexcept;
   ~ChildProcess();  // ends with SIGKILL what still runs of the group
 
-  // Once: SIGTERM to the group. Three seconds later is_over() follows it up with SIGKILL.
+  // Once: SIGTERM to the group. After the grace is_over() follows it up with SIGKILL.
   void terminate();
 
   // Whether the child has ended and, once terminate() was called, its group with it. Does not wait.

@@ -118,7 +118,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   question.add(asked.dump());
   answer.add_file(solver_build);
   if (std::holds_alternative<InterFoamRun>(run.solver)) {
-    answer.add(openfoam::installed_version());
+    static const std::string version = openfoam::installed_version();  // starts interFoam
+    answer.add(version);
     add_directory(answer, openfoam_templates);
   }
   return question.digits() + "-" + answer.digits();

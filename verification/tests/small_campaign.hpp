@@ -105,8 +105,17 @@ class SmallCampaign : public ::testing::Test {
   SmallCampaign() { std::filesystem::create_directories(directory()); }
 
   std::filesystem::path directory() const { return temporary_.path() / "a tänk"; }
+  // A link into the store.
   std::filesystem::path result(const std::string& run) const {
     return directory() / "out" / "runs" / "small" / (run + ".h5");
+  }
+  std::filesystem::path store() const { return directory() / "out" / "store"; }
+  std::vector<std::filesystem::path> files_of_store(const std::string& ending) const {
+    std::vector<std::filesystem::path> found;
+    if (!std::filesystem::exists(store())) return found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(store()))
+      if (entry.path().filename().string().ends_with(ending)) found.push_back(entry.path());
+    return found;
   }
   std::filesystem::path report() const { return directory() / "out" / "report"; }
 
@@ -131,6 +140,7 @@ class SmallCampaign : public ::testing::Test {
     bp::environment environment = boost::this_process::environment();
     environment["OMP_NUM_THREADS"] = "1";
     environment.erase("SLOSH_EXPERIMENTS");  // what the user has is no part of a test
+    environment["SLOSH_STORE"] = store().string();
     for (const auto& [name, value] : more) environment[name] = value;
     const std::string out = (temporary_.path() / "out").string(),
                       err = (temporary_.path() / "err").string();

@@ -71,16 +71,17 @@ class ToolInterrupted : public SmallCampaign {
 TEST_F(ToolInterrupted, EndsItsRunsKeepsWhatIsFinishedAndGoesOnFromThere) {
   write_campaign(with(particles_case, "duration_s = 8.0", "duration_s = 40.0"));
   auto child = start_campaign();
-  const auto progress = result("particles").replace_extension(".progress");
-  ASSERT_TRUE(comes_true([&] { return fs::exists(result("theory")) && fs::exists(progress); }));
+  const auto progress = directory() / "out/jobs/small.particles.progress";
+  const auto theory = [&] { return files_of_store(".h5").size() == 1; };
+  ASSERT_TRUE(comes_true([&] { return theory() && fs::exists(progress); }));
   kill(child.id(), SIGINT);
   const Ended interrupted = end_of(std::move(child));
   EXPECT_EQ(interrupted.status, 130);
-  EXPECT_NE(interrupted.err.find("interrupted: finished runs are kept in "), std::string::npos)
+  EXPECT_NE(interrupted.err.find("interrupted: what is finished is kept in "), std::string::npos)
       << interrupted.err;
   EXPECT_TRUE(processes_of(directory()).empty());
-  EXPECT_FALSE(fs::exists(result("particles")));
-  EXPECT_NO_THROW(read_result(result("theory")));
+  EXPECT_TRUE(theory()) << "and nothing else";
+  EXPECT_NO_THROW(read_result(files_of_store(".h5").at(0)));
   EXPECT_FALSE(fs::exists(report()));
 
   const Ended again = campaign();

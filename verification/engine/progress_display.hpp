@@ -1,4 +1,4 @@
-// Shows a pool's jobs to whoever waits: on a terminal a live line for each running one with its
+// Shows jobs to whoever waits: on a terminal a live line for each running one with its
 // simulated time, speed and remaining time; elsewhere plain lines at its start and end and at most
 // every ten seconds between.
 #pragma once
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/runs/run_pool.hpp"
+#include "verification/engine/job.hpp"
 
 namespace slosh {
 
@@ -26,7 +26,7 @@ class ProgressDisplay {
  public:
   ProgressDisplay(std::ostream& stream, const DisplayStyle& style);
 
-  // To be called with the states of the same jobs each time: run_pool's observer.
+  // To be called with the states of the same jobs each time: an ObserveJobs.
   void show(const std::vector<JobState>& states);
 
  private:

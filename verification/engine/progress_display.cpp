@@ -1,4 +1,4 @@
-#include "verification/runs/progress_display.hpp"
+#include "verification/engine/progress_display.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

@@ -1,0 +1,134 @@
+#include "verification/campaign/campaign_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/engine/timings.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/runs/run_key.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+PlannedRun planned_run(const CaseDefinition& definition, const RunDefinition& run,
+                       const CampaignSettings& settings) {
+  PlannedRun planned{&definition, &run, {}, {RunState::not_selected, ""}, {}};
+  if (settings.quick && !run.quick) return planned;
+  const auto* record = std::get_if<RecordRun>(&run.solver);
+  if (record && !record->supplied) {
+    planned.status = {RunState::not_supplied, where_to_get(*record, definition)};
+    return planned;
+  }
+  planned.key = run_key(definition, run, settings.solver_build, settings.openfoam_templates);
+  planned.file = settings.store.file(planned.key, ".h5");
+  try {
+    const StandingResult standing = standing_result(planned.key, ".h5", settings);
+    planned.file = standing.file;
+    planned.status = {RunState::finished, standing.message};
+  } catch (const ResultError& error) {
+    planned.status = {RunState::missing, error.what()};
+  }
+  return planned;
+}
+
+// `slosh run` of it, but for what it is to do.
+std::vector<std::string> run_command(const PlannedRun& planned, const CampaignSettings& settings) {
+  std::vector<std::string> command{
+      settings.executable.string(),
+      "run",
+      fs::absolute(planned.definition->file).lexically_normal().string(),
+      planned.run->name,
+      "--store",
+      settings.store.root().string()};
+  const bool swept = planned.run->where.file != planned.definition->file.string();
+  if (swept) command.insert(command.end(), {"--campaign", settings.campaign_file.string()});
+  if (!settings.experiments.empty())
+    command.insert(command.end(), {"--experiments", settings.experiments.string()});
+  return command;
+}
+
+Job job_of(const PlannedRun& planned, const CampaignSettings& settings, const ExpectedCost& cost) {
+  fs::path log = link_to_result(settings, *planned.definition, *planned.run);
+  log.replace_extension(".log");
+  return {.name = planned.definition->name + "/" + planned.run->name,
+          .command = run_command(planned, settings),
+          .log_file = log,
+          .time_limit = time_limit(cost),
+          .cores = cost.cores,
+          .expected_time = cost.wall_time,
+          .expected_memory = cost.memory};
+}
+
+bool is_timed(const PlannedRun& planned, const TimingDefinition& timing) {
+  const auto& cases = timing.cases;
+  return !std::holds_alternative<RecordRun>(planned.run->solver) &&
+         (cases.empty() ||
+          std::find(cases.begin(), cases.end(), planned.definition->name) != cases.end());
+}
+
+}  // namespace
+
+std::vector<PlannedRun> plan_runs(const std::vector<CaseDefinition>& cases,
+                                  const CampaignSettings& settings) {
+  std::vector<PlannedRun> plan;
+  for (const CaseDefinition& definition : cases)
+    for (const RunDefinition& run : definition.runs)
+      plan.push_back(planned_run(definition, run, settings));
+  return plan;
+}
+
+StandingResult standing_result(const std::string& key, const char* extension,
+                               const CampaignSettings& settings) {
+  const fs::path own = settings.store.file(key, extension);
+  if (fs::exists(own)) return {own, ""};
+  const auto other = settings.store.newest_file(key, extension);
+  if (!other)
+    throw ResultError(
+        fmt::format("no result in {}: none was made, or for another state of the case "
+                    "file",
+                    settings.store.root().string()));
+  constexpr const char* made_by_another_build = "made by another build or version";
+  if (settings.solve)
+    throw ResultError(fmt::format("{} was {}", other->string(), made_by_another_build));
+  return {*other, made_by_another_build};
+}
+
+bool is_pending(const PlannedRun& planned) { return planned.status.state == RunState::missing; }
+
+Job job_for(const PlannedRun& planned, const CampaignSettings& settings) {
+  Job job = job_of(planned, settings,
+                   expected_cost(*planned.definition, *planned.run, planned.key, settings.store));
+  job.progress_file =
+      settings.output / "jobs" / (planned.definition->name + "." + planned.run->name + ".progress");
+  job.command.insert(job.command.end(), {"--progress-file", job.progress_file.string()});
+  return job;
+}
+
+std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& settings) {
+  std::vector<Job> jobs;
+  const bool computed = is_pending(planned) || planned.status.state == RunState::finished;
+  if (!computed || !is_timed(planned, settings.timing)) return jobs;
+  const ExpectedCost cost =
+      expected_cost(*planned.definition, *planned.run, planned.key, settings.store);
+  if (cost.processor_time > settings.timing.longest_run) return jobs;
+  const std::size_t made = read_timings(settings.store.file(planned.key, ".timings.json")).size();
+  for (std::size_t i = made; i < static_cast<std::size_t>(settings.timing.repeats); ++i) {
+    Job job = job_of(planned, settings, cost);
+    job.name += fmt::format(", timing {}", i + 1);
+    job.log_file.replace_extension(fmt::format(".timing_{}.log", i + 1));
+    job.command.push_back("--timing");
+    job.alone = true;
+    jobs.push_back(std::move(job));
+  }
+  return jobs;
+}
+
+fs::path link_to_result(const CampaignSettings& settings, const CaseDefinition& definition,
+                        const RunDefinition& run) {
+  return settings.output / "runs" / definition.name / (run.name + ".h5");
+}
+
+}  // namespace slosh

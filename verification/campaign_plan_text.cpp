@@ -1,0 +1,94 @@
+#include "verification/campaign_plan_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "verification/campaign/campaign_plan.hpp"
+#include "verification/campaign/problem_run.hpp"
+
+namespace slosh {
+namespace {
+
+// A word that a shell would take apart is shown in quotes.
+std::string shown(const std::string& word) {
+  constexpr const char* plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string command_text(const Job& job) {
+  std::vector<std::string> words;
+  for (const std::string& word : job.command) words.push_back(shown(word));
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+struct Sums {
+  int kept = 0, left_out = 0, to_run = 0, timings = 0;
+  double processor_time = 0, alone = 0;  // [s]
+  bool measured = true;
+};
+
+std::string line_of(const Job& job, Sums& sums) {
+  (job.alone ? sums.alone : sums.processor_time) += job.expected_time * job.cores;
+  return fmt::format("{:<8} {} (about {:.3g} core-seconds)\n         {}\n",
+                     job.alone ? "time" : "run", job.name, job.expected_time * job.cores,
+                     command_text(job));
+}
+
+std::string line_of(const PlannedRun& planned, const CampaignSettings& settings, Sums& sums) {
+  const std::string name = planned.definition->name + "/" + planned.run->name;
+  if (planned.status.state == RunState::finished) {
+    ++sums.kept;
+    return fmt::format("kept     {}\n", name);
+  }
+  if (!is_pending(planned)) {
+    ++sums.left_out;
+    return "";
+  }
+  ++sums.to_run;
+  sums.measured &=
+      expected_cost(*planned.definition, *planned.run, planned.key, settings.store).measured;
+  return line_of(job_for(planned, settings), sums);
+}
+
+std::string sums_text(const Sums& sums, const CampaignSettings& settings) {
+  std::string text =
+      fmt::format("{} kept, {} to run, {} left out", sums.kept, sums.to_run, sums.left_out);
+  if (sums.to_run > 0)
+    text +=
+        fmt::format("; about {:.3g} core-seconds ({}), {:.2g} min on {} cores", sums.processor_time,
+                    sums.measured ? "as such runs took before" : "by a rule of thumb",
+                    sums.processor_time / 60 / settings.at_once, settings.at_once);
+  if (sums.timings > 0)
+    text +=
+        fmt::format("; {} timings one after another, {:.2g} min", sums.timings, sums.alone / 60);
+  return text + "\nstore: " + settings.store.root().string() + "\n";
+}
+
+}  // namespace
+
+std::string plan_text(const std::vector<CaseDefinition>& cases,
+                      const std::vector<ProblemDefinition>& problems,
+                      const CampaignSettings& settings) {
+  Sums sums;
+  std::string text, timings;
+  for (const ProblemDefinition& problem : problems) {
+    const bool stands = standing_problem(problem, settings).result.has_value();
+    ++(stands ? sums.kept : sums.to_run);
+    text += stands ? fmt::format("kept     {}\n", problem.name)
+                   : line_of(job_for(problem, settings), sums);
+  }
+  for (const PlannedRun& planned : plan_runs(cases, settings)) {
+    text += line_of(planned, settings, sums);
+    for (const Job& job : timing_jobs(planned, settings)) {
+      ++sums.timings;
+      timings += line_of(job, sums);
+    }
+  }
+  return text + timings + sums_text(sums, settings);
+}
+
+}  // namespace slosh

@@ -1,0 +1,68 @@
+#include "verification/campaign_standing.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "verification/campaign/campaign_plan.hpp"
+#include "verification/campaign/problem_run.hpp"
+#include "verification/runs/atomic_file.hpp"
+#include "verification/runs/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* file_name = "standing.json";
+
+// Of a file as it is now, without reading it; of one that is absent, that.
+json stamp_of(const fs::path& file) {
+  std::error_code none;
+  const auto written = fs::last_write_time(file, none);
+  if (none) return nullptr;
+  return {file.string(), fs::file_size(file), written.time_since_epoch().count()};
+}
+
+}  // namespace
+
+std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
+                                          const std::vector<CaseDefinition>& cases,
+                                          const CampaignSettings& settings) {
+  json all{{"campaign", campaign.text},
+           {"quick", settings.quick},
+           {"experiments", settings.experiments.string()},
+           {"tool", stamp_of(settings.executable)},
+           {"cases", json::array()},
+           {"results", json::array()}};
+  for (const CaseDefinition& one : cases) all["cases"].push_back(one.text);
+  for (const PlannedRun& planned : plan_runs(cases, settings)) {
+    if (is_pending(planned) || !timing_jobs(planned, settings).empty()) return std::nullopt;
+    all["results"].push_back({static_cast<int>(planned.status.state), planned.status.message});
+    if (planned.status.state != RunState::finished) continue;
+    all["results"].push_back(stamp_of(planned.file));
+    all["results"].push_back(stamp_of(settings.store.file(planned.key, ".timings.json")));
+  }
+  for (const ProblemDefinition& problem : campaign.problems) {
+    const ProblemRun run = standing_problem(problem, settings);
+    if (!run.result) return std::nullopt;
+    all["results"].push_back({run.result->key, run.status.message});
+  }
+  return content_hash(all.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+std::optional<CampaignStanding> read_standing(const fs::path& output) {
+  const fs::path file = output / file_name;
+  if (!fs::exists(file)) return std::nullopt;
+  const json read = json::parse(read_bytes(file), nullptr, false);
+  if (read.is_discarded() || !read.contains("out")) return std::nullopt;
+  return CampaignStanding{read.at("fingerprint"), read.at("status"), read.at("out")};
+}
+
+void write_standing(const CampaignStanding& standing, const fs::path& output) {
+  const json all{
+      {"fingerprint", standing.fingerprint}, {"status", standing.status}, {"out", standing.out}};
+  replace_file(output / file_name, all.dump(1, ' ', false, json::error_handler_t::replace),
+               Durability::process_crash);
+}
+
+}  // namespace slosh

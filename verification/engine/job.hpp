@@ -1,0 +1,57 @@
+// A job: one process of a campaign, what it is expected to take, and how far it is.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/runs/progress_file.hpp"
+
+namespace slosh {
+
+// A command without a shell: its first element is the program (a path), its standard output and
+// error go to the log.
+struct Job {
+  std::string name;
+  std::vector<std::string> command;
+  std::filesystem::path log_file;            // replaced; its directory is made if need be
+  std::filesystem::path progress_file = {};  // removed first, then looked at; empty for none
+  double time_limit = 0;                     // [s] of wall time; 0: none
+  int cores = 1;
+  double expected_time = 0;    // [s] of wall time; 0: unknown
+  double expected_memory = 0;  // [byte], at its peak; 0: unknown
+  bool alone = false;          // starts after all that are not, and nothing runs beside it
+};
+
+enum class JobPhase {
+  waiting,
+  running,
+  exited,     // status: the exit status
+  signalled,  // status: the signal that ended it
+  timed_out,
+  interrupted,  // ended by the interrupt, or never started because of it
+  not_started,  // message: why
+  lost          // left no word of its end (killed, or its machine failed); message: what is known
+};
+
+struct JobState {
+  Job job;
+  JobPhase phase = JobPhase::waiting;
+  int status = 0;
+  std::string message = {};
+  double wall_time = 0;  // [s], so far
+  std::optional<RunProgress> progress = {};
+};
+
+bool has_ended(const JobState& state);
+bool has_succeeded(const JobState& state);  // exited with status 0
+std::string description(
+    const JobState& state);  // "exit status 3", "killed by signal 9 (Killed)", ...
+
+// Called from the launcher's thread at each change and about five times a second with the states of
+// all jobs, in the order of the jobs.
+using ObserveJobs = std::function<void(const std::vector<JobState>&)>;
+
+}  // namespace slosh

@@ -1,0 +1,125 @@
+#include "verification/engine/job_list.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "verification/runs/atomic_file.hpp"
+#include "verification/runs/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char *list_name = "jobs.json", *lock_name = "lock";
+constexpr const char *started = ".started", *ended = ".ended.json";
+
+json entry_of(const Job& job) {
+  return {{"name", job.name},
+          {"command", job.command},
+          {"log_file", job.log_file.string()},
+          {"progress_file", job.progress_file.string()},
+          {"time_limit_s", job.time_limit},
+          {"cores", job.cores},
+          {"expected_time_s", job.expected_time},
+          {"expected_memory_byte", job.expected_memory},
+          {"alone", job.alone}};
+}
+
+Job job_of(const json& entry) {
+  return {.name = entry.at("name"),
+          .command = entry.at("command"),
+          .log_file = entry.at("log_file").get<std::string>(),
+          .progress_file = entry.at("progress_file").get<std::string>(),
+          .time_limit = entry.at("time_limit_s"),
+          .cores = entry.at("cores"),
+          .expected_time = entry.at("expected_time_s"),
+          .expected_memory = entry.at("expected_memory_byte"),
+          .alone = entry.at("alone")};
+}
+
+double seconds_since(fs::file_time_type begin) {
+  return std::chrono::duration<double>(fs::file_time_type::clock::now() - begin).count();
+}
+
+}  // namespace
+
+JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs) {
+  fs::create_directories(directory);
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (entry.path().filename() != lock_name) fs::remove_all(entry.path());
+  json list = json::array();
+  for (const Job& job : jobs) list.push_back(entry_of(job));
+  try {
+    replace_file(directory / list_name, list.dump(1), Durability::process_crash);
+  } catch (const json::exception&) {
+    throw std::runtime_error(directory.string() +
+                             ": expected paths of jobs in UTF-8, as the list of jobs keeps them");
+  }
+  return {directory, jobs};
+}
+
+JobList JobList::open(const fs::path& directory) {
+  const fs::path file = directory / list_name;
+  try {
+    std::vector<Job> jobs;
+    for (const json& entry : json::parse(read_bytes(file))) jobs.push_back(job_of(entry));
+    return {directory, std::move(jobs)};
+  } catch (const json::exception& error) {
+    throw std::runtime_error(
+        fmt::format("{}: expected a list of jobs: {}", file.string(), error.what()));
+  }
+}
+
+fs::path JobList::file(std::size_t index, const char* suffix) const {
+  return directory_ / (std::to_string(index) + suffix);
+}
+
+void JobList::mark_started(std::size_t index) const {
+  replace_file(file(index, started), "", Durability::process_crash);
+}
+
+void JobList::mark_ended(std::size_t index, const JobState& state) const {
+  const json entry{{"phase", static_cast<int>(state.phase)},
+                   {"status", state.status},
+                   {"message", state.message},
+                   {"wall_time_s", state.wall_time}};
+  replace_file(file(index, ended), entry.dump(1, ' ', false, json::error_handler_t::replace),
+               Durability::process_crash);
+}
+
+bool JobList::update(std::size_t index, JobState& state) const {
+  const JobPhase before = state.phase;
+  std::error_code none;
+  if (fs::exists(file(index, ended), none)) {
+    const json entry = json::parse(read_bytes(file(index, ended)));
+    state.phase = static_cast<JobPhase>(entry.at("phase").get<int>());
+    state.status = entry.at("status");
+    state.message = entry.at("message");
+    state.wall_time = entry.at("wall_time_s");
+  } else if (const auto begin = fs::last_write_time(file(index, started), none); !none) {
+    state.phase = JobPhase::running;
+    state.wall_time = seconds_since(begin);
+  }
+  if (state.phase != JobPhase::waiting && !state.job.progress_file.empty())
+    if (const auto progress = read_progress(state.job.progress_file)) state.progress = progress;
+  return state.phase != before;
+}
+
+bool JobList::update(std::vector<JobState>& states) const {
+  bool changed = false;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (!has_ended(states[i])) changed |= update(i, states[i]);
+  return changed;
+}
+
+std::vector<JobState> JobList::initial_states() const {
+  std::vector<JobState> states;
+  for (const Job& job : jobs_) states.push_back({.job = job});
+  return states;
+}
+
+}  // namespace slosh

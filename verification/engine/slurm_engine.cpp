@@ -1,0 +1,135 @@
+#include "verification/engine/slurm_engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "verification/engine/slurm_array.hpp"
+#include "verification/engine/slurm_queue.hpp"
+#include "verification/engine/watch.hpp"
+#include "verification/runs/atomic_file.hpp"
+#include "verification/runs/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// What a task runs: numbers alone come in from outside, and the tool's path as one word.
+constexpr const char* script = R"sh(#!/bin/sh
+exec "$SLOSH_TOOL" job "$((SLOSH_FIRST_JOB + SLURM_ARRAY_TASK_ID))"
+)sh";
+constexpr const char* arrays_name = "slurm.json";
+
+constexpr std::chrono::seconds queue_interval{2};
+// From a task's last word in the queue until its files are seen here: network file systems are
+// late.
+constexpr std::chrono::seconds file_delay{10};
+
+struct Task {
+  std::string id;  // "12_3"
+  std::optional<Clock::time_point> gone;
+};
+
+class Arrays {
+ public:
+  Arrays(const JobList& list, const fs::path& tool) : list_(list), tasks_(list.jobs().size()) {
+    const fs::path file = list.directory() / "task.sh";
+    replace_file(file, script, Durability::process_crash);
+
+    for (const SlurmArray& array : slurm_arrays(list.jobs())) {
+      const std::string id =
+          submit(array, file, tool, array.alone ? ids_ : std::vector<std::string>{});
+      for (const std::size_t job : array.jobs)
+        tasks_[job].id = fmt::format("{}_{}", id, job - array.jobs.front());
+    }
+  }
+
+  void cancel() const { ask_slurm("scancel", ids_); }
+
+  // Jobs that have left the queue some time ago without a word.
+  std::vector<std::size_t> silent(const std::vector<JobState>& states) {
+    const auto queued = queued_tasks(ids_);
+    if (!queued) return {};  // the controller is asked again
+    std::vector<std::size_t> silent;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (has_ended(states[i])) continue;
+      if (queued->contains(tasks_[i].id)) {
+        tasks_[i].gone.reset();
+      } else if (!tasks_[i].gone) {
+        tasks_[i].gone = Clock::now();
+      } else if (Clock::now() - *tasks_[i].gone > file_delay) {
+        silent.push_back(i);
+      }
+    }
+    return silent;
+  }
+
+  const std::string& task(std::size_t job) const { return tasks_[job].id; }
+
+ private:
+  std::string submit(const SlurmArray& array, const fs::path& file, const fs::path& tool,
+                     const std::vector<std::string>& after) {
+    std::vector<std::string> arguments = sbatch_arguments(array, list_.directory().string(), after);
+    arguments.push_back(file.string());
+    const SlurmAnswer answer = ask_slurm(
+        "sbatch", arguments,
+        {{"SLOSH_TOOL", tool.string()}, {"SLOSH_FIRST_JOB", std::to_string(array.jobs.front())}});
+    if (answer.status != 0) {
+      if (!ids_.empty()) cancel();
+      throw EngineError("sbatch: " + answer.err);
+    }
+    // "ID" or "ID;CLUSTER"
+    const std::string id = answer.out.substr(0, answer.out.find_first_of(";\n"));
+    ids_.push_back(id);
+    replace_file(list_.directory() / arrays_name, nlohmann::json(ids_).dump(),
+                 Durability::process_crash);
+    return id;
+  }
+
+  const JobList& list_;
+  std::vector<std::string> ids_;
+  std::vector<Task> tasks_;
+};
+
+}  // namespace
+
+std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& settings,
+                                   const std::atomic<bool>& stop, const ObserveJobs& observe) {
+  Arrays arrays(list, settings.tool);
+  Watch watch(list, observe);
+  Clock::time_point asked = Clock::now();
+  const auto all_ended = [&] {
+    return std::all_of(watch.states().begin(), watch.states().end(), has_ended);
+  };
+  for (watch.look(); !all_ended(); watch.look()) {
+    if (stop) {
+      arrays.cancel();
+      break;
+    }
+    if (Clock::now() - asked > queue_interval) {
+      for (const std::size_t job : arrays.silent(watch.states()))
+        watch.lose(job, state_of_task(arrays.task(job)));
+      asked = Clock::now();
+    }
+    std::this_thread::sleep_for(Watch::interval);
+  }
+  fs::remove(list.directory() / arrays_name);
+  return watch.finish(stop, "");
+}
+
+void wait_for_earlier_arrays(const fs::path& directory, const std::atomic<bool>& stop) {
+  const fs::path file = directory / arrays_name;
+  if (!fs::exists(file)) return;
+  const std::vector<std::string> ids = nlohmann::json::parse(read_bytes(file));
+  while (!stop) {
+    const auto queued = queued_tasks(ids);
+    if (queued && queued->empty()) break;
+    std::this_thread::sleep_for(queue_interval);
+  }
+}
+
+}  // namespace slosh

@@ -1,0 +1,93 @@
+#include "verification/requested_campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/campaign/case_evidence.hpp"
+#include "verification/case_file/campaign_parser.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/problem_table.hpp"
+#include "verification/case_file/sweep.hpp"
+#include "verification/named_paths.hpp"
+#include "verification/problems/problem.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_window(const CaseDefinition& definition) try {
+  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
+} catch (const ComparisonError& error) {
+  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
+}
+
+void require_timed_cases(const CampaignDefinition& campaign,
+                         const std::vector<CaseDefinition>& cases) {
+  for (const std::string& name : campaign.timing.cases)
+    if (std::none_of(cases.begin(), cases.end(),
+                     [&](const CaseDefinition& one) { return one.name == name; }))
+      throw CaseFileError(fmt::format("{}: timing.cases = \"{}\": expected names of its cases",
+                                      campaign.file.string(), name));
+}
+
+// All that a campaign's cases get wrong is found before anything runs.
+std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
+                                       const fs::path& experiments) {
+  std::vector<CaseDefinition> cases;
+  for (const fs::path& file : campaign.cases) {
+    CaseDefinition definition = read_case(file, experiments);
+    for (const CaseDefinition& other : cases)
+      if (other.name == definition.name)
+        throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
+                                        file.string(), definition.name, other.file.string()));
+    add_swept_runs(campaign, experiments, definition);
+    require_window(definition);
+    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
+    cases.push_back(std::move(definition));
+  }
+  require_swept_cases(campaign, cases);
+  require_timed_cases(campaign, cases);
+  return cases;
+}
+
+TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOptions& options) {
+  TimingDefinition timing = campaign.timing;
+  if (options.timings) timing.repeats = *options.timings;
+  return timing;
+}
+
+}  // namespace
+
+std::string form_of(const CampaignOptions& options) { return options.quick ? "-quick" : ""; }
+
+RequestedCampaign requested(const CampaignOptions& options, const Installation& installation) {
+  RequestedCampaign campaign{
+      .definition = read_campaign(find_campaign(options.campaign, installation.campaigns),
+                                  installation.cases, known_problems()),
+      .cases = {},
+      .settings = {}};
+  const fs::path experiments = whole(options.experiments);
+  campaign.cases = read_cases(campaign.definition, experiments);
+  const fs::path usual =
+      installation.build / "campaigns" / (campaign.definition.name + form_of(options));
+  campaign.settings = {.output = fs::absolute(options.output.empty() ? usual : options.output),
+                       .store = ResultStore(whole(options.store.empty() ? usual_store(installation)
+                                                                        : options.store)),
+                       .campaign_file = whole(campaign.definition.file),
+                       .executable = installation.executable,
+                       .solver_build = installation.solver_build,
+                       .problem_build = installation.problem_build,
+                       .openfoam_templates = installation.openfoam_templates,
+                       .experiments = experiments,
+                       .quick = options.quick,
+                       .solve = options.solve,
+                       .engine = options.engine,
+                       .at_once = options.at_once,
+                       .timing = timing_of(campaign.definition, options)};
+  return campaign;
+}
+
+}  // namespace slosh

@@ -1,0 +1,64 @@
+#include "verification/stored_run.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "verification/engine/timings.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What cannot be used is computed again.
+template <class Read>
+bool stands(const fs::path& file, Read read) try {
+  read(file);
+  return true;
+} catch (const ResultError&) {
+  return false;
+}
+
+// One whose series differ, or none.
+std::string difference(const RunResult& one, const RunResult& other) {
+  if (one.series.size() != other.series.size()) return "number of series";
+  for (const TimeSeries& series : one.series) {
+    const TimeSeries& twin = other.at(series.name);
+    if (series.time != twin.time || series.value != twin.value) return series.name;
+  }
+  return "";
+}
+
+}  // namespace
+
+void keep_run(const ResultStore& store, const std::string& key,
+              const std::function<RunResult()>& compute) {
+  const StoreLock lock(store, key);
+  const fs::path file = store.file(key, ".h5");
+  if (!stands(file, read_result)) write_result(compute(), file);
+  std::cout << "result: " << file.string() << "\n";
+}
+
+void keep_problem(const ResultStore& store, const std::string& key,
+                  const std::function<ProblemResult()>& compute) {
+  const StoreLock lock(store, key);
+  const fs::path file = store.file(key, ".json");
+  if (!stands(file, read_problem_result)) write_problem_result(compute(), file);
+  std::cout << "result: " << file.string() << "\n";
+}
+
+void time_run(const ResultStore& store, const std::string& key,
+              const std::function<RunResult()>& compute) {
+  const StoreLock lock(store, key);
+  const RunResult kept = read_result(store.file(key, ".h5"));
+  const RunResult again = compute();
+  if (const std::string series = difference(kept, again); !series.empty())
+    throw ResultError(fmt::format("{}: expected the same {} of a repeated run, for its timing",
+                                  store.file(key, ".h5").string(), series));
+  const fs::path file = store.file(key, ".timings.json");
+  add_timing({again.cost, again.provenance.at("processor"), again.provenance.at("date_utc")}, file);
+  std::cout << "timing: " << file.string() << "\n";
+}
+
+}  // namespace slosh

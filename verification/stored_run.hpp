@@ -1,0 +1,25 @@
+// What a campaign starts for each run and problem: into the store, once.
+#pragma once
+
+#include <functional>
+
+#include "verification/engine/result_store.hpp"
+#include "verification/problems/problem_result.hpp"
+#include "verification/runs/result_file.hpp"
+
+namespace slosh {
+
+// Keeps what `compute` gives under the key, unless a result that can be used is there once this
+// process holds the key. Throws what `compute` and write_result() throw.
+void keep_run(const ResultStore& store, const std::string& key,
+              const std::function<RunResult()>& compute);
+void keep_problem(const ResultStore& store, const std::string& key,
+                  const std::function<ProblemResult()>& compute);
+
+// Adds what `compute` took to the timings of the key. Throws ResultError where no result stands
+// there, or where the new one has other series by as much as a bit: what was timed was another
+// answer.
+void time_run(const ResultStore& store, const std::string& key,
+              const std::function<RunResult()>& compute);
+
+}  // namespace slosh
