@@ -125,9 +125,10 @@ void wait_for_earlier_arrays(const fs::path& directory, const std::atomic<bool>&
   const fs::path file = directory / arrays_name;
   if (!fs::exists(file)) return;
   const std::vector<std::string> ids = nlohmann::json::parse(read_bytes(file));
-  while (!stop) {
+  // A controller that has just been started knows of no job yet.
+  for (int empty = 0; empty < 3 && !stop;) {
     const auto queued = queued_tasks(ids);
-    if (queued && queued->empty()) break;
+    empty = queued && queued->empty() ? empty + 1 : 0;
     std::this_thread::sleep_for(queue_interval);
   }
 }
