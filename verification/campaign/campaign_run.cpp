@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <string_view>
 
 #include "verification/case_file/case_file_error.hpp"
@@ -33,6 +34,8 @@ double expected_cost(const CaseDefinition& definition, const RunDefinition& run)
     return definition.duration * 2e-6 * area / std::pow(sph->particle_spacing, 3);
   if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
     return definition.duration * 5e-4 * mesh->cells_x * mesh->cells_z;
+  if (std::holds_alternative<ExternalRun>(run.solver))  // nobody knows: better early than last
+    return std::numeric_limits<double>::infinity();
   return 0;
 }
 

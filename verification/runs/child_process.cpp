@@ -50,12 +50,15 @@ struct ChildProcess::State {
 };
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command,
-                           const std::filesystem::path& log_file)
+                           const std::filesystem::path& log_file,
+                           const std::filesystem::path& directory)
     : state_(std::make_unique<State>()) {
   const LogFile log = open_log(log_file);
   const std::vector<std::string> arguments(command.begin() + 1, command.end());
-  state_->child = bp::child(bp::exe = command.front(), bp::args = arguments, state_->group,
-                            bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.get());
+  const std::string start = (directory.empty() ? "." : directory).string();
+  state_->child =
+      bp::child(bp::exe = command.front(), bp::args = arguments, state_->group,
+                bp::start_dir = start, bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.get());
 }
 
 ChildProcess::ChildProcess(ChildProcess&&) noexcept = default;

@@ -12,9 +12,10 @@ namespace slosh {
 
 class ChildProcess {
  public:
-  // No shell, empty standard input, output and error to the log. Throws std::runtime_error where it
-  // cannot start.
-  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& log_file);
+  // No shell, empty standard input, output and error to the log; started in the directory, in this
+  // process's own where that is empty. Throws std::runtime_error where it cannot start.
+  ChildProcess(const std::vector<std::string>& command, const std::filesystem::path& log_file,
+               const std::filesystem::path& directory = {});
   ChildProcess(ChildProcess&&) noexcept;
   ChildProcess& operator=(ChildProcess&&) noexcept;
   ~ChildProcess();  // ends with SIGKILL what still runs of the group
