@@ -155,9 +155,9 @@ GateOutcome judged(const GateRow& row, const Comparison& comparison) {
 }
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
-  return std::isnan(estimate.half_width)
-             ? in_unit(estimate.value, unit)
-             : in_unit(estimate.value, unit) + " +- " + in_unit(estimate.half_width, unit);
+  const std::string value = in_unit(estimate.value, unit);
+  if (!(estimate.half_width > 0)) return value;  // none of the whole window without modes
+  return value + " +- " + in_unit(estimate.half_width, unit);
 }
 
 std::string peaks_text(const std::vector<SpectralPeak>& peaks) {
@@ -176,6 +176,9 @@ void print_modes(const Comparison& comparison) {
     std::cout << "  amplitude error: " << with_interval(mode.amplitude_error, "1") << "\n"
               << "  phase lag: " << with_interval(mode.phase_lag_degrees, "deg") << " ("
               << with_interval(mode.phase_lag, "s") << ")\n";
+    if (mode.mode.starts_with("natural_"))
+      std::cout << "  frequency error: " << with_interval(mode.frequency_error, "1") << "\n"
+                << "  decay rate: " << with_interval(mode.decay_rate, "1/s") << "\n";
   }
   std::cout << "spectral peaks of the candidate: " << peaks_text(comparison.candidate_peaks)
             << "\nspectral peaks of the reference: " << peaks_text(comparison.reference_peaks)

@@ -161,6 +161,7 @@ void add_import_options(CLI::App& command, slosh::ImportOptions& options) {
   command
       .add_option("--series", options.series,
                   "QUANTITY=COLUMN, as in elevation@right=swlz; may be given again")
+      ->allow_extra_args(false)
       ->required();
   command.add_option("--unit", options.unit, "The columns' unit, where the file does not say it");
   command.add_option("--time", options.time_column, "The column of times, of csv and hdf5");
@@ -182,15 +183,17 @@ void add_compare_options(CLI::App& command, slosh::CompareOptions& options) {
   command
       .add_option("--frequency", options.frequencies,
                   "Frequency of a mode to fit [Hz]; may be given again")
+      ->allow_extra_args(false)
       ->check(CLI::PositiveNumber)
       ->excludes(of_case);
   command
       .add_option("--window", options.window,
                   "Begin and end [s] (default: the case's window, or what both series cover)")
       ->expected(2);
-  command.add_option("--limit", options.limits,
-                     "METRIC=VALUE or MODE:METRIC=VALUE, judged as a gate row is; may be given "
-                     "again");
+  command
+      .add_option("--limit", options.limits,
+                  "METRIC=VALUE or MODE:METRIC=VALUE, judged as a gate row is; may be given again")
+      ->allow_extra_args(false);
   command.add_option("--json", options.json, "Leaves the comparison and the verdicts here");
 }
 
