@@ -9,15 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
-#include <sstream>
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/results_json.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/nearest_name.hpp"
 #include "verification/case_file/quantities.hpp"
-#include "verification/case_file/rules.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/limit_option.hpp"
 #include "verification/metrics/comparison.hpp"
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/result_file.hpp"
@@ -26,16 +25,6 @@ namespace slosh {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// What a limit may be set on; of those with a mode "forced" unless another is named.
-struct JudgedMetric {
-  Metric metric;
-  bool of_mode;
-};
-constexpr JudgedMetric judged_metrics[] = {
-    {Metric::amplitude_error, true},   {Metric::phase_lag, true},   {Metric::frequency_error, true},
-    {Metric::decay_rate, true},        {Metric::decay_error, true}, {Metric::normalised_rms, false},
-    {Metric::maximum_residual, false}, {Metric::time_lag, false},   {Metric::aligned_rms, false}};
 
 std::vector<std::string> common_series(const RunResult& candidate, const RunResult& reference) {
   std::vector<std::string> names;
@@ -102,56 +91,6 @@ TimeWindow window_of(const CompareOptions& options, const std::optional<CaseDefi
                     candidate.time.front(), candidate.time.back(), reference.time.front(),
                     reference.time.back()));
   return common;
-}
-
-JudgedMetric metric_named(const std::string& name, const std::string& limit) {
-  std::vector<std::string> names;
-  for (const JudgedMetric& one : judged_metrics) {
-    names.push_back(metric_name(one.metric));
-    if (names.back() == name) return one;
-  }
-  throw CaseFileError(
-      fmt::format("--limit {}: expected METRIC=VALUE or MODE:METRIC=VALUE with one "
-                  "of {}; nearest: {}",
-                  limit, fmt::join(names, ", "), nearest_names(name, names, 1).front()));
-}
-
-double positive_number(const std::string& text, const std::string& limit, const std::string& unit) {
-  double value = 0;
-  std::istringstream stream(text);
-  if (!(stream >> value) || !stream.eof() || !(value > 0) || !std::isfinite(value))
-    throw CaseFileError(fmt::format("--limit {}: expected a value > 0, {}", limit, in(unit)));
-  return value;
-}
-
-// "phase_lag=2", "natural_1:frequency_error=0.01".
-GateRow row_of(const std::string& limit, const Comparison& comparison) {
-  const std::size_t equals = std::min(limit.find('='), limit.size());
-  const std::size_t colon = limit.find(':');
-  const bool has_mode = colon < equals;
-  const std::size_t begin = has_mode ? colon + 1 : 0;
-  const JudgedMetric metric = metric_named(limit.substr(begin, equals - begin), limit);
-  if (has_mode && !metric.of_mode)
-    throw CaseFileError(fmt::format("--limit {}: expected no mode: {} is of the whole window",
-                                    limit, metric_name(metric.metric)));
-  GateRow row{};
-  row.candidate = comparison.candidate;
-  row.reference = comparison.reference;
-  row.quantity = comparison.quantity;
-  row.mode = has_mode ? limit.substr(0, colon) : metric.of_mode ? "forced" : "whole";
-  row.metric = metric.metric;
-  row.unit = metric_unit(metric.metric, comparison.unit);
-  row.limit =
-      positive_number(equals < limit.size() ? limit.substr(equals + 1) : "", limit, row.unit);
-  return row;
-}
-
-GateOutcome judged(const GateRow& row, const Comparison& comparison) {
-  const std::map<std::string, RunStatus> runs{{comparison.candidate, {RunState::finished, ""}},
-                                              {comparison.reference, {RunState::finished, ""}}};
-  const FindComparison find = [&](const std::string&, const std::string&,
-                                  const std::string&) -> const Comparison& { return comparison; };
-  return evaluate(row, runs, {find, {}});
 }
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
@@ -245,7 +184,7 @@ int compare_results(const CompareOptions& options, const Installation& installat
   const Comparison comparison = compared(options, installation);
   std::vector<GateOutcome> outcomes;
   for (const std::string& limit : options.limits)
-    outcomes.push_back(judged(row_of(limit, comparison), comparison));
+    outcomes.push_back(judged_by_limit(limit, comparison));
   print(comparison);
   for (const GateOutcome& outcome : outcomes)
     std::cout << fmt::format("{}: {} {}: {}\n", verdict_name(outcome.verdict), outcome.row.mode,

@@ -21,6 +21,8 @@ class TableReader {
   bool next();
 
   const std::string& line() const { return line_; }  // without its end, be that "\n" or "\r\n"
+  // Whether nothing ends the line, as where a program was stopped while it wrote.
+  bool is_cut() const { return stream_.eof() && !line_.empty(); }
   int line_number() const { return line_number_; }
   const std::filesystem::path& file() const { return file_; }
 

@@ -99,6 +99,8 @@ RawSeries read_rows(TableReader& reader, const TableHead& head, std::size_t colu
     const auto fields = fields_of(reader.line(), head.separator);
     if (fields.size() != head.columns.size())
       reader.refuse("row", reader.line(), fmt::format("{} values", head.columns.size()));
+    if (reader.is_cut())
+      reader.refuse("row", reader.line(), "an end of the line: the file may be cut short here");
     reader.add_time(time_name, fields[head.time], units.time, series.time);
     series.value.push_back(value_of(reader, name, fields[column], units.value));
   } while (reader.next());

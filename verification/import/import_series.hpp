@@ -33,8 +33,8 @@ void require_known_form(const SeriesSource& source);
 // wrong, what was expected) where the file is not of the format or has no such column, and where a
 // unit is missing or contradicts the file's (but for a force in N that is told to be one per metre
 // of width, "N/m"); ResultError (the same) where its numbers cannot be used: one that is not finite
-// or stands for "none" (beyond 1e30), a row of another length, times that do not increase (as after
-// a restart), fewer than four rows.
+// or stands for "none" (beyond 1e30), a row of another length or without its line's end, times that
+// do not increase (as after a restart), fewer than four rows.
 TimeSeries import_series(const SeriesSource& source);
 
 }  // namespace slosh

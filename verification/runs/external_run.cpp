@@ -1,14 +1,11 @@
 // A program of the user's own: started without a shell in a fresh directory, its output kept beside
 // that, ended with all it has started when its time is over or this process is told to end; then
 // its files are read. Whatever it leaves undone is its failure.
-#include "verification/runs/external_run.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/wait.h>
 
 #include <atomic>
-#include <boost/process/search_path.hpp>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -16,11 +13,11 @@
 #include <fstream>
 #include <thread>
 
-#include "verification/case_file/nearest_name.hpp"
 #include "verification/case_file/table_reader.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/runs/child_process.hpp"
 #include "verification/runs/content_hash.hpp"
+#include "verification/runs/external_command.hpp"
 #include "verification/runs/solver_runs.hpp"
 
 namespace slosh {
@@ -79,60 +76,6 @@ std::string bad_end(int wait_status) {
   return status == 0 ? "" : fmt::format("exit status {}", status);
 }
 
-using Placeholders = std::vector<std::pair<std::string, std::string>>;
-
-Placeholders placeholders(const CaseDefinition& definition, const fs::path& work_directory) {
-  const fs::path file = fs::absolute(definition.file);
-  return {{"case_file", file.string()},
-          {"case_directory", file.parent_path().string()},
-          {"work_directory", work_directory.string()},
-          {"duration_s", fmt::format("{}", definition.duration)},
-          {"sample_interval_s", fmt::format("{}", definition.sample_interval)}};
-}
-
-bool is_name(std::string_view text) {
-  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == text.npos;
-}
-
-// Braces around anything but a name stay. Throws std::invalid_argument for a name of no
-// placeholder.
-std::string filled_in(const std::string& argument, const Placeholders& known) {
-  std::string filled;
-  for (std::size_t at = 0; at < argument.size();) {
-    const std::size_t open = argument.find('{', at), close = argument.find('}', open);
-    if (close == argument.npos) return filled + argument.substr(at);
-    const std::string name = argument.substr(open + 1, close - open - 1);
-    filled += argument.substr(at, open - at);
-    at = is_name(name) ? close + 1 : open + 1;
-    if (!is_name(name)) {
-      filled += '{';
-      continue;
-    }
-    std::vector<std::string> names;
-    const std::string* value = nullptr;
-    for (const auto& [one, text] : known) {
-      names.push_back(one);
-      if (one == name) value = &text;
-    }
-    if (!value)
-      throw std::invalid_argument(fmt::format(
-          "command: {}: {{{}}} is no placeholder, expected one of {}; nearest: {}", argument, name,
-          fmt::join(names, ", "), nearest_names(name, names, 1).front()));
-    filled += *value;
-  }
-  return filled;
-}
-
-std::vector<std::string> command_of(const ExternalRun& external, const CaseDefinition& definition,
-                                    const fs::path& work_directory) {
-  const Placeholders known = placeholders(definition, work_directory);
-  std::vector<std::string> command;
-  for (const std::string& argument : external.command)
-    command.push_back(filled_in(argument, known));
-  command.front() = external_program(external, definition).string();
-  return command;
-}
-
 // Throws SolverError unless the program ends by itself, in time and with status 0.
 void run_program(const std::vector<std::string>& command, const ExternalRun& external,
                  const fs::path& directory, const fs::path& log) {
@@ -177,23 +120,11 @@ TimeSeries series_left(const SeriesSource& declared, const fs::path& work_direct
 
 }  // namespace
 
-fs::path external_program(const ExternalRun& external, const CaseDefinition& definition) {
-  const std::string& name = external.command.front();
-  if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
-  const fs::path directory = fs::absolute(definition.file).parent_path();
-  const fs::path file = directory / filled_in(name, placeholders(definition, ""));
-  return fs::is_regular_file(file) ? file : fs::path();
-}
-
 void require_scene(const ExternalRun& external, const CaseDefinition& definition,
                    const RunDefinition& run) {
   try {
     for (const SeriesSource& source : external.series) require_known_form(source);
-    if (external_program(external, definition).empty())
-      throw refused(run, fmt::format("command: {}: expected a program relative to the case file or "
-                                     "on the PATH; there is none",
-                                     external.command.front()));
-    command_of(external, definition, "");
+    external_command(external, definition, "");
   } catch (const CaseFileError& error) {
     throw refused(run, error.what());
   } catch (const std::invalid_argument& error) {
@@ -203,12 +134,19 @@ void require_scene(const ExternalRun& external, const CaseDefinition& definition
 
 RunResult run_external(const ExternalRun& external, const RunRequest& request) {
   require_scene(external, request.definition, request.run);
+  // Only now: a report of what it left needs no program.
+  if (external_program(external, request.definition).empty())
+    throw SolverError(
+        fmt::format("command: {}: expected a program relative to the case file or on "
+                    "the PATH; there is none",
+                    external.command.front()));
   const fs::path work = fs::absolute(request.settings.work_directory);
   const fs::path directory = work / (request.run.name + ".external");
   const fs::path log = work / (request.run.name + ".external.log");
   fs::remove_all(directory);  // what an earlier run left is none of this one's
   fs::create_directories(directory);
-  const std::vector<std::string> command = command_of(external, request.definition, directory);
+  const std::vector<std::string> command =
+      external_command(external, request.definition, directory);
   run_program(command, external, external.directory.empty() ? directory : external.directory, log);
 
   RunResult result;

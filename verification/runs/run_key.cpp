@@ -5,7 +5,7 @@
 
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/runs/content_hash.hpp"
-#include "verification/runs/external_run.hpp"
+#include "verification/runs/external_command.hpp"
 
 namespace slosh {
 namespace {

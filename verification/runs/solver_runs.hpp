@@ -20,8 +20,8 @@ CaseFileError refused(const RunDefinition& run, const std::string& why);
 
 // Throws CaseFileError (file:line) unless the solver takes the case: SPH's scheme must be one of
 // sph/'s, linear theory knows the whole liquid of a tank without obstacles that moves or has an
-// initial wave, that of the viscous wave one that stands under such a wave; an external program
-// must be there and its series of known formats.
+// initial wave, that of the viscous wave one that stands under such a wave; the series of an
+// external program must be of known formats and its placeholders known.
 void require_scene(const SphRun& sph, const CaseDefinition& definition, const RunDefinition& run);
 void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definition,
                    const RunDefinition& run);

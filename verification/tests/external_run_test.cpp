@@ -111,9 +111,6 @@ TEST_F(ExternalRun, IsRefusedBeforeAnythingRunsWhereItsCaseIsWrong) {
   expect_words(complaint("{case_file}", "{case_fil}"),
                "{case_fil} is no placeholder, expected one of case_file, case_directory, "
                "work_directory, duration_s, sample_interval_s; nearest: case_file");
-  expect_words(complaint(STAND_IN_SOLVER, "./no_such_solver"),
-               "command: ./no_such_solver: expected a program relative to the case file or on the "
-               "PATH; there is none");
   expect_words(
       complaint("quantity = \"elevation@right\"\nfile", "quantity = \"elevation@left\"\nfile"),
       "run.series.quantity = \"elevation@left\": expected a compared quantity");
@@ -121,6 +118,20 @@ TEST_F(ExternalRun, IsRefusedBeforeAnythingRunsWhereItsCaseIsWrong) {
                "expected a file's path below the run's work directory");
   expect_words(complaint("[[run.series]]", "inputs = [\"none.txt\"]\n[[run.series]]"),
                "expected files relative to the case file; there is no");
+}
+
+TEST_F(ExternalRun, WithoutItsProgramFailsButIsStillReportedOn) {
+  write_campaign(with(own_case("\"scaled\", \"1.01\""), STAND_IN_SOLVER, "./solve"));
+  std::filesystem::copy_file(STAND_IN_SOLVER, directory() / "solve");
+  EXPECT_EQ(campaign().status, 0);
+  std::filesystem::remove(directory() / "solve");
+  EXPECT_EQ(tool({"report", "./surges.toml", "--output", "out"}).status, 0);
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_NE(ended.out.find("command: ./solve: expected a program relative to the case file or on "
+                           "the PATH; there is none"),
+            std::string::npos)
+      << ended.out;
 }
 
 // What the program starts in turn goes with it.

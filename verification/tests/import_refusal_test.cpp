@@ -131,6 +131,8 @@ TEST(ImportRefusal, NumbersThatCannotBeUsedAreToldWithTheirLine) {
       {"0;1\n1;2\n2;3\n1.5;4\n",
        "a.csv:5: t = 1.5: expected a number above the last row's 2, in s"},
       {"0;1\n1;2\n1;2\n", "a.csv:4: t = 1: expected a number above the last row's 1, in s"},
+      {"0;1\n1;2\n2;3\n3;4",
+       "a.csv:5: row = 3;4: expected an end of the line: the file may be cut"},
       {"0;1\n1;2\n2;3\n", "a.csv: rows = 3: expected at least 4"},
       {"", "a.csv: rows = 0: expected at least 4"}};
   for (const auto& [rows, wanted] : tables)
