@@ -66,7 +66,7 @@ fs::path external_program(const ExternalRun& external, const CaseDefinition& def
   if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
   const fs::path directory = fs::absolute(definition.file).parent_path();
   const fs::path file = directory / filled_in(name, placeholders(definition, ""));
-  return fs::is_regular_file(file) ? file : fs::path();
+  return fs::is_regular_file(file) ? file.lexically_normal() : fs::path();
 }
 
 std::vector<std::string> external_command(const ExternalRun& external,
