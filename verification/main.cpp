@@ -18,7 +18,10 @@
 #include "verification/campaign_command.hpp"
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/command_line.hpp"
+#include "verification/compare_command.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/import/import_series.hpp"
+#include "verification/import_command.hpp"
 #include "verification/problem_command.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/selftest_command.hpp"
@@ -190,6 +193,63 @@ std::pair<CLI::App*, std::shared_ptr<slosh::CampaignOptions>> add_campaign_comma
   return {&added, options};
 }
 
+void add_import_options(CLI::App& command, slosh::ImportOptions& options) {
+  command.add_option("file", options.file, "A file that another program wrote")->required();
+  command.add_option("--format", options.format, "What wrote it")
+      ->required()
+      ->check(CLI::IsMember(slosh::import_formats()));
+  command
+      .add_option("--series", options.series,
+                  "QUANTITY=COLUMN, as in elevation@right=swlz; may be given again")
+      ->allow_extra_args(false)
+      ->required();
+  command.add_option("--unit", options.unit, "The columns' unit, where the file does not say it");
+  command.add_option("--time", options.time_column, "The column of times, of csv and hdf5");
+  command.add_option("--time-unit", options.time_unit, "Its unit, where the file does not say it");
+  command.add_option("--scale", options.scale, "Multiplies the values, as 2 does for half a tank");
+  command.add_option("--offset", options.offset,
+                     "Is added to them in the quantity's SI unit, as -0.35 to a surface's height "
+                     "above the bottom of a tank filled to 0.35 m");
+  command.add_option("-o,--output", options.output, "Result file")->required();
+}
+
+void add_compare_options(CLI::App& command, slosh::CompareOptions& options) {
+  command.add_option("candidate", options.candidate, "A result file")->required();
+  command.add_option("reference", options.reference, "A result file")->required();
+  CLI::Option* gauge = command.add_option("--gauge", options.gauge, "Compares elevation@GAUGE");
+  command.add_option("--quantity", options.quantity, "Compares this series")->excludes(gauge);
+  CLI::Option* of_case = command.add_option(
+      "--case", options.case_name, "A case whose window, forcing and natural modes are taken");
+  command
+      .add_option("--frequency", options.frequencies,
+                  "Frequency of a mode to fit [Hz]; may be given again")
+      ->allow_extra_args(false)
+      ->check(CLI::PositiveNumber)
+      ->excludes(of_case);
+  command
+      .add_option("--window", options.window,
+                  "Begin and end [s] (default: the case's window, or what both series cover)")
+      ->expected(2);
+  command
+      .add_option("--limit", options.limits,
+                  "METRIC=VALUE or MODE:METRIC=VALUE, judged as a gate row is; may be given again")
+      ->allow_extra_args(false);
+  command.add_option("--json", options.json, "Leaves the comparison and the verdicts here");
+}
+
+void add_foreign_commands(CLI::App& app, Action& action) {
+  const auto imported = std::make_shared<slosh::ImportOptions>();
+  add_import_options(
+      add_command(app, "import", "Leaves a result file of series that another program wrote",
+                  action, [imported] { return slosh::import_file(*imported); }),
+      *imported);
+  const auto compared = std::make_shared<slosh::CompareOptions>();
+  add_compare_options(
+      add_command(app, "compare", "Compares two result files on a quantity, and judges", action,
+                  [compared] { return slosh::compare_results(*compared, installation()); }),
+      *compared);
+}
+
 // A run that is ended ends; a campaign ends its runs first.
 void stop_on_signals() {
   std::signal(SIGINT, request_stop);
@@ -290,6 +350,7 @@ int dispatch(int argc, char** argv) {
               })
       .add_option("index", job, "Its place in jobs.json, from 0")
       ->required();
+  add_foreign_commands(app, action);
   add_command(app, "list", "Lists campaigns, cases and their runs, and problems", action,
               [] { return slosh::list_definitions(installation()); });
 

@@ -69,9 +69,11 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
     for (const RunDefinition& reference : definition.runs) {
       if (!can_be_compared(reference, runs)) continue;
       const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
-      const bool of_its_kind = linear ? linear->two_layer == (sees_gas && two_layers)
-                                      : !std::holds_alternative<SphRun>(reference.solver) &&
-                                            !std::holds_alternative<InterFoamRun>(reference.solver);
+      const bool of_its_kind = linear
+                                   ? linear->two_layer == (sees_gas && two_layers)
+                                   : !std::holds_alternative<SphRun>(reference.solver) &&
+                                         !std::holds_alternative<ExternalRun>(reference.solver) &&
+                                         !std::holds_alternative<InterFoamRun>(reference.solver);
       if (of_its_kind) pairs.push_back({candidate.name, reference.name});
     }
     if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
@@ -79,15 +81,16 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   return pairs;
 }
 
-// A record is compared on what it recorded; any two solvers on what the case's gauges ask for, and
-// on whatever else both left.
+// A record is compared on what it recorded, an external program on what it declares; any two other
+// solvers on what the case's gauges ask for, and on whatever else both left.
 std::vector<std::string> quantities_of(const CaseDefinition& definition, const CaseRuns& runs,
                                        const Pair& pair) {
   if (const RecordRun* record = solver_as<RecordRun>(definition, pair.second))
     return {record->quantity};
   std::vector<std::string> quantities = compared_quantities(definition);
+  const bool declares_its_own = solver_as<ExternalRun>(definition, pair.first);
   std::erase_if(quantities, [&](const std::string& quantity) {
-    return !is_gauged(quantity) &&
+    return (declares_its_own || !is_gauged(quantity)) &&
            !(has_series(runs, pair.first, quantity) && has_series(runs, pair.second, quantity));
   });
   return quantities;

@@ -17,9 +17,9 @@ struct CaseAssessment {
   CaseDefinition definition;
   CaseRuns runs;
   // By candidate, reference and quantity: every solver against every reference of its kind of
-  // theory (SPH: one layer; interFoam: two layers where declared; both: the viscous wave), against
-  // every published record over the record's part of the window, and SPH against the finest
-  // interFoam.
+  // theory (SPH and external programs: one layer; interFoam: two layers where declared; all: the
+  // viscous wave), against every published record over the record's part of the window, and SPH and
+  // external programs against the finest interFoam.
   std::vector<Comparison> comparisons;
   std::vector<std::string> not_comparable;  // "CANDIDATE against REFERENCE: why"
   std::vector<GateOutcome> gate;

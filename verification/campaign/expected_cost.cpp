@@ -24,6 +24,9 @@ ExpectedCost rule_of_thumb(const CaseDefinition& definition, const RunDefinition
     cost.cores = mesh->processes;
   } else if (std::holds_alternative<PotentialRun>(run.solver)) {
     cost.processor_time = definition.duration;
+  } else if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
+    constexpr double unknown = 3600;  // [s]: better early in the queue than last
+    cost.processor_time = external->time_limit.value_or(unknown);
   }
   cost.wall_time = cost.processor_time / cost.cores;
   return cost;

@@ -46,6 +46,10 @@ std::string kind_of(const RecordRun& record) {
   return "published record " + record.file.filename().string();
 }
 
+std::string kind_of(const ExternalRun& external) {
+  return "external program " + std::filesystem::path(external.command.front()).filename().string();
+}
+
 }  // namespace
 
 std::string family(const RunDefinition& run) {

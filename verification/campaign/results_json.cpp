@@ -57,6 +57,8 @@ Json peaks(const std::vector<SpectralPeak>& found) {
   return list;
 }
 
+}  // namespace
+
 Json comparison_entry(const Comparison& pair) {
   Json modes = Json::array();
   for (const ModeComparison& mode : pair.modes)
@@ -88,6 +90,8 @@ Json comparison_entry(const Comparison& pair) {
           {"reference_peaks", peaks(pair.reference_peaks)},
           {"modes", modes}};
 }
+
+namespace {
 
 Json gate_entry(const GateOutcome& outcome) {
   const GateRow& row = outcome.row;

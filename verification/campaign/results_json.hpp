@@ -4,6 +4,7 @@
 // Numbers in SI units, the unit in the key; a number that does not exist is null.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,8 @@ namespace slosh {
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems = {});
+
+// One comparison as it stands in comparisons[].
+nlohmann::ordered_json comparison_entry(const Comparison& pair);
 
 }  // namespace slosh

@@ -175,6 +175,27 @@ struct RecordRun {
   bool supplied = true;
 };
 
+// Where a quantity stands in a file of another program (verification/import/), and how it becomes
+// ours: scale times the column's value in the quantity's unit, plus offset in that unit.
+struct SeriesSource {
+  std::string quantity;  // of quantities.hpp
+  std::filesystem::path file;
+  std::string format, column;
+  std::string unit = {};                         // of the column; empty: as the file says
+  std::string time_column = {}, time_unit = {};  // where the format does not fix them
+  double scale = 1, offset = 0;
+};
+
+// A program of the user's own that is started for the case and leaves files of series. It is a
+// candidate, compared as SPH is.
+struct ExternalRun {
+  std::vector<std::string> command;           // program and arguments, with placeholders in braces
+  std::filesystem::path directory;            // in which it is started; empty: its work directory
+  std::optional<double> time_limit;           // [s] of wall time
+  std::vector<std::filesystem::path> inputs;  // whose content counts as part of the run
+  std::vector<SeriesSource> series;           // their files are below the work directory
+};
+
 enum class RefinedNumber {
   particle_spacing,
   smoothing_length_ratio,  // the step is its inverse: more neighbours
@@ -192,7 +213,9 @@ struct RefinementDefinition {
 
 struct RunDefinition {
   std::string name;
-  std::variant<SphRun, InterFoamRun, LinearRun, ViscousWaveRun, PotentialRun, RecordRun> solver;
+  std::variant<SphRun, InterFoamRun, LinearRun, ViscousWaveRun, PotentialRun, RecordRun,
+               ExternalRun>
+      solver;
   bool quick = false;  // part of the campaign's --quick form
   SourceLocation where;
 };

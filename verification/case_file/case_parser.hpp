@@ -53,7 +53,19 @@
 //                 quantity with its unit, as in front_position_m; relative to the case file), or
 //                 supplied by the user: experiment (a CSV file's path below a directory that the
 //                 user names), time_column (in s) and value_column (their names in the file's first
-//                 line), quantity, unit (of a pressure "Pa" | "kPa" | "mbar", of any other its own)
+//                 line), quantity, unit (one of units.hpp's for it)
+//                 solver = "external": a program of the user's own: command = [program,
+//                 arguments...] (no shell; a program with a / in its name lies relative to the case
+//                 file, another on the PATH; placeholders {case_file}, {case_directory},
+//                 {work_directory}, {duration_s}, {sample_interval_s}), directory? (in which it
+//                 starts, relative to the case file; else its fresh work directory), time_limit_s?
+//                 (of wall time), inputs? = [files, relative to the case file] (whose content is
+//                 part of the run's key, as the program's is), and
+//                 [[run.series]], one or more: quantity (a compared one, each once), file (below
+//                 the work directory), format (one of import/import_series.hpp's), column, unit?
+//                 (one of units.hpp's for it; where the file does not say it), time_column?,
+//                 time_unit? (of a csv or hdf5 file), scale?, offset? (in the quantity's unit: the
+//                 series is scale times the column plus offset)
 //   [[gate]]?     candidate, reference, quantity (one of quantities.hpp's that the case has), mode,
 //                 metric, unit, one of limit | lower with upper | improves_on, reason, source; with
 //                 metric = "largest_magnitude", which is measured on the candidate alone: no

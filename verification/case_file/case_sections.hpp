@@ -38,6 +38,9 @@ InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinit
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments);
 
+// The keys of [[run]] with solver = "external"; its files are relative to the case file.
+ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);
+
 // [[refinement]], of a case whose runs have been read.
 RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefinition& definition);
 

@@ -51,6 +51,13 @@ std::string unit_of(const std::string& quantity) {
   throw std::invalid_argument("no compared quantity: " + quantity);
 }
 
+std::vector<std::string> quantity_names() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds)
+    names.push_back(kind.name + (kind.name.ends_with('@') ? "GAUGE" : ""));
+  return names;
+}
+
 bool has_modes(const std::string& quantity) {
   const Kind* kind = kind_of(quantity);
   return kind && kind->has_modes;

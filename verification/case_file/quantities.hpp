@@ -22,6 +22,9 @@ std::vector<std::string> compared_quantities(const CaseDefinition& definition);
 // Of a compared quantity; throws std::invalid_argument for another.
 std::string unit_of(const std::string& quantity);
 
+// All names that a compared quantity may have, "GAUGE" for a gauge's.
+std::vector<std::string> quantity_names();
+
 // Whether linear theory's modes make up the quantity, so that they can be fitted to it: a front
 // runs away, and vertical force and momentum are of second order.
 bool has_modes(const std::string& quantity);

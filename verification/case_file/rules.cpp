@@ -36,8 +36,11 @@ Rule<std::string> any_text() {
 }
 
 Rule<std::string> path_below_experiments(std::string_view kind) {
-  return {fmt::format("{} path below the directory of the experiments", kind),
-          [](const std::string& text) {
+  return path_below(kind, "the directory of the experiments");
+}
+
+Rule<std::string> path_below(std::string_view kind, std::string_view directory) {
+  return {fmt::format("{} path below {}", kind, directory), [](const std::string& text) {
             const std::filesystem::path path = std::filesystem::path(text).lexically_normal();
             return !text.empty() && path.is_relative() && *path.begin() != "..";
           }};

@@ -22,6 +22,8 @@ Rule<double> not_negative(std::string_view unit);
 Rule<int> at_least(int least);
 Rule<int> exactly(int only);
 Rule<std::string> any_text();
+// Relative, and not out of the directory (in words) that it lies below.
+Rule<std::string> path_below(std::string_view kind, std::string_view directory);
 // Of a file that the user supplies: relative, and not out of the directory that it lies below.
 Rule<std::string> path_below_experiments(std::string_view kind);  // "a CSV file's"
 Rule<std::string> file_safe_name();  // letters, digits, _ and -: it becomes part of file names

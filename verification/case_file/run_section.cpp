@@ -6,11 +6,14 @@
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/case_file/time_table.hpp"
+#include "verification/case_file/units.hpp"
 
 namespace slosh {
 namespace {
 
 const std::vector<std::string> keys_of_all{"name", "solver", "quick"};
+const std::vector<std::string> keys_of_external{"command", "directory", "time_limit_s", "inputs",
+                                                "series"};
 const std::vector<std::string> keys_of_sph{"scheme",
                                            "particle_spacing_m",
                                            "surface_particle_spacing_m",
@@ -142,35 +145,17 @@ RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& defini
           .uncertainty = run.find("uncertainty", positive(unit_of(quantity)))};
 }
 
-struct Unit {
-  std::string name;
-  double si;
-};
-
-// What others write a quantity in.
-std::vector<Unit> units_of(const std::string& quantity) {
-  if (unit_of(quantity) == "Pa") return {{"Pa", 1}, {"kPa", 1e3}, {"mbar", 1e2}};
-  return {{unit_of(quantity), 1}};
-}
-
-Unit read_unit(const TomlTable& run, const std::string& quantity) {
-  const std::vector<Unit> units = units_of(quantity);
-  std::vector<std::string> names;
-  for (const Unit& unit : units) names.push_back(unit.name);
-  const std::string name = run.choice("unit", "a unit of " + quantity, names);
-  return *std::find_if(units.begin(), units.end(),
-                       [&](const Unit& unit) { return unit.name == name; });
-}
-
 // All that the case says is checked, be the record there or not.
 RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition,
                           const std::filesystem::path& experiments) {
   run.allow_only(together({keys_of_all, keys_of_any_record, keys_of_experiment}));
   const std::string quantity =
       run.choice("quantity", "a compared quantity", compared_quantities(definition));
-  const Unit unit = read_unit(run, quantity);
+  const std::string unit =
+      run.choice("unit", "a unit of " + quantity, unit_names(unit_of(quantity)));
+  const double si = si_value(unit, unit_of(quantity));
   const TimeColumns columns{run.get("time_column", any_text()), run.get("value_column", any_text()),
-                            unit.name};
+                            unit};
   const bool named = !experiments.empty();
   RecordRun record{
       .file = (named ? experiments : "SLOSH_EXPERIMENTS") /
@@ -179,14 +164,14 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
       .unit = unit_of(quantity),
       .time = {},
       .value = {},
-      .uncertainty = run.find("uncertainty", positive(unit.name))};
-  if (record.uncertainty) *record.uncertainty *= unit.si;
+      .uncertainty = run.find("uncertainty", positive(unit))};
+  if (record.uncertainty) *record.uncertainty *= si;
   record.supplied = named && std::filesystem::is_regular_file(record.file);
   if (!record.supplied) return record;
   TimeTable table = read_time_columns(record.file, columns);
   record.time = std::move(table.time);
   record.value = std::move(table.value);
-  for (double& value : record.value) value *= unit.si;
+  for (double& value : record.value) value *= si;
   return record;
 }
 
@@ -196,13 +181,14 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments) {
   run.allow_only(
       together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_potential,
-                keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
+                keys_of_any_record, keys_of_shipped_record, keys_of_experiment, keys_of_external}));
   RunDefinition read{.name = run.get("name", file_safe_name()),
                      .solver = {},
                      .quick = run.flag("quick"),
                      .where = run.where()};
-  const std::string solver = run.choice(
-      "solver", "a solver", {"sph", "interfoam", "linear", "viscous_wave", "potential", "record"});
+  const std::string solver =
+      run.choice("solver", "a solver",
+                 {"sph", "interfoam", "linear", "viscous_wave", "potential", "record", "external"});
   if (solver == "sph") read.solver = read_sph(run, definition.liquid);
   if (solver == "interfoam") read.solver = read_interfoam(run);
   if (solver == "linear") read.solver = read_linear(run, definition);
@@ -211,6 +197,10 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
   if (solver == "record")
     read.solver = run.has("experiment") ? read_experiment(run, definition, experiments)
                                         : read_shipped_record(run, definition);
+  if (solver == "external") {
+    run.allow_only(together({keys_of_all, keys_of_external}));
+    read.solver = read_external_run(run, definition);
+  }
   return read;
 }
 

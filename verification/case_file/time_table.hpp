@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verification/case_file/case_file_error.hpp"
+#include "verification/case_file/table_reader.hpp"
 
 namespace slosh {
 
@@ -31,9 +32,5 @@ TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns);
 // Of any columns, of which two are read.
 TimeTable read_time_columns(const std::filesystem::path& file, const TimeColumns& columns);
-
-// What is wrong on a line of a table.
-CaseFileError table_error(const std::filesystem::path& file, int line, std::string_view key,
-                          std::string_view value, std::string_view expected);
 
 }  // namespace slosh

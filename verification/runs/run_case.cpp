@@ -20,6 +20,7 @@ const char* solver_name(const LinearRun&) { return "linear"; }
 const char* solver_name(const PotentialRun&) { return "potential"; }
 const char* solver_name(const ViscousWaveRun&) { return "viscous_wave"; }
 const char* solver_name(const RecordRun&) { return "record"; }
+const char* solver_name(const ExternalRun&) { return "external"; }
 
 RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
 RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
@@ -36,6 +37,9 @@ RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
 }
 RunResult run_solver(const RecordRun& run, const RunRequest& request) {
   return run_record(run, request);
+}
+RunResult run_solver(const ExternalRun& run, const RunRequest& request) {
+  return run_external(run, request);
 }
 
 bool is_finite(const std::vector<double>& values) {

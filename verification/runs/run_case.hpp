@@ -1,9 +1,9 @@
 // Executes one run of a case in this process: translates the case for the solver, runs it, and puts
 // what it gives into a result. Series: the case's quantities (quantities.hpp) as far as the solver
 // has them; of SPH also "kinetic_energy", "potential_energy" [J/m] and, of still water, those of
-// sph/still_water.hpp; of interFoam also "liquid_volume" [m2]; of a record its own quantity alone.
-// Of potential flow each also with the suffix `coarser`, from a run of fewer nodes.
-// SPH and interFoam leave snapshots at the case's times.
+// sph/still_water.hpp; of interFoam also "liquid_volume" [m2]; of a record its own quantity alone;
+// of an external program those that the case declares. Of potential flow each also with the suffix
+// `coarser`, from a run of fewer nodes. SPH and interFoam leave snapshots at the case's times.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,8 @@ struct SolverError : std::runtime_error {
 inline constexpr const char* coarser = "/coarser";
 
 struct RunSettings {
-  std::filesystem::path work_directory;  // for OpenFOAM's case and the snapshots; made if need be
+  std::filesystem::path work_directory;  // for OpenFOAM's case, an external program's files and the
+                                         // snapshots; made if need be
   std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
   // [s], of an SPH run, a multiple of the sample interval; 0: no snapshots
   double snapshot_interval = 0;

@@ -5,6 +5,7 @@
 
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/runs/content_hash.hpp"
+#include "verification/runs/external_command.hpp"
 
 namespace slosh {
 namespace {
@@ -42,6 +43,16 @@ json description(const ViscousWaveRun&) { return "viscous_wave"; }
 json description(const RecordRun& run) {
   return {
       {"record", {run.quantity, run.unit, run.time, run.value, number_or_null(run.uncertainty)}}};
+}
+
+json description(const ExternalRun& run) {
+  json inputs = json::array(), series = json::array();
+  for (const std::filesystem::path& input : run.inputs)
+    inputs.push_back({input.filename().string(), content_hash(read_bytes(input))});
+  for (const SeriesSource& one : run.series)
+    series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
+                      one.time_column, one.time_unit, one.scale, one.offset});
+  return {{"external", {run.command, run.directory.filename().string(), inputs, series}}};
 }
 
 template <class... Types>
@@ -121,6 +132,10 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
     static const std::string version = openfoam::installed_version();  // starts interFoam
     answer.add(version);
     add_directory(answer, openfoam_templates);
+  }
+  if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
+    const std::filesystem::path program = external_program(*external, definition);
+    if (!program.empty()) answer.add_file(program);
   }
   return question.digits() + "-" + answer.digits();
 }

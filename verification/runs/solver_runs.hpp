@@ -20,7 +20,8 @@ CaseFileError refused(const RunDefinition& run, const std::string& why);
 
 // Throws CaseFileError (file:line) unless the solver takes the case: SPH's scheme must be one of
 // sph/'s, linear theory knows the whole liquid of a tank without obstacles that moves or has an
-// initial wave, that of the viscous wave one that stands under such a wave.
+// initial wave, that of the viscous wave one that stands under such a wave; the series of an
+// external program must be of known formats and its placeholders known.
 void require_scene(const SphRun& sph, const CaseDefinition& definition, const RunDefinition& run);
 void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definition,
                    const RunDefinition& run);
@@ -33,11 +34,15 @@ void require_scene(const ViscousWaveRun& viscous, const CaseDefinition& definiti
 void require_scene(const RecordRun& record, const CaseDefinition& definition,
                    const RunDefinition& run);
 
+void require_scene(const ExternalRun& external, const CaseDefinition& definition,
+                   const RunDefinition& run);
+
 RunResult run_sph(const SphRun& sph, const RunRequest& request);
 RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request);
 RunResult run_linear(const LinearRun& linear, const RunRequest& request);
 RunResult run_potential(const PotentialRun& potential, const RunRequest& request);
 RunResult run_viscous_wave(const RunRequest& request);
 RunResult run_record(const RecordRun& record, const RunRequest& request);
+RunResult run_external(const ExternalRun& external, const RunRequest& request);
 
 }  // namespace slosh

@@ -308,6 +308,28 @@ TEST(Comparisons, LeaveOutOnlyThePairThatCannotBeCompared) {
                                       "fine_mesh against theory_with_gas"}));
 }
 
+// As SPH, on the quantities that it declares alone, and never as a reference.
+TEST(Comparisons, SetAnExternalProgramAgainstOneLayerTheoryAndTheFinestMesh) {
+  CaseDefinition definition = surge_case();
+  definition.gauges.push_back({"left", 0.05});
+  ExternalRun external;
+  external.command = {"solve"};
+  definition.runs.push_back(sample_run(external));
+  definition.runs.back().name = "mine";
+  CaseRuns runs = surge_runs_without("particles", RunState::not_selected, "");
+  runs.results["mine"] = result_of("mine", scaled(elevation_of({}), 1.01));
+  runs.status["mine"] = {RunState::finished, ""};
+  const CaseAssessment assessment = assess(definition, std::move(runs));
+  std::vector<std::string> references;
+  for (const Comparison& comparison : assessment.comparisons) {
+    if (comparison.candidate == "mine") references.push_back(comparison.reference);
+    EXPECT_NE(comparison.reference, "mine");
+  }
+  EXPECT_EQ(references, (std::vector<std::string>{"theory", "fine_mesh"}));
+  for (const std::string& why : assessment.not_comparable)
+    EXPECT_FALSE(why.starts_with("mine against")) << why;
+}
+
 // omega_n of the antisymmetric modes n = 1, 3, 5 half waves, computed apart from this code from
 // omega^2 = g k tanh(k h), k = n pi / L, g = 9.81.
 TEST(FittedModes, AreTheForcingAndTheFirstModesThatSurgeExcites) {

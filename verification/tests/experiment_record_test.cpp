@@ -53,7 +53,7 @@ TEST(ExperimentRecord, IsReadInSiUnits) {
   EXPECT_EQ(record.uncertainty, 50);
 }
 
-TEST(ExperimentRecord, MayBeWrittenInAnyOfThePressureUnitsOrInTheQuantitysOwn) {
+TEST(ExperimentRecord, MayBeWrittenInAnyUnitOfItsQuantity) {
   const auto first_value = [](const std::string& quantity, const std::string& unit) {
     const std::string keys = "experiment = \"probe.csv\"\nquantity = \"" + quantity +
                              "\"\nunit = \"" + unit + "\"\n" + columns;
@@ -62,7 +62,9 @@ TEST(ExperimentRecord, MayBeWrittenInAnyOfThePressureUnitsOrInTheQuantitysOwn) {
   EXPECT_EQ(first_value("wall_pressure@b", "Pa"), 2);
   EXPECT_EQ(first_value("wall_pressure@b", "kPa"), 2000);
   EXPECT_EQ(first_value("wall_pressure@b", "mbar"), 200);
+  EXPECT_EQ(first_value("wall_pressure@b", "bar"), 200000);
   EXPECT_EQ(first_value("elevation@right", "m"), 2);
+  EXPECT_EQ(first_value("elevation@right", "mm"), 0.002);
 }
 
 TEST(ExperimentRecord, IsTakenFromAFileOfMoreColumns) {
@@ -119,12 +121,12 @@ TEST(ExperimentRecord, HasKeysThatMakeSenseEvenWhereItIsNotSupplied) {
        "trial.toml:60: run.quantity = \"wall_pressure@a\": expected a compared quantity"},
       {file + quantity + columns,
        "trial.toml:56: run.unit is missing: expected a unit of wall_pressure@b, one of Pa, kPa, "
-       "mbar"},
-      {file + quantity + "unit = \"bar\"\n",
-       "trial.toml:61: run.unit = \"bar\": expected a unit of wall_pressure@b, one of Pa, kPa, "
-       "mbar; nearest: "},
-      {file + "quantity = \"elevation@left\"\nunit = \"mm\"\n",
-       "trial.toml:61: run.unit = \"mm\": expected a unit of elevation@left, which is m"},
+       "mbar, bar"},
+      {file + quantity + "unit = \"psi\"\n",
+       "trial.toml:61: run.unit = \"psi\": expected a unit of wall_pressure@b, one of Pa, kPa, "
+       "mbar, bar; nearest: "},
+      {file + "quantity = \"elevation@left\"\nunit = \"kPa\"\n",
+       "trial.toml:61: run.unit = \"kPa\": expected a unit of elevation@left, one of m, cm, mm"},
       {file + quantity + unit + "time_column = \"t_s\"\n",
        "trial.toml:56: run.value_column is missing: expected a text that is not empty"},
       {file + quantity + unit + columns + "uncertainty = 0\n",

@@ -210,5 +210,36 @@ TEST_F(RunKey, IsRefusedWithoutTheSolversBuildOrTemplates) {
                std::filesystem::filesystem_error);
 }
 
+// What was asked: arguments, inputs and how the files are read; what answered: the program.
+TEST_F(RunKey, OfAnExternalRunChangesWithItsProgramItsInputsAndWhatIsReadOfIt) {
+  const std::filesystem::path program = directory.path() / "solve", input = directory.path() / "in";
+  std::ofstream(program) << "first build";
+  std::ofstream(input) << "dp = 0.01";
+  CaseDefinition definition = sample_case();
+  definition.file = directory.path() / "small.toml";
+  ExternalRun external;
+  external.command = {"./solve", "--fast"};
+  external.inputs = {input};
+  external.series = {{"elevation@right", "swl.csv", "csv", "eta"}};
+  const auto key_of = [&](const ExternalRun& run) { return key(definition, sample_run(run)); };
+  const std::string before = key_of(external);
+  EXPECT_EQ(key_of(external), before);
+  ExternalRun limited = external;
+  limited.time_limit = 10;
+  EXPECT_EQ(key_of(limited), before);
+
+  ExternalRun slower = external, scaled = external;
+  slower.command[1] = "--slow";
+  scaled.series[0].scale = 2;
+  for (const ExternalRun& changed : {slower, scaled})
+    EXPECT_FALSE(asks_the_same(key_of(changed), before));
+  std::ofstream(program) << "second build";
+  const std::string rebuilt = key_of(external);
+  EXPECT_NE(rebuilt, before);
+  EXPECT_TRUE(asks_the_same(rebuilt, before));
+  std::ofstream(input) << "dp = 0.02";
+  EXPECT_FALSE(asks_the_same(key_of(external), before));
+}
+
 }  // namespace
 }  // namespace slosh

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/case_file/units.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Rule<double> a_scale{"a number other than 0, without unit",
+                           [](double scale) { return scale != 0; }};
+
+SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition) {
+  series.allow_only({"quantity", "file", "format", "column", "unit", "time_column", "time_unit",
+                     "scale", "offset"});
+  SeriesSource source;
+  source.quantity =
+      series.choice("quantity", "a compared quantity", compared_quantities(definition));
+  const std::string unit = unit_of(source.quantity);
+  source.file = series.get("file", path_below("a file's", "the run's work directory"));
+  source.format = series.get("format", any_text());
+  source.column = series.get("column", any_text());
+  if (series.has("unit"))
+    source.unit = series.choice("unit", "a unit of " + source.quantity, unit_names(unit));
+  source.time_column = series.find("time_column", any_text()).value_or("");
+  if (series.has("time_unit"))
+    source.time_unit = series.choice("time_unit", "a unit of time", unit_names("s"));
+  source.scale = series.find("scale", a_scale).value_or(source.scale);
+  source.offset = series.find("offset", any_number(unit)).value_or(source.offset);
+  return source;
+}
+
+std::vector<SeriesSource> read_all_series(const TomlTable& run, const CaseDefinition& definition) {
+  std::vector<SeriesSource> all;
+  for (const TomlTable& table : run.tables("series")) {
+    SeriesSource source = read_series(table, definition);
+    if (std::any_of(all.begin(), all.end(),
+                    [&](const SeriesSource& other) { return other.quantity == source.quantity; }))
+      table.refuse("quantity", "a quantity that no other series of the run has");
+    all.push_back(std::move(source));
+  }
+  if (all.empty()) run.refuse("series", "at least one [[run.series]]");
+  return all;
+}
+
+fs::path beside_case(const CaseDefinition& definition, const std::string& path) {
+  return fs::absolute(definition.file).parent_path() / path;
+}
+
+}  // namespace
+
+ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition) {
+  ExternalRun external;
+  for (const PlacedText& argument :
+       run.texts("command", {"a text", [](const auto&) { return true; }}))
+    external.command.push_back(argument.text);
+  if (external.command.empty() || external.command.front().empty())
+    run.refuse("command", "a list of texts that begins with a program");
+  if (const auto directory = run.find("directory", any_text())) {
+    external.directory = beside_case(definition, *directory);
+    if (!fs::is_directory(external.directory))
+      run.refuse("directory", "a directory relative to the case file; there is no " +
+                                  external.directory.string());
+  }
+  external.time_limit = run.find("time_limit_s", positive("s"));
+  if (run.has("inputs"))
+    for (const PlacedText& input : run.texts("inputs", any_text())) {
+      external.inputs.push_back(beside_case(definition, input.text));
+      if (!fs::is_regular_file(external.inputs.back()))
+        run.refuse("inputs", "files relative to the case file; there is no " +
+                                 external.inputs.back().string());
+    }
+  external.series = read_all_series(run, definition);
+  return external;
+}
+
+}  // namespace slosh

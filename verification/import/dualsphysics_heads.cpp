@@ -1,0 +1,41 @@
+// DualSPHysics 5: the gauges that the solver itself writes (JGaugeItem.cpp, JDsGaugeItem.cpp:
+// "time [s];swlx [m];swly [m];swlz [m];pos0x [m];..."), and the points of its MeasureTool, whose
+// positions come in lines before the names (" ;PosX [m]:;0.05", then "Part;Time [s];Press_0 [Pa]").
+// Both are parted by ';', or by ',' where the program was told so.
+#include "verification/import/table_head.hpp"
+
+namespace slosh {
+namespace {
+
+char separator_in(std::string_view line) { return line.find(';') != line.npos ? ';' : ','; }
+
+}  // namespace
+
+TableHead read_dualsphysics_gauge_head(TableReader& reader) {
+  const char separator = separator_in(reader.line());
+  TableHead head{columns_of(reader.line(), separator), reader.line_number(), 0, separator};
+  if (head.columns.size() < 2 || head.columns[0].name != "time" || head.columns[0].unit != "s")
+    reader.refuse("head", reader.line(),
+                  "\"time [s]\" and more, as a gauge of DualSPHysics writes");
+  reader.next();
+  return head;
+}
+
+TableHead read_dualsphysics_points_head(TableReader& reader) {
+  const auto is_position = [](std::string_view line) {
+    return trimmed(line).starts_with(';') || trimmed(line).starts_with(',') ||
+           line.starts_with("Pos");
+  };
+  while (is_position(reader.line()) && reader.next()) {
+  }
+  const char separator = separator_in(reader.line());
+  TableHead head{columns_of(reader.line(), separator), reader.line_number(), 1, separator};
+  if (head.columns.size() < 3 || head.columns[0].name != "Part" || head.columns[1].name != "Time" ||
+      head.columns[1].unit != "s")
+    reader.refuse("head", reader.line(),
+                  "\"Part;Time [s];\" and more after the points' positions, as MeasureTool writes");
+  reader.next();
+  return head;
+}
+
+}  // namespace slosh

@@ -1,0 +1,80 @@
+#include "verification/import/hdf5_series.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string_view>
+
+#include "verification/case_file/case_file_error.hpp"
+#include "verification/case_file/nearest_name.hpp"
+#include "verification/runs/hdf5_handles.hpp"
+
+namespace slosh {
+namespace {
+
+using hdf5::Handle;
+
+std::vector<std::string> data_sets_in(hid_t file) {
+  std::vector<std::string> names;
+  const auto append = [](hid_t, const char* name, const H5O_info_t* info, void* list) -> herr_t {
+    if (info->type == H5O_TYPE_DATASET)
+      static_cast<std::vector<std::string>*>(list)->push_back(std::string("/") + name);
+    return 0;
+  };
+  hdf5::checked(H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, append, &names, H5O_INFO_BASIC),
+                "list the data sets");
+  return names;
+}
+
+[[noreturn]] void refuse(const SeriesSource& source, std::string_view key, std::string_view value,
+                         const std::string& expected) {
+  throw CaseFileError(
+      fmt::format("{}: {} = {}: expected {}", source.file.string(), key, value, expected));
+}
+
+std::string unit_of_data_set(hid_t data_set) {
+  for (const char* name : {"unit", "units"}) {
+    if (H5Aexists(data_set, name) <= 0) continue;
+    try {
+      return hdf5::read_text_attribute(data_set, name);
+    } catch (const hdf5::Hdf5Error&) {  // a text of a fixed length: as good as none
+    }
+  }
+  return "";
+}
+
+// The numbers and the unit of a data set of one dimension.
+void read_data_set(hid_t file, const SeriesSource& source, std::string_view key,
+                   const std::string& path, std::vector<double>& values, std::string& unit) {
+  const hid_t found = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
+  if (found < 0)
+    refuse(source, key, path,
+           fmt::format("a data set of the file; nearest: {}",
+                       fmt::join(nearest_names(path, data_sets_in(file), 3), ", ")));
+  const Handle data_set(found, H5Dclose, "open a data set");
+  const Handle space(H5Dget_space(data_set), H5Sclose, "get a data set's shape");
+  const int dimensions = H5Sget_simple_extent_ndims(space);
+  if (dimensions != 1)
+    refuse(source, key, path, fmt::format("a data set of one dimension, not {}", dimensions));
+  values = hdf5::read_numbers(file, path);
+  unit = unit_of_data_set(data_set);
+}
+
+}  // namespace
+
+RawSeries read_hdf5_series(const SeriesSource& source) {
+  const hdf5::QuietErrors quiet;
+  const hid_t opened = H5Fopen(source.file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (opened < 0) refuse(source, "format", "hdf5", "a whole HDF5 file");
+  const Handle file(opened, H5Fclose, "open the file");
+  const bool is_group = source.time_column.empty();
+  RawSeries series;
+  read_data_set(file, source, is_group ? "column" : "time_column",
+                is_group ? source.column + "/time" : source.time_column, series.time,
+                series.time_unit);
+  read_data_set(file, source, "column", is_group ? source.column + "/value" : source.column,
+                series.value, series.unit);
+  return series;
+}
+
+}  // namespace slosh

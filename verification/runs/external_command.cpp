@@ -1,0 +1,83 @@
+#include "verification/runs/external_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <boost/process/search_path.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "verification/case_file/nearest_name.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Placeholders = std::vector<std::pair<std::string, std::string>>;
+
+Placeholders placeholders(const CaseDefinition& definition, const fs::path& work_directory) {
+  const fs::path file = fs::absolute(definition.file);
+  return {{"case_file", file.string()},
+          {"case_directory", file.parent_path().string()},
+          {"work_directory", work_directory.string()},
+          {"duration_s", fmt::format("{}", definition.duration)},
+          {"sample_interval_s", fmt::format("{}", definition.sample_interval)}};
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == text.npos;
+}
+
+// Braces around anything but a name stay. Throws std::invalid_argument for a name of no
+// placeholder.
+std::string filled_in(const std::string& argument, const Placeholders& known) {
+  std::string filled;
+  for (std::size_t at = 0; at < argument.size();) {
+    const std::size_t open = argument.find('{', at), close = argument.find('}', open);
+    if (close == argument.npos) return filled + argument.substr(at);
+    const std::string name = argument.substr(open + 1, close - open - 1);
+    filled += argument.substr(at, open - at);
+    at = is_name(name) ? close + 1 : open + 1;
+    if (!is_name(name)) {
+      filled += '{';
+      continue;
+    }
+    std::vector<std::string> names;
+    const std::string* value = nullptr;
+    for (const auto& [one, text] : known) {
+      names.push_back(one);
+      if (one == name) value = &text;
+    }
+    if (!value)
+      throw std::invalid_argument(fmt::format(
+          "command: {}: {{{}}} is no placeholder, expected one of {}; nearest: {}", argument, name,
+          fmt::join(names, ", "), nearest_names(name, names, 1).front()));
+    filled += *value;
+  }
+  return filled;
+}
+
+}  // namespace
+
+fs::path external_program(const ExternalRun& external, const CaseDefinition& definition) {
+  const std::string& name = external.command.front();
+  if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
+  const fs::path directory = fs::absolute(definition.file).parent_path();
+  const fs::path file = directory / filled_in(name, placeholders(definition, ""));
+  return fs::is_regular_file(file) ? file.lexically_normal() : fs::path();
+}
+
+std::vector<std::string> external_command(const ExternalRun& external,
+                                          const CaseDefinition& definition,
+                                          const fs::path& work_directory) {
+  const Placeholders known = placeholders(definition, work_directory);
+  std::vector<std::string> command;
+  for (const std::string& argument : external.command)
+    command.push_back(filled_in(argument, known));
+  command.front() = external_program(external, definition).string();
+  return command;
+}
+
+}  // namespace slosh

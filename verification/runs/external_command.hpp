@@ -1,0 +1,22 @@
+// The command line of a user's own program, as a case gives it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verification/case_file/case_definition.hpp"
+
+namespace slosh {
+
+// The program's file; empty where there is none, be it relative to the case file or on the PATH.
+std::filesystem::path external_program(const ExternalRun& external,
+                                       const CaseDefinition& definition);
+
+// Program and arguments, the placeholders filled in. Throws std::invalid_argument for a name in
+// braces that is no placeholder.
+std::vector<std::string> external_command(const ExternalRun& external,
+                                          const CaseDefinition& definition,
+                                          const std::filesystem::path& work_directory);
+
+}  // namespace slosh

@@ -1,0 +1,101 @@
+// [[run]] with solver = "external": what a case says of a program of the user's own, and what it
+// may not say.
+#include <gtest/gtest.h>
+
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh {
+namespace {
+
+// Its keys stand from line 55 on.
+const std::string command = "command = [\"./solve\", \"--case\", \"{case_file}\", \"\"]\n";
+const std::string series =
+    "[[run.series]]\nquantity = \"elevation@right\"\nfile = \"out/swl.csv\"\n"
+    "format = \"csv\"\ncolumn = \"eta\"\n";
+
+std::string text_with(const std::string& keys) {
+  const std::string text = valid_text.substr(0, valid_text.find("[[gate]]"));
+  return text + "[[run]]\nname = \"mine\"\nsolver = \"external\"\n" + keys;
+}
+
+ExternalRun read_external(const std::string& keys) {
+  const Workspace workspace;
+  workspace.write("numbers.txt", "1");
+  const CaseDefinition definition = read_case(workspace.write("trial.toml", text_with(keys)));
+  ExternalRun run = std::get<ExternalRun>(definition.runs.back().solver);
+  for (std::filesystem::path& input : run.inputs)
+    input = input.lexically_relative(workspace.path());
+  return run;
+}
+
+std::string complaint_about_keys(const std::string& keys) {
+  const Workspace workspace;
+  return complaint(workspace.write("trial.toml", text_with(keys)));
+}
+
+TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
+  const ExternalRun run = read_external(
+      command + "time_limit_s = 60\ninputs = [\"numbers.txt\"]\n" + series +
+      "unit = \"mm\"\ntime_column = \"t\"\ntime_unit = \"ms\"\nscale = -2\noffset = 0.5\n" +
+      "[[run.series]]\nquantity = \"force_x\"\nfile = \"f.dat\"\nformat = \"sphinxsys\"\n"
+      "column = \"Force[0]\"\n");
+  EXPECT_EQ(run.command, (std::vector<std::string>{"./solve", "--case", "{case_file}", ""}));
+  EXPECT_EQ(run.time_limit, 60);
+  EXPECT_EQ(run.inputs, std::vector<std::filesystem::path>{"numbers.txt"});
+  EXPECT_TRUE(run.directory.empty());
+  ASSERT_EQ(run.series.size(), 2u);
+  const SeriesSource& first = run.series[0];
+  EXPECT_EQ(first.quantity, "elevation@right");
+  EXPECT_EQ(first.file, "out/swl.csv");
+  EXPECT_EQ(first.format, "csv");
+  EXPECT_EQ(first.column, "eta");
+  EXPECT_EQ(first.unit, "mm");
+  EXPECT_EQ(first.time_column, "t");
+  EXPECT_EQ(first.time_unit, "ms");
+  EXPECT_EQ(first.scale, -2);
+  EXPECT_EQ(first.offset, 0.5);
+  EXPECT_EQ(run.series[1].scale, 1);
+  EXPECT_EQ(run.series[1].offset, 0);
+  EXPECT_TRUE(run.series[1].unit.empty());
+}
+
+TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
+  const std::vector<std::pair<std::string, std::string>> keys{
+      {series, "trial.toml:52: run.command is missing: expected an array of texts"},
+      {"command = []\n" + series,
+       "trial.toml:55: run.command = (an array): expected a list of texts that begins with a "
+       "program"},
+      {"command = \"./solve --fast\"\n" + series,
+       "trial.toml:55: run.command = \"./solve --fast\""},
+      {command, "trial.toml:52: run.series is missing: expected at least one [[run.series]]"},
+      {command + "time_limit_s = 0\n" + series,
+       "trial.toml:56: run.time_limit_s = 0: expected a number > 0, in s"},
+      {command + "inputs = [\"none.txt\"]\n" + series,
+       "trial.toml:56: run.inputs = (an array): expected files relative to the case file"},
+      {command + "directory = \"none\"\n" + series,
+       "trial.toml:56: run.directory = \"none\": expected a directory relative to the case file"},
+      {command + "timelimit_s = 1\n" + series, "trial.toml:56: run.timelimit_s = 1: expected only"},
+      {command + "modes = 3\n" + series, "trial.toml:56: run.modes = 3: expected only these keys"},
+      {command + series + "unit = \"Pa\"\n",
+       "trial.toml:61: run.series.unit = \"Pa\": expected a unit of elevation@right, one of m, cm"},
+      {command + series + "scale = 0\n",
+       "trial.toml:61: run.series.scale = 0: expected a number other than 0, without unit"},
+      {command + series + "time_unit = \"h\"\n",
+       "trial.toml:61: run.series.time_unit = \"h\": expected a unit of time, one of s, ms, min"},
+      {command + series + series,
+       "trial.toml:62: run.series.quantity = \"elevation@right\": expected a quantity that no "
+       "other"},
+      {command + "[[run.series]]\nquantity = \"elevation@middle\"\n",
+       "trial.toml:57: run.series.quantity = \"elevation@middle\": expected a compared quantity"},
+      {command + "[[run.series]]\nquantity = \"elevation@right\"\nfile = \"/tmp/a.csv\"\n",
+       "trial.toml:58: run.series.file = \"/tmp/a.csv\": expected a file's path below the run's "
+       "work "
+       "directory"}};
+  for (const auto& [text, wanted] : keys) {
+    const std::string message = complaint_about_keys(text);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,159 @@
+// A program of a user's own in a campaign: it is judged against the references as SPH is, and does
+// not pass where it is wrong, late, short, broken or endless.
+#include <chrono>
+
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+std::string own_run(const std::string& kind, const std::string& more = "") {
+  return "[[run]]\nname = \"mine\"\nsolver = \"external\"\ncommand = [\"" STAND_IN_SOLVER
+         "\", \"{case_file}\", \"{work_directory}/wave.csv\", " +
+         kind + "]\n" + more + R"([[run.series]]
+quantity = "elevation@right"
+file = "wave.csv"
+format = "csv"
+time_column = "t"
+column = "eta"
+)";
+}
+
+std::string gate_row(const std::string& mode, const std::string& metric, const std::string& unit,
+                     double limit) {
+  return "[[gate]]\ncandidate = \"mine\"\nreference = \"theory\"\nquantity = \"elevation@right\"\n"
+         "mode = \"" +
+         mode + "\"\nmetric = \"" + metric + "\"\nunit = \"" + unit +
+         "\"\nlimit = " + std::to_string(limit) +
+         "\nreason = \"It is theory, made wrong.\"\nsource = \"made for a test\"\n";
+}
+
+std::string own_case(const std::string& kind, const std::string& more = "") {
+  return small_case + own_run(kind, more) + gate_row("forced", "amplitude_error", "1", 0.05) +
+         gate_row("forced", "phase_lag", "deg", 5) + gate_row("whole", "normalised_rms", "1", 0.05);
+}
+
+class ExternalRun : public SmallCampaign {
+ protected:
+  Ended campaign_of(const std::string& kind, const std::string& more = "") const {
+    write_campaign(own_case(kind, more));
+    return campaign();
+  }
+  std::string log() const { return read("out/runs/small/mine.work/mine.external.log"); }
+};
+
+TEST_F(ExternalRun, PassesTheGateWhereItIsRightToAPerCent) {
+  const Ended ended = campaign_of("\"scaled\", \"1.01\"");
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_NE(read("out/report/report.md").find("external program stand\\_in\\_solver"),
+            std::string::npos);
+  EXPECT_NE(read("out/report/results.json").find("\"solver\": \"external\""), std::string::npos);
+}
+
+TEST_F(ExternalRun, ViolatesTheGateWhereItIsTooHighOrLate) {
+  EXPECT_EQ(campaign_of("\"scaled\", \"1.2\"").status, 1);
+  EXPECT_EQ(campaign_of("\"shifted\", \"0.1\"").status, 1);
+}
+
+TEST_F(ExternalRun, FailsWhereItsSeriesIsShortOrHoldsNoNumber) {
+  const Ended truncated = campaign_of("\"truncated\", \"4\"");
+  EXPECT_EQ(truncated.status, 3);
+  EXPECT_NE(read("out/report/report.md").find("ends at 4 s, expected 8 s"), std::string::npos);
+  EXPECT_EQ(campaign_of("\"nan\"").status, 3);
+  EXPECT_NE(read("out/report/report.md").find("eta = nan: expected a number, in mm"),
+            std::string::npos);
+}
+
+TEST_F(ExternalRun, FailsWithItsLastWordsWhereItExitsWithAnError) {
+  const Ended ended = campaign_of("\"fails\"");
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_EQ(log(), "the Courant number is too large\n");
+  EXPECT_NE(ended.out.find("exit status 7; its last words: the Courant number is too large"),
+            std::string::npos)
+      << ended.out;
+}
+
+TEST_F(ExternalRun, IsEndedWhenItsTimeIsOver) {
+  const Ended ended = campaign_of("\"sleeps\"", "time_limit_s = 0.3\n");
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_NE(ended.out.find("did not end within its time_limit_s = 0.3; it said nothing"),
+            std::string::npos)
+      << ended.out;
+}
+
+TEST_F(ExternalRun, IsKeptUntilItsProgramsInputsOrArgumentsChange) {
+  write("numbers.txt", "1\n");
+  const std::string inputs = "inputs = [\"numbers.txt\"]\n";
+  EXPECT_EQ(campaign_of("\"scaled\", \"1.01\"", inputs).status, 0);
+  const auto first = std::filesystem::last_write_time(result("mine"));
+  EXPECT_EQ(campaign_of("\"scaled\", \"1.01\"", inputs).status, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(result("mine")), first);
+  write("numbers.txt", "2\n");
+  EXPECT_EQ(campaign_of("\"scaled\", \"1.01\"", inputs).status, 0);
+  const auto second = std::filesystem::last_write_time(result("mine"));
+  EXPECT_GT(second, first);
+  EXPECT_EQ(campaign_of("\"scaled\", \"1.02\"", inputs).status, 0);
+  EXPECT_GT(std::filesystem::last_write_time(result("mine")), second);
+}
+
+TEST_F(ExternalRun, IsRefusedBeforeAnythingRunsWhereItsCaseIsWrong) {
+  const auto complaint = [&](const std::string& from, const std::string& to) {
+    write_campaign(with(own_case("\"scaled\", \"1\""), from, to));
+    const Ended ended = campaign();
+    EXPECT_EQ(ended.status, 2);
+    return ended.err;
+  };
+  const auto expect_words = [](const std::string& text, const std::string& words) {
+    EXPECT_NE(text.find(words), std::string::npos) << text;
+  };
+  expect_words(complaint("format = \"csv\"", "format = \"cvs\""),
+               "run mine: format = cvs: expected one of csv");
+  expect_words(complaint("{case_file}", "{case_fil}"),
+               "{case_fil} is no placeholder, expected one of case_file, case_directory, "
+               "work_directory, duration_s, sample_interval_s; nearest: case_file");
+  expect_words(
+      complaint("quantity = \"elevation@right\"\nfile", "quantity = \"elevation@left\"\nfile"),
+      "run.series.quantity = \"elevation@left\": expected a compared quantity");
+  expect_words(complaint("file = \"wave.csv\"", "file = \"../wave.csv\""),
+               "expected a file's path below the run's work directory");
+  expect_words(complaint("[[run.series]]", "inputs = [\"none.txt\"]\n[[run.series]]"),
+               "expected files relative to the case file; there is no");
+}
+
+TEST_F(ExternalRun, WithoutItsProgramFailsButIsStillReportedOn) {
+  write_campaign(with(own_case("\"scaled\", \"1.01\""), STAND_IN_SOLVER, "./solve"));
+  std::filesystem::copy_file(STAND_IN_SOLVER, directory() / "solve");
+  EXPECT_EQ(campaign().status, 0);
+  std::filesystem::remove(directory() / "solve");
+  EXPECT_EQ(tool({"report", "./surges.toml", "--output", "out"}).status, 0);
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_NE(ended.out.find("command: ./solve: expected a program relative to the case file or on "
+                           "the PATH; there is none"),
+            std::string::npos)
+      << ended.out;
+}
+
+// What the program starts in turn goes with it.
+TEST_F(ExternalRun, EndsWithTheRunThatStartedIt) {
+  namespace fs = std::filesystem;
+  write_campaign(with(own_case("\"sleeps\""), STAND_IN_SOLVER, "./waits.sh"));
+  write("waits.sh", "#!/bin/sh\nsleep 61 &\necho $! > \"${2%/*}/child\"\nwait\n");
+  fs::permissions(directory() / "waits.sh", fs::perms::owner_all);
+  boost::process::child run = start_tool({"run", "./small.toml", "mine"});
+  const fs::path child = directory() / "mine.work/mine.external/child";
+  for (int i = 0; i < 200 && (!fs::exists(child) || fs::file_size(child) == 0); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  const int sleeper = std::stoi(read(child));
+  ASSERT_EQ(::kill(sleeper, 0), 0);
+  ::kill(run.id(), SIGTERM);
+  EXPECT_EQ(end_of(std::move(run)).status, -SIGTERM);
+  for (int i = 0; i < 100 && ::kill(sleeper, 0) == 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  // Gone, or dead and waiting for whoever adopts orphans.
+  const std::string status = read("/proc/" + std::to_string(sleeper) + "/status");
+  EXPECT_TRUE(::kill(sleeper, 0) != 0 || status.find("State:\tZ") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,162 @@
+// The commands import and compare as a user starts them: another program's file becomes a result,
+// and two results are compared and judged with no case at all.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "verification/runs/result_file.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+using std::numbers::pi;
+
+struct Wave {
+  double amplitude = 0.02, lag = 0, end = 10;  // [m], [s]
+};
+
+// Two tones, so that neither series is the other's copy but for scale and lag.
+double height(double time) {
+  return std::sin(2 * pi * 0.8 * time) + 0.1 * std::sin(2 * pi * 1.7 * time + 1);
+}
+
+class ForeignResults : public SmallCampaign {
+ protected:
+  void write_gauge(const std::string& file, const Wave& wave) const {
+    std::string text = "time [s];swlx [m];swly [m];swlz [m]\n";
+    for (int i = 0; 0.02 * i <= wave.end; ++i) {
+      const double time = 0.02 * i;
+      text += std::to_string(time) + ";0.95;0;" +
+              std::to_string(0.35 + wave.amplitude * height(time - wave.lag)) + "\n";
+    }
+    write(file, text);
+  }
+  Ended import_gauge(const std::string& file, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{
+        "import",   file,    "--format", "dualsphysics_gauge", "--series", "elevation@right=swlz",
+        "--offset", "-0.35", "-o",       file + ".h5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tool(arguments);
+  }
+  void import_pair(const Wave& candidate) const {
+    write_gauge("a.csv", candidate);
+    write_gauge("b.csv", {});
+    ASSERT_EQ(import_gauge("a.csv").status, 0);
+    ASSERT_EQ(import_gauge("b.csv").status, 0);
+  }
+  Ended compare(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"compare", "a.csv.h5", "b.csv.h5"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tool(arguments);
+  }
+  int judged(const Wave& candidate, const std::vector<std::string>& more) const {
+    import_pair(candidate);
+    return compare(more).status;
+  }
+};
+
+TEST_F(ForeignResults, AnImportedFileIsAResultWithItsProvenance) {
+  write_gauge("a.csv", {});
+  const Ended ended = import_gauge("a.csv");
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const RunResult result = read_result(directory() / "a.csv.h5");
+  EXPECT_EQ(result.solver, "imported");
+  EXPECT_EQ(result.provenance.at("source_format"), "dualsphysics_gauge");
+  EXPECT_EQ(result.provenance.at("source_hash").size(), 32u);
+  EXPECT_EQ(result.provenance.at("command"),
+            "./slosh import 'a.csv' --format dualsphysics_gauge --series 'elevation@right=swlz' "
+            "--offset -0.35 -o 'a.csv.h5'");
+  const TimeSeries& elevation = result.at("elevation@right");
+  EXPECT_EQ(elevation.unit, "m");
+  EXPECT_EQ(elevation.time.size(), 501u);
+  EXPECT_NEAR(elevation.value[10], 0.02 * height(0.2), 1e-6);
+}
+
+TEST_F(ForeignResults, AnImportIsRefusedByTheLineWhereItGoesWrong) {
+  write("a.csv", "time [s];swlz [m]\n0;0.35\n0.1;nan\n");
+  const Ended unusable = import_gauge("a.csv");
+  EXPECT_EQ(unusable.status, 4);
+  EXPECT_EQ(unusable.err, "slosh: a.csv:3: swlz = nan: expected a number, in m\n");
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.csv.h5"));
+  const Ended wrong_unit = import_gauge("a.csv", {"--unit", "mm"});
+  EXPECT_EQ(wrong_unit.status, 2);
+  EXPECT_EQ(wrong_unit.err, "slosh: a.csv: unit = mm: expected m, as the file says\n");
+  const Ended no_quantity = import_gauge("a.csv", {"--series", "elevatoin@right=swlz"});
+  EXPECT_EQ(no_quantity.status, 2);
+  EXPECT_NE(no_quantity.err.find("nearest: elevation@GAUGE"), std::string::npos) << no_quantity.err;
+  EXPECT_EQ(import_gauge("a.csv", {"--format", "gauge"}).status, 2);
+}
+
+TEST_F(ForeignResults, TwoAreComparedWithNoCase) {
+  import_pair({.amplitude = 0.021, .lag = 0.05});
+  const Ended ended = compare({"--gauge", "right", "--frequency", "0.8", "--frequency", "1.7",
+                               "--window", "1", "9", "--json", "compared.json"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  for (const char* words :
+       {"elevation@right of a.csv.h5 against b.csv.h5, 1 to 9 s",
+        "normalised rms: ", "largest residual: ", "lag by cross-correlation: 0.0497",
+        "mode forced (0.8 Hz)", "amplitude error: 5 %", "phase lag: 14.4 deg",
+        "spectral peaks of the reference: 0.7999 Hz, 1.699 Hz", "Sprague and Geers"})
+    EXPECT_NE(ended.out.find(words), std::string::npos) << words << "\n" << ended.out;
+  const auto document = nlohmann::json::parse(read("compared.json"));
+  const auto& mode = document.at("comparison").at("modes").at(0);
+  EXPECT_NEAR(mode.at("amplitude_error").at("value").get<double>(), 0.05, 1e-4);
+  EXPECT_NEAR(mode.at("phase_lag_s").at("value").get<double>(), 0.05, 1e-4);
+  EXPECT_EQ(document.at("exit_status"), 0);
+}
+
+TEST_F(ForeignResults, WithoutModesTheWholeHistoriesAreCompared) {
+  import_pair({.lag = 0.05});
+  const Ended ended = compare({});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("0 to 10 s"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("lag that fits best: 0.05"), std::string::npos) << ended.out;
+}
+
+TEST_F(ForeignResults, ACaseGivesTheWindowAndTheModes) {
+  write("small.toml", small_case);
+  import_pair({.amplitude = 0.021});
+  const Ended ended = compare({"--case", "./small.toml"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("1 to 8 s"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("mode natural_1 (0."), std::string::npos) << ended.out;
+}
+
+TEST_F(ForeignResults, AreJudgedByLimitsAsRowsAre) {
+  const std::vector<std::string> limits{
+      "--frequency",          "0.8",     "--frequency", "1.7",     "--limit",
+      "amplitude_error=0.02", "--limit", "phase_lag=2", "--limit", "normalised_rms=0.05"};
+  EXPECT_EQ(judged({.amplitude = 0.0202}, limits), 0);
+  EXPECT_EQ(judged({.amplitude = 0.021}, limits), 1);
+  EXPECT_EQ(judged({.lag = 0.1}, limits), 1);
+  import_pair({.amplitude = 0.021});
+  const Ended ended = compare({"--limit", "normalised_rms=0.01", "--json", "c.json"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.out.find("violated: whole normalised_rms: 5 % is not <= 1 %"), std::string::npos)
+      << ended.out;
+  EXPECT_EQ(nlohmann::json::parse(read("c.json")).at("gate").at(0).at("verdict"), "violated");
+  // One tone alone leaves the other as a residual that widens the interval across the limit.
+  EXPECT_EQ(judged({.amplitude = 0.0202},
+                   {"--frequency", "0.8", "--window", "0", "3", "--limit", "amplitude_error=0.01"}),
+            5);
+}
+
+TEST_F(ForeignResults, NeverPassWhereThereIsNothingToCompare) {
+  const std::vector<std::string> limit{"--limit", "normalised_rms=10"};
+  EXPECT_EQ(judged({.end = 5}, {"--window", "0", "10", "--limit", "normalised_rms=10"}), 4);
+  EXPECT_EQ(judged({}, {"--limit", "amplitude_error=1"}), 4);  // no mode is fitted
+  EXPECT_EQ(judged({}, {"--quantity", "force_x", "--limit", "normalised_rms=10"}), 4);
+  EXPECT_EQ(judged({}, {"--window", "20", "30", "--limit", "normalised_rms=10"}), 4);
+  EXPECT_EQ(judged({}, {"--frequency", "0.05", "--limit", "amplitude_error=1"}), 4);
+  EXPECT_EQ(judged({}, {"--limit", "amplitude_eror=1"}), 2);
+  EXPECT_EQ(judged({}, {"--limit", "normalised_rms=-1"}), 2);
+  EXPECT_EQ(judged({}, {"--limit", "normalised_rms=nan"}), 2);
+  EXPECT_EQ(judged({}, {"--window", "3", "1"}), 2);
+  const Ended missing = tool({"compare", "none.h5", "b.csv.h5"});
+  EXPECT_EQ(missing.status, 4);
+  EXPECT_NE(missing.err.find("none.h5"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slosh
