@@ -2,9 +2,12 @@
 // in log.<stage>. The children stay in the caller's process group, so that a signal to the group
 // ends them too.
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 
 #include <boost/process.hpp>
+#include <boost/process/extend.hpp>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -54,9 +57,12 @@ boost::filesystem::path find_program(const std::string& name) {
 class Child {
  public:
   Child(const std::vector<std::string>& command, const fs::path& directory, const fs::path& log)
-      : process_(find_program(command.front()), bp::args(tail(command)), child_environment(),
-                 bp::start_dir(directory.string()),
-                 bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string()) {}
+      : process_(
+            find_program(command.front()), bp::args(tail(command)), child_environment(),
+            bp::start_dir(directory.string()),
+            bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(),
+            // Also where its owner is killed and can end nothing: mpirun ends its ranks.
+            bp::extend::on_exec_setup = [](auto&) { prctl(PR_SET_PDEATHSIG, SIGTERM); }) {}
 
   ~Child() { end(); }
 

@@ -63,4 +63,14 @@ std::string run_gnuplot(const std::string& script, const std::string& figure_id,
   return read_text(output);
 }
 
+std::string broken_output(const std::string& figure_id, const std::string& what,
+                          const std::filesystem::path& scratch_directory) {
+  constexpr std::uintmax_t a_page = 4096;  // [byte]: less is as good as none
+  std::error_code unknown;
+  const auto space = std::filesystem::space(scratch_directory, unknown);
+  const bool is_full = !unknown && space.available < a_page;
+  return fmt::format("figure '{}': gnuplot's output is not a complete {}{}", figure_id, what,
+                     is_full ? ": no space left in " + scratch_directory.string() : "");
+}
+
 }  // namespace slosh::reports

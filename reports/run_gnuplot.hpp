@@ -13,4 +13,9 @@ namespace slosh::reports {
 std::string run_gnuplot(const std::string& script, const std::string& figure_id,
                         const std::filesystem::path& scratch_directory, double time_limit = 120);
 
+// Why output that breaks off, of a gnuplot that says nothing of it, is refused. `what` it should
+// be.
+std::string broken_output(const std::string& figure_id, const std::string& what,
+                          const std::filesystem::path& scratch_directory);
+
 }  // namespace slosh::reports

@@ -42,7 +42,10 @@ Progress progress_writer(const fs::path& file, double end_time) {
     const auto now = std::chrono::steady_clock::now();
     if (now - last < progress_interval) return;
     last = now;
-    write_progress({time, end_time, steps}, file);
+    try {
+      write_progress({time, end_time, steps}, file);
+    } catch (const fs::filesystem_error&) {  // no run fails because nobody hears how far it is
+    }
   };
 }
 
@@ -70,6 +73,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   settings.snapshot_interval = options.snapshot_interval;
   settings.state_interval = options.state_interval;
   settings.resume = options.resume;
+  settings.time_limit = options.time_limit;
   settings.key =
       run_key(definition, *run, installation.solver_build, installation.openfoam_templates);
   settings.command = fmt::format(

@@ -21,6 +21,7 @@ struct RunOptions {
   std::filesystem::path experiments;  // empty: none is named
   double snapshot_interval = 0;       // [s]
   double state_interval = 0;          // [s]
+  double time_limit = 0;              // [s]; 0: none
   std::filesystem::path resume;       // empty: from the start
 };
 

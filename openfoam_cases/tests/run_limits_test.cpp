@@ -1,6 +1,8 @@
 // Stages that do not end, played by scripts under OpenFOAM's names.
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
+#include <sys/wait.h>
 
 #include <iterator>
 
@@ -83,6 +85,20 @@ TEST_F(RunLimits, EndEveryRankOfAParallelRun) {
 TEST_F(RunLimits, LeaveARunAloneThatEndsBeforeThem) {
   script("interFoam", "echo Time = 0.1\necho End");
   EXPECT_EQ(end_of_run(small_tank(), {.utility = 30, .solver = 30}), "");
+}
+
+TEST_F(RunLimits, AreNotNeededWhereTheOwnerOfARunIsKilled) {
+  script("interFoam", "exec sleep 66.4321");
+  const pid_t owner = fork();
+  if (owner == 0) {
+    end_of_run(small_tank(), {});
+    _exit(0);
+  }
+  for (int i = 0; i < 1000 && processes_with("66.4321") == 0; ++i) usleep(10'000);
+  EXPECT_EQ(processes_with("66.4321"), 1) << "no solver was started: the test tests nothing";
+  kill(owner, SIGKILL);
+  waitpid(owner, nullptr, 0);
+  EXPECT_TRUE(all_end_with("66.4321"));
 }
 
 TEST_F(RunLimits, AreNotNeededForAnAnswerOfAnyLengthAboutTheVersion) {

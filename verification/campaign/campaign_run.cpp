@@ -153,6 +153,7 @@ std::string complaint_in(const fs::path& log) {
     if (line.starts_with(mark)) return line.substr(mark.size());
     if (!line.empty()) last = line;
   }
+  if (last.empty()) return fmt::format("nothing is in its log {}", log.string());
   return last;
 }
 

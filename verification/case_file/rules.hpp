@@ -24,6 +24,7 @@ Rule<int> exactly(int only);
 Rule<std::string> any_text();
 // Of a file that the user supplies: relative, and not out of the directory that it lies below.
 Rule<std::string> path_below_experiments(std::string_view kind);  // "a CSV file's"
-Rule<std::string> file_safe_name();  // letters, digits, _ and -: it becomes part of file names
+Rule<std::string> file_safe_name();  // letters, digits, _ and -, no - first: it becomes part
+                                     // of file names and an argument
 
 }  // namespace slosh

@@ -7,7 +7,7 @@ set -eu
 slosh=$(readlink -f -- "$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-project="$work/a tank of water"
+project="$work/a tänk of water"
 calls=$work/calls
 lacking=$work/lacking # the packages that are not there
 uid=$work/uid
