@@ -77,6 +77,24 @@ QuietErrors::QuietErrors() {
 
 QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, print_, print_data_); }
 
+Handle memory_access() {
+  constexpr std::size_t increment = 1 << 20;  // [byte], by which HDF5 grows its buffer
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a file's properties");
+  checked(H5Pset_fapl_core(access, increment, /*backing_store=*/false), "keep a file in memory");
+  return access;
+}
+
+std::string image_of(const std::function<void(hid_t)>& write) {
+  const Handle file(H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, memory_access()), H5Fclose,
+                    "make a file in memory");
+  write(file);
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "complete a file in memory");
+  const ssize_t size = checked(H5Fget_file_image(file, nullptr, 0), "measure a file in memory");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  checked(H5Fget_file_image(file, image.data(), image.size()), "copy a file in memory");
+  return image;
+}
+
 Handle create_group(hid_t parent, const std::string& name) {
   const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make a group's properties");
   checked(H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED),

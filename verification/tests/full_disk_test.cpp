@@ -88,6 +88,14 @@ TEST_F(FullDisk, KeepsAnEarlierGateDocumentAndEndsWithFour) {
   EXPECT_EQ(read("after/gate/junit.xml"), "earlier");
 }
 
+TEST_F(FullDisk, EndsARunWhoseSnapshotsDoNotFit) {
+  RUN_ON_FULL_DISK(
+      {"run", "./small.toml", "particles", "--output", "disk/particles.h5", "--snapshots", "0.1"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  expect_in(ran->err, "cannot write a snapshot for disk/particles.work");
+  EXPECT_FALSE(fs::exists(directory() / "after/particles.h5"));
+}
+
 TEST_F(FullDisk, EndsACampaignWithoutRoomForItsResultsWithFourAndSaysWhy) {
   write("seed/filling", std::string(56'000, 'x'));
   RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out"});
