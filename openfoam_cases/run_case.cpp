@@ -2,15 +2,20 @@
 // in log.<stage>. The children stay in the caller's process group, so that a signal to the group
 // ends them too.
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 
 #include <boost/process.hpp>
+#include <boost/process/extend.hpp>
 #include <chrono>
-#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <thread>
 
+#include "openfoam_cases/process_tree.hpp"
 #include "openfoam_cases/read_log.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 
@@ -48,23 +53,30 @@ boost::filesystem::path find_program(const std::string& name) {
   return program;
 }
 
-// A running program that is ended with its owner: first asked, so that mpirun ends its ranks.
+// A running program that is ended with its owner.
 class Child {
  public:
   Child(const std::vector<std::string>& command, const fs::path& directory, const fs::path& log)
-      : process_(find_program(command.front()), bp::args(tail(command)), child_environment(),
-                 bp::start_dir(directory.string()),
-                 bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string()) {}
+      : process_(
+            find_program(command.front()), bp::args(tail(command)), child_environment(),
+            bp::start_dir(directory.string()),
+            bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(),
+            // Also where its owner is killed and can end nothing: mpirun ends its ranks.
+            bp::extend::on_exec_setup = [](auto&) { prctl(PR_SET_PDEATHSIG, SIGTERM); }) {}
 
-  ~Child() {
-    std::error_code ignored;
-    if (!process_.running(ignored)) return;
-    kill(process_.id(), SIGTERM);
-    for (int i = 0; i < 100 && process_.running(ignored); ++i) std::this_thread::sleep_for(50ms);
-    process_.terminate(ignored);
-  }
+  ~Child() { end(); }
 
   bool running() { return process_.running(); }
+
+  void end() {
+    std::error_code ignored;
+    const auto runs = [&] { return process_.running(ignored); };
+    if (runs()) end_process_tree(process_.id(), runs);
+  }
+
+  double wall_time() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
 
   // Empty for a normal exit with status 0.
   std::string bad_exit() const {
@@ -81,6 +93,7 @@ class Child {
   }
 
   bp::child process_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 // Hands a growing log to its reader, whole lines only.
@@ -106,15 +119,26 @@ class LogFollower {
   LogReader reader_;
 };
 
-void run_stage(const std::string& stage, const std::vector<std::string>& command,
-               const fs::path& directory, const Progress& progress) {
-  const fs::path log = fs::absolute(directory) / ("log." + stage);
-  Child child(command, directory, log);
+struct Stage {
+  std::string name;
+  std::vector<std::string> command;
+  double time_limit;  // [s]
+};
+
+void run_stage(const Stage& stage, const fs::path& directory, const Progress& progress) {
+  const fs::path log = fs::absolute(directory) / ("log." + stage.name);
+  Child child(stage.command, directory, log);
   LogFollower follower(log);
   auto next_report = std::chrono::steady_clock::now();
   while (child.running()) {
     std::this_thread::sleep_for(poll_interval);
     follower.read_on();
+    if (child.wall_time() > stage.time_limit) {
+      child.end();
+      throw RunError(fmt::format("{}: ended at its time limit of {:g} s ({})\n{}", stage.name,
+                                 stage.time_limit, log.string(),
+                                 follower.reader().meaningful_lines()));
+    }
     if (progress && follower.reader().steps() > 0 &&
         std::chrono::steady_clock::now() >= next_report) {
       progress(follower.reader().time(), follower.reader().steps());
@@ -128,48 +152,56 @@ void run_stage(const std::string& stage, const std::vector<std::string>& command
     failure += (failure.empty() ? "" : ", ") + logged;
   }
   if (!failure.empty()) {
-    throw RunError(
-        fmt::format("{}: {} ({})\n{}", stage, failure, log.string(), reader.meaningful_lines()));
+    throw RunError(fmt::format("{}: {} ({})\n{}", stage.name, failure, log.string(),
+                               reader.meaningful_lines()));
   }
 }
 
 }  // namespace
 
-void run_case(const SloshingTank& tank, const fs::path& case_directory, const Progress& progress) {
-  run_stage("blockMesh", {"blockMesh"}, case_directory, {});
-  run_stage("topoSet", {"topoSet"}, case_directory, {});
+void run_case(const SloshingTank& tank, const fs::path& case_directory, const Progress& progress,
+              const TimeLimits& limits) {
+  const auto run_utility = [&](const std::string& name) {
+    run_stage({name, {name}, limits.utility}, case_directory, {});
+  };
+  run_utility("blockMesh");
+  run_utility("topoSet");
   if (tank.processes == 1) {
-    run_stage("interFoam", {"interFoam"}, case_directory, progress);
+    run_stage({"interFoam", {"interFoam"}, limits.solver}, case_directory, progress);
     return;
   }
-  run_stage("decomposePar", {"decomposePar"}, case_directory, {});
+  run_utility("decomposePar");
   find_program("interFoam");
   // mpirun gives its ranks a PWD of its own. Ranks bound to cores would share the first ones with
   // those of another run beside this.
-  run_stage("interFoam",
-            {"mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np",
-             std::to_string(tank.processes), "env", fmt::format("PWD={}", plain_path), "interFoam",
-             "-parallel"},
+  run_stage({"interFoam",
+             {"mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np",
+              std::to_string(tank.processes), "env", fmt::format("PWD={}", plain_path), "interFoam",
+              "-parallel"},
+             limits.solver},
             case_directory, progress);
-  if (!tank.snapshot_times.empty()) {
-    run_stage("reconstructPar", {"reconstructPar"}, case_directory, {});
-  }
+  if (!tank.snapshot_times.empty()) run_utility("reconstructPar");
 }
 
 std::string installed_version() {
-  const auto program = bp::search_path("interFoam");
-  if (program.empty()) return "";
-  bp::ipstream output;
-  bp::child child(program, "-help", child_environment(), bp::std_out > output,
-                  bp::std_err > bp::null, bp::std_in < bp::null);
+  if (bp::search_path("interFoam").empty()) return "";
+  const std::unique_ptr<FILE, int (*)(FILE*)> file(std::tmpfile(), std::fclose);
+  if (!file) throw RunError(fmt::format("no temporary file: {}", strerror(errno)));
+  const std::string output = fmt::format("/proc/self/fd/{}", fileno(file.get()));
+  Child child({"interFoam", "-help"}, ".", output);
+  while (child.running()) {
+    if (child.wall_time() > TimeLimits().utility)
+      throw RunError("interFoam -help: ended at its time limit");
+    std::this_thread::sleep_for(10ms);
+  }
   std::string version;
-  for (std::string line; std::getline(output, line);) {
+  std::ifstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
     const auto open = line.find('(');  // "Using: OpenFOAM- (1912) - visit www.openfoam.com"
     if (line.starts_with("Using: OpenFOAM") && open != line.npos) {
       version = line.substr(open + 1, line.find(')') - open - 1);
     }
   }
-  child.wait();
   return version;
 }
 

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -135,12 +136,18 @@ using Progress = std::function<void(double time, double steps)>;
 void write_case(const SloshingTank& tank, const std::filesystem::path& template_directory,
                 const std::filesystem::path& case_directory);
 
+// [s] of wall time for a stage.
+struct TimeLimits {
+  double utility = 600;  // each but interFoam; the meshes here take seconds
+  double solver = std::numeric_limits<double>::infinity();
+};
+
 // blockMesh, topoSet, interFoam, and on several processes decomposePar and, where there are
 // snapshots, reconstructPar, each of whose output stays in log.<stage> of the case directory.
-// Throws RunError. The programs are in the caller's process group, and are ended where `progress`
-// throws.
+// Throws RunError, also at a time limit. The programs are in the caller's process group, and are
+// ended with all that they started at a limit and where `progress` throws.
 void run_case(const SloshingTank& tank, const std::filesystem::path& case_directory,
-              const Progress& progress);
+              const Progress& progress, const TimeLimits& limits = {});
 
 // Throws RunError where the log shows no success, or a series is missing, ends early, has a hole or
 // a number that is not finite, a snapshot is missing or late, or the liquid's volume has drifted.

@@ -28,8 +28,7 @@ DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& sc
   const FieldLayout layout = field_layout(figure);
   std::string png = run_gnuplot(field_script(figure, layout), figure.id, scratch_directory);
   if (!boost::starts_with(png, png_signature) || !boost::ends_with(png, png_end)) {
-    throw ReportError(
-        fmt::format("figure '{}': gnuplot's output is not a complete PNG file", figure.id));
+    throw ReportError(broken_output(figure.id, "PNG file", scratch_directory));
   }
   return {std::move(png), layout.width, layout.height};
 }

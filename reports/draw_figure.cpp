@@ -11,6 +11,7 @@
 #include "reports/run_gnuplot.hpp"
 #include "reports/svg_markup.hpp"
 #include "reports/templates.hpp"
+#include "reports/write_report.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -29,6 +30,8 @@ std::string description(const Figure& figure) {
 
 DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory) {
   const std::string output = run_gnuplot(gnuplot_script(figure), figure.id, scratch_directory);
+  if (output.find("</svg>") == output.npos)
+    throw ReportError(broken_output(figure.id, "SVG document", scratch_directory));
   return {shared_markup(output, figure.id), canvas_width, canvas_height(figure)};
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <boost/process.hpp>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include "reports/text_file.hpp"
 #include "reports/write_report.hpp"
@@ -12,8 +14,26 @@ namespace slosh::reports {
 
 namespace process = boost::process;
 
+namespace {
+
+// Or kills it. It starts no process of its own.
+bool ends_within(process::child& child, double time_limit) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(time_limit);
+  while (child.running()) {
+    if (Clock::now() > end) {
+      child.terminate();
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+}  // namespace
+
 std::string run_gnuplot(const std::string& script, const std::string& figure_id,
-                        const std::filesystem::path& scratch_directory) {
+                        const std::filesystem::path& scratch_directory, double time_limit) {
   const auto gnuplot = process::search_path("gnuplot");
   if (gnuplot.empty()) {
     throw ReportError(
@@ -27,18 +47,30 @@ std::string run_gnuplot(const std::string& script, const std::string& figure_id,
   for (const auto& file : {output, messages})
     std::filesystem::remove(file);  // one that is there would be overwritten, but not cut
   std::error_code failure;
-  const int status =
-      process::system(gnuplot, "--default-settings", program.string(),
-                      process::std_in<process::null, process::std_out> output.string(),
-                      process::std_err > messages.string(), failure);
+  process::child child(gnuplot, "--default-settings", program.string(),
+                       process::std_in<process::null, process::std_out> output.string(),
+                       process::std_err > messages.string(), failure);
   if (failure)
     throw ReportError(
         fmt::format("figure '{}': gnuplot did not start: {}", figure_id, failure.message()));
-  if (status != 0) {
+  if (!ends_within(child, time_limit))
+    throw ReportError(fmt::format("figure '{}': gnuplot was ended at its time limit of {:g} s: {}",
+                                  figure_id, time_limit, read_text(messages)));
+  if (child.exit_code() != 0) {
     throw ReportError(fmt::format("figure '{}': gnuplot ended with status {}: {}", figure_id,
-                                  status, read_text(messages)));
+                                  child.exit_code(), read_text(messages)));
   }
   return read_text(output);
+}
+
+std::string broken_output(const std::string& figure_id, const std::string& what,
+                          const std::filesystem::path& scratch_directory) {
+  constexpr std::uintmax_t a_page = 4096;  // [byte]: less is as good as none
+  std::error_code unknown;
+  const auto space = std::filesystem::space(scratch_directory, unknown);
+  const bool is_full = !unknown && space.available < a_page;
+  return fmt::format("figure '{}': gnuplot's output is not a complete {}{}", figure_id, what,
+                     is_full ? ": no space left in " + scratch_directory.string() : "");
 }
 
 }  // namespace slosh::reports

@@ -67,7 +67,7 @@ std::string shared_markup(const std::string& gnuplot_svg, const std::string& fig
       opened_group;  // a <g> tag and the blanks after it, held back until something is drawn in it
   for (std::size_t position = 0; position < drawing.size();) {
     const bool is_tag = drawing[position] == '<';
-    const auto stop = is_tag ? drawing.find('>', position) + 1
+    const auto stop = is_tag ? std::min(drawing.find('>', position), drawing.size() - 1) + 1
                              : std::min(drawing.find('<', position), drawing.size());
     std::string piece = drawing.substr(position, stop - position);
     position = stop;

@@ -45,7 +45,10 @@ Progress progress_writer(const fs::path& file, double end_time) {
     const auto now = std::chrono::steady_clock::now();
     if (now - last < progress_interval) return;
     last = now;
-    write_progress({time, end_time, steps}, file);
+    try {
+      write_progress({time, end_time, steps}, file);
+    } catch (const fs::filesystem_error&) {  // no run fails because nobody hears how far it is
+    }
   };
 }
 
@@ -66,6 +69,7 @@ RunSettings settings_for(const RunOptions& options, const Installation& installa
           .snapshot_interval = options.snapshot_interval,
           .state_interval = options.state_interval,
           .resume = options.resume,
+          .time_limit = options.time_limit,
           .key = key,
           .command = {}};
 }

@@ -30,6 +30,7 @@ struct RunOptions {
   bool timing = false;                // only its timing, into the store
   double snapshot_interval = 0;       // [s]
   double state_interval = 0;          // [s]
+  double time_limit = 0;              // [s]; 0: none
   std::filesystem::path resume;       // empty: from the start
 };
 

@@ -147,6 +147,10 @@ void add_run_options(CLI::App& command, slosh::RunOptions& options) {
       .add_option("--resume", options.resume,
                   "A saved state that the run goes on from, bit for bit (with the same --states)")
       ->check(CLI::ExistingFile);
+  command
+      .add_option("--time-limit", options.time_limit,
+                  "Wall time after which interFoam is ended [s], of an interFoam run")
+      ->check(CLI::PositiveNumber);
   add_experiments_option(command, options.experiments);
   command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
   command.add_option("--campaign", options.campaign,

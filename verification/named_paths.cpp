@@ -1,14 +1,23 @@
 #include "verification/named_paths.hpp"
 
-#include <fmt/format.h>
-
 namespace slosh {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// One word of a shell's command line, whatever is in it.
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
+}  // namespace
+
 std::string name_or_path(const fs::path& file, const fs::path& shipped) {
   if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();
-  return fmt::format("'{}'", fs::absolute(file).lexically_normal().string());
+  return shell_word(fs::absolute(file).lexically_normal().string());
 }
 
 fs::path whole(const fs::path& path) {
@@ -16,7 +25,7 @@ fs::path whole(const fs::path& path) {
 }
 
 std::string experiments_option(const fs::path& experiments) {
-  return experiments.empty() ? "" : fmt::format(" --experiments '{}'", experiments.string());
+  return experiments.empty() ? "" : " --experiments " + shell_word(experiments.string());
 }
 
 }  // namespace slosh

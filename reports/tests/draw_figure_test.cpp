@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+#include "reports/run_gnuplot.hpp"
 #include "reports/tests/path_variable.hpp"
 #include "reports/tests/scratch_directory.hpp"
 #include "reports/write_report.hpp"
@@ -185,6 +186,20 @@ TEST(FailingGnuplot, IsAnErrorWithItsOwnWords) {
                                        : "not a complete SVG";
       EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
     }
+  }
+}
+
+TEST(EndlessGnuplot, IsEndedAtItsTimeLimitWithItsOwnWords) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "gnuplot") << "#!/bin/sh\necho drawing >&2\nexec sleep 60\n";
+  std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
+  const PathVariable path(scratch.path().string() + ":/usr/bin:/bin");
+  try {
+    run_gnuplot("", "a", scratch.path(), 0.3);
+    FAIL() << "no error";
+  } catch (const ReportError& error) {
+    EXPECT_STREQ(error.what(),
+                 "figure 'a': gnuplot was ended at its time limit of 0.3 s: drawing\n");
   }
 }
 

@@ -13,7 +13,7 @@ std::string complaint_in(const std::filesystem::path& log) {
     if (line.starts_with(mark)) return line.substr(mark.size());
     if (!line.empty()) last = line;
   }
-  return last;
+  return last.empty() ? "nothing is in its log " + log.string() : last;
 }
 
 }  // namespace slosh

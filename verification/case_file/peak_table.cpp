@@ -61,14 +61,17 @@ PeakTable read_peak_table(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
   int number = 0;
+  const auto refuse = [&](const char* key, std::string_view value, std::string_view expected) {
+    throw table_error(file, std::max(number, 1), key, value, expected);
+  };
   const auto next = [&] {
-    if (!std::getline(stream, line)) return false;
+    if (!std::getline(stream, line)) {
+      if (stream.bad()) refuse("rows", "cut off", "a file that can be read to its end");
+      return false;
+    }
     ++number;
     if (line.ends_with('\r')) line.pop_back();
     return true;
-  };
-  const auto refuse = [&](const char* key, std::string_view value, std::string_view expected) {
-    throw table_error(file, std::max(number, 1), key, value, expected);
   };
   if (!next()) refuse("title", "", "a file that can be read and holds a table of peaks");
   if (!names_mbar(line)) refuse("title", line, "a title that names the unit, mbar");

@@ -47,12 +47,14 @@ Rule<std::string> path_below(std::string_view kind, std::string_view directory) 
 }
 
 Rule<std::string> file_safe_name() {
-  return {"a name of letters, digits, _ and -", [](const std::string& name) {
+  return {"a name of letters, digits, _ and -, no - first", [](const std::string& name) {
             const auto allowed = [](char c) {
               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                      c == '_' || c == '-';
             };
-            return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
+            // With a - first it would be an option where it is an argument.
+            return !name.empty() && name[0] != '-' &&
+                   std::all_of(name.begin(), name.end(), allowed);
           }};
 }
 

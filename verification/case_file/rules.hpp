@@ -26,6 +26,7 @@ Rule<std::string> any_text();
 Rule<std::string> path_below(std::string_view kind, std::string_view directory);
 // Of a file that the user supplies: relative, and not out of the directory that it lies below.
 Rule<std::string> path_below_experiments(std::string_view kind);  // "a CSV file's"
-Rule<std::string> file_safe_name();  // letters, digits, _ and -: it becomes part of file names
+Rule<std::string> file_safe_name();  // letters, digits, _ and -, no - first: it becomes part
+                                     // of file names and an argument
 
 }  // namespace slosh

@@ -11,7 +11,10 @@ namespace slosh {
 TableReader::TableReader(const std::filesystem::path& file) : file_(file), stream_(file) { next(); }
 
 bool TableReader::next() {
-  if (!std::getline(stream_, line_)) return false;
+  if (!std::getline(stream_, line_)) {
+    if (stream_.bad()) refuse("rows", "cut off", "a file that can be read to its end");
+    return false;
+  }
   ++line_number_;
   if (line_.ends_with('\r')) line_.pop_back();
   return true;

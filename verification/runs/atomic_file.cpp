@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 namespace slosh {
 namespace {
@@ -23,15 +24,22 @@ class Descriptor {
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { ::close(id_); }
+  ~Descriptor() {
+    if (id_ >= 0) ::close(id_);
+  }
   operator int() const { return id_; }
+
+  // What a network's file system could not write shows here.
+  void close(const fs::path& file) {
+    if (::close(std::exchange(id_, -1)) != 0) fail("cannot write", file);
+  }
 
  private:
   int id_;
 };
 
 void write_all(const fs::path& file, std::string_view content, Durability durability) {
-  const Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC);
+  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC);
   while (!content.empty()) {
     const ssize_t written = ::write(descriptor, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
@@ -39,6 +47,7 @@ void write_all(const fs::path& file, std::string_view content, Durability durabi
     content.remove_prefix(static_cast<std::size_t>(written));
   }
   if (durability == Durability::power_loss && ::fsync(descriptor) != 0) fail("cannot write", file);
+  descriptor.close(file);
 }
 
 }  // namespace

@@ -33,10 +33,25 @@ Handle open_dataset(hid_t parent, const std::string& name) {
   return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "open the data set " + name};
 }
 
-std::size_t point_count(hid_t dataset) {
+// A shape may be of any size and nothing of it stored: what is read is what the file holds.
+std::size_t point_count(hid_t dataset, const std::string& name) {
   const Handle space(H5Dget_space(dataset), H5Sclose, "get a data set's shape");
-  return static_cast<std::size_t>(
-      checked(H5Sget_simple_extent_npoints(space), "get a data set's shape"));
+  const auto count =
+      static_cast<hsize_t>(checked(H5Sget_simple_extent_npoints(space), "get a data set's shape"));
+  const hsize_t stored = H5Dget_storage_size(dataset);
+  if (count > stored)
+    throw Hdf5Error("the data set " + name + " has a shape of " + std::to_string(count) +
+                    " values, of which " + std::to_string(stored) + " bytes are stored");
+  return static_cast<std::size_t>(count);
+}
+
+// Of more values than one HDF5 would write all.
+void require_scalar(hid_t attribute, const std::string& name) {
+  const Handle space(H5Aget_space(attribute), H5Sclose, "get an attribute's shape");
+  const hssize_t count = checked(H5Sget_simple_extent_npoints(space), "get an attribute's shape");
+  if (count != 1)
+    throw Hdf5Error("the attribute " + name + " has " + std::to_string(count) +
+                    " values, expected one");
 }
 
 // Takes over a string that HDF5 allocated; a null one is the empty string.
@@ -61,6 +76,24 @@ QuietErrors::QuietErrors() {
 }
 
 QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, print_, print_data_); }
+
+Handle memory_access() {
+  constexpr std::size_t increment = 1 << 20;  // [byte], by which HDF5 grows its buffer
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a file's properties");
+  checked(H5Pset_fapl_core(access, increment, /*backing_store=*/false), "keep a file in memory");
+  return access;
+}
+
+std::string image_of(const std::function<void(hid_t)>& write) {
+  const Handle file(H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, memory_access()), H5Fclose,
+                    "make a file in memory");
+  write(file);
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "complete a file in memory");
+  const ssize_t size = checked(H5Fget_file_image(file, nullptr, 0), "measure a file in memory");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  checked(H5Fget_file_image(file, image.data(), image.size()), "copy a file in memory");
+  return image;
+}
 
 Handle create_group(hid_t parent, const std::string& name) {
   const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make a group's properties");
@@ -105,6 +138,7 @@ void write_attribute(hid_t object, const std::string& name, double value) {
 
 std::string read_text_attribute(hid_t object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
+  require_scalar(attribute, name);
   char* text = nullptr;
   checked(H5Aread(attribute, text_type(), &text), "read the attribute " + name);
   return take(text);
@@ -112,6 +146,7 @@ std::string read_text_attribute(hid_t object, const std::string& name) {
 
 double read_number_attribute(hid_t object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
+  require_scalar(attribute, name);
   double value;
   checked(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), "read the attribute " + name);
   return value;
@@ -150,7 +185,7 @@ Handle write_numbers(hid_t parent, const std::string& name, const std::vector<do
 
 std::vector<double> read_numbers(hid_t parent, const std::string& name) {
   const Handle dataset = open_dataset(parent, name);
-  std::vector<double> values(point_count(dataset));
+  std::vector<double> values(point_count(dataset, name));
   checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
           "read the data set " + name);
   return values;
@@ -171,7 +206,7 @@ void write_texts(hid_t parent, const std::string& name, const std::vector<std::s
 
 std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
   const Handle dataset = open_dataset(parent, name);
-  std::vector<char*> pointers(point_count(dataset));
+  std::vector<char*> pointers(point_count(dataset, name));
   checked(H5Dread(dataset, text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()),
           "read the data set " + name);
   std::vector<std::string> texts;

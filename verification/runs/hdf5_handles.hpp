@@ -4,6 +4,7 @@
 
 #include <hdf5.h>
 
+#include <functional>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,12 @@ class QuietErrors {
   H5E_auto2_t print_;
   void* print_data_;
 };
+
+// Properties of a file that lives in memory alone, and the bytes of one whose root `write` fills.
+// On a full disk HDF5 may crash the process; nothing of it writes to the disk where that can be
+// helped.
+Handle memory_access();
+std::string image_of(const std::function<void(hid_t)>& write);
 
 Handle create_group(hid_t parent,
                     const std::string& name);  // its members keep the order of creation

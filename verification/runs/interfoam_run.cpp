@@ -80,7 +80,9 @@ RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request
   const auto case_directory = request.settings.work_directory / (request.run.name + ".openfoam");
   std::filesystem::remove_all(case_directory);  // what an earlier, broken run may have left
   openfoam::write_case(tank, request.settings.openfoam_templates, case_directory);
-  openfoam::run_case(tank, case_directory, request.progress);
+  openfoam::TimeLimits limits;
+  if (request.settings.time_limit > 0) limits.solver = request.settings.time_limit;
+  openfoam::run_case(tank, case_directory, request.progress, limits);
   openfoam::Harvest harvest = openfoam::harvest(tank, case_directory);
 
   RunResult result;

@@ -41,12 +41,16 @@ constexpr std::pair<const char*, std::string RunResult::*> root_fields[] = {
     {"solver", &RunResult::solver},
     {"key", &RunResult::key}};
 
-void write_series(hid_t parent, const TimeSeries& series) {
+void require_sound(const TimeSeries& series) {
   if (series.name.empty()) throw ResultError("a series without a name");
   if (series.time.size() != series.value.size()) {
     throw ResultError(fmt::format("series {} has {} times and {} values, expected as many of both",
                                   series.name, series.time.size(), series.value.size()));
   }
+}
+
+void write_series(hid_t parent, const TimeSeries& series) {
+  require_sound(series);
   const Handle group = hdf5::create_group(parent, link_name(series.name));
   hdf5::write_attribute(group, "name", series.name);
   hdf5::write_attribute(hdf5::write_numbers(group, "time", series.time), "unit", "s");
@@ -56,10 +60,12 @@ void write_series(hid_t parent, const TimeSeries& series) {
 TimeSeries read_series(hid_t parent, const std::string& link) {
   const Handle group = hdf5::open_group(parent, link);
   const Handle value(H5Dopen2(group, "value", H5P_DEFAULT), H5Dclose, "open the data set value");
-  return {.name = hdf5::read_text_attribute(group, "name"),
-          .unit = hdf5::read_text_attribute(value, "unit"),
-          .time = hdf5::read_numbers(group, "time"),
-          .value = hdf5::read_numbers(group, "value")};
+  TimeSeries series{.name = hdf5::read_text_attribute(group, "name"),
+                    .unit = hdf5::read_text_attribute(value, "unit"),
+                    .time = hdf5::read_numbers(group, "time"),
+                    .value = hdf5::read_numbers(group, "value")};
+  require_sound(series);
+  return series;
 }
 
 constexpr std::tuple<const char*, const char*, std::vector<double> FieldSnapshot::*>
@@ -74,16 +80,21 @@ constexpr std::pair<const char*, double FieldSnapshot::*> snapshot_numbers[] = {
     {"width_m", &FieldSnapshot::width},
     {"height_m", &FieldSnapshot::height}};
 
-void write_snapshot(hid_t parent, const std::string& name, const FieldSnapshot& snapshot) {
-  const Handle group = hdf5::create_group(parent, name);
-  for (const auto& [number, field] : snapshot_numbers)
-    hdf5::write_attribute(group, number, snapshot.*field);
+void require_sound(const FieldSnapshot& snapshot, const std::string& name) {
   for (const auto& [field, unit, values] : snapshot_fields) {
     if ((snapshot.*values).size() != snapshot.x.size())
       throw ResultError(fmt::format("snapshot {} has {} places and {} values of {}", name,
                                     snapshot.x.size(), (snapshot.*values).size(), field));
-    hdf5::write_attribute(hdf5::write_numbers(group, field, snapshot.*values), "unit", unit);
   }
+}
+
+void write_snapshot(hid_t parent, const std::string& name, const FieldSnapshot& snapshot) {
+  require_sound(snapshot, name);
+  const Handle group = hdf5::create_group(parent, name);
+  for (const auto& [number, field] : snapshot_numbers)
+    hdf5::write_attribute(group, number, snapshot.*field);
+  for (const auto& [field, unit, values] : snapshot_fields)
+    hdf5::write_attribute(hdf5::write_numbers(group, field, snapshot.*values), "unit", unit);
 }
 
 FieldSnapshot read_snapshot(hid_t parent, const std::string& name) {
@@ -93,6 +104,7 @@ FieldSnapshot read_snapshot(hid_t parent, const std::string& name) {
     snapshot.*field = hdf5::read_number_attribute(group, number);
   for (const auto& [field, unit, values] : snapshot_fields)
     snapshot.*values = hdf5::read_numbers(group, field);
+  require_sound(snapshot, name);
   return snapshot;
 }
 
@@ -121,7 +133,10 @@ RunResult read_content(hid_t file) {
   RunResult result;
   for (const auto& [name, field] : root_fields)
     result.*field = hdf5::read_text_attribute(file, name);
-  result.case_text = hdf5::read_texts(file, "case_text").at(0);
+  const std::vector<std::string> case_text = hdf5::read_texts(file, "case_text");
+  if (case_text.size() != 1)
+    throw ResultError(fmt::format("case_text holds {} texts, expected one", case_text.size()));
+  result.case_text = case_text.front();
   result.active_terms = hdf5::read_texts(file, "active_terms");
   const Handle cost = hdf5::open_group(file, "cost");
   for (const auto& [name, field] : cost_fields) {

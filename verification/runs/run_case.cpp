@@ -104,6 +104,8 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
   if ((settings.state_interval != 0 || !settings.resume.empty()) && !particles)
     throw refused(run,
                   "states and resume: expected a run of the solver sph, no other saves states");
+  if (settings.time_limit != 0 && !std::holds_alternative<InterFoamRun>(run.solver))
+    throw refused(run, "time limit: expected a run of the solver interfoam");
   RunResult result = run_chosen_solver({definition, run, settings, progress});
   const RunCost counts = result.cost;
   result.cost = meter.cost();

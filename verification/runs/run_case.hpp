@@ -34,9 +34,10 @@ struct RunSettings {
   // directory (state_file.hpp); 0: never
   double state_interval = 0;
   std::filesystem::path resume =
-      {};               // the state that an SPH run goes on from; empty: from the start
-  std::string key;      // run_key()'s, recorded
-  std::string command;  // repeats this run, recorded
+      {};                 // the state that an SPH run goes on from; empty: from the start
+  double time_limit = 0;  // [s] of wall time, of an interFoam run; 0: none
+  std::string key;        // run_key()'s, recorded
+  std::string command;    // repeats this run, recorded
 };
 
 // Called now and then with the simulated time [s] and the steps so far.

@@ -47,28 +47,9 @@ std::string_view unsealed(const SealedKind& kind, std::string_view bytes) {
   return image;
 }
 
-// Files in memory: what is hashed is what is parsed, and the paths and locks stay the system's
-// affair.
-Handle memory_access() {
-  constexpr std::size_t increment = 1 << 20;  // [byte], by which HDF5 grows its buffer
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make a file's properties");
-  checked(H5Pset_fapl_core(access, increment, /*backing_store=*/false), "keep a file in memory");
-  return access;
-}
-
-std::string image_of(const std::function<void(hid_t)>& write) {
-  const Handle file(H5Fcreate("image", H5F_ACC_TRUNC, H5P_DEFAULT, memory_access()), H5Fclose,
-                    "make a file in memory");
-  write(file);
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "complete a file in memory");
-  const ssize_t size = checked(H5Fget_file_image(file, nullptr, 0), "measure a file in memory");
-  std::string image(static_cast<std::size_t>(size), '\0');
-  checked(H5Fget_file_image(file, image.data(), image.size()), "copy a file in memory");
-  return image;
-}
-
+// What is hashed is what is parsed, and the paths and locks stay the system's affair.
 void read_image(std::string_view image, const std::function<void(hid_t)>& read) {
-  const Handle access = memory_access();
+  const Handle access = hdf5::memory_access();
   checked(
       H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()),  // HDF5 copies it
       "take an image");
@@ -81,7 +62,7 @@ void read_image(std::string_view image, const std::function<void(hid_t)>& read) 
 void write_sealed(const SealedKind& kind, const std::filesystem::path& file,
                   const std::function<void(hid_t)>& write) try {
   const hdf5::QuietErrors quiet;
-  std::string bytes = image_of(write);
+  std::string bytes = hdf5::image_of(write);
   bytes += seal(kind, bytes);
   replace_file(file, bytes, Durability::power_loss);
 } catch (const std::runtime_error& error) {

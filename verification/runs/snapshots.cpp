@@ -1,6 +1,11 @@
 #include "verification/runs/snapshots.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
 
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/hdf5_handles.hpp"
@@ -49,7 +54,25 @@ void write_values(hid_t group, const char* name, const char* unit,
   hdf5::write_attribute(hdf5::write_numbers(group, name, values, columns), "unit", unit);
 }
 
+// HDF5 crashes where a file cannot be completed: what it may need is taken from the disk first.
+// What is left of that goes when HDF5 closes the file.
+void reserve(const fs::path& data, std::size_t places) {
+  constexpr std::size_t columns = 8;          // of a snapshot
+  constexpr std::size_t structure = 1 << 16;  // [byte]: names, shapes and trees take some 20 kB
+  const int descriptor = ::open(data.c_str(), O_WRONLY | O_CLOEXEC);
+  int error = descriptor < 0 ? errno : 0;
+  if (descriptor >= 0) {
+    error = ::posix_fallocate(descriptor, static_cast<off_t>(fs::file_size(data)),
+                              static_cast<off_t>(sizeof(double) * columns * places + structure));
+    ::close(descriptor);
+  }
+  if (error != 0)
+    throw fs::filesystem_error("cannot write", data,
+                               std::error_code(error, std::generic_category()));
+}
+
 void write_group(const fs::path& data, const std::string& name, const sph::Snapshot& snapshot) {
+  reserve(data, snapshot.x.size());
   const hdf5::Handle file(H5Fopen(data.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
                           "open " + data.string());
   const hdf5::Handle group = hdf5::create_group(file, name);
@@ -69,9 +92,7 @@ fs::path snapshot_index(const fs::path& directory, const std::string& run_name) 
 SnapshotWriter::SnapshotWriter(const fs::path& directory, const std::string& run_name) try
     : data_(directory / (run_name + ".snapshots.h5")), index_(snapshot_index(directory, run_name)) {
   const hdf5::QuietErrors quiet;
-  fs::create_directories(directory);
-  const hdf5::Handle file(H5Fcreate(data_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                          H5Fclose, "create " + data_.string());
+  replace_file(data_, hdf5::image_of([](hid_t) {}), Durability::process_crash);
 } catch (const std::runtime_error& error) {
   throw ResultError(
       fmt::format("cannot write snapshots into {}: {}", directory.string(), error.what()));

@@ -112,6 +112,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Infinite",
                 {"amplitude_m = 0.02", "amplitude_m = inf"},
                 "trial.toml:19: motion.surge.amplitude_m = inf: expected a number > 0, in m"},
+        Mistake{
+            "LetterBeyondAscii", {"length_m = 2", "length_m = é"}, "trial.toml:8:12: not TOML: "},
+        Mistake{"LetterBeyondAsciiForAKey",
+                {"length_m = 2", "länge_m = 2"},
+                "trial.toml:8:2: not TOML: "},
         Mistake{"Syntax", {"length_m = 2", "length_m = = 2"}, "trial.toml:8:12: not TOML: "}),
     [](const auto& info) { return info.param.name; });
 

@@ -7,7 +7,7 @@ set -eu
 slosh=$(readlink -f -- "$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-project="$work/a tank of water"
+project="$work/a tänk of water"
 calls=$work/calls
 lacking=$work/lacking # the packages that are not there
 uid=$work/uid
@@ -64,6 +64,13 @@ stand_in sudo <<'END'
 #!/bin/sh
 exit 1
 END
+# As the compiler of the fuzz targets, with its runtime where `fuzzer` holds 0.
+stand_in clang++ <<'END'
+#!/bin/sh
+case " $* " in *" -fsanitize=fuzzer,"*) exit "$(cat "$work/fuzzer")" ;; esac
+exec g++ "$@"
+END
+echo 0 >"$work/fuzzer"
 PATH=$work/bin:$PATH
 export PATH
 
@@ -182,6 +189,11 @@ sed -i 's/return 4/return count - 1/' "$project/verification/tool.cpp"
 cat >>"$project/CMakeLists.txt" <<'END'
 enable_testing()
 add_custom_target(unit_tests DEPENDS slosh_tool)
+add_custom_target(fuzz_targets DEPENDS slosh_tool)
+if(SLOSH_FUZZ)
+  add_test(NAME fuzz_small COMMAND sh -c "echo seconds: $SLOSH_FUZZ_SECONDS")
+  set_tests_properties(fuzz_small PROPERTIES LABELS "validation;fuzz")
+endif()
 add_test(NAME quick COMMAND slosh_tool)
 add_test(NAME long COMMAND slosh_tool one_argument)
 set_tests_properties(quick PROPERTIES LABELS unit)
@@ -193,6 +205,7 @@ run 0 test
 expect_in "$project/build/release/unit_tests" OFF # they run under the sanitizers alone
 [ "$(tail -n 1 "$work/out")" = "100% tests passed, 0 tests failed out of 1" ] || fail "another closing line"
 expect_in "$work/out" "under the sanitizers: 100% tests passed, 0 tests failed out of 1"
+expect_in "$work/out" "fuzz targets: 100% tests passed, 0 tests failed out of 1"
 run 1 test --all
 [ "$(tail -n 1 "$work/out")" = "50% tests passed, 1 tests failed out of 2" ] || fail "another closing line"
 expect_in "$project/build/release/unit_tests" ON
@@ -200,6 +213,19 @@ run 1 test -R no_such_test
 echo 1 >"$work/format"
 run 1 test
 expect_in "$work/out" "formatting: failed"
+
+# The fuzz targets: all or one, for the time that is asked for; without their compiler's runtime they are left out.
+echo 0 >"$work/format"
+run 0 fuzz
+expect_in "$work/out" "seconds: 60"
+run 0 fuzz small 5
+expect_in "$work/out" "seconds: 5"
+run 1 fuzz no_such_target
+echo 1 >"$work/fuzzer"
+run 2 fuzz
+expect_in "$work/err" "the fuzz targets need clang"
+run 0 test
+expect_in "$work/out" "fuzz targets: skipped"
 
 # Without clang-format its check is left out, and does not fail the others.
 mkdir "$work/programs"

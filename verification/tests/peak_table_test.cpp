@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 
+#include "verification/case_file/time_table.hpp"
 #include "verification/metrics/distribution.hpp"
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -90,6 +92,26 @@ TEST(PeakTableOfSpheric10, HasThePublishedMeansAndDeviations) {
     // Published to 1 Pa; the fourth mean, 4643 Pa, is 4642.47 Pa.
     EXPECT_NEAR(peaks.mean(), means[i], 0.6) << i;
     EXPECT_NEAR(peaks.standard_deviation(), deviations[i], 0.5) << i;
+  }
+}
+
+// Of a directory every read fails, as on a disk that breaks down in the middle of a file.
+TEST(Tables, ThatCannotBeReadToTheirEndAreNoShorterOnes) {
+  const TemporaryDirectory directory;
+  for (const std::function<void()>& read : std::vector<std::function<void()>>{
+           [&] { read_peak_table(directory.path()); },
+           [&] { read_time_table(directory.path(), {"displacement_m"}); },
+           [&] {
+             read_time_columns(directory.path(), {"t_s", "p_Pa", "Pa"});
+           }}) {
+    try {
+      read();
+      FAIL() << "no error";
+    } catch (const CaseFileError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                directory.path().string() +
+                    ":1: rows = cut off: expected a file that can be read to its end");
+    }
   }
 }
 

@@ -26,6 +26,7 @@ TEST(ProgressFile, MayBeAbsentOrDamaged) {
   const auto file = directory.path() / "run.progress";
   EXPECT_FALSE(read_progress(file));
   EXPECT_FALSE(read_progress(""));
+  EXPECT_FALSE(read_progress(directory.path())) << "reading it fails";
   for (const char* text : {"", "{\"time_s\": 1", "{\"time_s\": 1}", "[]", "{\"time_s\": \"x\"}"}) {
     std::ofstream(file) << text;
     EXPECT_FALSE(read_progress(file)) << text;

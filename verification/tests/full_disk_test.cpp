@@ -1,0 +1,127 @@
+// The tool on a file system of 64 kB: what was there stays, and the message and the exit status
+// tell what could not be written.
+#include <gtest/gtest.h>
+
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Starts the tool where `disk` is such a file system, filled from `seed` and taken to `after`.
+class FullDisk : public SmallCampaign {
+ protected:
+  FullDisk() {
+    for (const char* name : {"seed", "after", "disk"}) fs::create_directory(directory() / name);
+    write_campaign(particles_case);
+  }
+
+  // In namespaces of its own; as no file system could be mounted, empty.
+  std::optional<Ended> tool_on_full_disk(const std::vector<std::string>& arguments) const {
+    const std::string script =
+        "mount -t tmpfs -o size=64k none disk || exit 99; cp -R seed/. disk/; "
+        "status=0; \"$@\" || status=$?; cp -R disk/. after/; exit $status";
+    std::vector<std::string> all{"--user", "--map-root-user", "--mount", "sh", "-c", script,
+                                 "sh",     SLOSH_TOOL};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const std::string unshare = boost::process::search_path("unshare").string();
+    if (unshare.empty()) return std::nullopt;
+    const Ended ended = end_of(start(unshare, all));
+    if (ended.status == 99 || ended.err.find("unshare") != std::string::npos) return std::nullopt;
+    return ended;
+  }
+
+  void expect_only(const std::vector<std::string>& files) const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(directory() / "after"))
+      if (entry.is_regular_file())
+        found.push_back(entry.path().lexically_relative(directory() / "after").string());
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, files);
+  }
+
+  static void expect_in(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+};
+
+#define RUN_ON_FULL_DISK(...)                                      \
+  const std::optional<Ended> ran = tool_on_full_disk(__VA_ARGS__); \
+  if (!ran) GTEST_SKIP() << "no file system can be mounted here"
+
+TEST_F(FullDisk, KeepsAnEarlierResultAndEndsWithFour) {
+  write("seed/theory.h5", "an earlier result");
+  write("seed/filling", std::string(50'000, 'x'));
+  RUN_ON_FULL_DISK({"run", "./small.toml", "theory", "--output", "disk/theory.h5"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  expect_in(ran->err, "cannot write the result file disk/theory.h5");
+  expect_in(ran->err, "No space left on device");
+  EXPECT_EQ(read("after/theory.h5"), "an earlier result");
+  expect_only({"filling", "theory.h5"});
+}
+
+TEST_F(FullDisk, KeepsAnEarlierReportAndEndsWithFour) {
+  ASSERT_EQ(campaign().status, 0);
+  fs::create_directory(directory() / "seed/report");
+  write("seed/report/index.html", "an earlier report");
+  fs::remove_all(report());
+  fs::create_symlink("../disk/report", report());
+  RUN_ON_FULL_DISK({"report", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  EXPECT_TRUE(ran->err.find("No space left on device") != std::string::npos ||
+              ran->err.find("no space left in") != std::string::npos)
+      << ran->err;
+  EXPECT_EQ(read("after/report/index.html"), "an earlier report");
+  expect_only({"report/index.html"});
+}
+
+TEST_F(FullDisk, KeepsAnEarlierGateDocumentAndEndsWithFour) {
+  ASSERT_EQ(campaign().status, 0);
+  fs::create_directory(directory() / "seed/gate");
+  write("seed/gate/junit.xml", "earlier");
+  write("seed/filling", std::string(61'000, 'x'));
+  fs::create_symlink("../disk/gate", directory() / "out/gate");
+  RUN_ON_FULL_DISK({"gate", "./surges.toml", "--output", "out", "--ledger", "none.jsonl"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  expect_in(ran->err, "cannot write: No space left on device");
+  EXPECT_EQ(read("after/gate/junit.xml"), "earlier");
+}
+
+TEST_F(FullDisk, EndsARunWhoseSnapshotsDoNotFit) {
+  RUN_ON_FULL_DISK(
+      {"run", "./small.toml", "particles", "--output", "disk/particles.h5", "--snapshots", "0.1"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  expect_in(ran->err, "cannot write a snapshot for disk/particles.work");
+  EXPECT_FALSE(fs::exists(directory() / "after/particles.h5"));
+}
+
+TEST_F(FullDisk, EndsACampaignWithoutRoomForItsResultsWithFourAndSaysWhy) {
+  write("seed/filling", std::string(56'000, 'x'));
+  RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  expect_in(ran->err, "small/theory: solver failed: exit status 4: ");
+  expect_in(ran->err, "No space left on device");
+  expect_in(ran->out, "solver failed  small particles");
+}
+
+TEST_F(FullDisk, WithoutRoomForALogTellsThatThereIsNone) {
+  write("seed/filling", std::string(60'000, 'x'));
+  fs::create_directories(directory() / "seed/out/runs/small");
+  RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  expect_in(ran->err, "small/theory: solver failed: exit status 4: nothing is in its log");
+}
+
+TEST_F(FullDisk, IsToldOfALimitOnTheSizeOfFilesToo) {
+  write("theory.h5", "an earlier result");
+  const Ended run = end_of(start("/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "sh",
+                                             SLOSH_TOOL, "run", "./small.toml", "theory"}));
+  EXPECT_EQ(run.status, 4) << run.out;
+  expect_in(run.err, "cannot write the result file theory.h5");
+  expect_in(run.err, "File too large");
+  EXPECT_EQ(read("theory.h5"), "an earlier result");
+}
+
+}  // namespace
+}  // namespace slosh
