@@ -102,10 +102,13 @@ std::string canvas(const Figure& figure) {
 }
 
 std::string axis(char name, const std::string& label, const AxisRange& range, bool logarithmic) {
+  // gnuplot's own logarithm may put a tick at the end of a logarithmic axis beyond it.
+  const double slack = logarithmic ? 1e-9 : 0;
   std::string commands = fmt::format(
       "set {0}label {1} offset {5} noenhanced textcolor rgb '{2}'\nset {0}range "
       "[{3}:{4}]\n",
-      name, quoted(label), ink.light, range.lower, range.upper, name == 'x' ? "0,0.4" : "0,0");
+      name, quoted(label), ink.light, range.lower * (1 - slack), range.upper * (1 + slack),
+      name == 'x' ? "0,0.4" : "0,0");
   if (logarithmic) {
     commands += fmt::format("set logscale {0}\nset {0}tics {1}\n", name, logarithmic_ticks(range));
   } else {

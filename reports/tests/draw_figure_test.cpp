@@ -119,6 +119,20 @@ TEST(DrawnFigure, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
   expect_well_formed(svg);
 }
 
+TEST(DrawnFigure, LabelsBothEndsOfALogarithmicAxis) {
+  for (const double lower : {0.001, 0.01, 0.1, 1.0, 10.0, 1000.0}) {
+    Figure figure = simple_figure("ends", {1, 2});
+    figure.curves[0].x = {1.3 * lower, 4 * lower};
+    figure.log_x = true;
+    const std::string markup = drawn_markup(figure);
+    for (const double end : {lower, 5 * lower}) {
+      std::ostringstream label;
+      label << '>' << end << '<';
+      EXPECT_NE(markup.find(label.str()), std::string::npos) << label.str();
+    }
+  }
+}
+
 // Each bar of gnuplot's is a line and two ends, all of them horizontal or vertical strokes.
 TEST(DrawnFigure, DrawsBarsInTheDirectionsThatItHasThemIn) {
   const auto strokes = [](std::vector<double> x_error, std::vector<double> y_error) {

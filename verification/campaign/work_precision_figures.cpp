@@ -67,7 +67,7 @@ std::string slope_text(const std::optional<Estimate>& slope) {
   if (!slope) return "";
   return std::isnan(slope->half_width)
              ? fmt::format(", slope {:.2f}", slope->value)
-             : fmt::format(", slope {:.2f} ± {:.2g}", slope->value, slope->half_width);
+             : fmt::format(", slope {:.2f} ± {:.2f}", slope->value, slope->half_width);
 }
 
 Curve curve_of(const WorkFamily& family, const CostAxis& axis) {

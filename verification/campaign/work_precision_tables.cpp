@@ -57,7 +57,7 @@ std::string slope_text(const WorkFamily& family, const CostColumn& column) {
   if (!slope) return "";
   return std::isnan(slope->half_width)
              ? fmt::format("{:.2f}", slope->value)
-             : fmt::format("{:.2f} ± {:.2g}", slope->value, slope->half_width);
+             : fmt::format("{:.2f} ± {:.2f}", slope->value, slope->half_width);
 }
 
 // "5 to 6 times", "once, beside other runs", "3 of 5 runs"
