@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 std::string gate_line(const CaseAssessment& assessment, const GateOutcome& outcome) {
   return fmt::format("{:<14} {} {} {} {} {}: {}", verdict_name(outcome.verdict),
                      assessment.definition.name, outcome.row.candidate, outcome.row.mode,
-                     metric_name(outcome.row.metric), outcome.row.quantity, outcome.message);
+                     measured_name(outcome.row), outcome.row.quantity, outcome.message);
 }
 
 void print(const CaseAssessment& assessment) {

@@ -93,9 +93,10 @@ void require_timings(const WorkFamily& family, const CostAtError& found) {
         std::find(found.rests_on.begin(), found.rests_on.end(), run.run) != found.rests_on.end())
       lacking.push_back(run.run);
   if (!lacking.empty())
-    throw ComparisonError(
-        fmt::format("{} not timed twice or more on a core of {}: run the campaign with timings",
-                    fmt::join(lacking, " and "), lacking.size() == 1 ? "its own" : "their own"));
+    throw ComparisonError(fmt::format(
+        "{} {} not timed twice or more on a core of {} own: run the campaign with timings",
+        fmt::join(lacking, " and "), lacking.size() == 1 ? "was" : "were",
+        lacking.size() == 1 ? "its" : "their"));
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ using reports::Figure;
 
 // More changes than the figures have colours do not make a legend that one can read.
 constexpr std::size_t most_changes_named = 6;
+const std::string many_changes = ", one choice changed";
 
 // A kind of cost, and how a figure shows it.
 struct CostAxis {
@@ -46,8 +47,7 @@ std::vector<WorkFamily> shown_families(const CaseAssessment& assessment) {
   if (changes <= static_cast<std::ptrdiff_t>(most_changes_named)) return families;
   std::vector<WorkFamily> shown;
   for (WorkFamily& family : families) {
-    if (family.changed)
-      family.name = family.name.substr(0, family.name.find(',')) + ", one choice changed";
+    if (family.changed) family.name = family.name.substr(0, family.name.find(',')) + many_changes;
     const auto same = std::find_if(shown.begin(), shown.end(), [&](const WorkFamily& one) {
       return one.name == family.name && one.reference == family.reference;
     });
@@ -59,10 +59,6 @@ std::vector<WorkFamily> shown_families(const CaseAssessment& assessment) {
   return shown;
 }
 
-bool is_one_method(const WorkFamily& family) {
-  return !family.name.ends_with("one choice changed");
-}
-
 std::string slope_text(const std::optional<Estimate>& slope) {
   if (!slope) return "";
   return std::isnan(slope->half_width)
@@ -72,7 +68,8 @@ std::string slope_text(const std::optional<Estimate>& slope) {
 
 Curve curve_of(const WorkFamily& family, const CostAxis& axis) {
   const std::vector<WorkPoint> points = axis.points(family);
-  const auto slope = is_one_method(family) ? work_slope(points) : std::nullopt;
+  const bool is_one_method = !family.name.ends_with(many_changes);
+  const auto slope = is_one_method ? work_slope(points) : std::nullopt;
   Curve curve{family.name + " against " + family.reference + slope_text(slope),
               {},
               {},
