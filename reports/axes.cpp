@@ -58,7 +58,7 @@ AxisRange padded(const Extent& extent, bool logarithmic, double margin) {
 bool has_points(const Figure& figure) {
   return std::any_of(figure.curves.begin(), figure.curves.end(), [](const Curve& curve) {
     return curve.style == Curve::Style::points || curve.style == Curve::Style::line_points ||
-           !curve.y_error.empty();
+           !curve.x_error.empty() || !curve.y_error.empty();
   });
 }
 
@@ -82,7 +82,10 @@ AxisRange horizontal_range(const Figure& figure) {
   Extent extent;
   for (const Curve& curve : figure.curves) {
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
-      if (drawable(figure, curve.x[i], curve.y[i])) extent.include(curve.x[i], figure.log_x);
+      if (!drawable(figure, curve.x[i], curve.y[i])) continue;
+      const double half_bar = curve.x_error.empty() ? 0.0 : curve.x_error[i];
+      for (const double x : {curve.x[i], curve.x[i] - half_bar, curve.x[i] + half_bar})
+        extent.include(x, figure.log_x);
     }
   }
   for (const Marker& marker : figure.markers) extent.include(marker.x, figure.log_x);

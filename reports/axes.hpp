@@ -17,8 +17,8 @@ struct AxisRange {
 // The nearest 1, 2 or 5 times a power of ten at or beyond the value, which is above zero.
 double round_tick(double value, bool up);
 
-// The given x_range, or what holds every drawable sample and marker: flush with lines, with a
-// margin for points.
+// The given x_range, or what holds every drawable sample, its error bar and every marker: flush
+// with lines, with a margin for points.
 AxisRange horizontal_range(const Figure& figure);
 
 // What holds every drawable sample inside the horizontal range, its error bar, and every finite

@@ -35,11 +35,15 @@ void check_table(const Table& table) {
 
 void check_figure(const Figure& figure) {
   for (const Curve& curve : figure.curves) {
-    const bool bars_fit = curve.y_error.empty() || curve.y_error.size() == curve.y.size();
-    if (curve.x.size() != curve.y.size() || !bars_fit) {
+    const auto bars_fit = [&](const std::vector<double>& bars) {
+      return bars.empty() || bars.size() == curve.y.size();
+    };
+    if (curve.x.size() != curve.y.size() || !bars_fit(curve.x_error) || !bars_fit(curve.y_error)) {
       throw ReportError(fmt::format(
-          "figure '{}', curve '{}': {} x, {} y, {} y_error values, expected equally many",
-          figure.id, curve.label, curve.x.size(), curve.y.size(), curve.y_error.size()));
+          "figure '{}', curve '{}': {} x, {} y, {} x_error, {} y_error values, expected equally "
+          "many",
+          figure.id, curve.label, curve.x.size(), curve.y.size(), curve.x_error.size(),
+          curve.y_error.size()));
     }
   }
   const auto [lower, upper] = figure.x_range;

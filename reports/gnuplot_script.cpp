@@ -102,10 +102,13 @@ std::string canvas(const Figure& figure) {
 }
 
 std::string axis(char name, const std::string& label, const AxisRange& range, bool logarithmic) {
+  // gnuplot's own logarithm may put a tick at the end of a logarithmic axis beyond it.
+  const double slack = logarithmic ? 1e-9 : 0;
   std::string commands = fmt::format(
       "set {0}label {1} offset {5} noenhanced textcolor rgb '{2}'\nset {0}range "
       "[{3}:{4}]\n",
-      name, quoted(label), ink.light, range.lower, range.upper, name == 'x' ? "0,0.4" : "0,0");
+      name, quoted(label), ink.light, range.lower * (1 - slack), range.upper * (1 + slack),
+      name == 'x' ? "0,0.4" : "0,0");
   if (logarithmic) {
     commands += fmt::format("set logscale {0}\nset {0}tics {1}\n", name, logarithmic_ticks(range));
   } else {
@@ -156,7 +159,8 @@ std::string datablock(const Figure& figure, std::size_t number) {
       if (!in_gap) block += '\n';
     } else {
       block += fmt::format("{:.9g} {:.9g}", curve.x[*index], curve.y[*index]);
-      if (!curve.y_error.empty()) block += fmt::format(" {:.9g}", curve.y_error[*index]);
+      for (const auto* bars : {&curve.x_error, &curve.y_error})
+        if (!bars->empty()) block += fmt::format(" {:.9g}", (*bars)[*index]);
       block += '\n';
     }
     in_gap = !index;
@@ -164,9 +168,14 @@ std::string datablock(const Figure& figure, std::size_t number) {
   return block + "END_OF_CURVE\n";
 }
 
+// "", "x", "y" or "xy", as gnuplot's styles begin.
+std::string bar_directions(const Curve& curve) {
+  return std::string(curve.x_error.empty() ? "" : "x") + (curve.y_error.empty() ? "" : "y");
+}
+
 // `of_style`: how many earlier curves share the curve's dashes.
 std::string curve_element(const Curve& curve, std::size_t number, std::size_t of_style) {
-  const bool bars = !curve.y_error.empty();
+  const std::string bars = bar_directions(curve);
   const std::string colour = curve_colours[number % curve_colours.size()].light;
   const int point = point_types[number % point_types.size()];
   const std::string marks = fmt::format("pt {} ps 0.7", point);
@@ -175,16 +184,19 @@ std::string curve_element(const Curve& curve, std::size_t number, std::size_t of
                          : line_dashes[of_style % line_dashes.size()];
   std::string style;
   if (curve.style == Curve::Style::points) {
-    style = fmt::format("{} {} lw 1.2", bars ? "yerrorbars" : "points", marks);
+    style = fmt::format("{} {} lw 1.2", bars.empty() ? "points" : bars + "errorbars", marks);
   } else {
-    const bool pointed = bars || curve.style == Curve::Style::line_points;
+    const bool pointed = !bars.empty() || curve.style == Curve::Style::line_points;
     style = fmt::format("{} {} lw 1.8 dt {}",
-                        bars      ? "yerrorlines"
-                        : pointed ? "linespoints"
-                                  : "lines",
+                        !bars.empty() ? bars + "errorlines"
+                        : pointed     ? "linespoints"
+                                      : "lines",
                         pointed ? marks : "", dash);
   }
-  return fmt::format("$curve_{} using 1:2{} with {} lc rgb '{}' title {}", number, bars ? ":3" : "",
+  return fmt::format("$curve_{} using 1:2{} with {} lc rgb '{}' title {}", number,
+                     bars.empty()   ? ""
+                     : bars == "xy" ? ":3:4"
+                                    : ":3",
                      style, colour, quoted(curve.label));
 }
 

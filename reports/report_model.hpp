@@ -18,6 +18,7 @@ struct Curve {
   std::vector<double> x, y;     // of equal length
   std::vector<double> y_error;  // half bars, as long as y; empty for none
   enum class Style { line, dashed, points, line_points } style = Style::line;
+  std::vector<double> x_error = {};  // half bars, as long as x; empty for none
 };
 
 // A shaded band between two horizontal levels (a tolerance); an infinite level reaches the figure's

@@ -29,7 +29,7 @@ std::string gate_lines(const std::vector<CaseAssessment>& cases,
     for (const GateOutcome& outcome : one.gate)
       text += fmt::format("{:<14} {} {} {} {} {}: {}\n", verdict_name(outcome.verdict),
                           one.definition.name, outcome.row.candidate, outcome.row.mode,
-                          metric_name(outcome.row.metric), outcome.row.quantity, outcome.message);
+                          measured_name(outcome.row), outcome.row.quantity, outcome.message);
   for (const ProblemAssessment& one : problems)
     for (const ProblemGateOutcome& outcome : one.gate)
       text +=

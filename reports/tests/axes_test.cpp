@@ -87,6 +87,16 @@ TEST(AxisRanges, HoldBandsMarkersAndErrorBars) {
   EXPECT_LT(y.lower, -3);
 }
 
+TEST(AxisRanges, HoldHorizontalErrorBarsOnEitherKindOfAxis) {
+  Figure figure = figure_of({10, 100, 200}, {1, 2, 3});
+  figure.curves[0].x_error = {2, 300, nan};
+  EXPECT_GT(horizontal_range(figure).upper, 400);
+  EXPECT_LT(horizontal_range(figure).lower, -200);
+  figure.log_x = true;  // a bar that reaches below zero sets no end there
+  EXPECT_GE(horizontal_range(figure).upper, 400);
+  EXPECT_EQ(horizontal_range(figure).lower, 5);
+}
+
 TEST(AxisRanges, AreScaledToWhatIsInsideAGivenHorizontalRange) {
   Figure figure = figure_of({0, 1, 2}, {0, 1, 1000});
   figure.x_range = {0, 1.5};

@@ -120,6 +120,38 @@ TEST(DrawnFigure, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
   expect_well_formed(svg);
 }
 
+TEST(DrawnFigure, LabelsBothEndsOfALogarithmicAxis) {
+  for (const double lower : {0.001, 0.01, 0.1, 1.0, 10.0, 1000.0}) {
+    Figure figure = simple_figure("ends", {1, 2});
+    figure.curves[0].x = {1.3 * lower, 4 * lower};
+    figure.log_x = true;
+    const std::string markup = drawn_markup(figure);
+    for (const double end : {lower, 5 * lower}) {
+      std::ostringstream label;
+      label << '>' << end << '<';
+      EXPECT_NE(markup.find(label.str()), std::string::npos) << label.str();
+    }
+  }
+}
+
+// Each bar of gnuplot's is a line and two ends, all of them horizontal or vertical strokes.
+TEST(DrawnFigure, DrawsBarsInTheDirectionsThatItHasThemIn) {
+  const auto strokes = [](std::vector<double> x_error, std::vector<double> y_error) {
+    Figure figure = simple_figure("bars", {1, 4, 2});
+    figure.curves[0].style = Curve::Style::points;
+    figure.curves[0].x_error = std::move(x_error);
+    figure.curves[0].y_error = std::move(y_error);
+    const std::string path = curve_path(drawn_markup(figure));
+    return std::count(path.begin(), path.end(), 'M');
+  };
+  const std::vector<double> bars{0.1, 0.2, 0.1}, one_unknown{0.1, nan, 0.1};
+  const auto both = strokes(bars, bars), across = strokes(bars, {}), up = strokes({}, bars);
+  EXPECT_GT(across, 3);
+  EXPECT_GT(up, 3);
+  EXPECT_GT(both, std::max(across, up));
+  EXPECT_LT(strokes(one_unknown, bars), both);
+}
+
 TEST(DrawnFigure, OfEveryKindIsAWellFormedFile) {
   for (const bool logarithmic : {false, true}) {
     Figure figure = simple_figure("kinds", {1, 2, nan, 3000, -5});
@@ -129,6 +161,8 @@ TEST(DrawnFigure, OfEveryKindIsAWellFormedFile) {
          {Curve::Style::dashed, Curve::Style::points, Curve::Style::line_points}) {
       figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {1, nan, 0.1}, style});
       figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {}, style});
+      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {}, style, {0.1, nan, 4}});
+      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {1, nan, 4}, style, {0.1, nan, 4}});
     }
     figure.bands = {{"lower", -std::numeric_limits<double>::infinity(), 2},
                     {"undefined", nan, nan}};

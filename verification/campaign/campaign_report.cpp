@@ -20,6 +20,7 @@
 #include "verification/campaign/row_strength.hpp"
 #include "verification/campaign/uncertainty_table.hpp"
 #include "verification/campaign/wall_treatments.hpp"
+#include "verification/campaign/work_precision_tables.hpp"
 #include "verification/campaign/zhao2021_paper.hpp"
 #include "verification/case_file/motion_table.hpp"
 #include "verification/runs/provenance.hpp"
@@ -130,6 +131,8 @@ Section case_section(const CaseAssessment& assessment) {
     if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));
     section.tables.push_back(history_table(assessment));
   }
+  for (reports::Table& table : work_precision_tables(assessment))
+    section.tables.push_back(std::move(table));
   section.tables.push_back(cost_table(assessment));
   section.tables.push_back(terms_table(assessment));
   section.tables.push_back(provenance_table(assessment));

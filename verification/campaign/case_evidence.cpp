@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "verification/campaign/row_uncertainty.hpp"
+#include "verification/campaign/work_points.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -101,12 +102,15 @@ GateEvidence CaseEvidence::gate_evidence() {
     return impact_metric(of.metric, of.mode, runs_.results.at(run).at(of.quantity),
                          series_of_record(definition_, runs_, of.quantity), definition_);
   };
-  const GateEvidence evidence{find, find_series, measure_impacts};
+  const MeasureCost cost = [this, find](const GateRow& row) {
+    return cost_to_reach(definition_, runs_, row, find);
+  };
+  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost};
   const FindUncertainty uncertainty = [this, evidence](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, evidence.comparison,
                            [&](const GateRow& other) { return measured(other, evidence); });
   };
-  return {find, find_series, measure_impacts, uncertainty};
+  return {find, find_series, measure_impacts, uncertainty, cost};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

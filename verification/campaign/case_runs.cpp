@@ -17,6 +17,7 @@ RunResult judged_part(const RunResult& result, const std::string& quantity) {
   part.case_name = result.case_name;
   part.run_name = result.run_name;
   part.diagnostics = result.diagnostics;
+  part.cost = result.cost;
   for (const TimeSeries& one : result.series)
     if (one.name == quantity || one.name == quantity + coarser) part.series.push_back(one);
   return part;

@@ -21,8 +21,8 @@ struct CaseRuns {
 
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
-// What judging a row on the quantity takes of a result: its name, its diagnostics, that series and
-// potential flow's of fewer nodes.
+// What judging a row on the quantity takes of a result: its name, its cost, its diagnostics, that
+// series and potential flow's of fewer nodes.
 RunResult judged_part(const RunResult& result, const std::string& quantity);
 
 // That of the first record that has it; null where none is supplied.

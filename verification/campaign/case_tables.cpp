@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/campaign/work_points.hpp"
+
 namespace slosh {
 namespace {
 
@@ -42,9 +44,18 @@ std::string allowed(const GateRow& row) {
 
 // "forced amplitude error of elevation@right"
 std::string measure_name(const GateRow& row) {
-  std::string metric = metric_name(row.metric);
+  std::string metric = measured_name(row);
   std::replace(metric.begin(), metric.end(), '_', ' ');
   return (row.mode == "whole" ? "" : row.mode + " ") + metric + " of " + row.quantity;
+}
+
+// "10.4 ± 0.2 (5)"
+std::string timed_text(const MeasuredCost& cost) {
+  if (cost.timings == 0) return "";
+  const Estimate& time = cost.core_seconds;
+  return cost.has_interval()
+             ? fmt::format("{:.3g} ± {:.2g} ({})", time.value, time.half_width, cost.timings)
+             : fmt::format("{:.3g} (1)", time.value);
 }
 
 std::string rms_text(const Estimate& rms) {
@@ -158,26 +169,29 @@ Table history_table(const CaseAssessment& assessment) {
 }
 
 Table cost_table(const CaseAssessment& assessment) {
-  Table table{assessment.definition.name + "-cost-table",
-              "Runs and their cost",
-              "Times and peak memory as the operating system accounts for the run's own process "
-              "and its children.",
-              {"run", "state", "solver", "particles or cells", "steps", "user [s]", "system [s]",
-               "wall [s]", "peak memory [MiB]", "remark"},
-              {}};
+  Table table{
+      assessment.definition.name + "-cost-table",
+      "Runs and their cost",
+      "Times and peak memory as the operating system accounts for the run's own process "
+      "and its children. Timed alone: the mean over repeats that had a core for themselves, "
+      "user and system time, with its 95 % interval and their number.",
+      {"run", "state", "solver", "particles or cells", "steps", "user [s]", "system [s]",
+       "wall [s]", "peak memory [MiB]", "timed alone [core-s]", "remark"},
+      {}};
   for (const RunDefinition& run : assessment.definition.runs) {
     const RunStatus& status = assessment.runs.status.at(run.name);
     std::vector<std::string> row{run.name, state_name(status.state)};
     const auto result = assessment.runs.results.find(run.name);
     if (result == assessment.runs.results.end()) {
-      row.insert(row.end(), 7, "");
+      row.insert(row.end(), 8, "");
     } else {
       const RunCost& cost = result->second.cost;
-      row.insert(row.end(),
-                 {result->second.solver, fmt::format("{}", cost.elements),
-                  fmt::format("{}", cost.steps), fmt::format("{:.2f}", cost.user_time),
-                  fmt::format("{:.2f}", cost.system_time), fmt::format("{:.2f}", cost.wall_time),
-                  fmt::format("{:.0f}", cost.peak_memory / 1048576)});
+      row.insert(
+          row.end(),
+          {result->second.solver, fmt::format("{}", cost.elements), fmt::format("{}", cost.steps),
+           fmt::format("{:.2f}", cost.user_time), fmt::format("{:.2f}", cost.system_time),
+           fmt::format("{:.2f}", cost.wall_time), fmt::format("{:.0f}", cost.peak_memory / 1048576),
+           timed_text(cost_of(assessment.runs, run.name))});
     }
     row.push_back(status.message);
     table.rows.push_back(std::move(row));

@@ -28,7 +28,7 @@ std::vector<reports::Figure> study_figures(const CaseAssessment& assessment);
 // Where an SPH run's energy comes from and goes to.
 std::vector<reports::Figure> energy_figures(const CaseAssessment& assessment);
 
-// Error against run time.
+// Error against run time, and against memory.
 std::vector<reports::Figure> cost_figures(const CaseAssessment& assessment);
 
 }  // namespace slosh

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "verification/campaign/work_precision_json.hpp"
 #include "verification/case_file/problem_table.hpp"
 
 namespace slosh {
@@ -42,6 +43,7 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
                 {"system_time_s", result.cost.system_time},
                 {"wall_time_s", result.cost.wall_time},
                 {"peak_memory_byte", result.cost.peak_memory},
+                {"timings", timings_json(runs, name)},
                 {"steps", result.cost.steps},
                 {"elements", result.cost.elements},
                 {"active_terms", result.active_terms},
@@ -116,6 +118,7 @@ Json gate_entry(const GateOutcome& outcome) {
                                {"discretisation", judged->contributions.discretisation},
                                {"input", judged->contributions.input}};
   if (row.limit) entry["limit"] = *row.limit;
+  if (row.error) entry["error"] = *row.error;
   if (row.between) entry["between"] = {row.between->first, row.between->second};
   if (row.improves_on) entry["improves_on"] = *row.improves_on;
   return entry;
@@ -189,6 +192,7 @@ std::string results_json(const std::string& campaign, bool quick,
     for (const Comparison& pair : one.comparisons)
       entry["comparisons"].push_back(comparison_entry(pair));
     for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
+    entry["work_precision"] = work_precision_json(one);
     document["cases"].push_back(std::move(entry));
   }
   for (const ProblemAssessment& one : problems) document["problems"].push_back(problem_entry(one));

@@ -31,7 +31,7 @@ TimeSeries& series_of(RunResult& result, const std::string& quantity) {
 
 GateStrength strength_of(const CaseAssessment& assessment, const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
-  CaseRuns runs{assessment.runs.status, {}};
+  CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings};
   for (const auto& [run, result] : assessment.runs.results)
     runs.results[run] = judged_part(result, row.quantity);
   TimeSeries& judged = series_of(runs.results.at(row.candidate), row.quantity);
@@ -53,8 +53,7 @@ bool is_judged(const CaseAssessment& assessment, const GateOutcome& outcome) {
 }
 
 std::string row_text(const GateRow& row) {
-  return fmt::format("{}, {} {} of {}", row.candidate, row.mode, metric_name(row.metric),
-                     row.quantity);
+  return fmt::format("{}, {} {} of {}", row.candidate, row.mode, measured_name(row), row.quantity);
 }
 
 constexpr std::pair<MutationKind, MutationKind> graded[] = {

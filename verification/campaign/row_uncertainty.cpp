@@ -52,6 +52,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
                                          const GateRow& row, const FindComparison& comparison,
                                          const MeasureRow& measure) {
   UncertaintyContributions found;
+  if (row.metric == Metric::cost_to_reach) return found;
   found.statistics = repeat_spread(definition, runs, row, measure);
   const auto numerical = [&](Role role) {
     return numerical_uncertainty(refined_metrics(definition, runs, row, role, measure));

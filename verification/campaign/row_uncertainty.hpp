@@ -8,6 +8,7 @@
 //                   metric's own interval)
 //   input           nothing: both sides are told the same tank, liquid and motion, and what an
 //                   experiment knows of its own is part of its stated uncertainty
+// What an error costs has the interval of its timings alone.
 #pragma once
 
 #include "verification/campaign/case_runs.hpp"

@@ -45,8 +45,10 @@ std::string contributions_text(const ThreeWayOutcome& judged, const std::string&
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string remedy_text(const ThreeWayOutcome& judged) {
+std::string remedy_text(const ThreeWayOutcome& judged, Metric metric) {
   std::vector<std::string> ways;
+  if (const auto repeats = longer_window(judged); repeats && metric == Metric::cost_to_reach)
+    return fmt::format("{:.3g} times as many timings", repeats->factor);
   if (const auto window = longer_window(judged))
     ways.push_back(fmt::format("a window {:.3g} times as long, at {:.3g} times the cost",
                                window->factor, window->cost_ratio));
@@ -74,7 +76,8 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
   const GateEvidence gate = evidence.gate_evidence();
   const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
   for (const GateOutcome& outcome : assessment.gate) {
-    if (!std::isfinite(outcome.value.value)) continue;
+    if (!std::isfinite(outcome.value.value) || outcome.row.metric == Metric::cost_to_reach)
+      continue;  // the cost is of all runs of a path together
     for (const Role role : {Role::candidate, Role::reference})
       add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role, measure),
                 outcome.row, table);
@@ -94,9 +97,10 @@ std::optional<Table> remedy_table(const CaseAssessment& assessment) {
   for (const GateOutcome& outcome : assessment.gate) {
     if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
     const ThreeWayOutcome& judged = *outcome.judgement;
-    table.rows.push_back(
-        {row_name(outcome.row), outcome.message, contributions_text(judged, outcome.row.unit),
-         "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit), remedy_text(judged)});
+    table.rows.push_back({row_name(outcome.row), outcome.message,
+                          contributions_text(judged, outcome.row.unit),
+                          "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit),
+                          remedy_text(judged, outcome.row.metric)});
   }
   if (table.rows.empty()) return {};
   return table;

@@ -234,7 +234,9 @@ enum class Metric {
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
   impact_time,       // s, one impact: that of its peak less the published one
   plateau_error,     // 1, "whole": mean over the plateau's time over the published one, less 1
-  impact_percentile  // 1, one impact: the share of the experiment's repeats that peak below it
+  impact_percentile,  // 1, one impact: the share of the experiment's repeats that peak below it
+  // s of one core, "whole": what the row's error costs the candidate's family (work_precision.hpp).
+  cost_to_reach
 };
 
 // One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or
@@ -254,6 +256,7 @@ struct GateRow {
   std::optional<std::string> improves_on;
   std::string reason, source;
   SourceLocation where;
+  std::optional<double> error = {};  // normalised rms, of cost_to_reach alone
 };
 
 // What is published of a tank in which the liquid hits a wall once a period: peaks and plateau of

@@ -73,7 +73,9 @@
 //                 "aligned_rms" are of quantities without modes alone; metric = "impact_time",
 //                 "impact_percentile" (mode = "impact_1", ...; the latter with lower and upper) and
 //                 "plateau_error" are measured against [impacts]: no reference, quantity = the
-//                 pressure at its gauge, as it is or "/filtered"
+//                 pressure at its gauge, as it is or "/filtered"; metric = "cost_to_reach" (of the
+//                 candidate's family, in s of one core; mode = "whole", with limit alone) needs
+//                 error (a normalised rms, 0 to 1)
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.

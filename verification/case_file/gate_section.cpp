@@ -31,7 +31,7 @@ struct MetricEntry {
   MeasuredOn measured_on;
 };
 
-constexpr std::array<MetricEntry, 13> metrics{{
+constexpr std::array<MetricEntry, 14> metrics{{
     {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
     {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
     {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
@@ -45,6 +45,7 @@ constexpr std::array<MetricEntry, 13> metrics{{
     {"impact_time", Metric::impact_time, "s", MeasuredOn::impact},
     {"plateau_error", Metric::plateau_error, "1", MeasuredOn::plateau},
     {"impact_percentile", Metric::impact_percentile, "1", MeasuredOn::impact},
+    {"cost_to_reach", Metric::cost_to_reach, "s", MeasuredOn::whole_window},
 }};
 
 const MetricEntry& read_metric(const TomlTable& row) {
@@ -131,6 +132,18 @@ void read_bound(const TomlTable& row, const CaseDefinition& definition, GateRow&
   }
 }
 
+// The error whose cost is bounded, and only from above: what is cheaper is better.
+void read_error(const TomlTable& row, const MetricEntry& metric, GateRow& gate_row) {
+  if (metric.metric != Metric::cost_to_reach) {
+    if (row.has("error")) row.refuse("error", "no error: only cost_to_reach is of one");
+    return;
+  }
+  gate_row.error =
+      row.get("error", Rule<double>{"a normalised rms above 0 and below 1, without unit",
+                                    [](double value) { return value > 0 && value < 1; }});
+  if (!gate_row.limit) row.refuse_table("a row on cost_to_reach", "limit: cheaper is better");
+}
+
 void refuse_reference(const TomlTable& row, const MetricEntry& metric, const char* measured_on) {
   if (row.has("reference"))
     row.refuse("reference",
@@ -181,7 +194,7 @@ void read_impact_series(const TomlTable& row, const MetricEntry& metric,
 
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   row.allow_only({"candidate", "reference", "quantity", "mode", "metric", "unit", "limit", "lower",
-                  "upper", "improves_on", "reason", "source"});
+                  "upper", "improves_on", "error", "reason", "source"});
   GateRow gate_row{};
   gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);
@@ -196,6 +209,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.mode = row.choice("mode", fmt::format("what {} is measured on", metric.name),
                              modes_of(metric, gate_row.quantity, definition));
   read_bound(row, definition, gate_row);
+  read_error(row, metric, gate_row);
   if (metric.metric == Metric::impact_percentile && !gate_row.between)
     row.refuse_table("a row on impact_percentile",
                      "lower with upper: neither end of the repeats is the better one");

@@ -70,9 +70,17 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::impact_time:
     case Metric::plateau_error:
     case Metric::impact_percentile:
-      break;  // of no comparison
+    case Metric::cost_to_reach:
+      break;  // of no single comparison
   }
   throw std::logic_error("a metric without a value");
+}
+
+// As wide as the interval's upper end, the further one: it is symmetric in the logarithm. Of the
+// declared window, like normalised_rms: what the errors' bars add tells of other windows.
+Estimate cost_value(const CostAtError& found) {
+  if (found.reach == Reach::not_at_all) return no_value;
+  return {found.cost, found.cost * std::expm1(found.cost_spread)};
 }
 
 // No number where a value is none or where there is no value at all.
@@ -139,11 +147,21 @@ Verdict verdict_of(ThreeWayVerdict verdict) {
   throw std::logic_error("a verdict of no kind");
 }
 
+// Whether it is no number for want of what the row looks for.
+bool is_lost(const GateRow& row, double value) {
+  return std::isnan(value) && (is_of_impacts(row.metric) || row.metric == Metric::cost_to_reach);
+}
+
+std::string lost_text(const GateRow& row, const GateEvidence& evidence) {
+  return is_of_impacts(row.metric) ? "no impact" : not_reached_text(evidence.cost(row), row.unit);
+}
+
 // "13.9 % +- 4 % <= 20 %", "|-1 %| <= 2 %", "3 % is not within 1 % .. 2 %".
-std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged) {
-  const bool lost = is_of_impacts(row.metric) && std::isnan(judged.error);
-  const std::string shown =
-      lost ? "no impact" : with_interval({judged.error, judged.uncertainty}, row.unit);
+std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
+                       const GateEvidence& evidence) {
+  const std::string shown = is_lost(row, judged.error)
+                                ? lost_text(row, evidence)
+                                : with_interval({judged.error, judged.uncertainty}, row.unit);
   const auto phrase = [&](const char* holds, const char* does_not) {
     switch (judged.verdict) {
       case ThreeWayVerdict::pass:
@@ -167,7 +185,7 @@ GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvi
   if (evidence.uncertainty) contributions = evidence.uncertainty(row);
   contributions.statistics = std::hypot(contributions.statistics, value.half_width);
   const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
-  return {row, verdict_of(judged.verdict), value, bound_text(row, judged), judged};
+  return {row, verdict_of(judged.verdict), value, bound_text(row, judged, evidence), judged};
 }
 
 bool needs_reference(Metric metric) {
@@ -227,6 +245,10 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence) {
     require_unit(row, "Pa");
     return {evidence.impacts(row.candidate, row), 0};
   }
+  if (row.metric == Metric::cost_to_reach) {
+    require_unit(row, "s");
+    return cost_value(evidence.cost(row));
+  }
   const Comparison& comparison = evidence.comparison(row.candidate, row.reference, row.quantity);
   require_unit(row, comparison.unit);
   return metric_value(row.metric, row.mode, comparison);
@@ -241,6 +263,8 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
                            : judge_bound(row, value, evidence);
   } catch (const NotSuppliedError& error) {
     return {row, Verdict::not_supplied, no_value, error.what()};
+  } catch (const NotSelectedError& error) {
+    return {row, Verdict::not_selected, no_value, error.what()};
   } catch (const std::runtime_error&
                error) {  // ComparisonError and ResultError: there is nothing to compare
     return {row, Verdict::not_compared, no_value, error.what()};
@@ -330,6 +354,8 @@ std::string metric_name(Metric metric) {
       return "plateau_error";
     case Metric::impact_percentile:
       return "impact_percentile";
+    case Metric::cost_to_reach:
+      return "cost_to_reach";
   }
   throw std::logic_error("a metric without a name");
 }
@@ -350,6 +376,7 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
       return "1/s";
     case Metric::time_lag:
     case Metric::impact_time:
+    case Metric::cost_to_reach:
       return "s";
     case Metric::maximum_residual:
     case Metric::largest_magnitude:
@@ -358,10 +385,21 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
   throw std::logic_error("a metric without a unit");
 }
 
+std::string measured_name(const GateRow& row) {
+  const std::string name = metric_name(row.metric);
+  return row.error ? fmt::format("{} {}", name, in_unit(*row.error, "1")) : name;
+}
+
+std::string not_reached_text(const CostAtError& found, const std::string& unit) {
+  if (!found.most_exact) return "not reached (no run has a cost and an error)";
+  return fmt::format("not reached ({} at {})", in_unit(found.most_exact->error.value, "1"),
+                     in_unit(found.most_exact->cost.value, unit));
+}
+
 std::string row_name(const GateRow& row) {
   return fmt::format("{}{}, {} {} of {}{}", row.candidate,
                      row.reference.empty() ? "" : " against " + row.reference, row.mode,
-                     metric_name(row.metric), row.quantity,
+                     measured_name(row), row.quantity,
                      row.improves_on ? ", below that of " + *row.improves_on : "");
 }
 

@@ -4,12 +4,14 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "verification/case_file/case_definition.hpp"
 #include "verification/gate/three_way_verdict.hpp"
 #include "verification/metrics/comparison.hpp"
+#include "verification/metrics/work_precision.hpp"
 
 namespace slosh {
 
@@ -70,6 +72,17 @@ using FindSeries = std::function<TimeSeries(const std::string& run, const std::s
 // no such series.
 using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
 
+// Something that a row needs is not part of this form of the campaign: what() says what.
+struct NotSelectedError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Gives what the row's error costs the candidate's family [s of one core], with the costs' interval
+// behind cost_spread. Throws ComparisonError where a run that it rests on was not timed on a core
+// of its own, twice or more, ResultError and ComparisonError where the candidate cannot be
+// compared, and NotSelectedError where runs that are left out could have reached it.
+using MeasureCost = std::function<CostAtError(const GateRow& row)>;
+
 // Gives what makes a row's metric uncertain beside its own interval, which is added to its
 // `statistics`.
 using FindUncertainty = std::function<UncertaintyContributions(const GateRow& row)>;
@@ -80,6 +93,7 @@ struct GateEvidence {
   FindSeries series;  // for the metrics that need no reference
   MeasureImpacts impacts = {};
   FindUncertainty uncertainty = {};  // none: of nothing else
+  MeasureCost cost = {};
 };
 
 // The row's metric of its candidate. Throws as what the evidence is asked for, and ComparisonError
@@ -89,8 +103,8 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence);
 // A limit or a range passes where the whole 95 % interval about the metric lies within it, is
 // violated where all of it lies outside, and is inconclusive otherwise; an improvement on another
 // run, likewise, where the intervals leave open which is the better. NaN never passes. An impact
-// that does not come is NaN, and violates; a row whose table of repeats is not supplied is not
-// supplied.
+// that does not come and an error that is not reached are NaN, and violate; a row whose table of
+// repeats is not supplied is not supplied.
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence);
 
@@ -106,9 +120,13 @@ std::string verdict_name(Verdict verdict);
 std::string state_name(RunState state);
 std::string metric_name(Metric metric);  // as in the case file
 std::string metric_unit(Metric metric, const std::string& quantity_unit);
+// "amplitude_error", and of a cost the error too: "cost_to_reach 10 %"
+std::string measured_name(const GateRow& row);
 // "CANDIDATE against REFERENCE, MODE METRIC of QUANTITY", and ", below that of RUN" of a row that
 // is to improve on a run
 std::string row_name(const GateRow& row);
+// "not reached (5.7 % at 85 s)": the smallest error that there is and its cost [unit]
+std::string not_reached_text(const CostAtError& found, const std::string& unit);
 // "1.5 %" of a share, whose unit is "1"; "0.034 Pa" of anything else
 std::string in_unit(double value, const std::string& unit);
 

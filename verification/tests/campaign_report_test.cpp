@@ -99,7 +99,7 @@ TEST(CampaignReport, KeepsToTheReportsModel) {
   }
   EXPECT_EQ(tables.size(), table_count);
   EXPECT_EQ(figures.size(), figure_count);
-  EXPECT_EQ(figure_count, 8u);  // history, residual, spectrum and cost of either case
+  EXPECT_EQ(figure_count, 10u);  // history, residual, spectrum, cost and memory of either case
 }
 
 TEST(CampaignReport, OfCasesOfOneNameIsNone) {

@@ -15,6 +15,10 @@ struct Mistake {
 
 void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.message; }
 
+const std::string of_amplitude =
+    "mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05";
+const std::string of_cost = "mode = \"whole\"\nmetric = \"cost_to_reach\"\nunit = \"s\"\n";
+
 class CaseParserRefusal : public ::testing::TestWithParam<Mistake> {};
 
 TEST_P(CaseParserRefusal, SaysWhereWhatAndWhatWasExpected) {
@@ -374,13 +378,40 @@ INSTANTIATE_TEST_SUITE_P(
                 "amplitude_error, phase_lag, frequency_error, decay_rate, decay_error, "
                 "normalised_rms, "
                 "maximum_residual, time_lag, aligned_rms, largest_magnitude, impact_time, "
-                "plateau_error, impact_percentile; nearest: "
+                "plateau_error, impact_percentile, cost_to_reach; nearest: "
                 "amplitude_error"},
         Mistake{
             "TimeLagOfWhatSwings",
             {"metric = \"amplitude_error\"\nunit = \"1\"", "metric = \"time_lag\"\nunit = \"s\""},
             "trial.toml:56: gate.mode = \"forced\": expected what time_lag is measured on, of "
             "which there is none"},
+        Mistake{"ErrorOfAMetricThatHasNone",
+                {"limit = 0.05", "limit = 0.05\nerror = 0.1"},
+                "trial.toml:60: gate.error = 0.1: expected no error: only cost_to_reach is of one"},
+        Mistake{"CostWithoutAnError",
+                {of_amplitude, of_cost + "limit = 20"},
+                "trial.toml:52: gate.error is missing: expected a normalised rms above 0 and below "
+                "1, without unit"},
+        Mistake{"CostOfAnErrorInPerCent",
+                {of_amplitude, of_cost + "limit = 20\nerror = 10"},
+                "trial.toml:60: gate.error = 10: expected a normalised rms above 0 and below 1, "
+                "without unit"},
+        Mistake{"CostOfAnErrorThatIsNotAboveZero",
+                {of_amplitude, of_cost + "limit = 20\nerror = 0"},
+                "trial.toml:60: gate.error = 0: expected a normalised rms above 0"},
+        Mistake{"CostBoundedFromBelow",
+                {of_amplitude, of_cost + "lower = 1\nupper = 2\nerror = 0.1"},
+                "trial.toml:52: gate = a row on cost_to_reach: expected limit: cheaper is better"},
+        Mistake{"CostInAnotherUnit",
+                {of_amplitude,
+                 "mode = \"whole\"\nmetric = \"cost_to_reach\"\nunit = \"h\"\n"
+                 "limit = 20\nerror = 0.1"},
+                "trial.toml:58: gate.unit = \"h\": expected the unit of cost_to_reach, which is s"},
+        Mistake{
+            "CostOfAMode",
+            {"metric = \"amplitude_error\"\nunit = \"1\"",
+             "metric = \"cost_to_reach\"\nunit = \"s\"\nerror = 0.1"},
+            "trial.toml:56: gate.mode = \"forced\": expected what cost_to_reach is measured on"},
         Mistake{"ReferenceOfItsOwnSeries",
                 {"amplitude_error", "largest_magnitude"},
                 "trial.toml:54: gate.reference = \"theory\": expected no reference: "

@@ -141,6 +141,19 @@ TEST(CaseParser, ReadsAGateRowOnARunsOwnSeries) {
   EXPECT_EQ(row.unit, "m2");
 }
 
+TEST(CaseParser, ReadsAGateRowOnWhatAnErrorCosts) {
+  const auto definition =
+      read_text(edited({"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\n"
+                        "limit = 0.05",
+                        "mode = \"whole\"\nmetric = \"cost_to_reach\"\nunit = \"s\"\n"
+                        "error = 0.1\nlimit = 20"}));
+  const GateRow& row = definition.gate.at(0);
+  EXPECT_EQ(row.metric, Metric::cost_to_reach);
+  EXPECT_EQ(row.error, 0.1);
+  EXPECT_EQ(row.limit, 20);
+  EXPECT_FALSE(read_text(valid_text).gate.at(0).error);
+}
+
 TEST(CaseParser, ReadsATankThatStands) {
   std::string text = edited({sine_surge, "[motion]\nstill = true\n"});
   text = text.substr(0, text.find("[[gate]]"));

@@ -445,6 +445,66 @@ TEST_F(GateOnOwnSeries, FailsWithItsSolver) {
   EXPECT_EQ(outcome.verdict, Verdict::solver_failed);
 }
 
+class GateOnCost : public ::testing::Test {
+ protected:
+  GateOnCost() { row.error = 0.1; }
+
+  GateOutcome judge(const CostAtError& found) const {
+    return judge_by([&](const GateRow&) { return found; });
+  }
+  GateOutcome judge_by(const MeasureCost& cost) const {
+    return evaluate(row, all_finished(), {{}, no_series, {}, {}, cost});
+  }
+  static CostAtError costs(double value, double spread) {
+    return {Reach::between, value, spread, 0.8, {}, {}};
+  }
+
+  GateRow row = row_of(Metric::cost_to_reach, "whole", "s", 20);
+};
+
+TEST_F(GateOnCost, PassesACostBelowItsLimitAndFailsOneThatIsScaledAboveIt) {
+  const GateOutcome cheap = judge(costs(15, 0.1));
+  EXPECT_EQ(cheap.verdict, Verdict::pass);
+  EXPECT_EQ(cheap.message, "15 s +- 1.58 s <= 20 s");  // 15 (e^0.1 - 1)
+  EXPECT_EQ(judge(costs(18.5, 0.1)).verdict, Verdict::inconclusive);
+  const GateOutcome dear = judge(costs(1.5 * 15, 0.1));
+  EXPECT_EQ(dear.verdict, Verdict::violated);
+  EXPECT_EQ(dear.message, "22.5 s +- 2.37 s is not <= 20 s");
+}
+
+TEST_F(GateOnCost, FailsAnErrorThatIsNeverReachedAndSaysHowFarItGot) {
+  CostAtError found{Reach::not_at_all, nan, nan, nan, {}, {}};
+  found.most_exact = WorkPoint{"sph", 1, {85, 1}, {0.057, 0}};
+  row.error = 0.05;
+  const GateOutcome outcome = judge(found);
+  EXPECT_EQ(outcome.verdict, Verdict::violated);
+  EXPECT_TRUE(std::isnan(outcome.value.value));
+  EXPECT_EQ(outcome.message, "not reached (5.7 % at 85 s) is not <= 20 s");
+  found.most_exact.reset();
+  EXPECT_EQ(judge(found).verdict, Verdict::violated);
+}
+
+TEST_F(GateOnCost, PassesNoCostThatIsNoNumberOrWhoseSpreadIsNone) {
+  EXPECT_EQ(judge(costs(nan, 0.1)).verdict, Verdict::violated);
+  EXPECT_EQ(judge(costs(1, nan)).verdict, Verdict::inconclusive);
+}
+
+TEST_F(GateOnCost, IsNotComparedWithoutTimingsAndLeftOutWithItsRuns) {
+  const GateOutcome untimed =
+      judge_by([](const GateRow&) -> CostAtError { throw ComparisonError("not timed"); });
+  EXPECT_EQ(untimed.verdict, Verdict::not_compared);
+  EXPECT_EQ(untimed.message, "not timed");
+  const GateOutcome left_out =
+      judge_by([](const GateRow&) -> CostAtError { throw NotSelectedError("finer runs"); });
+  EXPECT_EQ(left_out.verdict, Verdict::not_selected);
+}
+
+TEST_F(GateOnCost, IsNamedByItsError) {
+  EXPECT_EQ(row_name(row), "sph against linear, whole cost_to_reach 10 % of elevation@right");
+  row.unit = "h";
+  EXPECT_EQ(judge(costs(1, 0)).verdict, Verdict::not_compared);
+}
+
 GateOutcome outcome_of(Verdict verdict) { return {amplitude_row, verdict, {nan, nan}, ""}; }
 
 TEST(GateExitStatus, IsThatOfTheWorstOutcome) {

@@ -21,7 +21,7 @@ using Names = std::vector<std::string>;
 TEST(CaseFigures, AreThoseOfTheDataThatAreThere) {
   EXPECT_EQ(ids(case_figures(assess(surge_case(), surge_runs()))),
             (Names{"small_surge-history", "small_surge-residual", "small_surge-spectrum",
-                   "small_surge-cost"}));
+                   "small_surge-cost", "small_surge-memory"}));
 }
 
 TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecord) {

@@ -1,0 +1,178 @@
+#include "verification/campaign/work_points.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+#include "verification/campaign/case_evidence.hpp"
+#include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/figure_runs.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/metrics/sample_moments.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+double core_seconds(const RunCost& cost) { return cost.user_time + cost.system_time; }
+
+Estimate mean_with_interval(const std::vector<double>& values) {
+  const double n = static_cast<double>(values.size());
+  if (values.size() < 2) return {mean(values), no_number};
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  return {mean(values), t * rms(without_mean(values)) / std::sqrt(n - 1)};
+}
+
+WorkRun work_run(const RunDefinition& run, const CaseRuns& runs, const Estimate& error) {
+  return {run.name, resolution(run), cost_of(runs, run.name), error};
+}
+
+void sort_by_resolution(WorkFamily& family) {
+  std::stable_sort(family.runs.begin(), family.runs.end(),
+                   [](const WorkRun& a, const WorkRun& b) { return a.resolution < b.resolution; });
+}
+
+std::vector<WorkPoint> points_of(const WorkFamily& family, Estimate MeasuredCost::*cost) {
+  std::vector<WorkPoint> points;
+  for (const WorkRun& run : family.runs)
+    points.push_back({run.run, run.resolution, run.cost.*cost, run.error});
+  return points;
+}
+
+// Of the liquid alone: what sets a theory with the gas apart from one without it is no error.
+bool is_theory(const RunDefinition& run) {
+  const LinearRun* linear = std::get_if<LinearRun>(&run.solver);
+  return (linear && !linear->two_layer) || std::holds_alternative<ViscousWaveRun>(run.solver) ||
+         std::holds_alternative<PotentialRun>(run.solver);
+}
+
+std::vector<const RunDefinition*> references_in_range(const CaseAssessment& assessment) {
+  std::vector<const RunDefinition*> found;
+  for (const RunDefinition& run : assessment.definition.runs)
+    if (is_theory(run) && assessment.runs.results.contains(run.name) &&
+        assessment.runs.status.at(run.name).state == RunState::finished)
+      found.push_back(&run);
+  return found;
+}
+
+// Of the candidate's family those that `comparison` can compare; of the candidate it must.
+WorkFamily family_of_row(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
+                         const FindComparison& comparison) {
+  const std::string name = work_family(run_named(definition, row.candidate));
+  WorkFamily family{name, row.reference, false, {}};
+  for (const RunDefinition& run : definition.runs) {
+    if (work_family(run) != name || !runs.results.contains(run.name)) continue;
+    try {
+      family.runs.push_back(
+          work_run(run, runs, comparison(run.name, row.reference, row.quantity).normalised_rms));
+    } catch (const std::runtime_error&) {  // ComparisonError and ResultError: no error to count
+      if (run.name == row.candidate) throw;
+    }
+  }
+  sort_by_resolution(family);
+  return family;
+}
+
+void require_all_runs(const CaseDefinition& definition, const CaseRuns& runs,
+                      const WorkFamily& family) {
+  for (const RunDefinition& run : definition.runs)
+    if (work_family(run) == family.name && runs.status.at(run.name).state == RunState::not_selected)
+      throw NotSelectedError(fmt::format(
+          "not reached, but the run {} is not part of this form of the campaign", run.name));
+}
+
+void require_timings(const WorkFamily& family, const CostAtError& found) {
+  std::vector<std::string> lacking;
+  for (const WorkRun& run : family.runs)
+    if (!run.cost.has_interval() &&
+        std::find(found.rests_on.begin(), found.rests_on.end(), run.run) != found.rests_on.end())
+      lacking.push_back(run.run);
+  if (!lacking.empty())
+    throw ComparisonError(fmt::format(
+        "{} {} not timed twice or more on a core of {} own: run the campaign with timings",
+        fmt::join(lacking, " and "), lacking.size() == 1 ? "was" : "were",
+        lacking.size() == 1 ? "its" : "their"));
+}
+
+}  // namespace
+
+MeasuredCost cost_of(const CaseRuns& runs, const std::string& run) {
+  const auto timed = runs.timings.find(run);
+  if (timed == runs.timings.end() || timed->second.empty()) {
+    const RunCost& beside_others = runs.results.at(run).cost;
+    return {{core_seconds(beside_others), no_number}, {beside_others.peak_memory, no_number}, 0};
+  }
+  std::vector<double> times, memories;
+  for (const RunCost& one : timed->second) {
+    times.push_back(core_seconds(one));
+    memories.push_back(one.peak_memory);
+  }
+  return {mean_with_interval(times), mean_with_interval(memories), times.size()};
+}
+
+std::string work_family(const RunDefinition& run) {
+  return is_changed(run) ? family(run) + ", " + changes_of(std::get<SphRun>(run.solver))
+                         : family(run);
+}
+
+std::vector<WorkFamily> work_families(const CaseAssessment& assessment) {
+  std::vector<WorkFamily> families;
+  for (const Comparison* judging : judging_comparisons(assessment)) {
+    const RunDefinition& run = run_named(assessment.definition, judging->candidate);
+    const std::string name = work_family(run);
+    auto family = std::find_if(families.begin(), families.end(), [&](const WorkFamily& one) {
+      return one.name == name && one.reference == judging->reference;
+    });
+    if (family == families.end())
+      family = families.insert(family, {name, judging->reference, is_changed(run), {}});
+    family->runs.push_back(work_run(run, assessment.runs, judging->normalised_rms));
+  }
+  for (WorkFamily& family : families) sort_by_resolution(family);
+  return families;
+}
+
+std::vector<WorkFamily> reference_families(const CaseAssessment& assessment) {
+  const std::string quantity = compared_quantities(assessment.definition).front();
+  const auto references = references_in_range(assessment);
+  CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
+  std::vector<WorkFamily> families;
+  for (const RunDefinition* run : references) {
+    const auto other = std::find_if(references.begin(), references.end(),
+                                    [&](const RunDefinition* one) { return one != run; });
+    if (other == references.end()) continue;
+    try {
+      const Comparison& apart = evidence.comparison(run->name, (*other)->name, quantity);
+      families.push_back({run->name,
+                          (*other)->name,
+                          false,
+                          {work_run(*run, assessment.runs, apart.normalised_rms)}});
+    } catch (const std::runtime_error&) {  // ComparisonError and ResultError: nothing to show
+      continue;
+    }
+  }
+  return families;
+}
+
+std::vector<WorkPoint> by_core_seconds(const WorkFamily& family) {
+  return points_of(family, &MeasuredCost::core_seconds);
+}
+
+std::vector<WorkPoint> by_memory(const WorkFamily& family) {
+  return points_of(family, &MeasuredCost::memory);
+}
+
+CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,
+                          const GateRow& row, const FindComparison& comparison) {
+  const WorkFamily family = family_of_row(definition, runs, row, comparison);
+  const CostAtError found = cost_at_error(by_core_seconds(family), row.error.value());
+  if (found.reach == Reach::not_at_all) require_all_runs(definition, runs, family);
+  require_timings(family, found);
+  return found;
+}
+
+}  // namespace slosh

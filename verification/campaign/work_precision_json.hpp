@@ -1,0 +1,16 @@
+// Error against cost of a case as JSON: families[] with runs[], slopes, and what the told errors
+// cost.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "verification/campaign/case_assessment.hpp"
+
+namespace slosh {
+
+// What the repeats of a run took that had a core for themselves, in the order they were made.
+nlohmann::ordered_json timings_json(const CaseRuns& runs, const std::string& run);
+
+nlohmann::ordered_json work_precision_json(const CaseAssessment& assessment);
+
+}  // namespace slosh
