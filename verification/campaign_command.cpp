@@ -34,18 +34,20 @@ void print(const CaseAssessment& assessment) {
       std::cerr << fmt::format("{}/{}: {}: {}\n", assessment.definition.name, run,
                                state_name(status.state), status.message);
   for (const GateOutcome& outcome : assessment.gate)
-    std::cout << gate_line(assessment, outcome) << "\n";
+    if (outcome.verdict != Verdict::not_selected)
+      std::cout << gate_line(assessment, outcome) << "\n";
 }
 
 void print(const ProblemAssessment& assessment) {
-  if (!assessment.run.result)
+  if (!assessment.run.result && assessment.run.status.state != RunState::not_selected)
     std::cerr << fmt::format("{}: {}: {}\n", assessment.definition.name,
                              state_name(assessment.run.status.state),
                              assessment.run.status.message);
   for (const ProblemGateOutcome& outcome : assessment.gate)
-    std::cout << fmt::format("{:<14} {} {} {}: {}\n", verdict_name(outcome.verdict),
-                             assessment.definition.name, metric_name(outcome.row.metric),
-                             outcome.row.measure, outcome.message);
+    if (outcome.verdict != Verdict::not_selected)
+      std::cout << fmt::format("{:<14} {} {} {}: {}\n", verdict_name(outcome.verdict),
+                               assessment.definition.name, metric_name(outcome.row.metric),
+                               outcome.row.measure, outcome.message);
 }
 
 void require_window(const CaseDefinition& definition) try {
@@ -86,7 +88,15 @@ int ended(const AssessedCampaign& assessed, const CampaignOptions& options) {
   return status == exit_inconclusive ? options.inconclusive_exit : status;
 }
 
-std::string form_of(const CampaignOptions& options) { return options.quick ? "-quick" : ""; }
+std::string form_of(const CampaignOptions& options) {
+  return options.selection.quick ? "-quick" : "";
+}
+
+std::vector<std::string> names_of(const std::vector<ProblemDefinition>& problems) {
+  std::vector<std::string> names;
+  for (const ProblemDefinition& one : problems) names.push_back(one.name);
+  return names;
+}
 
 }  // namespace
 
@@ -100,6 +110,7 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
       .problems = {}};
   const fs::path experiments = whole(options.experiments);
   const std::vector<CaseDefinition> cases = read_cases(assessed.definition, experiments);
+  require_matches(options.selection, {cases, names_of(assessed.definition.problems)});
   assessed.output =
       fs::absolute(options.output.empty() ? installation.build / "campaigns" /
                                                 (assessed.definition.name + form_of(options))
@@ -110,9 +121,13 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
                                   installation.problem_build,
                                   installation.openfoam_templates,
                                   experiments,
-                                  options.quick,
+                                  options.selection,
                                   options.solve,
                                   options.at_once};
+  if (options.selection.is_partial()) {
+    assessed.definition.title += " (" + selection_text(options.selection) + ")";
+    assessed.output /= "selected";
+  }
   std::vector<ProblemRun> problem_runs = run_problems(assessed.definition.problems, settings, stop);
   std::vector<CaseRuns> runs = run_cases(cases, settings, stop);
   for (std::size_t i = 0; i < cases.size(); ++i)
@@ -136,10 +151,10 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   print(assessed);
   const std::string command = fmt::format(
       "./slosh campaign {}{}{}", name_or_path(assessed.definition.file, installation.campaigns),
-      options.quick ? " --quick" : "", experiments_option(whole(options.experiments)));
+      selection_options(options.selection), experiments_option(whole(options.experiments)));
   const fs::path report = assessed.output / "report";
-  reports::write_report(campaign_report(assessed.definition, options.quick, command, assessed.cases,
-                                        assessed.problems),
+  reports::write_report(campaign_report(assessed.definition, options.selection.quick, command,
+                                        assessed.cases, assessed.problems),
                         report);
   std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
             << verdict_sentence(assessed.cases, assessed.problems)

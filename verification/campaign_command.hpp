@@ -17,8 +17,8 @@ namespace slosh {
 
 struct CampaignOptions {
   std::string campaign;
-  bool quick = false;
-  bool solve = true;  // false: only what is there is read
+  RunSelection selection = {};  // quick, and what the user names
+  bool solve = true;            // false: only what is there is read
   int at_once = 1;
   int inconclusive_exit = exit_inconclusive;  // where nothing is worse than inconclusive
   std::filesystem::path experiments;          // empty: none is named
@@ -29,6 +29,8 @@ struct CampaignOptions {
 
 struct AssessedCampaign {
   CampaignDefinition definition;
+  // Of the report and the gate's files: <options.output>, of a selection its folder selected/, so
+  // that a part is never taken for the whole.
   std::filesystem::path output;
   std::vector<CaseAssessment> cases;
   std::vector<ProblemAssessment> problems;

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string_view>
 
+#include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/runs/progress_display.hpp"
 #include "verification/runs/run_case.hpp"
@@ -23,18 +23,6 @@ struct PendingRun {
   std::size_t case_index;
   const RunDefinition* run;
 };
-
-// Orders the queue, longest first, so that no long run is left alone at the end. Core-seconds per
-// simulated second as measured on two-core machines; only their order of size matters.
-double expected_cost(const CaseDefinition& definition, const RunDefinition& run) {
-  const double area = definition.liquid.column_width.value_or(definition.tank.length) *
-                      definition.liquid.fill_depth;
-  if (const auto* sph = std::get_if<SphRun>(&run.solver))
-    return definition.duration * 2e-6 * area / std::pow(sph->particle_spacing, 3);
-  if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
-    return definition.duration * 5e-4 * mesh->cells_x * mesh->cells_z;
-  return 0;
-}
 
 // Enters the result under the run's name. Throws ResultError where there is none that fits: what a
 // solver could compute must be of this very build, what is only read must be of this case and run.
@@ -78,7 +66,7 @@ std::vector<PendingRun> take_stock(const std::vector<CaseDefinition>& cases,
   for (std::size_t c = 0; c < cases.size(); ++c)
     for (const RunDefinition& run : cases[c].runs) {
       RunStatus& status = outcome[c].status[run.name];
-      if (settings.quick && !run.quick) {
+      if (!is_selected(settings.selection, cases[c], run)) {
         status = {RunState::not_selected, ""};
         continue;
       }

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 ProblemRun finished_run(const ProblemDefinition& problem, const CampaignSettings& settings) {
   const fs::path file = problem_file(settings, problem);
   ProblemResult result = read_problem_result(file);
-  const std::string key = problem_key(problem.name, settings.quick, settings.problem_build);
+  const std::string key =
+      problem_key(problem.name, settings.selection.quick, settings.problem_build);
   const RunStatus status = status_of({file, result.key, key}, "form of the problem", settings);
   return {status, std::move(result)};
 }
@@ -28,7 +29,7 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
   job.log_file = log;
   job.command = {settings.executable.string(), "problem", problem.name, "--output",
                  result.string()};
-  if (settings.quick) job.command.push_back("--quick");
+  if (settings.selection.quick) job.command.push_back("--quick");
   return job;
 }
 
@@ -55,6 +56,10 @@ std::vector<ProblemRun> run_problems(const std::vector<ProblemDefinition>& probl
   std::vector<ProblemRun> runs;
   std::vector<std::size_t> pending;
   for (const ProblemDefinition& problem : problems) try {
+      if (!names_problem(settings.selection, problem.name)) {
+        runs.push_back({{RunState::not_selected, ""}, {}});
+        continue;
+      }
       runs.push_back(finished_run(problem, settings));
       if (!runs.back().status.message.empty())
         std::cerr << problem.name << " was " << runs.back().status.message << '\n';

@@ -66,7 +66,7 @@ TEST_F(Tool, EndsWithFourWhereNothingWasCompared) {
   write_campaign(particles_case);
   const Ended run = tool({"campaign", "./surges.toml", "--quick", "--output", "out"});
   EXPECT_EQ(run.status, 4) << run.err;
-  EXPECT_TRUE(holds(run.out, "FAIL: 0 of 0 gate rows hold, 1 left out of this quick form."));
+  EXPECT_TRUE(holds(run.out, "FAIL: 0 of 0 gate rows hold, 1 not selected."));
   EXPECT_FALSE(fs::exists(result("particles")));
 }
 
