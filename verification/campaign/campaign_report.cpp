@@ -98,6 +98,13 @@ Section case_section(const CaseAssessment& assessment) {
   return section;
 }
 
+bool has_selected_runs(const CaseAssessment& assessment) {
+  const auto& status = assessment.runs.status;
+  return std::any_of(status.begin(), status.end(), [](const auto& of_run) {
+    return of_run.second.state != RunState::not_selected;
+  });
+}
+
 }  // namespace
 
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
@@ -147,8 +154,11 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
        {fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)},
        {std::move(gate)},
        {}});
-  for (const CaseAssessment& one : cases) report.sections.push_back(case_section(one));
-  for (const ProblemAssessment& one : problems) report.sections.push_back(problem_section(one));
+  for (const CaseAssessment& one : cases)
+    if (has_selected_runs(one)) report.sections.push_back(case_section(one));
+  for (const ProblemAssessment& one : problems)
+    if (one.run.status.state != RunState::not_selected)
+      report.sections.push_back(problem_section(one));
   if (auto walls = wall_treatment_section(cases)) report.sections.push_back(std::move(*walls));
   if (campaign.paper == "li2010") report.sections.push_back(li2010_section(cases));
   if (campaign.paper == "zhao2021") report.sections.push_back(zhao2021_section(cases));

@@ -34,7 +34,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 }
 
 std::string entry(const std::string& label, const std::string& text) {
-  constexpr std::size_t indent = 13;
+  constexpr std::size_t indent = 15;
   std::string lines = wrapped(text, indent);
   return lines.replace(2, label.size(), label);
 }
@@ -95,18 +95,22 @@ std::string solved(const CaseDefinition& definition) {
 std::string number_of_elements(const RunDefinition& run, const KnownRun& known) {
   if (known.start) return fmt::format(", {} particles", known.start->particles);
   if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
-    return fmt::format(", {} cells", static_cast<long>(mesh->cells_x) * mesh->cells_z);
+    return fmt::format(" ({})", static_cast<long>(mesh->cells_x) * mesh->cells_z);
   return "";
+}
+
+// Two digits, or whole seconds.
+std::string seconds_text(double seconds) {
+  return seconds < 10 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.0f}", seconds);
 }
 
 std::string cost_text(const CaseDefinition& definition, const RunDefinition& run,
                       const KnownRun& known) {
   const double expected = expected_cost(definition, run);
-  std::string text = expected > 0 ? fmt::format("{:.2g} core-seconds expected", expected)
-                                  : "next to nothing expected";
-  if (known.measured)
-    text +=
-        fmt::format(", {:.3g} measured", known.measured->user_time + known.measured->system_time);
+  std::string text =
+      expected > 0 ? seconds_text(expected) + " core-seconds expected" : "next to nothing expected";
+  if (const auto& cost = known.measured)
+    text += fmt::format(", {} measured", seconds_text(cost->user_time + cost->system_time));
   return text;
 }
 

@@ -16,36 +16,38 @@ namespace slosh {
 namespace {
 
 constexpr const char* bash_script =
-    R"(# slosh, completion for bash: eval "$(./slosh completion bash)" _slosh() {
-  local word COMPREPLY = () while IFS = $ '\t' read - r word _;
-  do
-    COMPREPLY +=
-        ("$word")done < < (TOOL complete-- "${COMP_WORDS[@]:1:COMP_CWORD}" 2 > / dev / null)
+    R"END(# slosh, completion for bash: eval "$(./slosh completion bash)"
+_slosh() {
+  local word
+  COMPREPLY=()
+  while IFS=$'\t' read -r word _; do
+    COMPREPLY+=("$word")
+  done < <(TOOL complete -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null)
 }
 complete -o default -F _slosh slosh
-)";
+)END";
 
-constexpr const char* zsh_script = R"(#compdef slosh
+constexpr const char* zsh_script = R"END(#compdef slosh
 # slosh, completion for zsh: eval "$(./slosh completion zsh)"
 _slosh() {
-  local - a found local word text while IFS = $ '\t' read - r word text;
-  do
-    found += ("${word//:/\\:}:$text")done < <
-             (TOOL complete-- "${(@)words[2,CURRENT]}" 2 > / dev / null) if (($ #found));
-  then _describe slosh found;
-  else _files;
-  fi
+  local -a found
+  local word text
+  while IFS=$'\t' read -r word text; do
+    found+=("${word//:/\\:}:$text")
+  done < <(TOOL complete -- "${(@)words[2,CURRENT]}" 2>/dev/null)
+  if (( $#found )); then _describe slosh found; else _files; fi
 }
 compdef _slosh slosh
-)";
+)END";
 
-constexpr const char* fish_script = R"(# slosh, completion for fish: ./slosh completion fish | source
+constexpr const char* fish_script =
+    R"END(# slosh, completion for fish: ./slosh completion fish | source
 function __slosh_complete
   set -l words (commandline -opc) (commandline -ct)
   TOOL complete -- $words[2..-1] 2>/dev/null
 end
 complete -c slosh -a '(__slosh_complete)'
-)";
+)END";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
