@@ -47,12 +47,11 @@ std::optional<double> order_half_width(const std::vector<ValueAtStep>& values) {
   return std::sqrt(squares);
 }
 
-std::vector<ConvergedMetric> converged_metrics(const CaseAssessment& assessment,
-                                               const ConvergenceQuestion& question) {
+Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQuestion& question) {
   CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
   const GateEvidence given = evidence.gate_evidence();
   const MeasureRow measure = [&](const GateRow& row) { return measured(row, given); };
-  std::vector<ConvergedMetric> found;
+  Convergence found;
   for (const auto& [mode, metric] : metrics_of(assessment.definition, question.quantity)) {
     GateRow row{};
     row.candidate = question.finest;
@@ -61,12 +60,14 @@ std::vector<ConvergedMetric> converged_metrics(const CaseAssessment& assessment,
     row.mode = mode;
     row.metric = metric;
     row.unit = metric_unit(metric, unit_of(question.quantity));
-    for (RefinedMetric& refined :
-         refined_metrics(assessment.definition, assessment.runs, row, Role::candidate, measure)) {
-      if (refined.values.size() < 3) continue;  // no order
-      const std::optional<double> half_width = order_half_width(refined.values);
-      found.push_back({row, std::move(refined), half_width});
+    std::vector<RefinedMetric> refined =
+        refined_metrics(assessment.definition, assessment.runs, row, Role::candidate, measure);
+    if (refined.empty() || refined.front().values.size() < 3) {
+      found.not_measured.push_back(mode + " " + metric_name(metric));
+      continue;
     }
+    const std::optional<double> half_width = order_half_width(refined.front().values);
+    found.metrics.push_back({row, std::move(refined.front()), half_width});
   }
   return found;
 }

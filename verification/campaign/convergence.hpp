@@ -28,10 +28,13 @@ struct ConvergenceQuestion {
   std::string finest, reference, quantity;
 };
 
-// Of every metric that three runs or more of the case's refinement have: the forced mode's
-// amplitude and phase, the natural modes' frequency and decay, and the whole window's residual.
-// None where nothing can be compared.
-std::vector<ConvergedMetric> converged_metrics(const CaseAssessment& assessment,
-                                               const ConvergenceQuestion& question);
+struct Convergence {
+  std::vector<ConvergedMetric> metrics;
+  std::vector<std::string> not_measured;  // those that fewer than three runs have
+};
+
+// Of the forced mode amplitude and phase, of the natural modes frequency and decay, of the whole
+// window the residual.
+Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQuestion& question);
 
 }  // namespace slosh

@@ -83,7 +83,7 @@ std::vector<Completion> candidates(const Place& place, const std::string& begun,
   if (begun.starts_with("-")) return options_of(*place.app);
   std::vector<Completion> found;
   for (const CLI::App* one : subcommands(*place.app))
-    found.push_back({one->get_name(), one->get_description()});
+    if (place.positionals.empty()) found.push_back({one->get_name(), one->get_description()});
   if (const CLI::Option* positional = next_positional(place))
     for (Completion& one : values_of(*positional, place.positionals, known_names))
       found.push_back(std::move(one));

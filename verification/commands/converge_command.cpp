@@ -4,17 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "verification/campaign/campaign_run.hpp"
-#include "verification/campaign/convergence.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/commands/command_tree.hpp"
+#include "verification/commands/convergence_text.hpp"
 #include "verification/named_paths.hpp"
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/run_case.hpp"
@@ -23,7 +21,6 @@ namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 struct ConvergeOptions {
   std::string case_name, quantity;
@@ -75,97 +72,13 @@ CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& s
   return made;
 }
 
-std::string plus_minus(double value, double half_width, const std::string& unit) {
-  const double scale = unit == "1" ? 100 : 1;
-  return fmt::format("{:.3g} ± {:.2g} {}", scale * value, scale * half_width,
-                     unit == "1" ? "%" : unit);
-}
-
-std::string order_text(const ConvergedMetric& metric) {
-  const auto& order = metric.refined.found.order;
-  if (!order) return "no order";
-  return fmt::format("order {:.2f} {}", *order,
-                     metric.order_half_width ? fmt::format("± {:.2f}", *metric.order_half_width)
-                                             : "(which the values' intervals leave open)");
-}
-
-void print_text(const std::vector<ConvergedMetric>& metrics) {
-  for (const ConvergedMetric& metric : metrics) {
-    const GateRow& row = metric.row;
-    const DiscretisationUncertainty& found = metric.refined.found;
-    std::cout << fmt::format("\n{} {} of {}\n", row.mode, metric_name(row.metric), row.quantity);
-    for (const ValueAtStep& one : metric.refined.values)
-      std::cout << fmt::format("  {:>8.4g} mm   {}\n", 1000 * one.step,
-                               plus_minus(one.value, one.noise, row.unit));
-    std::cout << fmt::format("  {}, {}; at no spacing {}; uncertainty of the finest {}\n",
-                             behaviour_name(found.behaviour), order_text(metric),
-                             in_unit(found.extrapolated, row.unit),
-                             in_unit(found.uncertainty, row.unit));
-    std::cout << "  " << found.explanation << "\n";
-  }
-}
-
-ordered_json number_or_null(const std::optional<double>& number) {
-  return number ? ordered_json(*number) : ordered_json(nullptr);
-}
-
-ordered_json json_of(const ConvergedMetric& metric) {
-  const DiscretisationUncertainty& found = metric.refined.found;
-  ordered_json values = ordered_json::array();
-  for (std::size_t i = 0; i < metric.refined.values.size(); ++i)
-    values.push_back({{"run", metric.refined.runs[i]},
-                      {"particle_spacing_m", metric.refined.values[i].step},
-                      {"value", metric.refined.values[i].value},
-                      {"half_width_95", metric.refined.values[i].noise}});
-  return {{"mode", metric.row.mode},
-          {"metric", metric_name(metric.row.metric)},
-          {"unit", metric.row.unit},
-          {"values", values},
-          {"behaviour", behaviour_name(found.behaviour)},
-          {"order", number_or_null(found.order)},
-          {"order_half_width_95", number_or_null(metric.order_half_width)},
-          {"extrapolated", found.extrapolated},
-          {"uncertainty_95", found.uncertainty},
-          {"explanation", found.explanation}};
-}
-
-struct Study {
-  CaseAssessment assessment;
-  ConvergenceQuestion question;
-  std::vector<ConvergedMetric> metrics;
-};
-
-void print_head(const Study& study) {
-  const CaseDefinition& definition = study.assessment.definition;
-  std::cout << fmt::format("{}: {} against {}\n", definition.name, study.question.quantity,
-                           study.question.reference);
-  for (const RunDefinition& run : definition.runs) {
-    const RunStatus& status = study.assessment.runs.status.at(run.name);
-    const auto result = study.assessment.runs.results.find(run.name);
-    std::cout << fmt::format("  {:<28} {}", run.name, state_name(status.state));
-    if (!status.message.empty()) std::cout << ": " << status.message;
-    if (result != study.assessment.runs.results.end())
-      std::cout << fmt::format(", {:.3g} core-seconds",
-                               result->second.cost.user_time + result->second.cost.system_time);
-    std::cout << "\n";
-  }
-}
-
-void print_json(const Study& study) {
-  ordered_json document{{"case", study.assessment.definition.name},
-                        {"case_file", study.assessment.definition.file.string()},
-                        {"quantity", study.question.quantity},
-                        {"reference", study.question.reference},
-                        {"metrics", ordered_json::array()}};
-  for (const ConvergedMetric& metric : study.metrics)
-    document["metrics"].push_back(json_of(metric));
-  std::cout << document.dump(2) << "\n";
-}
-
-int status_of(const Study& study) {
-  for (const auto& [run, status] : study.assessment.runs.status)
+// As of a campaign: a solver that failed, then a reference out of its range or nothing measured.
+int status_of(const ConvergenceStudy& study) {
+  const auto& states = study.assessment.runs.status;
+  for (const auto& [run, status] : states)
     if (status.state == RunState::failed) return exit_solver_failed;
-  return study.metrics.empty() ? exit_not_compared : exit_pass;
+  const bool may_judge = states.at(study.question.reference).state == RunState::finished;
+  return may_judge && !study.found.metrics.empty() ? exit_pass : exit_not_compared;
 }
 
 int converge(const ConvergeOptions& options, const CommandTree& tree) {
@@ -192,16 +105,11 @@ int converge(const ConvergeOptions& options, const CommandTree& tree) {
                             experiments};
   settings.at_once = options.at_once;
   const double finest = *std::min_element(study.spacings.begin(), study.spacings.end());
-  Study done{assess(made, run_cases({made}, settings, tree.stop).front()),
-             {study_run_name(study, finest), study.reference, quantity},
-             {}};
-  done.metrics = converged_metrics(done.assessment, done.question);
-  if (options.as_json) {
-    print_json(done);
-  } else {
-    print_head(done);
-    print_text(done.metrics);
-  }
+  ConvergenceStudy done{assess(made, run_cases({made}, settings, tree.stop).front()),
+                        {study_run_name(study, finest), study.reference, quantity},
+                        {}};
+  done.found = convergence_of(done.assessment, done.question);
+  std::cout << (options.as_json ? json_of(done) : text_of(done));
   return status_of(done);
 }
 
