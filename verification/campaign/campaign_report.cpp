@@ -61,7 +61,7 @@ Section case_section(const CaseAssessment& assessment) {
   section.id = definition.name;
   section.title = definition.title;
   section.paragraphs = {
-      fmt::format("{}. Tank {} m x {} m, {}; {}; {} s from rest in the {}'s frame. "
+      fmt::format("{}. Tank {} m x {} m, liquid {}; {}; {} s from rest in the {}'s frame. "
                   "Comparison from {} to {} s.",
                   definition.source, definition.tank.length, definition.tank.height,
                   liquid_text(definition), motion_text(definition), definition.duration,

@@ -74,7 +74,7 @@ std::string motion_text(const CaseDefinition& definition) {
 }
 
 std::string liquid_text(const CaseDefinition& definition) {
-  std::string text = fmt::format("liquid {} m deep", definition.liquid.fill_depth);
+  std::string text = fmt::format("{} m deep", definition.liquid.fill_depth);
   if (definition.liquid.column_width)
     text += fmt::format(" and {} m wide, about to break", *definition.liquid.column_width);
   if (const auto& wave = definition.initial_wave)

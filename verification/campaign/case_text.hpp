@@ -10,7 +10,7 @@ namespace slosh {
 // "surge X = 0.02 m sin(1.48346 rad/s t)", "at rest"
 std::string motion_text(const CaseDefinition& definition);
 
-// "liquid 0.35 m deep" and what sets its start or place apart, obstacles included
+// "0.35 m deep" and what sets its start or place apart, obstacles included
 std::string liquid_text(const CaseDefinition& definition);
 
 // "SPH `recommended`, spacing 10 mm", "interFoam, 50 x 50 cells", "published record of ..."

@@ -52,8 +52,8 @@ toml::table pattern_run(const toml::array& runs, const SpacingStudy& study,
 
 void name_whole_path(toml::table& table, const CaseDefinition& definition) {
   if (const auto file = table["file"].value<std::string>())
-    table.insert_or_assign("file",
-                           absolute(definition.file.parent_path() / *file).lexically_normal().string());
+    table.insert_or_assign(
+        "file", absolute(definition.file.parent_path() / *file).lexically_normal().string());
 }
 
 }  // namespace

@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "verification/tests/sample_case.hpp"
 
 namespace slosh {
 namespace {
 
+// However the lines are broken.
 bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  const std::regex spaces("\\s+");
+  return std::regex_replace(text, spaces, " ").find(part) != std::string::npos;
 }
 
 CaseDefinition tank() {
@@ -33,18 +37,18 @@ GateRow row_of(Metric metric, const std::string& unit) {
 
 TEST(CaseExplanation, SetsWhatWasMeasuredBesideWhatIsExpected) {
   const std::string expected = explanation(tank(), {});
-  EXPECT_TRUE(holds(expected, "spacing 10 mm: 1.4 core-seconds expected\n")) << expected;
+  EXPECT_TRUE(holds(expected, "spacing 10 mm: 1.4 core-seconds expected ")) << expected;
   KnownRun known;
   known.start = SphOutline{3500, {"a kernel", "a state"}};
   known.measured = RunCost{.user_time = 1.1, .system_time = 0.1};
   const std::string measured = explanation(tank(), {{"a_run", known}});
-  EXPECT_TRUE(holds(measured, "3500 particles: 1.4 core-seconds expected, 1.2\n      measured\n"))
+  EXPECT_TRUE(holds(measured, "3500 particles: 1.4 core-seconds expected, 1.2 measured "))
       << measured;
-  EXPECT_TRUE(holds(measured, "      terms: a kernel; a state\n"));
+  EXPECT_TRUE(holds(measured, " terms: a kernel; a state "));
 }
 
 TEST(CaseExplanation, SaysThatACaseWithoutRowsGatesNothing) {
-  EXPECT_TRUE(holds(explanation(tank(), {}), "What gates\n  nothing: the case is only shown\n"));
+  EXPECT_TRUE(holds(explanation(tank(), {}), "What gates nothing: the case is only shown"));
 }
 
 TEST(CaseExplanation, TellsEveryKindOfBound) {

@@ -63,8 +63,8 @@ TEST_F(Library, IsFoundBuiltAgainstAndRunByTheExample) {
       std::regex_match(printed, numbers,
                        std::regex("error of the forced amplitude: (-?[0-9.]+) \\+- ([0-9.]+) %\n")))
       << printed;
-  // As coarse a run as this is within 10 % of theory, and never exactly it.
-  EXPECT_LT(std::abs(std::stod(numbers[1])), 10);
+  // So coarse a run is within 5 % of theory (measured: 1.0 +- 1.4 %).
+  EXPECT_LT(std::abs(std::stod(numbers[1])), 5);
   EXPECT_GT(std::stod(numbers[2]), 0);
 }
 
