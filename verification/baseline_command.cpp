@@ -24,7 +24,7 @@ MovedRows moved_rows(CampaignOptions options, const Installation& installation) 
   const std::atomic<bool> never{false};
   const AssessedCampaign assessed = assess_campaign(options, installation, never);
   const fs::path ledger = ledger_of(options, assessed.definition, installation);
-  return {assessed.definition.name + (options.quick ? " (quick form)" : ""), ledger,
+  return {assessed.definition.name + (options.selection.quick ? " (quick form)" : ""), ledger,
           assessed.output / "baseline_proposal.json",
           movements(baseline_of(read_ledger(ledger)), assessed.cases)};
 }

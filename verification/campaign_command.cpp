@@ -30,7 +30,7 @@ void require_earlier_start(const CampaignSettings& settings) {
 AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& stop) {
   CampaignRuns runs =
       run_campaign_jobs(campaign.cases, campaign.definition.problems, campaign.settings, stop);
-  AssessedCampaign assessed{std::move(campaign.definition), campaign.settings.output, {}, {}};
+  AssessedCampaign assessed{std::move(campaign.definition), campaign.place, {}, {}};
   for (std::size_t i = 0; i < campaign.cases.size(); ++i)
     assessed.cases.push_back(assess(campaign.cases[i], std::move(runs.cases[i])));
   for (std::size_t i = 0; i < runs.problems.size(); ++i)
@@ -71,9 +71,9 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     std::cout << plan_text(campaign.cases, campaign.definition.problems, settings);
     return exit_pass;
   }
-  const fs::path page = settings.output / "report/index.html";
+  const fs::path place = campaign.place, page = place / "report/index.html";
   const std::vector<CaseDefinition> cases = campaign.cases;
-  if (const auto standing = read_standing(settings.output);
+  if (const auto standing = read_standing(place);
       standing && fs::exists(page) &&
       standing->fingerprint == fingerprint_of(campaign.definition, cases, settings)) {
     std::cout << standing->out;
@@ -85,17 +85,17 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   std::cout << rows;
   const std::string command = fmt::format(
       "./slosh campaign {}{}{}", name_or_path(assessed.definition.file, installation.campaigns),
-      options.quick ? " --quick" : "", experiments_option(settings.experiments));
-  reports::write_report(campaign_report(assessed.definition, options.quick, command, assessed.cases,
-                                        assessed.problems),
-                        settings.output / "report");
+      selection_options(options.selection), experiments_option(settings.experiments));
+  reports::write_report(campaign_report(assessed.definition, options.selection.quick, command,
+                                        assessed.cases, assessed.problems),
+                        place / "report");
   const int status = exit_status(assessed.cases, assessed.problems);
   const std::string verdict =
       fmt::format("{}: {}\nreport: {}\n", word_for(status),
                   verdict_sentence(assessed.cases, assessed.problems), page.string());
   std::cout << verdict;
   if (const auto fingerprint = fingerprint_of(assessed.definition, cases, settings))
-    write_standing({*fingerprint, status, rows + verdict}, settings.output);
+    write_standing({*fingerprint, status, rows + verdict}, place);
   return ended(status, options);
 }
 

@@ -18,8 +18,8 @@ namespace slosh {
 
 struct CampaignOptions {
   std::string campaign;
-  bool quick = false;
-  bool solve = true;  // false: only what is there is read
+  RunSelection selection = {};  // quick, and what the user names
+  bool solve = true;            // false: only what is there is read
   int at_once = 1;
   Engine engine = Engine::ninja;
   bool dry_run = false;                       // only tell what would be done
@@ -35,6 +35,8 @@ struct CampaignOptions {
 
 struct AssessedCampaign {
   CampaignDefinition definition;
+  // Of the report and the gate's files: <options.output>, of a selection its folder selected/, so
+  // that a part is never taken for the whole.
   std::filesystem::path output;
   std::vector<CaseAssessment> cases;
   std::vector<ProblemAssessment> problems;

@@ -76,10 +76,11 @@ std::string plan_text(const std::vector<CaseDefinition>& cases,
   Sums sums;
   std::string text, timings;
   for (const ProblemDefinition& problem : problems) {
-    const bool stands = standing_problem(problem, settings).result.has_value();
-    ++(stands ? sums.kept : sums.to_run);
-    text += stands ? fmt::format("kept     {}\n", problem.name)
-                   : line_of(job_for(problem, settings), sums);
+    const ProblemRun standing = standing_problem(problem, settings);
+    if (standing.result) text += fmt::format("kept     {}\n", problem.name);
+    const bool pending = standing.status.state == RunState::missing;
+    if (pending) text += line_of(job_for(problem, settings), sums);
+    ++(standing.result ? sums.kept : pending ? sums.to_run : sums.left_out);
   }
   for (const PlannedRun& planned : plan_runs(cases, settings)) {
     text += line_of(planned, settings, sums);

@@ -29,7 +29,7 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
                                           const CampaignSettings& settings) {
   json all{{"campaign", campaign.text},
-           {"quick", settings.quick},
+           {"selection", selection_options(settings.selection)},
            {"experiments", settings.experiments.string()},
            {"tool", stamp_of(settings.executable)},
            {"cases", json::array()},
@@ -44,8 +44,8 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
   }
   for (const ProblemDefinition& problem : campaign.problems) {
     const ProblemRun run = standing_problem(problem, settings);
-    if (!run.result) return std::nullopt;
-    all["results"].push_back({run.result->key, run.status.message});
+    if (run.status.state == RunState::missing) return std::nullopt;
+    all["results"].push_back({run.result ? run.result->key : "", run.status.message});
   }
   return content_hash(all.dump(-1, ' ', false, json::error_handler_t::replace));
 }

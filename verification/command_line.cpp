@@ -1,20 +1,16 @@
 #include "verification/command_line.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <vector>
 
-#include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/sweep.hpp"
 #include "verification/engine/run_job.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/named_paths.hpp"
-#include "verification/problems/problem.hpp"
 #include "verification/runs/progress_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -26,14 +22,6 @@ namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> definitions_in(const fs::path& directory) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(directory))
-    if (entry.path().extension() == ".toml") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 // The interval at which a run tells how far it is; the parent looks five times a second.
 constexpr auto progress_interval = std::chrono::milliseconds(200);
@@ -130,27 +118,6 @@ int run_one(const RunOptions& options, const Installation& installation) {
               << "\n";
   if (options.state_interval != 0)
     std::cout << "state: " << state_file(settings.work_directory, run.name).string() << "\n";
-  return exit_pass;
-}
-
-int list_definitions(const Installation& installation) {
-  std::cout << "campaigns:\n";
-  for (const fs::path& file : definitions_in(installation.campaigns)) {
-    const CampaignDefinition campaign = read_campaign(file, installation.cases, known_problems());
-    std::cout << fmt::format("  {:<36} {}\n", campaign.name, campaign.title);
-  }
-  std::cout << "cases:\n";
-  for (const fs::path& file : definitions_in(installation.cases)) {
-    const CaseDefinition definition = read_case(file);
-    std::cout << fmt::format("  {:<36} {}", definition.name, definition.title);
-    if (!definition.tags.empty())
-      std::cout << fmt::format(" [{}]", fmt::join(definition.tags, ", "));
-    std::cout << "\n";
-    for (const RunDefinition& run : definition.runs) std::cout << "      " << run.name << "\n";
-  }
-  std::cout << "problems:\n";
-  for (const Problem& problem : all_problems())
-    std::cout << fmt::format("  {:<36} {}\n", problem.name, problem.title);
   return exit_pass;
 }
 

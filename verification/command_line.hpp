@@ -1,5 +1,6 @@
-// The subcommands of the tool, but for those of campaign_command.hpp and baseline_command.hpp. Each
-// takes its parsed options and returns the exit status; they
+// Where the tool's data lies, and the subcommand run. The other subcommands stand in
+// campaign_command.hpp, baseline_command.hpp, ... and in commands/, which holds the options of all.
+// Each takes its parsed options and returns the exit status; they
 // throw CaseFileError, SolverError, ResultError and ReportError, which main.cpp turns into messages
 // and exit statuses.
 #pragma once
@@ -39,6 +40,5 @@ struct RunOptions {
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop);
 
 int run_one(const RunOptions& options, const Installation& installation);
-int list_definitions(const Installation& installation);
 
 }  // namespace slosh

@@ -2,29 +2,16 @@
 // exit statuses.
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <filesystem>
-#include <functional>
 #include <iostream>
-#include <map>
-#include <memory>
-#include <thread>
-#include <utility>
 
-#include "verification/baseline/baseline_ledger.hpp"
-#include "verification/baseline_command.hpp"
-#include "verification/campaign_command.hpp"
+#include "verification/campaign/campaign_run.hpp"
 #include "verification/case_file/case_file_error.hpp"
-#include "verification/command_line.hpp"
-#include "verification/compare_command.hpp"
+#include "verification/commands/command_tree.hpp"
 #include "verification/gate/gate.hpp"
-#include "verification/import/import_series.hpp"
-#include "verification/import_command.hpp"
-#include "verification/problem_command.hpp"
 #include "verification/runs/run_case.hpp"
-#include "verification/selftest_command.hpp"
 
 namespace {
 
@@ -47,321 +34,24 @@ slosh::Installation installation() {
           source / "build"};
 }
 
-constexpr const char* closing_words =
-    "The launcher ./slosh also knows: test (builds and runs the tests), doctor (what is "
-    "installed).\n"
-    "Exit status: 0 all gate rows hold; 1 a tolerance is violated; 2 usage or case-file error; 3 a "
-    "solver failed;\n"
-    "4 a reference is missing, a result is unusable or nothing was compared; 5 a row is "
-    "inconclusive; 130 interrupted.\n"
-    "Examples:\n"
-    "  ./slosh campaign small_amplitude --quick\n"
-    "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
-    "  ./slosh problem kernels --quick --output kernels.json";
-
-void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
-  command
-      .add_option("--experiments", experiments,
-                  "Directory of the experimental records that you have; without it the runs that "
-                  "need one are told as not supplied")
-      ->envname("SLOSH_EXPERIMENTS")
-      ->check(CLI::ExistingDirectory);
-}
-
-CLI::Option* add_store_option(CLI::App& command, std::filesystem::path& store,
-                              const char* description) {
-  return command.add_option("--store", store, description);
-}
-
-void add_campaign_options(CLI::App& command, slosh::CampaignOptions& options) {
-  command
-      .add_option("name", options.campaign,
-                  "A campaign of `slosh list`, or the path of a campaign file")
-      ->required();
-  command.add_flag("--quick", options.quick, "Only the runs that the cases mark as quick");
-  command.add_option(
-      "-o,--output", options.output,
-      "Directory of the results and the report (default: build/campaigns/NAME, with -quick "
-      "after the NAME of a quick form)");
-  add_experiments_option(command, options.experiments);
-  add_store_option(command, options.store,
-                   "Directory of the results, which campaigns share "
-                   "(default: build/store)")
-      ->envname("SLOSH_STORE");
-}
-
-void add_inconclusive_option(CLI::App& command, slosh::CampaignOptions& options) {
-  command
-      .add_option("--inconclusive-exit", options.inconclusive_exit,
-                  "Exit status where rows are inconclusive and nothing is worse (default: 5)")
-      ->check(CLI::Range(0, 125));
-}
-
-void add_ledger_option(CLI::App& command, slosh::CampaignOptions& options) {
-  command.add_option("--ledger", options.ledger,
-                     "The baselines' ledger (default: verification/baselines/NAME.jsonl, with "
-                     "-quick after the NAME of a quick form)");
-}
-
-void add_jobs_option(CLI::App& command, slosh::CampaignOptions& options) {
-  command.add_option("-j,--jobs", options.at_once, "Runs side by side (default: one a core)")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option("--launcher", options.engine,
-                  "What runs them: ninja, on this machine (default), or slurm, on a cluster")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, slosh::Engine>{{"ninja", slosh::Engine::ninja},
-                                               {"slurm", slosh::Engine::slurm}},
-          CLI::ignore_case));
-  command
-      .add_option("--timings", options.timings,
-                  "Repeats of each run, alone, for its timings (default: what the campaign says)")
-      ->check(CLI::NonNegativeNumber);
-}
-
-void add_start_options(CLI::App& command, slosh::CampaignOptions& options) {
-  command.add_flag("--dry-run", options.dry_run,
-                   "Only tell what would be run, what that costs and what is kept");
-  command.add_flag("--resume", options.resume,
-                   "Go on from an earlier start, which there must have been");
-}
-
-void add_run_options(CLI::App& command, slosh::RunOptions& options) {
-  command
-      .add_option("case", options.case_name, "A case of `slosh list`, or the path of a case file")
-      ->required();
-  command.add_option("run", options.run, "The run's name in the case")->required();
-  command.add_option("-o,--output", options.output, "Result file (default: RUN.h5)");
-  command
-      .add_option(
-          "--snapshots", options.snapshot_interval,
-          "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of the "
-          "case's sample_interval_s")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option("--states", options.state_interval,
-                  "Interval at which the state of an SPH run is saved beside its result [s]: a "
-                  "multiple of the case's sample_interval_s")
-      ->check(CLI::PositiveNumber);
-  command
-      .add_option("--resume", options.resume,
-                  "A saved state that the run goes on from, bit for bit (with the same --states)")
-      ->check(CLI::ExistingFile);
-  command
-      .add_option("--time-limit", options.time_limit,
-                  "Wall time after which interFoam is ended [s], of an interFoam run")
-      ->check(CLI::PositiveNumber);
-  add_experiments_option(command, options.experiments);
-  command.add_option("--progress-file", options.progress_file, "Where to tell how far the run is");
-  command.add_option("--campaign", options.campaign,
-                     "A campaign, by name or path, whose sweeps add runs to the case");
-  CLI::Option* store = add_store_option(
-      command, options.store,
-      "Directory of results: leave it there under its key, unless it is there already");
-  command
-      .add_flag("--timing", options.timing,
-                "Repeat the run of the store and add what it takes to its timings")
-      ->needs(store);
-}
-
-// What the command line asks for, chosen while it is parsed.
-using Action = std::function<int()>;
-
-template <class Command>
-CLI::App& add_command(CLI::App& app, const char* name, const char* description, Action& action,
-                      Command command) {
-  CLI::App& added = *app.add_subcommand(name, description);
-  added.callback([&action, command] { action = command; });
-  return added;
-}
-
-void add_problem_options(CLI::App& command, slosh::ProblemOptions& options) {
-  command.add_option("name", options.problem, "A problem of `slosh list`")->required();
-  command.add_flag("--quick", options.quick, "Without the finest resolutions");
-  command.add_option("-o,--output", options.output, "Result file (default: NAME.json)");
-  add_store_option(
-      command, options.store,
-      "Directory of results: leave it there under its key, unless it is there already");
-}
-
-// A command on a campaign, with options of its own: the environment fills in those of every
-// command, asked for or not.
-template <class Command>
-std::pair<CLI::App*, std::shared_ptr<slosh::CampaignOptions>> add_campaign_command(
-    CLI::App& app, const char* name, const char* description, Action& action, Command command) {
-  auto options = std::make_shared<slosh::CampaignOptions>();
-  options->at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  CLI::App& added =
-      add_command(app, name, description, action, [options, command] { return command(*options); });
-  add_campaign_options(added, *options);
-  return {&added, options};
-}
-
-void add_import_options(CLI::App& command, slosh::ImportOptions& options) {
-  command.add_option("file", options.file, "A file that another program wrote")->required();
-  command.add_option("--format", options.format, "What wrote it")
-      ->required()
-      ->check(CLI::IsMember(slosh::import_formats()));
-  command
-      .add_option("--series", options.series,
-                  "QUANTITY=COLUMN, as in elevation@right=swlz; may be given again")
-      ->allow_extra_args(false)
-      ->required();
-  command.add_option("--unit", options.unit, "The columns' unit, where the file does not say it");
-  command.add_option("--time", options.time_column, "The column of times, of csv and hdf5");
-  command.add_option("--time-unit", options.time_unit, "Its unit, where the file does not say it");
-  command.add_option("--scale", options.scale, "Multiplies the values, as 2 does for half a tank");
-  command.add_option("--offset", options.offset,
-                     "Is added to them in the quantity's SI unit, as -0.35 to a surface's height "
-                     "above the bottom of a tank filled to 0.35 m");
-  command.add_option("-o,--output", options.output, "Result file")->required();
-}
-
-void add_compare_options(CLI::App& command, slosh::CompareOptions& options) {
-  command.add_option("candidate", options.candidate, "A result file")->required();
-  command.add_option("reference", options.reference, "A result file")->required();
-  CLI::Option* gauge = command.add_option("--gauge", options.gauge, "Compares elevation@GAUGE");
-  command.add_option("--quantity", options.quantity, "Compares this series")->excludes(gauge);
-  CLI::Option* of_case = command.add_option(
-      "--case", options.case_name, "A case whose window, forcing and natural modes are taken");
-  command
-      .add_option("--frequency", options.frequencies,
-                  "Frequency of a mode to fit [Hz]; may be given again")
-      ->allow_extra_args(false)
-      ->check(CLI::PositiveNumber)
-      ->excludes(of_case);
-  command
-      .add_option("--window", options.window,
-                  "Begin and end [s] (default: the case's window, or what both series cover)")
-      ->expected(2);
-  command
-      .add_option("--limit", options.limits,
-                  "METRIC=VALUE or MODE:METRIC=VALUE, judged as a gate row is; may be given again")
-      ->allow_extra_args(false);
-  command.add_option("--json", options.json, "Leaves the comparison and the verdicts here");
-}
-
-void add_foreign_commands(CLI::App& app, Action& action) {
-  const auto imported = std::make_shared<slosh::ImportOptions>();
-  add_import_options(
-      add_command(app, "import", "Leaves a result file of series that another program wrote",
-                  action, [imported] { return slosh::import_file(*imported); }),
-      *imported);
-  const auto compared = std::make_shared<slosh::CompareOptions>();
-  add_compare_options(
-      add_command(app, "compare", "Compares two result files on a quantity, and judges", action,
-                  [compared] { return slosh::compare_results(*compared, installation()); }),
-      *compared);
-}
-
 // A run that is ended ends; a campaign ends its runs first.
 void stop_on_signals() {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 }
 
-void add_campaign_commands(CLI::App& app, Action& action) {
-  const auto [campaign, campaign_options] =
-      add_campaign_command(app, "campaign", "Runs a campaign's cases, compares, reports and gates",
-                           action, [](const slosh::CampaignOptions& options) {
-                             stop_on_signals();
-                             return slosh::run_campaign(options, installation(), stop_requested);
-                           });
-  const auto [report, report_options] = add_campaign_command(
-      app, "report", "The same from the results that are there; starts no solver", action,
-      [](slosh::CampaignOptions options) {
-        stop_on_signals();
-        options.solve = false;
-        return slosh::run_campaign(options, installation(), stop_requested);
-      });
-  const auto [gate, gate_options] = add_campaign_command(
-      app, "gate",
-      "Runs what a campaign still needs, tells what has moved since its baseline, and leaves "
-      "junit.xml, gate.md and gate.sarif",
-      action, [](const slosh::CampaignOptions& options) {
-        stop_on_signals();
-        return slosh::gate_campaign(options, installation(), stop_requested);
-      });
-  add_campaign_command(
-      app, "selftest",
-      "Whether the gate rows detect what they claim to, on the results that are there", action,
-      [](const slosh::CampaignOptions& options) {
-        return slosh::selftest_campaign(options, installation());
-      });
-  add_inconclusive_option(*campaign, *campaign_options);
-  add_inconclusive_option(*report, *report_options);
-  add_inconclusive_option(*gate, *gate_options);
-  add_jobs_option(*campaign, *campaign_options);
-  add_jobs_option(*gate, *gate_options);
-  add_start_options(*campaign, *campaign_options);
-  add_ledger_option(*gate, *gate_options);
-}
-
-void add_baseline_commands(CLI::App& app, slosh::ApprovalOptions& approval, Action& action) {
-  CLI::App& baseline = *app.add_subcommand(
-      "baseline", "Our own earlier figures of a campaign, and what has moved since");
-  baseline.require_subcommand(1);
-  const auto [diff, diff_options] = add_campaign_command(
-      baseline, "diff", "Prints what has changed; exit status 1 where something has", action,
-      [](const slosh::CampaignOptions& options) {
-        return slosh::diff_baseline(options, installation());
-      });
-  const auto [propose, propose_options] = add_campaign_command(
-      baseline, "propose", "Leaves a proposal to make the present figures the baseline", action,
-      [](const slosh::CampaignOptions& options) {
-        return slosh::propose_baseline(options, installation());
-      });
-  const auto [approve, approve_options] =
-      add_campaign_command(baseline, "approve", "Adds the proposal to the ledger", action,
-                           [&approval](const slosh::CampaignOptions& options) {
-                             return slosh::approve_baseline(options, approval, installation());
-                           });
-  add_ledger_option(*diff, *diff_options);
-  add_ledger_option(*propose, *propose_options);
-  add_ledger_option(*approve, *approve_options);
-  const CLI::Validator not_empty(
-      [](const std::string& text) { return text.empty() ? "expected a text" : std::string(); },
-      "TEXT");
-  approve->add_option("--who", approval.who, "Who approves it")->required()->check(not_empty);
-  approve->add_option("--reason", approval.reason, "Why the figures may move")
-      ->required()
-      ->check(not_empty);
-}
-
 int dispatch(int argc, char** argv) {
+  const slosh::Installation data = installation();
   CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
-  app.footer(closing_words);
-  app.require_subcommand(1);
-  slosh::ApprovalOptions approval;
-  slosh::RunOptions run;
-  slosh::ProblemOptions problem;
-  Action action;
-  add_campaign_commands(app, action);
-  add_baseline_commands(app, approval, action);
-  add_run_options(add_command(app, "run", "Executes one run of a case and leaves its result file",
-                              action, [&] { return slosh::run_one(run, installation()); }),
-                  run);
-  add_problem_options(
-      add_command(app, "problem",
-                  "Solves one verification problem and leaves its errors over the resolutions",
-                  action, [&] { return slosh::run_problem(problem, installation()); }),
-      problem);
-  std::size_t job = 0;
-  add_command(app, "job", "Runs one job of the list in the current directory", action,
-              [&] {
-                stop_on_signals();
-                return slosh::run_listed_job(job, stop_requested);
-              })
-      .add_option("index", job, "Its place in jobs.json, from 0")
-      ->required();
-  add_foreign_commands(app, action);
-  add_command(app, "list", "Lists campaigns, cases and their runs, and problems", action,
-              [] { return slosh::list_definitions(installation()); });
-
+  slosh::Action action;
+  slosh::add_all_commands({app, data, stop_requested, stop_on_signals, action});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? slosh::exit_pass : slosh::exit_usage;
+    if (app.exit(error) == 0) return slosh::exit_pass;
+    const std::string meant = slosh::suggestion(app, {argv + 1, argv + argc});
+    if (!meant.empty()) std::cerr << meant << "\n";
+    return slosh::exit_usage;
   }
   return action();
 }

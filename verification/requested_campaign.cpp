@@ -53,6 +53,12 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
   return cases;
 }
 
+std::vector<std::string> names_of(const std::vector<ProblemDefinition>& problems) {
+  std::vector<std::string> names;
+  for (const ProblemDefinition& one : problems) names.push_back(one.name);
+  return names;
+}
+
 TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOptions& options) {
   TimingDefinition timing = campaign.timing;
   if (options.timings) timing.repeats = *options.timings;
@@ -61,16 +67,20 @@ TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOpt
 
 }  // namespace
 
-std::string form_of(const CampaignOptions& options) { return options.quick ? "-quick" : ""; }
+std::string form_of(const CampaignOptions& options) {
+  return options.selection.quick ? "-quick" : "";
+}
 
 RequestedCampaign requested(const CampaignOptions& options, const Installation& installation) {
   RequestedCampaign campaign{
       .definition = read_campaign(find_campaign(options.campaign, installation.campaigns),
                                   installation.cases, known_problems()),
       .cases = {},
-      .settings = {}};
+      .settings = {},
+      .place = {}};
   const fs::path experiments = whole(options.experiments);
   campaign.cases = read_cases(campaign.definition, experiments);
+  require_matches(options.selection, {campaign.cases, names_of(campaign.definition.problems)});
   const fs::path usual =
       installation.build / "campaigns" / (campaign.definition.name + form_of(options));
   campaign.settings = {.output = fs::absolute(options.output.empty() ? usual : options.output),
@@ -82,11 +92,16 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
                        .problem_build = installation.problem_build,
                        .openfoam_templates = installation.openfoam_templates,
                        .experiments = experiments,
-                       .quick = options.quick,
+                       .selection = options.selection,
                        .solve = options.solve,
                        .engine = options.engine,
                        .at_once = options.at_once,
                        .timing = timing_of(campaign.definition, options)};
+  campaign.place = campaign.settings.output;
+  if (options.selection.is_partial()) {
+    campaign.definition.title += " (" + selection_text(options.selection) + ")";
+    campaign.place /= "selected";
+  }
   return campaign;
 }
 

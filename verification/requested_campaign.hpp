@@ -13,6 +13,9 @@ struct RequestedCampaign {
   CampaignDefinition definition;
   std::vector<CaseDefinition> cases;  // with the runs of the campaign's sweeps
   CampaignSettings settings;
+  // Of the report and the gate's files: the settings' output, of a selection its folder selected/,
+  // so that a part is never taken for the whole.
+  std::filesystem::path place;
 };
 
 // Throws CaseFileError for all that the campaign and its cases get wrong, before anything runs.

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 PlannedRun planned_run(const CaseDefinition& definition, const RunDefinition& run,
                        const CampaignSettings& settings) {
   PlannedRun planned{&definition, &run, {}, {RunState::not_selected, ""}, {}};
-  if (settings.quick && !run.quick) return planned;
+  if (!is_selected(settings.selection, definition, run)) return planned;
   const auto* record = std::get_if<RecordRun>(&run.solver);
   if (record && !record->supplied) {
     planned.status = {RunState::not_supplied, where_to_get(*record, definition)};

@@ -8,6 +8,7 @@
 
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
+#include "verification/campaign/case_text.hpp"
 #include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/error_matrix.hpp"
 #include "verification/campaign/impact_table.hpp"
@@ -53,45 +54,6 @@ int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
   return n;
 }
 
-std::string history_text(const SineMotion& sine, double si_per_unit, const char* unit) {
-  return fmt::format(
-      "{:.6g} {} sin({:.6g} rad/s t){}", sine.amplitude / si_per_unit, unit, sine.angular_frequency,
-      sine.ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine.ramp_periods) : "");
-}
-
-std::string history_text(const TableMotion& table, double, const char*) {
-  return "the table " + table.file.filename().string();
-}
-
-std::string motion_text(const CaseDefinition& definition) {
-  const auto& [surge, roll] = definition.motion;
-  const auto text = [](const MotionHistory& history, double si_per_unit, const char* unit) {
-    return std::visit([&](const auto& one) { return history_text(one, si_per_unit, unit); },
-                      history);
-  };
-  std::vector<std::string> parts;
-  if (surge) parts.push_back("surge X = " + text(*surge, 1, "m"));
-  if (roll)
-    parts.push_back(
-        fmt::format("roll = {} about the point {} m from the left wall and {} m above the bottom",
-                    text(roll->angle, radians_per_degree, "deg"), roll->axis_x, roll->axis_z));
-  return parts.empty() ? "at rest" : fmt::format("{}", fmt::join(parts, " and "));
-}
-
-std::string liquid_text(const CaseDefinition& definition) {
-  std::string text = fmt::format("liquid {} m deep", definition.liquid.fill_depth);
-  if (definition.liquid.column_width)
-    text += fmt::format(" and {} m wide, about to break", *definition.liquid.column_width);
-  if (const auto& wave = definition.initial_wave)
-    text +=
-        fmt::format(", let go from rest under a wave of {} half waves and {} m at the left wall",
-                    wave->mode, wave->amplitude);
-  for (const ObstacleDefinition& one : definition.obstacles)
-    text += fmt::format(", obstacle {} from {} to {} m along and {} to {} m up", one.name, one.left,
-                        one.right, one.bottom, one.top);
-  return text;
-}
-
 Section case_section(const CaseAssessment& assessment) {
   const std::vector<RowStrength> strengths = row_strengths(
       assessment, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
@@ -100,7 +62,7 @@ Section case_section(const CaseAssessment& assessment) {
   section.id = definition.name;
   section.title = definition.title;
   section.paragraphs = {
-      fmt::format("{}. Tank {} m x {} m, {}; {}; {} s from rest in the {}'s frame. "
+      fmt::format("{}. Tank {} m x {} m, liquid {}; {}; {} s from rest in the {}'s frame. "
                   "Comparison from {} to {} s.",
                   definition.source, definition.tank.length, definition.tank.height,
                   liquid_text(definition), motion_text(definition), definition.duration,
@@ -139,6 +101,13 @@ Section case_section(const CaseAssessment& assessment) {
   return section;
 }
 
+bool has_selected_runs(const CaseAssessment& assessment) {
+  const auto& status = assessment.runs.status;
+  return std::any_of(status.begin(), status.end(), [](const auto& of_run) {
+    return of_run.second.state != RunState::not_selected;
+  });
+}
+
 }  // namespace
 
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
@@ -162,7 +131,7 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
   add(runs(RunState::missing), "runs without a result");
   add(runs(RunState::not_supplied), "records not supplied");
   add(rows(Verdict::not_supplied), "gate rows without their record");
-  add(rows(Verdict::not_selected), "left out of this quick form");
+  add(rows(Verdict::not_selected), "not selected");
   return text + ".";
 }
 
@@ -188,8 +157,11 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
        {fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)},
        {std::move(gate)},
        {}});
-  for (const CaseAssessment& one : cases) report.sections.push_back(case_section(one));
-  for (const ProblemAssessment& one : problems) report.sections.push_back(problem_section(one));
+  for (const CaseAssessment& one : cases)
+    if (has_selected_runs(one)) report.sections.push_back(case_section(one));
+  for (const ProblemAssessment& one : problems)
+    if (one.run.status.state != RunState::not_selected)
+      report.sections.push_back(problem_section(one));
   if (auto walls = wall_treatment_section(cases)) report.sections.push_back(std::move(*walls));
   if (campaign.paper == "li2010") report.sections.push_back(li2010_section(cases));
   if (campaign.paper == "zhao2021") report.sections.push_back(zhao2021_section(cases));

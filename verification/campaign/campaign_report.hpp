@@ -17,7 +17,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::vector<CaseAssessment>& cases,
                                 const std::vector<ProblemAssessment>& problems = {});
 
-// "19 of 19 gate rows hold, 12 left out of this quick form."
+// "19 of 19 gate rows hold, 12 not selected."
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
                              const std::vector<ProblemAssessment>& problems = {});
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "verification/campaign/run_selection.hpp"
 #include "verification/case_file/campaign_definition.hpp"
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/result_store.hpp"
@@ -18,7 +19,7 @@ struct CampaignSettings {
   std::filesystem::path problem_build;       // as problem_key() takes it
   std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
   std::filesystem::path experiments;         // of the user's records; empty: none is named
-  bool quick = false;                        // only the runs marked so
+  RunSelection selection = {};               // what is run and judged; the rest is not selected
   bool solve = true;                         // false: only read what is there
   Engine engine = Engine::ninja;
   int at_once = 1;            // cores

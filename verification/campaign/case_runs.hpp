@@ -14,8 +14,8 @@ namespace slosh {
 struct CaseRuns {
   std::map<std::string, RunStatus> status;   // of every run that the case declares
   std::map<std::string, RunResult> results;  // of the finished ones and those out of their range
-  // By run: what repeats of it took that had their core for themselves, in the order they were made;
-  // none where the campaign asks for none.
+  // By run: what repeats of it took that had their core for themselves, in the order they were
+  // made; none where the campaign asks for none.
   std::map<std::string, std::vector<RunCost>> timings = {};
 };
 

@@ -75,6 +75,8 @@ std::optional<double> order_of(const std::vector<ErrorAtStep>& errors) {
 ProblemGateOutcome evaluate(const ProblemGateRow& row, const ProblemRun& run) {
   if (run.status.state == RunState::failed)
     return {row, Verdict::solver_failed, no_number, "the problem failed: " + run.status.message};
+  if (run.status.state == RunState::not_selected)
+    return {row, Verdict::not_selected, no_number, "the problem is not selected"};
   if (!run.result)
     return {row, Verdict::not_compared, no_number,
             "the problem has no result: " + run.status.message};

@@ -8,7 +8,9 @@ namespace slosh {
 
 ProblemRun standing_problem(const ProblemDefinition& problem,
                             const CampaignSettings& settings) try {
-  const std::string key = problem_key(problem.name, settings.quick, settings.problem_build);
+  if (!names_problem(settings.selection, problem.name)) return {{RunState::not_selected, ""}, {}};
+  const std::string key =
+      problem_key(problem.name, settings.selection.quick, settings.problem_build);
   const StandingResult standing = standing_result(key, ".json", settings);
   return {{RunState::finished, standing.message}, read_problem_result(standing.file)};
 } catch (const ResultError& error) {
@@ -21,7 +23,7 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
   job.log_file = settings.output / "problems" / (problem.name + ".log");
   job.command = {settings.executable.string(), "problem", problem.name, "--store",
                  settings.store.root().string()};
-  if (settings.quick) job.command.push_back("--quick");
+  if (settings.selection.quick) job.command.push_back("--quick");
   job.expected_time = find_problem(problem.name).expected_time;
   job.time_limit = time_limit(
       {.processor_time = job.expected_time, .wall_time = job.expected_time, .memory = 0});

@@ -9,16 +9,6 @@
 namespace slosh {
 namespace {
 
-bool repeats(const SphRun& one, const SphRun& other) {
-  SphRun alike = one;
-  alike.particle_spacing = other.particle_spacing;
-  alike.surface_particle_spacing = other.surface_particle_spacing;
-  alike.start_disorder = other.start_disorder;
-  alike.start_seed = other.start_seed;
-  alike.energy_budget = other.energy_budget;
-  return one.start_disorder > 0 && alike == other;
-}
-
 double prediction_half_width(const std::vector<double>& values) {
   const double n = static_cast<double>(values.size());
   double squares = 0;
@@ -29,6 +19,16 @@ double prediction_half_width(const std::vector<double>& values) {
 
 }  // namespace
 
+bool repeat_one_another(const SphRun& one, const SphRun& other) {
+  SphRun alike = one;
+  alike.particle_spacing = other.particle_spacing;
+  alike.surface_particle_spacing = other.surface_particle_spacing;
+  alike.start_disorder = other.start_disorder;
+  alike.start_seed = other.start_seed;
+  alike.energy_budget = other.energy_budget;
+  return one.start_disorder > 0 && alike == other;
+}
+
 double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                      const MeasureRow& measure) {
   const auto* candidate = std::get_if<SphRun>(&run_named(definition, row.candidate).solver);
@@ -36,7 +36,7 @@ double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, con
   std::vector<double> values;
   for (const RunDefinition& run : definition.runs) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph || !runs.results.contains(run.name) || !repeats(*sph, *candidate)) continue;
+    if (!sph || !runs.results.contains(run.name) || !repeat_one_another(*sph, *candidate)) continue;
     GateRow repeated = row;
     repeated.candidate = run.name;
     try {

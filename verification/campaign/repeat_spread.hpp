@@ -12,6 +12,8 @@
 
 namespace slosh {
 
+bool repeat_one_another(const SphRun& one, const SphRun& other);
+
 // Zero of fewer than three repeats that have the metric.
 double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                      const MeasureRow& measure);

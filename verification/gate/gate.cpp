@@ -212,7 +212,7 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
     const char* text;
   };
   constexpr std::array<Obstacle, 5> obstacles{{
-      {RunState::not_selected, Verdict::not_selected, "is not part of this form of the campaign"},
+      {RunState::not_selected, Verdict::not_selected, "is not selected"},
       {RunState::not_supplied, Verdict::not_supplied, "is not supplied"},
       {RunState::failed, Verdict::solver_failed, "failed"},
       {RunState::missing, Verdict::not_compared, "has no result"},

@@ -15,7 +15,7 @@
 
 namespace slosh {
 
-// The tool's exit statuses; the README lists them.
+// The exit statuses of the tool and its launcher.
 enum ExitStatus {
   exit_pass = 0,
   exit_violated = 1,
@@ -23,14 +23,34 @@ enum ExitStatus {
   exit_solver_failed = 3,
   exit_not_compared = 4,
   exit_inconclusive = 5,
+  exit_build_failed = 70,  // the launcher's
   exit_interrupted = 130
 };
+
+struct ExitMeaning {
+  int status;
+  const char* meaning;
+};
+
+// The one list of them: --help ends with it, and the README's table is held to it by a test.
+inline constexpr ExitMeaning exit_meanings[] = {
+    {exit_pass, "all gate rows hold"},
+    {exit_violated, "a tolerance is violated"},
+    {exit_usage, "usage or case-file error; a required package is missing"},
+    {exit_solver_failed, "a solver failed"},
+    {exit_not_compared,
+     "a reference is missing or out of its range, a result is unusable, or nothing was compared"},
+    {exit_inconclusive,
+     "a row is inconclusive: the uncertainty of its metric reaches across its tolerance "
+     "(--inconclusive-exit N changes this status)"},
+    {exit_build_failed, "the build failed"},
+    {exit_interrupted, "interrupted"}};
 
 enum class RunState {
   finished,
   failed,        // the solver failed: message says how
   missing,       // no result to use: message says why
-  not_selected,  // not part of this campaign's form (--quick)
+  not_selected,  // left out by the user (--quick, --only, --tag)
   not_supplied,  // a record that its user does not have: message says where to get it
   out_of_range   // a reference outside its declared range: drawn, never gates
 };

@@ -86,6 +86,11 @@ RunResult run_chosen_solver(const RunRequest& request) try {
 
 }  // namespace
 
+std::string solver_name(const RunDefinition& run) {
+  return std::visit([](const auto& solver) -> std::string { return solver_name(solver); },
+                    run.solver);
+}
+
 CaseFileError refused(const RunDefinition& run, const std::string& why) {
   return CaseFileError(
       fmt::format("{}:{}: run {}: {}", run.where.file, run.where.line, run.name, why));
@@ -113,7 +118,7 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
   result.cost.elements = counts.elements;
   result.case_name = definition.name;
   result.run_name = run.name;
-  result.solver = std::visit([](const auto& solver) { return solver_name(solver); }, run.solver);
+  result.solver = solver_name(run);
   result.case_text = definition.text;
   result.key = settings.key;
   result.provenance.merge(provenance(settings.command));

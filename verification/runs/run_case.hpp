@@ -43,6 +43,17 @@ struct RunSettings {
 // Called now and then with the simulated time [s] and the steps so far.
 using Progress = std::function<void(double time, double steps)>;
 
+// As case files name it: "sph", "interfoam", "linear", "viscous_wave", "potential" or "record".
+std::string solver_name(const RunDefinition& run);
+
+// What an SPH run starts as.
+struct SphOutline {
+  std::size_t particles;                  // of the liquid
+  std::vector<std::string> active_terms;  // the physics compiled in
+};
+// Found by making the start; throws CaseFileError as require_runnable().
+SphOutline sph_outline(const CaseDefinition& definition, const RunDefinition& run);
+
 // What is missing where a record is not supplied.
 std::string where_to_get(const RecordRun& record, const CaseDefinition& definition);
 

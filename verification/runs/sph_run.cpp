@@ -148,13 +148,18 @@ sph::RunOutput run_scene(const std::string& scheme, sph::Scene& scene, const Run
 
 }  // namespace
 
-void require_scene(const SphRun& sph, const CaseDefinition& definition,
-                   const RunDefinition& run) try {
+SphOutline sph_outline(const CaseDefinition& definition, const RunDefinition& run) try {
+  const SphRun& sph = std::get<SphRun>(run.solver);
   sph::Scene scene = scene_of(sph, definition);
   scene.takes_steps = false;
-  sph::run(sph.scheme, scene, {});
+  sph::RunOutput start = sph::run(sph.scheme, scene, {});
+  return {start.particles, std::move(start.active_terms)};
 } catch (const std::invalid_argument& error) {
   throw refused(run, error.what());
+}
+
+void require_scene(const SphRun&, const CaseDefinition& definition, const RunDefinition& run) {
+  sph_outline(definition, run);
 }
 
 RunResult run_sph(const SphRun& sph, const RunRequest& request) {

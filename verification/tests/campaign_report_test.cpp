@@ -57,7 +57,7 @@ TEST(VerdictSentence, NamesEveryKindOfTrouble) {
   EXPECT_EQ(verdict_sentence(without(RunState::missing)),
             "0 of 3 gate rows hold, 3 not compared, 1 runs without a result.");
   EXPECT_EQ(verdict_sentence(without(RunState::not_selected)),
-            "0 of 0 gate rows hold, 3 left out of this quick form.");
+            "0 of 0 gate rows hold, 3 not selected.");
   EXPECT_EQ(verdict_sentence(
                 {assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "x")),
                  good()}),

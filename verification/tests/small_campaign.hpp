@@ -93,6 +93,11 @@ inline std::string with(std::string text, const std::string& from, const std::st
 
 inline bool has_interfoam() { return !boost::process::search_path("interFoam").empty(); }
 
+inline ::testing::AssertionResult holds(const std::string& text, const std::string& part) {
+  if (text.find(part) != std::string::npos) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "no \"" << part << "\" in:\n" << text;
+}
+
 struct Ended {
   int status;  // the exit status, or minus the signal
   std::string out, err;

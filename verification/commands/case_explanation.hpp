@@ -1,0 +1,28 @@
+// A case explained to its reader, in lines of at most 80 columns: what is solved, by what, what
+// gates and what it costs.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "verification/case_file/case_definition.hpp"
+#include "verification/runs/result_file.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh {
+
+// What is known of a run beyond its case file.
+struct KnownRun {
+  ExpectedCost cost{};
+  std::optional<SphOutline> start = {};  // of an SPH run
+};
+
+// By run.
+std::string explanation(const CaseDefinition& definition,
+                        const std::map<std::string, KnownRun>& known);
+
+// The row in words: what is measured, and what it must be.
+std::string row_text(const GateRow& row);
+
+}  // namespace slosh

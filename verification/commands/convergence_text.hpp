@@ -1,0 +1,21 @@
+// A study of convergence as the tool prints it.
+#pragma once
+
+#include <string>
+
+#include "verification/campaign/convergence.hpp"
+
+namespace slosh {
+
+struct ConvergenceStudy {
+  CaseAssessment assessment;
+  ConvergenceQuestion question;
+  Convergence found;
+};
+
+std::string text_of(const ConvergenceStudy& study);
+
+// The units stand in the keys or beside the values; a number that does not exist is null.
+std::string json_of(const ConvergenceStudy& study);
+
+}  // namespace slosh

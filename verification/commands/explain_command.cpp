@@ -1,0 +1,49 @@
+// The subcommand explain: a case in words, with what its runs took where a campaign left a result.
+
+#include <iostream>
+#include <memory>
+
+#include "verification/case_file/case_parser.hpp"
+#include "verification/commands/case_explanation.hpp"
+#include "verification/commands/command_tree.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/runs/run_key.hpp"
+
+namespace slosh {
+namespace {
+
+KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
+                   const Installation& installation) {
+  const std::string key =
+      run_key(definition, run, installation.solver_build, installation.openfoam_templates);
+  KnownRun known{.cost =
+                     expected_cost(definition, run, key, ResultStore(usual_store(installation)))};
+  if (std::holds_alternative<SphRun>(run.solver)) known.start = sph_outline(definition, run);
+  return known;
+}
+
+int explain(const std::string& name, const Installation& installation) {
+  const CaseDefinition definition = read_case(find_case(name, installation.cases));
+  std::map<std::string, KnownRun> known;
+  for (const RunDefinition& run : definition.runs)
+    known[run.name] = known_run(definition, run, installation);
+  std::cout << explanation(definition, known);
+  return exit_pass;
+}
+
+}  // namespace
+
+void add_explain_command(const CommandTree& tree) {
+  auto name = std::make_shared<std::string>();
+  CLI::App& command = add_command(
+      tree,
+      {"explain",
+       "What a case solves, by what, what gates it and what it costs",
+       {"./slosh explain li2010_small_amplitude"}},
+      [name, &installation = tree.installation] { return explain(*name, installation); });
+  command.add_option("case", *name, "A case of `slosh list`, or the path of a case file")
+      ->type_name(case_type)
+      ->required();
+}
+
+}  // namespace slosh

@@ -1,0 +1,75 @@
+#include "verification/commands/case_explanation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "verification/tests/sample_case.hpp"
+
+namespace slosh {
+namespace {
+
+// However the lines are broken.
+bool holds(const std::string& text, const std::string& part) {
+  const std::regex spaces("\\s+");
+  return std::regex_replace(text, spaces, " ").find(part) != std::string::npos;
+}
+
+CaseDefinition tank() {
+  CaseDefinition definition = sample_case();
+  definition.title = "A small surge";
+  definition.source = "made for a test";
+  definition.runs = {sample_run(
+      SphRun{.scheme = "recommended", .particle_spacing = 0.01, .surface_particle_spacing = 0.01})};
+  return definition;
+}
+
+GateRow row_of(Metric metric, const std::string& unit) {
+  GateRow row{};
+  row.candidate = "fine";
+  row.reference = "theory";
+  row.quantity = "elevation@right";
+  row.mode = "whole";
+  row.metric = metric;
+  row.unit = unit;
+  return row;
+}
+
+TEST(CaseExplanation, SetsWhatWasMeasuredBesideWhatIsExpected) {
+  const std::string expected = explanation(tank(), {});
+  EXPECT_TRUE(holds(expected, "spacing 10 mm: 1.4 core-seconds expected ")) << expected;
+  KnownRun known;
+  known.start = SphOutline{3500, {"a kernel", "a state"}};
+  known.measured = RunCost{.user_time = 1.1, .system_time = 0.1};
+  const std::string measured = explanation(tank(), {{"a_run", known}});
+  EXPECT_TRUE(holds(measured, "3500 particles: 1.4 core-seconds expected, 1.2 measured "))
+      << measured;
+  EXPECT_TRUE(holds(measured, " terms: a kernel; a state "));
+}
+
+TEST(CaseExplanation, SaysThatACaseWithoutRowsGatesNothing) {
+  EXPECT_TRUE(holds(explanation(tank(), {}), "What gates nothing: the case is only shown"));
+}
+
+TEST(CaseExplanation, TellsEveryKindOfBound) {
+  GateRow row = row_of(Metric::maximum_residual, "m");
+  row.limit = 0.01;
+  EXPECT_EQ(row_text(row),
+            "fine: largest difference of elevation@right against theory must not exceed 0.01 m "
+            "either way.");
+  row = row_of(Metric::impact_percentile, "1");
+  row.reference.clear();
+  row.mode = "impact_2";
+  row.between = {0.05, 0.95};
+  EXPECT_EQ(row_text(row),
+            "fine: share of the experiment's repeats that peak lower of elevation@right "
+            "(impact_2) must lie between 5 % and 95 %.");
+  row = row_of(Metric::normalised_rms, "1");
+  row.improves_on = "coarse";
+  EXPECT_EQ(row_text(row),
+            "fine: normalised rms of the difference of elevation@right against theory must be "
+            "nearer to zero than that of coarse.");
+}
+
+}  // namespace
+}  // namespace slosh

@@ -1,0 +1,106 @@
+// What --help promises: examples that run, exit statuses that the README tells too, names that are
+// nearest to a wrong one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "verification/gate/gate.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+class ToolHelp : public SmallCampaign {
+ protected:
+  // The --help of the command and of all below it.
+  void collect(const std::vector<std::string>& command, std::vector<std::string>& helps) const {
+    std::vector<std::string> asking = command;
+    asking.push_back("--help");
+    const Ended help = tool(asking);
+    EXPECT_EQ(help.status, 0) << ::testing::PrintToString(asking);
+    EXPECT_EQ(help.err, "");
+    helps.push_back(help.out);
+    bool listing = false;
+    for (const std::string& line : lines_of(help.out)) {
+      if (listing && line.empty()) break;
+      if (listing) {
+        std::vector<std::string> below = command;
+        below.push_back(line.substr(2, line.find(' ', 2) - 2));
+        collect(below, helps);
+      }
+      listing |= line == "Subcommands:";
+    }
+  }
+};
+
+TEST_F(ToolHelp, GivesEveryCommandExamplesThatRun) {
+  write("slosh", "#!/bin/sh\nexec '" SLOSH_TOOL "' \"$@\"\n");
+  std::filesystem::permissions(directory() / "slosh", std::filesystem::perms::owner_all);
+  std::vector<std::string> helps;
+  collect({}, helps);
+  EXPECT_GT(helps.size(), 12u);
+  for (const std::string& help : helps) {
+    int examples = 0;
+    for (const std::string& line : lines_of(help)) {
+      if (!line.starts_with("  ./slosh ")) continue;
+      ++examples;
+      const Ended run = end_of(start("/bin/sh", {"-c", line}));
+      // A baseline that is not there yet has changed; everything else succeeds.
+      EXPECT_EQ(run.status, line.find("baseline diff") == line.npos ? exit_pass : exit_violated)
+          << line << "\n"
+          << run.out << run.err;
+    }
+    const bool has_commands = help.find("Subcommands:") != help.npos;
+    EXPECT_TRUE(examples > 0 || has_commands) << help;
+  }
+}
+
+TEST_F(ToolHelp, TellsTheExitStatusesAsTheReadmeDoes) {
+  const std::string help = tool({"--help"}).out;
+  std::ifstream stream(SLOSH_SOURCE_DIR "/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(stream), {}};
+  std::string table = "| exit status | meaning |\n|---|---|\n";
+  std::set<int> statuses;
+  for (const auto& [status, meaning] : exit_meanings) {
+    std::ostringstream line;
+    line << "  " << std::setw(3) << status << "  " << meaning << "\n";
+    EXPECT_TRUE(holds(help, line.str()));
+    table += "| " + std::to_string(status) + " | " + meaning + " |\n";
+    EXPECT_TRUE(statuses.insert(status).second) << status << " has two meanings";
+  }
+  EXPECT_TRUE(holds(readme, table + "\n"));
+}
+
+TEST_F(ToolHelp, NamesTheCommandsOfTheLauncher) {
+  const std::string help = tool({"--help"}).out;
+  for (const char* name : {"  test ", "  bench ", "  doctor "}) EXPECT_TRUE(holds(help, name));
+}
+
+TEST_F(ToolHelp, AnswersAWrongWordWithTheNearestOnes) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"campain"}, "command 'campain' is not known; nearest: campaign"},
+      {{"baseline", "aprove", "x"}, "command 'aprove' is not known; nearest: approve"},
+      {{"gate", "small_amplitude", "--qick"}, "option '--qick' is not known; nearest: --quick"},
+      {{"--versoin"}, "option '--versoin' is not known; nearest: --version"}};
+  for (const auto& [arguments, message] : wrong) {
+    const Ended run = tool(arguments);
+    EXPECT_EQ(run.status, exit_usage);
+    EXPECT_TRUE(holds(run.err, message));
+  }
+}
+
+TEST_F(ToolHelp, TellsItsVersion) {
+  EXPECT_EQ(tool({"--version"}).out, "Slosh " SLOSH_VERSION "\n");
+}
+
+}  // namespace
+}  // namespace slosh
