@@ -232,8 +232,8 @@ enum class Metric {
   aligned_rms,        // 1, whole window, free of that lag
   largest_magnitude,  // the quantity's unit, whole window; of the candidate alone
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
-  impact_time,       // s, one impact: that of its peak less the published one
-  plateau_error,     // 1, "whole": mean over the plateau's time over the published one, less 1
+  impact_time,        // s, one impact: that of its peak less the published one
+  plateau_error,      // 1, "whole": mean over the plateau's time over the published one, less 1
   impact_percentile,  // 1, one impact: the share of the experiment's repeats that peak below it
   // s of one core, "whole": what the row's error costs the candidate's family (work_precision.hpp).
   cost_to_reach
