@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/sweep.hpp"
 #include "verification/engine/run_job.hpp"

@@ -51,6 +51,10 @@ std::string text_of(const ViscousWaveRun& wave) {
                      wave.valid_elevation_over_depth);
 }
 
+std::string text_of(const ExternalRun& external) {
+  return "your program " + external.command.front();
+}
+
 std::string text_of(const RecordRun& record) {
   return fmt::format("published record of {}{}", record.quantity,
                      record.supplied ? "" : ", which you would have to supply");

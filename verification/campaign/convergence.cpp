@@ -27,6 +27,13 @@ std::optional<double> order_of(const std::vector<ValueAtStep>& values) try {
   return {};
 }
 
+std::string why_not_measured(const GateRow& row, const MeasureRow& measure) try {
+  measure(row);
+  return "fewer than three spacings have it";
+} catch (const std::runtime_error& error) {  // ComparisonError and ResultError
+  return error.what();
+}
+
 }  // namespace
 
 std::optional<double> order_half_width(const std::vector<ValueAtStep>& values) {
@@ -63,7 +70,8 @@ Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQu
     std::vector<RefinedMetric> refined =
         refined_metrics(assessment.definition, assessment.runs, row, Role::candidate, measure);
     if (refined.empty() || refined.front().values.size() < 3) {
-      found.not_measured.push_back(mode + " " + metric_name(metric));
+      found.not_measured.push_back(mode + " " + metric_name(metric) + ": " +
+                                   why_not_measured(row, measure));
       continue;
     }
     const std::optional<double> half_width = order_half_width(refined.front().values);

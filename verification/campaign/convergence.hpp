@@ -30,7 +30,7 @@ struct ConvergenceQuestion {
 
 struct Convergence {
   std::vector<ConvergedMetric> metrics;
-  std::vector<std::string> not_measured;  // those that fewer than three runs have
+  std::vector<std::string> not_measured;  // "forced phase_lag: why"
 };
 
 // Of the forced mode amplitude and phase, of the natural modes frequency and decay, of the whole

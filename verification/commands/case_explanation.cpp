@@ -104,8 +104,7 @@ std::string seconds_text(double seconds) {
   return seconds < 10 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.0f}", seconds);
 }
 
-std::string cost_text(const CaseDefinition& definition, const RunDefinition& run,
-                      const KnownRun& known) {
+std::string cost_text(const KnownRun& known) {
   return fmt::format("{} core-seconds {}", seconds_text(known.cost.processor_time),
                      known.cost.measured ? "measured" : "expected");
 }
@@ -119,7 +118,7 @@ std::string by_what(const CaseDefinition& definition,
     const KnownRun of_run = found == known.end() ? KnownRun{} : found->second;
     text += fmt::format("  {}{}\n", run.name, run.quick ? "  (quick form too)" : "");
     text += wrapped(solver_text(run) + number_of_elements(run, of_run) + ": " +
-                        cost_text(definition, run, of_run),
+                        cost_text(of_run),
                     6);
     if (!of_run.start) continue;
     const std::string terms = fmt::format("{}", fmt::join(of_run.start->active_terms, "; "));
@@ -157,6 +156,8 @@ const char* words_for(Metric metric) {
       return "error of the mean over the plateau";
     case Metric::impact_percentile:
       return "share of the experiment's repeats that peak lower";
+    case Metric::cost_to_reach:
+      return "processor time to reach an error";
   }
   throw std::logic_error("a metric without words");
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/case_definition.hpp"
 #include "verification/runs/result_file.hpp"
 #include "verification/runs/run_case.hpp"

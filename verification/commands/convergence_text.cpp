@@ -1,7 +1,6 @@
 #include "verification/commands/convergence_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
@@ -81,9 +80,7 @@ std::string text_of(const ConvergenceStudy& study) {
   for (const RunDefinition& run : definition.runs)
     text += run_text(run.name, study.assessment.runs);
   for (const ConvergedMetric& metric : study.found.metrics) text += metric_text(metric);
-  if (!study.found.not_measured.empty())
-    text += fmt::format("\nnot measured at three spacings: {}\n",
-                        fmt::join(study.found.not_measured, ", "));
+  for (const std::string& one : study.found.not_measured) text += "\nnot measured: " + one + "\n";
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/commands/case_explanation.hpp"
 #include "verification/commands/command_tree.hpp"

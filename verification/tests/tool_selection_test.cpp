@@ -128,6 +128,14 @@ TEST_F(ToolSelection, TellsTheOrderOfASchemesErrorsOverItsSpacings) {
   EXPECT_GT(rms["uncertainty_95"], 0);
 }
 
+TEST_F(ToolSelection, TellsWhyAnErrorHasNoOrder) {
+  write_campaign(particles_case);
+  const Ended run = tool({"converge", "./small.toml", "--family", "recommended", "--spacings",
+                          "0.05,0.035,0.025", "--quantity", "momentum_x", "-o", "orders"});
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(holds(run.out, "not measured: whole normalised_rms: "));
+}
+
 TEST_F(ToolSelection, RefusesAStudyOfConvergenceThatCannotBeMade) {
   write_campaign(particles_case);
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
