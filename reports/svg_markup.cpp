@@ -54,7 +54,9 @@ void drop_filters(std::string& drawing) {
 std::string shared_markup(const std::string& gnuplot_svg, const std::string& figure_id) {
   const auto start = gnuplot_svg.find("<g id=\"gnuplot_canvas\"");
   const auto end = gnuplot_svg.rfind("</svg>");
-  if (start == std::string::npos || end == std::string::npos || end < start) {
+  const bool is_whole = start != std::string::npos && end != std::string::npos && start < end &&
+                        gnuplot_svg.rfind('<', end - 1) < gnuplot_svg.rfind('>', end - 1);
+  if (!is_whole) {
     throw ReportError("figure '" + figure_id +
                       "': gnuplot's output is not a complete SVG document");
   }
@@ -67,7 +69,7 @@ std::string shared_markup(const std::string& gnuplot_svg, const std::string& fig
       opened_group;  // a <g> tag and the blanks after it, held back until something is drawn in it
   for (std::size_t position = 0; position < drawing.size();) {
     const bool is_tag = drawing[position] == '<';
-    const auto stop = is_tag ? std::min(drawing.find('>', position), drawing.size() - 1) + 1
+    const auto stop = is_tag ? drawing.find('>', position) + 1
                              : std::min(drawing.find('<', position), drawing.size());
     std::string piece = drawing.substr(position, stop - position);
     position = stop;

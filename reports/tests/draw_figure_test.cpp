@@ -223,6 +223,15 @@ TEST(FailingGnuplot, IsAnErrorWithItsOwnWords) {
   }
 }
 
+TEST(FailingGnuplot, IsAnErrorWhereItsOutputBreaksOffWithinATag) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "gnuplot")
+      << "#!/bin/sh\necho \"<svg><g id=\\\"gnuplot_canvas\\\"><path d='M 1,2 </svg>\"\n";
+  std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
+  const PathVariable path(scratch.path().string());
+  EXPECT_THROW(draw_figure(simple_figure("a", {1, 2}), scratch.path()), ReportError);
+}
+
 TEST(EndlessGnuplot, IsEndedAtItsTimeLimitWithItsOwnWords) {
   const ScratchDirectory scratch;
   std::ofstream(scratch / "gnuplot") << "#!/bin/sh\necho drawing >&2\nexec sleep 60\n";

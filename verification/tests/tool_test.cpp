@@ -312,6 +312,19 @@ TEST_F(Tool, RefusesSnapshotsThatARunCannotMake) {
   }
 }
 
+TEST_F(Tool, EndsInterFoamAtItsTimeLimit) {
+  write_campaign(particles_case + with(mesh_run, "cells_x = 20", "cells_x = 200"));
+  const Ended refused = tool({"run", "./small.toml", "particles", "--time-limit", "60"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(holds(refused.err, "time limit: expected a run of the solver interfoam"));
+  if (!has_interfoam()) GTEST_SKIP() << "interFoam is not installed";
+  const Ended ended = tool({"run", "./small.toml", "mesh", "--time-limit", "0.5"});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_TRUE(holds(ended.err, "interFoam: ended at its time limit of 0.5 s"));
+  EXPECT_TRUE(holds(ended.err, "log.interFoam"));
+  EXPECT_TRUE(fs::exists(directory() / "mesh.work/mesh.openfoam/log.interFoam"));
+}
+
 TEST_F(Tool, ListsTheCasesWithTheirTags) {
   EXPECT_TRUE(holds(tool({"list"}).out,
                     "  li2010_small_amplitude               Small-amplitude surge, set off from "
