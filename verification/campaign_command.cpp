@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "reports/print_pdf.hpp"
 #include "reports/write_report.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/campaign/campaign_report.hpp"
@@ -132,6 +133,8 @@ fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& cam
 
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
+  if (options.pdf && !reports::can_print_pdf())
+    throw CaseFileError("--pdf: " + reports::no_browser_message());
   const AssessedCampaign assessed = assess_campaign(options, installation, stop);
   print(assessed);
   const std::string command = fmt::format(
@@ -140,10 +143,11 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   const fs::path report = assessed.output / "report";
   reports::write_report(campaign_report(assessed.definition, options.quick, command, assessed.cases,
                                         assessed.problems),
-                        report);
+                        report, options.pdf);
   std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
             << verdict_sentence(assessed.cases, assessed.problems)
             << "\nreport: " << (report / "index.html").string() << "\n";
+  if (options.pdf) std::cout << "PDF: " << (report / "report.pdf").string() << "\n";
   return ended(assessed, options);
 }
 

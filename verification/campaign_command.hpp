@@ -21,6 +21,7 @@ struct CampaignOptions {
   bool solve = true;  // false: only what is there is read
   int at_once = 1;
   int inconclusive_exit = exit_inconclusive;  // where nothing is worse than inconclusive
+  bool pdf = false;                           // print the report to PDF too
   std::filesystem::path experiments;          // empty: none is named
   std::filesystem::path
       output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
@@ -41,7 +42,8 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
 std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
                                 const Installation& installation);
 
-// Both print each row and leave the report.
+// Both print each row and leave the report. Throws CaseFileError, before anything runs, where a PDF
+// is asked for and there is no browser to print it.
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop);
 

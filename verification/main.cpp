@@ -84,6 +84,11 @@ void add_inconclusive_option(CLI::App& command, slosh::CampaignOptions& options)
       ->check(CLI::Range(0, 125));
 }
 
+void add_pdf_option(CLI::App& command, slosh::CampaignOptions& options) {
+  command.add_flag("--pdf", options.pdf,
+                   "Leave the whole report as report.pdf too; needs chromium");
+}
+
 void add_ledger_option(CLI::App& command, slosh::CampaignOptions& options) {
   command.add_option("--ledger", options.ledger,
                      "The baselines' ledger (default: verification/baselines/NAME.jsonl, with "
@@ -187,6 +192,8 @@ void add_campaign_commands(CLI::App& app, Action& action) {
   add_inconclusive_option(*campaign, *campaign_options);
   add_inconclusive_option(*report, *report_options);
   add_inconclusive_option(*gate, *gate_options);
+  add_pdf_option(*campaign, *campaign_options);
+  add_pdf_option(*report, *report_options);
   add_jobs_option(*campaign, *campaign_options);
   add_jobs_option(*gate, *gate_options);
   add_ledger_option(*gate, *gate_options);
