@@ -83,6 +83,7 @@ void print_pdf(const std::string& html, const fs::path& scratch, const fs::path&
   std::error_code none;
   if (fs::file_size(pdf, none) == 0 || none || read_text(pdf).substr(0, 5) != "%PDF-")
     throw ReportError("the browser left no PDF");
+  fs::remove(log);
 }
 
 }  // namespace slosh::reports

@@ -64,7 +64,7 @@ Figure scatter_figure(const std::vector<const PredictionSet*>& sets) {
   figure.x_label = fmt::format("reference [{}]", unit);
   figure.y_label = fmt::format("predicted [{}]", unit);
   figure.log_x = figure.log_y = width.second > 10 * width.first;
-  figure.x_range = width;
+  figure.x_range = {width.first / 1.1, width.second * 1.1};  // the lines end within it
   for (const PredictionSet* set : sets) figure.curves.push_back(points_of(*set, scale));
   figure.curves.push_back(line("agreement", 1, width, Curve::Style::line));
   figure.curves.push_back(line(first.model + ": bias", bias, width, Curve::Style::dashed));

@@ -39,9 +39,13 @@ void add(Entry entry, VerdictMatrix& matrix) {
   standing.rows = rows;
 }
 
+// "-0.3 ± 0.6 %"
 std::string found_text(const GateRow& row, double value, double half_width) {
   if (!std::isfinite(value)) return "";
-  return in_unit(value, row.unit) + (half_width > 0 ? " ± " + in_unit(half_width, row.unit) : "");
+  const double scale = row.unit == "1" ? 100 : 1;
+  const std::string interval =
+      half_width > 0 ? fmt::format(" ± {:.2g}", scale * half_width) : std::string();
+  return fmt::format("{:.3g}{} {}", scale * value, interval, row.unit == "1" ? "%" : row.unit);
 }
 
 std::string found_text(const ProblemGateOutcome& outcome) {
@@ -54,6 +58,11 @@ std::string cell_text(const MatrixCell& cell) {
   std::string rest = cell.found;
   if (cell.rows > 1) rest += fmt::format("{}worst of {}", rest.empty() ? "" : ", ", cell.rows);
   return verdict_name(cell.verdict) + (rest.empty() ? "" : ": " + rest);
+}
+
+bool is_left_out(const MatrixRow& row) {
+  return std::all_of(row.cells.begin(), row.cells.end(),
+                     [](const auto& cell) { return cell.second.verdict == Verdict::not_selected; });
 }
 
 std::string heading(std::string metric) {
@@ -119,7 +128,12 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
                        {of, "candidate", "reference"},
                        {}};
   for (const std::string& metric : matrix.metrics) table.header.push_back(heading(metric));
+  std::size_t left_out = 0;
   for (const MatrixRow& row : matrix.rows) {
+    if (is_left_out(row)) {
+      ++left_out;
+      continue;
+    }
     std::vector<std::string> cells{row.name, row.candidate, row.reference}, links(3);
     for (const std::string& metric : matrix.metrics) {
       const auto found = row.cells.find(metric);
@@ -130,6 +144,8 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
     table.rows.push_back(std::move(cells));
     table.links.push_back(std::move(links));
   }
+  if (left_out > 0)
+    table.caption += fmt::format(" Without {} pairs that this quick form leaves out.", left_out);
   return table;
 }
 

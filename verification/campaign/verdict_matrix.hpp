@@ -22,7 +22,7 @@ struct MatrixCell {
   Verdict verdict = Verdict::not_selected;
   double value = 0, half_width = 0;  // in the unit; NaN where there is no number
   std::string unit;
-  std::string found;   // the value as text, "1.2 % ± 0.3 %"; empty without one
+  std::string found;   // the value as text, "1.2 ± 0.3 %"; empty without one
   std::string row_id;  // report_places.hpp
   std::optional<ToleranceShare> share = {};
 };
@@ -41,7 +41,8 @@ struct VerdictMatrix {
 VerdictMatrix verdict_matrix(const std::vector<CaseAssessment>& cases);
 VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems);
 
-// Each cell leads to its gate row. `id` and `title` are the table's, `of` heads its first column.
+// Each cell leads to its gate row; pairs of which no row was selected are only counted. `id` and
+// `title` are the table's, `of` heads its first column.
 reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
                             const std::string& title, const std::string& of);
 
