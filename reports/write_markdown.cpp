@@ -107,6 +107,20 @@ mustache::data pages_data(const Report& report) {
   return list;
 }
 
+mustache::data contents_data(const Report& report) {
+  mustache::data list(mustache::data::type::list);
+  const auto add = [&](const std::string& title, const std::string& anchor,
+                       const std::string& standing) {
+    list << mustache::data{"entry", fmt::format("[{}](#{}){}{}", markdown_text(title), anchor,
+                                                standing.empty() ? "" : " ", standing)};
+  };
+  for (const Section& section : report.sections)
+    if (section.page.empty()) add(section.title, "section-" + section.id, "");
+  for (const Page& page : report.pages)
+    add(page.title, "page-" + page.id, standing_text(page.outcome, page.verdict));
+  return list;
+}
+
 }  // namespace
 
 std::string markdown_page(const Report& report) {
@@ -115,6 +129,7 @@ std::string markdown_page(const Report& report) {
   data.set("title", markdown_text(report.title));
   data.set("subtitle", markdown_text(report.subtitle));
   data.set("standing", standing_text(report.outcome, report.verdict));
+  data.set("contents", contents_data(report));
   data.set("pages", pages_data(report));
   return page.render(data);
 }

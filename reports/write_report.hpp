@@ -1,8 +1,8 @@
 // Writes a report: <directory>/index.html and a file for each other page (self-contained, figures
 // inline as SVG and PNG), report.md, results.json with its schema, figures/*.svg and figures/*.png,
-// and, where asked for, report.pdf of all pages. All of it goes to a temporary directory
-// beside the target first and is swapped in when complete, so that there is always one whole report
-// under the name: the old one until the new one is done.
+// and, where asked for, report.pdf of all pages. All of it goes to a temporary directory beside the
+// target first and is swapped in when complete, so that there is always one whole report under the
+// name: the old one until the new one is done.
 #pragma once
 
 #include <filesystem>

@@ -110,7 +110,8 @@ reports::Section bias_section(const std::vector<PredictionSet>& sets) {
       "bias",
       "Bias and scatter",
       {"Of each model the finest run of every case, against theory in its range or a record: "
-       "amplitudes of the fitted modes and natural frequencies, as NIST's FDS validation guide "
+       "amplitudes of the fitted modes, down to a tenth of the reference's largest, and natural "
+       "frequencies, as NIST's FDS validation guide "
        "(chapter 4; McGrattan and Toman 2011) has it: the mean and the standard deviation of "
        "ln(predicted / reference). Gauges and modes of one run are not independent of each other: "
        "the numbers describe this set of comparisons."},

@@ -59,6 +59,13 @@ std::vector<const Comparison*> counted_comparisons(const CaseAssessment& assessm
   return counted;
 }
 
+double largest_amplitude(const Comparison& pair) {
+  double largest = 0;
+  for (const ModeComparison& mode : pair.modes)
+    largest = std::max(largest, mode.reference.amplitude.value);
+  return largest;
+}
+
 double amplitude_deviation(const CaseDefinition& definition, const Comparison& pair,
                            const ModeComparison& mode) {
   const auto* record = std::get_if<RecordRun>(&run_named(definition, pair.reference).solver);
@@ -80,7 +87,9 @@ class Collection {
     for (const Comparison* pair : counted_comparisons(assessment))
       for (const ModeComparison& mode : pair->modes) {
         if (!mode.resolved()) continue;
-        if (const std::string kind = amplitude_kind(pair->quantity); !kind.empty())
+        const std::string kind = amplitude_kind(pair->quantity);
+        if (!kind.empty() && mode.reference.amplitude.value >=
+                                 smallest_share_of_amplitude * largest_amplitude(*pair))
           add(kind, pair->unit, definition, *pair, mode,
               {mode.candidate.amplitude.value, mode.reference.amplitude.value,
                amplitude_deviation(definition, *pair, mode)});

@@ -1,5 +1,6 @@
 // What the models of a campaign predicted, beside what theory and records say of the same, over all
-// of its cases: the amplitudes of the fitted modes and the natural frequencies. A model is an SPH
+// of its cases: the amplitudes of the fitted modes, down to a tenth of the largest one of the
+// reference, and the natural frequencies. A model is an SPH
 // scheme with all that a run changes of it, or interFoam; of each the finest run of a case counts,
 // against the first theory in its range, or record, that the case compares it with.
 #pragma once
@@ -12,6 +13,9 @@
 #include "verification/metrics/model_bias.hpp"
 
 namespace slosh {
+
+// A smaller mode is of the size of what the others err by: its relative error would tell of those.
+inline constexpr double smallest_share_of_amplitude = 0.1;
 
 struct Prediction {
   std::string case_name, candidate, reference, quantity, mode;

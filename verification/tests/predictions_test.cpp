@@ -59,6 +59,21 @@ TEST(Predictions, OfNaturalFrequenciesLeaveTheForcedModeOut) {
   }
 }
 
+TEST(Predictions, OfModesBelowATenthOfTheLargestDoNotCountAsAmplitudes) {
+  CaseAssessment assessment = assess(surge_case(), surge_runs());
+  const auto modes = [&](double share) {
+    for (Comparison& pair : assessment.comparisons)
+      for (ModeComparison& mode : pair.modes)
+        if (mode.mode != "forced")
+          mode.reference.amplitude.value = share * pair.modes.at(0).reference.amplitude.value;
+    return set_of(prediction_sets({assessment}), "elevation amplitude", "recommended")
+        .predictions.size();
+  };
+  ASSERT_EQ(assessment.comparisons.at(0).modes.at(0).mode, "forced");
+  EXPECT_EQ(modes(0.09), 1u);
+  EXPECT_GT(modes(0.11), 1u);
+}
+
 TEST(Predictions, AgainstAReferenceOutOfItsRangeDoNotCount) {
   CaseRuns runs = surge_runs();
   runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
