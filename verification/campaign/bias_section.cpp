@@ -75,6 +75,27 @@ Figure scatter_figure(const std::vector<const PredictionSet*>& sets) {
   return figure;
 }
 
+// The same as ratios, where a scatter of a per cent is still seen.
+Figure ratio_figure(const std::vector<const PredictionSet*>& sets) {
+  const PredictionSet& first = *sets.front();
+  const double deviation = first.bias->relative_deviation;
+  Figure figure = scatter_figure(sets);
+  figure.id += "-ratio";
+  figure.title = fmt::format("Predicted {} divided by the reference's", first.kind);
+  figure.caption = fmt::format(
+      "1 is agreement; the band is the bias and two relative standard "
+      "deviations of {} to either side.",
+      first.model);
+  figure.y_label = "predicted / reference";
+  figure.log_y = false;
+  figure.curves.resize(sets.size());
+  for (Curve& curve : figure.curves)
+    for (std::size_t i = 0; i < curve.y.size(); ++i) curve.y[i] /= curve.x[i];
+  figure.bands = {{first.model + ": bias ± 2 σ", first.bias->bias * (1 - 2 * deviation),
+                   first.bias->bias * (1 + 2 * deviation)}};
+  return figure;
+}
+
 reports::Table bias_table(const std::vector<PredictionSet>& sets) {
   reports::Table table{
       "bias",
@@ -125,16 +146,20 @@ reports::Section bias_section(const std::vector<PredictionSet>& sets) {
   if (std::none_of(sets.begin(), sets.end(), [](const auto& set) { return set.bias.has_value(); }))
     return section;
   section.tables.push_back(bias_table(sets));
+  const auto draw = [&section](const std::vector<const PredictionSet*>& alike) {
+    section.figures.push_back(scatter_figure(alike));
+    section.figures.push_back(ratio_figure(alike));
+  };
   std::vector<const PredictionSet*> alike;
   for (const PredictionSet& set : sets) {
     if (!set.bias) continue;
     if (!alike.empty() && alike.front()->kind != set.kind) {
-      section.figures.push_back(scatter_figure(alike));
+      draw(alike);
       alike.clear();
     }
     alike.push_back(&set);
   }
-  section.figures.push_back(scatter_figure(alike));
+  draw(alike);
   return section;
 }
 

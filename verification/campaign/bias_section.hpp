@@ -1,5 +1,6 @@
 // The section on bias and scatter of a campaign's models, as NIST's FDS validation guide tells of
-// them: a table and, for each kind of quantity, predicted values over the references'.
+// them: a table and, for each kind of quantity, predicted values over the references' and their
+// ratios.
 #pragma once
 
 #include <vector>

@@ -93,6 +93,10 @@ TEST(BiasSection, StatesTheFactorThatAllCasesWereMadeWith) {
   ASSERT_FALSE(section.figures.empty());
   EXPECT_EQ(section.figures[0].id, "bias-elevation-amplitude");
   EXPECT_EQ(section.figures[0].x_label, "reference [mm]");
+  const reports::Figure& ratios = section.figures.at(1);
+  EXPECT_EQ(ratios.curves.at(0).label, "recommended");
+  for (const double ratio : ratios.curves[0].y) EXPECT_NEAR(ratio, 1.1, 1e-6);
+  EXPECT_NEAR(ratios.bands.at(0).lower, 1.1, 1e-5);
 }
 
 TEST(BiasSection, SaysWhereThereAreTooFewComparisons) {
