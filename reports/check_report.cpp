@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "reports/field_range.hpp"
+#include "reports/page_links.hpp"
 #include "reports/write_report.hpp"
 
 namespace slosh::reports {
@@ -31,6 +33,44 @@ void check_table(const Table& table) {
                                     table.id, i + 1, table.rows[i].size(), table.header.size()));
     }
   }
+}
+
+void check_row_anchors(const Table& table, std::set<std::string>& taken) {
+  if (!table.row_ids.empty() && table.row_ids.size() != table.rows.size()) {
+    throw ReportError(fmt::format("table '{}': {} row_ids, expected {} as the rows, or none",
+                                  table.id, table.row_ids.size(), table.rows.size()));
+  }
+  for (const std::string& id : table.row_ids) check_id("row", id, taken);
+}
+
+void check_links(const Table& table, const std::map<std::string, std::string>& anchors) {
+  if (table.links.empty()) return;
+  const auto width = [](const auto& row) { return row.size(); };
+  if (!std::ranges::equal(table.links, table.rows, {}, width, width))
+    throw ReportError(
+        fmt::format("table '{}': expected a link, or an empty one, a cell", table.id));
+  for (const auto& row : table.links)
+    for (const std::string& anchor : row)
+      if (!anchor.empty() && !anchors.contains(anchor)) {
+        throw ReportError(fmt::format("table '{}': a link leads to '{}', which the report has not",
+                                      table.id, anchor));
+      }
+}
+
+// Every section stands on a page that there is, and no page is without a section.
+void check_pages(const Report& report) {
+  std::set<std::string> pages{"index"}, used;  // the first page's file has that name
+  for (const Page& page : report.pages) check_id("page", page.id, pages);
+  for (const Section& section : report.sections) {
+    if (!section.page.empty() && (section.page == "index" || !pages.contains(section.page))) {
+      throw ReportError(fmt::format("section '{}' is on the page '{}', which the report has not",
+                                    section.id, section.page));
+    }
+    used.insert(section.page);
+  }
+  for (const Page& page : report.pages)
+    if (!used.contains(page.id))
+      throw ReportError(fmt::format("page '{}' has no section", page.id));
 }
 
 void check_figure(const Figure& figure) {
@@ -109,12 +149,14 @@ void check_field(const FieldFigure& figure) {
 }  // namespace
 
 void check_report(const Report& report) {
-  std::set<std::string> sections, tables, figures;
+  check_pages(report);
+  std::set<std::string> sections, tables, rows, figures;
   for (const Section& section : report.sections) {
     check_id("section", section.id, sections);
     for (const Table& table : section.tables) {
       check_id("table", table.id, tables);
       check_table(table);
+      check_row_anchors(table, rows);
     }
     for (const Figure& figure : section.figures) {
       check_id("figure", figure.id, figures);
@@ -125,6 +167,9 @@ void check_report(const Report& report) {
       check_field(figure);
     }
   }
+  const std::map<std::string, std::string> anchors = anchors_of(report);
+  for (const Section& section : report.sections)
+    for (const Table& table : section.tables) check_links(table, anchors);
   try {
     [[maybe_unused]] const auto parsed = nlohmann::json::parse(report.results_json);
   } catch (const nlohmann::json::parse_error& error) {

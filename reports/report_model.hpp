@@ -4,6 +4,8 @@
 // unique among their kind. In paragraphs, captions and cells, text between `backticks` is shown as
 // code. Values that are not finite leave a gap in a curve; markers and bands that are not finite
 // are not drawn, nor are places and arrows of a field that are not.
+//
+// Sections stand on pages: those that name none on the first, index.html, which has the verdict.
 #pragma once
 
 #include <string>
@@ -70,13 +72,18 @@ struct FieldFigure {
   std::vector<FieldPanel> panels;               // row by row
 };
 
-// The cells "pass", "confirmed", "FAIL", "violated", "refuted", "solver failed", "not compared",
-// "no result", "not selected", "not supplied", "not decidable", "out of range", "skipped" (in any
-// case) get a sign and a colour. Columns of numbers are aligned right.
+// The cells "pass", "confirmed", "FAIL", "violated", "refuted", "inconclusive", "solver failed",
+// "not compared", "no result", "not selected", "not supplied", "not decidable", "out of range",
+// "skipped" (in any case) get a sign and a colour, and so does one that goes on after such a word
+// and ": ". Columns of numbers are aligned right.
 struct Table {
   std::string id, title, caption;  // the anchor is "table-<id>"
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;  // each as long as the header
+  std::vector<std::string> row_ids = {};       // anchors "row-<id>", one a row; empty for none
+  // Per cell the anchor of this report that it leads to ("section-gate", "row-surge-3"), empty for
+  // none; as many as the cells, or none at all.
+  std::vector<std::vector<std::string>> links = {};
 };
 
 struct Section {
@@ -85,9 +92,18 @@ struct Section {
   std::vector<Table> tables;
   std::vector<Figure> figures;
   std::vector<FieldFigure> fields = {};  // after the figures, and numbered on
+  std::string page = {};                 // the id of the page it stands on; empty: the first
 };
 
 enum class Outcome { pass, inconclusive, fail };
+
+// A page beside the first.
+struct Page {
+  std::string id;                   // as sections' ids, and not "index": the file is "<id>.html"
+  std::string title;                // the anchor in documents that hold all pages is "page-<id>"
+  std::string verdict;              // one sentence; empty for none
+  Outcome outcome = Outcome::fail;  // where there is a verdict
+};
 
 struct Report {
   std::string title;
@@ -97,6 +113,7 @@ struct Report {
   std::vector<Section> sections;
   std::string
       results_json;  // the machine-readable document, already serialised (schema in the README)
+  std::vector<Page> pages = {};  // beside the first, in their order
 };
 
 }  // namespace slosh::reports

@@ -87,9 +87,10 @@ CellVerdict cell_verdict(const std::string& cell) {
                                          "solver failed", "not compared", "no result"};
   static const std::set<std::string> neutral{"not selected", "not supplied", "not decidable",
                                              "out of range", "skipped"};
-  const std::string word = boost::to_lower_copy(boost::trim_copy(cell));
+  const std::string word = boost::to_lower_copy(boost::trim_copy(cell.substr(0, cell.find(": "))));
   if (good.contains(word)) return CellVerdict::good;
   if (bad.contains(word)) return CellVerdict::bad;
+  if (word == "inconclusive") return CellVerdict::unsure;
   return neutral.contains(word) ? CellVerdict::neutral : CellVerdict::none;
 }
 
@@ -99,6 +100,8 @@ std::string verdict_sign(CellVerdict verdict) {
       return "✓";
     case CellVerdict::bad:
       return "✗";
+    case CellVerdict::unsure:
+      return "?";
     case CellVerdict::neutral:
       return "–";
     case CellVerdict::none:

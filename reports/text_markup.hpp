@@ -11,14 +11,15 @@ std::string html_text(const std::string& text);
 std::string markdown_text(const std::string& text);
 
 // What a cell of a table says about a check.
-enum class CellVerdict { none, good, bad, neutral };
+enum class CellVerdict { none, good, bad, unsure, neutral };
 
 // "pass", "confirmed" are good; "FAIL", "violated", "refuted", "solver failed", "not compared", "no
-// result" are bad; "not selected", "not supplied", "not decidable", "out of range", "skipped" are
-// neutral; in any case. All else says nothing.
+// result" are bad; "inconclusive" is unsure; "not selected", "not supplied", "not decidable", "out
+// of range", "skipped" are neutral; in any case, alone or before ": ". All else says nothing.
 CellVerdict cell_verdict(const std::string& cell);
 
-// A sign to stand before the cell's text, so that colour is not alone: "✓", "✗", "–", or nothing.
+// A sign to stand before the cell's text, so that colour is not alone: "✓", "✗", "?", "–", or
+// nothing.
 std::string verdict_sign(CellVerdict verdict);
 
 // Whether the cell reads as a number, with or without sign, unit or uncertainty: aligned right.

@@ -1,6 +1,5 @@
 #include "reports/write_html.hpp"
 
-#include <algorithm>
 #include <kainjow/mustache.hpp>
 
 #include "reports/figure_palette.hpp"
@@ -12,143 +11,98 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-// Which columns hold numbers only, and at least one.
-std::vector<bool> numeric_columns(const Table& table) {
-  std::vector<bool> numeric;
-  for (std::size_t column = 0; column < table.header.size(); ++column) {
-    numeric.push_back(!table.rows.empty() &&
-                      std::all_of(table.rows.begin(), table.rows.end(),
-                                  [&](const auto& row) { return is_numeric(row[column]); }));
-  }
-  return numeric;
-}
-
-const char* cell_class(CellVerdict verdict, bool numeric) {
-  switch (verdict) {
-    case CellVerdict::good:
-      return "good";
-    case CellVerdict::bad:
-      return "bad";
-    case CellVerdict::neutral:
-      return "neutral";
-    case CellVerdict::none:
-      break;
-  }
-  return numeric ? "number" : "text";
-}
-
-mustache::data cell_data(const std::string& cell, bool numeric) {
-  const CellVerdict verdict = cell_verdict(cell);
-  mustache::data data;
-  data.set("class", cell_class(verdict, numeric));
-  data.set("sign", verdict_sign(verdict));
-  data.set("has_sign", verdict != CellVerdict::none);
-  data.set("text", html_text(cell));
-  return data;
-}
-
-mustache::data table_data(const Table& table, int number) {
-  const std::vector<bool> numeric = numeric_columns(table);
-  mustache::data header(mustache::data::type::list), rows(mustache::data::type::list);
-  for (std::size_t i = 0; i < table.header.size(); ++i) {
-    mustache::data heading{"text", html_text(table.header[i])};
-    heading.set("class", numeric[i] ? "number" : "text");
-    header << heading;
-  }
-  for (const auto& row : table.rows) {
-    mustache::data cells(mustache::data::type::list);
-    for (std::size_t i = 1; i < row.size(); ++i) cells << cell_data(row[i], numeric[i]);
-    mustache::data line;
-    if (!row.empty()) line.set("first", cell_data(row[0], numeric[0]));
-    line.set("cells", cells);
-    rows << line;
-  }
-  mustache::data data;
-  data.set("id", table.id);
-  data.set("number", std::to_string(number));
-  data.set("title", html_text(table.title));
-  data.set("caption", html_text(table.caption));
-  data.set("header", header);
-  data.set("rows", rows);
-  return data;
-}
-
-template <typename AnyFigure>
-mustache::data heading_data(const AnyFigure& figure, int number) {
-  mustache::data data;
-  data.set("id", figure.id);
-  data.set("number", std::to_string(number));
-  data.set("title", html_text(figure.title));
-  data.set("caption", html_text(figure.caption));
-  return data;
-}
-
-mustache::data figure_data(const Figure& figure, const DrawnFigure& drawn, int number) {
-  mustache::data data = heading_data(figure, number);
-  data.set("svg", svg_element(figure, drawn, SvgPlace::in_page));
-  return data;
-}
-
-mustache::data field_data(const FieldFigure& figure, const DrawnField& drawn, int number) {
-  mustache::data picture;
-  picture.set("width", std::to_string(drawn.width));
-  picture.set("height", std::to_string(drawn.height));
-  picture.set("description", description(figure));
-  picture.set("address", data_address(drawn));
-  mustache::data data = heading_data(figure, number);
-  data.set("picture", picture);
-  return data;
-}
-
-mustache::data sections_data(const Report& report, const Drawings& drawings) {
-  mustache::data sections(mustache::data::type::list);
-  int table_number = 0, figure_number = 0;
-  auto drawn_figure = drawings.figures.begin();
-  auto drawn_field = drawings.fields.begin();
-  for (const Section& section : report.sections) {
-    mustache::data paragraphs(mustache::data::type::list), tables(mustache::data::type::list),
-        figures(mustache::data::type::list);
-    for (const std::string& paragraph : section.paragraphs)
-      paragraphs << mustache::data{"text", html_text(paragraph)};
-    for (const Table& table : section.tables) tables << table_data(table, ++table_number);
-    for (const Figure& figure : section.figures)
-      figures << figure_data(figure, *drawn_figure++, ++figure_number);
-    for (const FieldFigure& figure : section.fields)
-      figures << field_data(figure, *drawn_field++, ++figure_number);
-    mustache::data data;
-    data.set("id", section.id);
-    data.set("title", section.title);
-    data.set("paragraphs", paragraphs);
-    data.set("tables", tables);
-    data.set("figures", figures);
-    sections << data;
-  }
-  return sections;
-}
-
 // The sign is hidden from screen readers, the word is not.
-mustache::data outcome_data(Outcome outcome) {
+mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
   mustache::data data;
   const bool pass = outcome == Outcome::pass, fail = outcome == Outcome::fail;
   data.set("class", pass ? "good" : fail ? "bad" : "unsure");
   data.set("sign", pass ? "✓" : fail ? "✗" : "?");
   data.set("word", pass ? "Pass" : fail ? "Fail" : "Inconclusive");
+  data.set("sentence", html_text(sentence));
   return data;
+}
+
+// What lists and neighbours tell of a page.
+mustache::data entry_data(const Page& page, const PageLinks& links) {
+  mustache::data data;
+  data.set("title", page.title);
+  data.set("address", links.to_page(page.id));
+  if (!page.verdict.empty()) data.set("outcome", outcome_data(page.outcome, page.verdict));
+  return data;
+}
+
+mustache::data sections_of(const Report& report, const std::string& page,
+                           const std::vector<mustache::data>& written) {
+  mustache::data sections(mustache::data::type::list);
+  for (std::size_t i = 0; i < report.sections.size(); ++i)
+    if (report.sections[i].page == page) sections << written[i];
+  return sections;
+}
+
+// The first page as one among the others.
+Page first_page(const Report& report) { return {"", report.title, report.verdict, report.outcome}; }
+
+mustache::data document_data(const Report& report) {
+  mustache::data data;
+  data.set("page_mark", page_mark);
+  data.set("report_title", report.title);
+  data.set("subtitle", report.subtitle);
+  data.set("style", page_style);
+  data.set("dark_rules", dark_rules());
+  data.set("sections_part", mustache::partial([] { return sections_template; }));
+  data.set("cell_part", mustache::partial([] { return cell_template; }));
+  return data;
+}
+
+mustache::data page_data(const Report& report, const Page& page,
+                         const std::vector<mustache::data>& written) {
+  mustache::data data;
+  data.set("id", page.id);
+  data.set("title", page.title);
+  if (!page.verdict.empty()) data.set("outcome", outcome_data(page.outcome, page.verdict));
+  data.set("sections", sections_of(report, page.id, written));
+  return data;
+}
+
+mustache::data list_of(const std::vector<Page>& pages, const PageLinks& links) {
+  mustache::data list(mustache::data::type::list);
+  for (const Page& page : pages) list << entry_data(page, links);
+  return list;
 }
 
 }  // namespace
 
-std::string html_page(const Report& report, const Drawings& drawings) {
-  mustache::mustache page(page_template);
-  mustache::data data;
-  data.set("title", report.title);
-  data.set("subtitle", report.subtitle);
-  data.set("verdict", html_text(report.verdict));
-  data.set("outcome", outcome_data(report.outcome));
-  data.set("style", page_style);
-  data.set("dark_rules", dark_rules());
-  data.set("sections", sections_data(report, drawings));
-  return page.render(data);
+std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings) {
+  const PageLinks links(report, Layout::pages);
+  const std::vector<mustache::data> written = sections_data(report, drawings, Layout::pages);
+  std::vector<Page> pages{first_page(report)};
+  pages.insert(pages.end(), report.pages.begin(), report.pages.end());
+  std::vector<HtmlFile> files;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    mustache::data data = document_data(report);
+    data.set("page", page_data(report, pages[i], written));
+    data.set("is_first", i == 0);
+    data.set("has_pages", i == 0 && pages.size() > 1);
+    data.set("has_neighbours", pages.size() > 1);
+    if (i == 0) data.set("pages", list_of(report.pages, links));
+    if (i > 0) data.set("previous", entry_data(pages[i - 1], links));
+    if (i + 1 < pages.size()) data.set("next", entry_data(pages[i + 1], links));
+    mustache::mustache page(page_template);
+    files.push_back({page_file(pages[i].id), page.render(data)});
+  }
+  return files;
+}
+
+std::string whole_document(const Report& report, const Drawings& drawings) {
+  const PageLinks links(report, Layout::whole);
+  const std::vector<mustache::data> written = sections_data(report, drawings, Layout::whole);
+  mustache::data data = document_data(report), pages(mustache::data::type::list);
+  for (const Page& page : report.pages) pages << page_data(report, page, written);
+  data.set("first", page_data(report, first_page(report), written));
+  data.set("contents", list_of(report.pages, links));
+  data.set("pages", pages);
+  mustache::mustache document(whole_template);
+  return document.render(data);
 }
 
 }  // namespace slosh::reports

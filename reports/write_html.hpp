@@ -1,21 +1,26 @@
-// The report as one self-contained HTML page.
+// The report as HTML: a self-contained file for each page, and one document of all for printing.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "reports/draw_field.hpp"
-#include "reports/draw_figure.hpp"
+#include "reports/html_sections.hpp"
 #include "reports/report_model.hpp"
 
 namespace slosh::reports {
 
-// What was drawn of a report: one for each figure and for each field, in the report's order.
-struct Drawings {
-  std::vector<DrawnFigure> figures;
-  std::vector<DrawnField> fields;
+struct HtmlFile {
+  std::string name;  // "index.html"
+  std::string text;
 };
 
-std::string html_page(const Report& report, const Drawings& drawings);
+// Every file that is written here says so: whoever replaces a report knows its pages by it.
+inline constexpr const char* page_mark = "<meta name=\"generator\" content=\"Slosh report\">";
+
+// index.html, then the others, each a file of its own that links to the rest.
+std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings);
+
+// All pages one after the other.
+std::string whole_document(const Report& report, const Drawings& drawings);
 
 }  // namespace slosh::reports

@@ -9,12 +9,15 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "reports/check_report.hpp"
 #include "reports/draw_field.hpp"
 #include "reports/draw_figure.hpp"
+#include "reports/print_pdf.hpp"
+#include "reports/templates.hpp"
 #include "reports/text_file.hpp"
 #include "reports/write_html.hpp"
 #include "reports/write_markdown.hpp"
@@ -24,8 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> report_entries{"index.html", "report.md", "results.json",
-                                                         "figures"};
+constexpr std::array<std::string_view, 7> report_entries{
+    "index.html", "report.md",      "results.json", "results.schema.json",
+    "report.pdf", "report.pdf.log", "figures"};
 
 // A new directory of its own, gone with the object.
 class TemporaryDirectory {
@@ -50,8 +54,8 @@ class TemporaryDirectory {
   fs::path path_;
 };
 
-// `scratch` and `directory` are created here; only the latter is worth keeping.
-void write_files(const Report& report, const fs::path& scratch, const fs::path& directory) {
+// Each once. `scratch` and `directory` are created here; only the latter is worth keeping.
+Drawings draw(const Report& report, const fs::path& scratch, const fs::path& directory) {
   fs::create_directory(scratch);
   fs::create_directories(directory / "figures");
   Drawings drawings;
@@ -66,9 +70,31 @@ void write_files(const Report& report, const fs::path& scratch, const fs::path& 
       write_text(directory / "figures" / (figure.id + ".png"), drawings.fields.back().png);
     }
   }
-  write_text(directory / "index.html", html_page(report, drawings));
+  return drawings;
+}
+
+void write_files(const Report& report, const Drawings& drawings, const fs::path& directory) {
+  for (const HtmlFile& file : html_pages(report, drawings))
+    write_text(directory / file.name, file.text);
   write_text(directory / "report.md", markdown_page(report));
   write_text(directory / "results.json", report.results_json);
+  write_text(directory / "results.schema.json", results_schema);
+}
+
+// Why there is no PDF.
+std::optional<ReportError> write_pdf(const Report& report, const Drawings& drawings,
+                                     const fs::path& scratch, const fs::path& directory) try {
+  print_pdf(whole_document(report, drawings), scratch, directory / "report.pdf");
+  return {};
+} catch (const ReportError& error) {
+  return error;
+}
+
+bool is_of_a_report(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return std::find(report_entries.begin(), report_entries.end(), name) != report_entries.end() ||
+         (file.extension() == ".html" && fs::is_regular_file(file) &&
+          read_text(file).find(page_mark) != std::string::npos);
 }
 
 // Guards a directory that was named by mistake: replacing it would delete what is in it.
@@ -77,11 +103,10 @@ void check_replaceable(const fs::path& target) {
   if (!fs::is_directory(target))
     throw ReportError("cannot write a report to " + target.string() + ": it is a file");
   for (const auto& entry : fs::directory_iterator(target)) {
-    const std::string name = entry.path().filename().string();
-    if (std::find(report_entries.begin(), report_entries.end(), name) == report_entries.end()) {
+    if (!is_of_a_report(entry.path())) {
       throw ReportError(
           fmt::format("will not replace {}: it holds '{}', which is no part of a report",
-                      target.string(), name));
+                      target.string(), entry.path().filename().string()));
     }
   }
 }
@@ -107,7 +132,7 @@ void swap_in(const fs::path& complete, const fs::path& target, const fs::path& a
 
 }  // namespace
 
-void write_report(const Report& report, const fs::path& directory) try {
+void write_report(const Report& report, const fs::path& directory, bool pdf) try {
   check_report(report);
   // Through links and without a trailing slash, so that the temporary directory is truly beside it.
   fs::path target = fs::weakly_canonical(fs::absolute(directory));
@@ -116,8 +141,15 @@ void write_report(const Report& report, const fs::path& directory) try {
   fs::create_directories(target.parent_path());
   const TemporaryDirectory temporary(target.string() + ".writing-");
   const fs::path complete = temporary.path() / "report";
-  write_files(report, temporary.path() / "drawing", complete);
+  const fs::path scratch = temporary.path() / "drawing";
+  const Drawings drawings = draw(report, scratch, complete);
+  write_files(report, drawings, complete);
+  std::optional<ReportError> no_pdf;
+  if (pdf) no_pdf = write_pdf(report, drawings, scratch, complete);
   swap_in(complete, target, temporary.path() / "old");
+  if (!no_pdf) return;
+  const fs::path log = target / "report.pdf.log";
+  throw ReportError(no_pdf->what() + (fs::exists(log) ? " (see " + log.string() + ")" : ""));
 } catch (const fs::filesystem_error& error) {
   throw ReportError(
       fmt::format("cannot write the report {}: {}", directory.string(), error.what()));

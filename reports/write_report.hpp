@@ -1,7 +1,8 @@
-// Writes a report: <directory>/index.html (self-contained, figures inline as SVG and PNG),
-// report.md, results.json, figures/*.svg and figures/*.png. All of it goes to a temporary directory
-// beside the target first and is swapped in when complete, so that there is always one whole report
-// under the name: the old one until the new one is done.
+// Writes a report: <directory>/index.html and a file for each other page (self-contained, figures
+// inline as SVG and PNG), report.md, results.json with its schema, figures/*.svg and figures/*.png,
+// and, where asked for, report.pdf of all pages. All of it goes to a temporary directory beside the
+// target first and is swapped in when complete, so that there is always one whole report under the
+// name: the old one until the new one is done.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,8 @@ struct ReportError : std::runtime_error {
 };
 
 // Replaces an earlier report under the same name. A directory that holds anything else is never
-// replaced: ReportError. After any error what was under the name is as it was.
-void write_report(const Report& report, const std::filesystem::path& directory);
+// replaced: ReportError. After any error what was under the name is as it was, but for one of the
+// PDF alone: then the new report stands there without it.
+void write_report(const Report& report, const std::filesystem::path& directory, bool pdf = false);
 
 }  // namespace slosh::reports

@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "reports/print_pdf.hpp"
 #include "reports/write_report.hpp"
 #include "verification/assessment_text.hpp"
 #include "verification/baseline/baseline_diff.hpp"
@@ -67,14 +68,17 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   RequestedCampaign campaign = requested(options, installation);
   const CampaignSettings settings = campaign.settings;
   if (options.resume) require_earlier_start(settings);
+  if (options.pdf && !reports::can_print_pdf())
+    throw CaseFileError("--pdf: " + reports::no_browser_message());
   if (options.dry_run) {
     std::cout << plan_text(campaign.cases, campaign.definition.problems, settings);
     return exit_pass;
   }
-  const fs::path place = campaign.place, page = place / "report/index.html";
+  const fs::path place = campaign.place, page = place / "report/index.html",
+                 pdf = place / "report/report.pdf";
   const std::vector<CaseDefinition> cases = campaign.cases;
   if (const auto standing = read_standing(place);
-      standing && fs::exists(page) &&
+      standing && fs::exists(page) && (!options.pdf || fs::exists(pdf)) &&
       standing->fingerprint == fingerprint_of(campaign.definition, cases, settings)) {
     std::cout << standing->out;
     return ended(standing->status, options);
@@ -88,12 +92,13 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
       selection_options(options.selection), experiments_option(settings.experiments));
   reports::write_report(campaign_report(assessed.definition, options.selection.quick, command,
                                         assessed.cases, assessed.problems),
-                        place / "report");
+                        place / "report", options.pdf);
   const int status = exit_status(assessed.cases, assessed.problems);
   const std::string verdict =
       fmt::format("{}: {}\nreport: {}\n", word_for(status),
                   verdict_sentence(assessed.cases, assessed.problems), page.string());
   std::cout << verdict;
+  if (options.pdf) std::cout << "PDF: " << pdf.string() << "\n";
   if (const auto fingerprint = fingerprint_of(assessed.definition, cases, settings))
     write_standing({*fingerprint, status, rows + verdict}, place);
   return ended(status, options);

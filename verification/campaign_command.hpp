@@ -27,6 +27,7 @@ struct CampaignOptions {
   std::optional<int> timings = {};            // repeats a run; none: as the campaign says
   std::filesystem::path store = {};           // of results; empty: <build>/store
   int inconclusive_exit = exit_inconclusive;  // where nothing is worse than inconclusive
+  bool pdf = false;                           // print the report to PDF too
   std::filesystem::path experiments;          // empty: none is named
   std::filesystem::path
       output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
@@ -49,7 +50,8 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
 std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
                                 const Installation& installation);
 
-// Both print each row and leave the report.
+// Both print each row and leave the report. Throws CaseFileError, before anything runs, where a PDF
+// is asked for and there is no browser to print it.
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop);
 

@@ -19,7 +19,7 @@ namespace process = boost::process;
 // Shows a page in a frame of the phone's width and in one of a desk's, and leaves what it measures
 // as text. Contrasts are WCAG 2.1's, against the page's own background.
 constexpr const char* measuring_page = R"(<!DOCTYPE html><title>measure</title>
-<iframe src="PAGE" style="width:390px;height:800px;border:0"></iframe>
+<iframe src="PAGE" style="width:360px;height:800px;border:0"></iframe>
 <iframe src="PAGE" style="width:1200px;height:800px;border:0"></iframe>
 <pre id="measures"></pre>
 <script>
@@ -67,6 +67,11 @@ const measure = frame => {
     text_contrast: lowest(all('svg text').map(text => contrast(style(text).fill, background))),
     curve_contrast: lowest(all('svg [id*=gnuplot_plot] path').filter(p => style(p).stroke !== 'none').map(p => contrast(style(p).stroke, background))),
     page_contrast: lowest(all('h1, p, th, td, figcaption, .detail, a').map(element => contrast(style(element).color, background))),
+    heading_levels: all('h1, h2, h3, h4, h5, h6').map(heading => +heading.tagName[1]),
+    first_focus: all('a[href], button, input, [tabindex="0"]')[0]?.className ?? '',
+    landmarks: ['header', 'main', 'footer'].filter(name => all('body > ' + name).length == 1).length,
+    unnamed_landmarks: all('nav:not([aria-label], [aria-labelledby]), section:not([aria-labelledby])').length,
+    links: all('a[href]').map(a => a.getAttribute('href')).filter(address => !address.startsWith('#')),
     dark: luminance(background) < 0.2,
     verdict_first: all('h1, h2, p, table')[1]?.className.startsWith('verdict') ?? false,
     table_rows: Object.fromEntries(all('table').map(table => [table.id, table.querySelectorAll('tbody tr').length])),

@@ -223,6 +223,20 @@ Report sample_report() {
   return report;
 }
 
+Report paged_report() {
+  Report report = sample_report();
+  report.pages = {{"waves", "Waves & wind", "5 of 5 checks hold.", Outcome::pass},
+                  {"cost", "What it costs", "", {}}};
+  report.sections[1].page = "waves";
+  report.sections[2].page = "cost";
+  report.sections[2].tables[0].row_ids = {"runs-1", "runs-2"};
+  Table& gate = report.sections[0].tables[0];
+  gate.links.assign(gate.rows.size(), std::vector<std::string>(gate.header.size()));
+  gate.links[0][0] = "section-waves";
+  gate.links[2][5] = "row-runs-2";
+  return report;
+}
+
 Figure heavy_figure(const std::string& id) {
   Figure figure{.id = id,
                 .title = id,

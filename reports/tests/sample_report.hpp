@@ -7,6 +7,9 @@ namespace slosh::reports {
 
 Report sample_report();
 
+// The same on three pages, "waves" and "cost" beside the first, with links between them.
+Report paged_report();
+
 // A figure as heavy as a campaign's heaviest: six curves of 2001 samples.
 Figure heavy_figure(const std::string& id);
 

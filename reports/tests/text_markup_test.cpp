@@ -53,6 +53,13 @@ TEST(CellVerdicts, AreReadInAnyCaseAndOnlyFromTheWholeCell) {
   EXPECT_EQ(cell_verdict("low-pass filter"), CellVerdict::none);
 }
 
+TEST(CellVerdicts, MayGoOnAfterAColon) {
+  EXPECT_EQ(cell_verdict("pass: 0.3 ± 0.1 %"), CellVerdict::good);
+  EXPECT_EQ(cell_verdict("inconclusive"), CellVerdict::unsure);
+  EXPECT_EQ(verdict_sign(cell_verdict("inconclusive: 3 %")), "?");
+  EXPECT_EQ(cell_verdict("passes: 3"), CellVerdict::none);
+}
+
 TEST(NumericCells, AreNumbersWithOrWithoutUnitAndUncertainty) {
   for (const char* number :
        {"1", "-1.25e-3", "+3.1 %", "12 ± 0.4 mm", "<= 5 %", "≤ 1.5 deg", "nan", "-", "−2.5"}) {

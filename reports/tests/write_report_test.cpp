@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/process/search_path.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,10 +10,12 @@
 #include <regex>
 #include <set>
 
+#include "reports/print_pdf.hpp"
 #include "reports/tests/path_variable.hpp"
 #include "reports/tests/sample_report.hpp"
 #include "reports/tests/scratch_directory.hpp"
 #include "reports/text_file.hpp"
+#include "reports/write_html.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -32,12 +35,13 @@ std::size_t entries(const fs::path& directory) {
 TEST(WrittenReport, HasAllItsFilesAndLeavesNothingBeside) {
   const ScratchDirectory scratch;
   write_report(sample_report(), scratch / "campaign/report/");
-  for (const char* name : {"index.html", "report.md", "results.json", "figures/time-history.svg",
-                           "figures/cost.svg", "figures/pressure-field.png"}) {
+  for (const char* name :
+       {"index.html", "report.md", "results.json", "figures/time-history.svg",
+        "results.schema.json", "figures/cost.svg", "figures/pressure-field.png"}) {
     EXPECT_TRUE(fs::is_regular_file(scratch / "campaign/report" / name)) << name;
   }
   EXPECT_EQ(entries(scratch / "campaign"), 1u);
-  EXPECT_EQ(entries(scratch / "campaign/report"), 4u);
+  EXPECT_EQ(entries(scratch / "campaign/report"), 5u);
   EXPECT_EQ(read_text(scratch / "campaign/report/results.json"), sample_report().results_json);
 }
 
@@ -121,6 +125,76 @@ TEST(WrittenReport, TellsWhatAPictureShowsToThoseWhoDoNotSeeIt) {
             std::string::npos);
 }
 
+TEST(PagedReport, HasAFileForEachPageWithItsOwnSectionsAndVerdict) {
+  const ScratchDirectory scratch;
+  write_report(paged_report(), scratch / "report");
+  EXPECT_EQ(entries(scratch / "report"), 7u);
+  const std::string first = read_text(scratch / "report/index.html"),
+                    waves = read_text(scratch / "report/waves.html"),
+                    cost = read_text(scratch / "report/cost.html");
+  EXPECT_EQ(occurrences(first, "<figure"), 0u);
+  EXPECT_EQ(occurrences(waves, "<figure"), 4u);
+  EXPECT_EQ(occurrences(cost, "<figure"), 1u);
+  EXPECT_NE(cost.find("Figure 5. Error against run time"), std::string::npos);
+  EXPECT_NE(waves.find("<h1>Waves &amp; wind</h1>"), std::string::npos);
+  EXPECT_EQ(occurrences(waves, "class=\"verdict good\""), 1u);
+  EXPECT_EQ(occurrences(cost, "class=\"verdict"), 0u);
+  EXPECT_NE(first.find("<a href=\"cost.html#row-runs-2\">"), std::string::npos);
+}
+
+TEST(PagedReport, IsOneFileOfMarkdownWithTheSameAnchors) {
+  const ScratchDirectory scratch;
+  write_report(paged_report(), scratch / "report");
+  const std::string markdown = read_text(scratch / "report/report.md");
+  for (const char* part :
+       {"- [Waves \\& wind](#page-waves) **✓ PASS** 5 of 5", "<a id=\"page-waves\"></a>",
+        "\n### Waves at the gauge", "[✗ FAIL](#row-runs-2)", "|<a id=\"row-runs-2\"></a> li2010"})
+    EXPECT_NE(markdown.find(part), std::string::npos) << part;
+}
+
+TEST(PagedReport, IsOneDocumentForPrintingWithNoLinkOutOfIt) {
+  const Report report = paged_report();
+  const ScratchDirectory scratch;
+  Drawings drawings;
+  for (const Section& section : report.sections) {
+    for (const Figure& figure : section.figures)
+      drawings.figures.push_back(draw_figure(figure, scratch.path()));
+    for (const FieldFigure& field : section.fields)
+      drawings.fields.push_back(draw_field(field, scratch.path()));
+  }
+  const std::string page = whole_document(report, drawings);
+  EXPECT_EQ(occurrences(page, "<figure"), 5u);
+  EXPECT_EQ(occurrences(page, "<article"), 2u);
+  const std::regex target(R"( href="([^"]*)\")");
+  std::size_t links = 0;
+  for (std::sregex_iterator match(page.begin(), page.end(), target), end; match != end; ++match) {
+    const std::string address = (*match)[1];
+    EXPECT_NE(page.find(" id=\"" + address.substr(1) + "\""), std::string::npos) << address;
+    ++links;
+  }
+  EXPECT_GE(links, 4u);  // two pages and two cells
+}
+
+TEST(PagedReport, LosesThePagesThatANewerOneHasNot) {
+  const ScratchDirectory scratch;
+  write_report(paged_report(), scratch / "report");
+  write_report(sample_report(), scratch / "report");
+  EXPECT_FALSE(fs::exists(scratch / "report/waves.html"));
+  write_text(scratch / "report/waves.html", "<p>somebody's own");
+  EXPECT_THROW(write_report(sample_report(), scratch / "report"), ReportError);
+}
+
+TEST(PagedReport, StandsWithoutItsPdfWhereThereIsNoBrowser) {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch / "bin");
+  fs::create_symlink(boost::process::search_path("gnuplot").string(), scratch / "bin/gnuplot");
+  const PathVariable path((scratch / "bin").string());
+  EXPECT_FALSE(can_print_pdf());
+  EXPECT_THROW(write_report(paged_report(), scratch / "report", true), ReportError);
+  EXPECT_TRUE(fs::exists(scratch / "report/waves.html"));
+  EXPECT_FALSE(fs::exists(scratch / "report/report.pdf"));
+}
+
 TEST(WrittenReport, ReplacesTheOldOneWhole) {
   const ScratchDirectory scratch;
   write_report(sample_report(), scratch / "report");
@@ -174,6 +248,20 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
   expect_refused("no id", [](Report& r) { r.sections[0].id.clear(); });
   expect_refused("id twice", [](Report& r) { r.sections[1].figures[0].id = "cost"; });
   expect_refused("short row", [](Report& r) { r.sections[0].tables[0].rows[1].pop_back(); });
+  expect_refused("page of nowhere", [](Report& r) { r.sections[1].page = "nowhere"; });
+  expect_refused("page without a section", [](Report& r) { r.pages = {{"empty", "", "", {}}}; });
+  expect_refused("a second first page", [](Report& r) {
+    r.pages = {{"index", "", "", {}}};
+    r.sections[1].page = "index";
+  });
+  expect_refused("short row ids", [](Report& r) { r.sections[0].tables[0].row_ids = {"a"}; });
+  expect_refused("row id twice", [](Report& r) { r.sections[2].tables[0].row_ids = {"a", "a"}; });
+  expect_refused("link to nowhere", [](Report& r) {
+    r.sections[2].tables[0].links = {{"row-a", "", "", ""}, {"", "", "", ""}};
+  });
+  expect_refused("short links", [](Report& r) {
+    r.sections[2].tables[0].links = {{"section-cost"}, {""}};
+  });
   expect_refused("short curve", [](Report& r) { r.sections[1].figures[0].curves[0].y.pop_back(); });
   expect_refused("short bars",
                  [](Report& r) { r.sections[2].figures[0].curves[0].y_error.pop_back(); });

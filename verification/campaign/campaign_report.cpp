@@ -16,9 +16,11 @@
 #include "verification/campaign/order_table.hpp"
 #include "verification/campaign/problem_tables.hpp"
 #include "verification/campaign/repeat_table.hpp"
+#include "verification/campaign/report_places.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
 #include "verification/campaign/row_strength.hpp"
+#include "verification/campaign/summary_sections.hpp"
 #include "verification/campaign/uncertainty_table.hpp"
 #include "verification/campaign/wall_treatments.hpp"
 #include "verification/campaign/work_precision_tables.hpp"
@@ -54,13 +56,28 @@ int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
   return n;
 }
 
+// The gate rows of a case and what they ask for, first on its page.
+Section gate_section(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  Section section;
+  section.id = definition.name + "-gate";
+  section.title = "Gate";
+  section.page = page_of_case(definition.name);
+  if (definition.gate.empty())
+    section.paragraphs.push_back("No gate row judges this case.");
+  else
+    section.tables = {gate_table(assessment), limits_table(assessment)};
+  return section;
+}
+
 Section case_section(const CaseAssessment& assessment) {
   const std::vector<RowStrength> strengths = row_strengths(
       assessment, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
   const CaseDefinition& definition = assessment.definition;
   Section section;
   section.id = definition.name;
-  section.title = definition.title;
+  section.title = "Case and runs";
+  section.page = page_of_case(definition.name);
   section.paragraphs = {
       fmt::format("{}. Tank {} m x {} m, liquid {}; {}; {} s from rest in the {}'s frame. "
                   "Comparison from {} to {} s.",
@@ -79,7 +96,6 @@ Section case_section(const CaseAssessment& assessment) {
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
   section.fields = case_fields(assessment);
-  if (!definition.gate.empty()) section.tables.push_back(limits_table(assessment));
   if (!definition.gate.empty()) section.tables.push_back(strength_table(assessment, strengths));
   if (auto remedies = remedy_table(assessment)) section.tables.push_back(std::move(*remedies));
   if (auto matrix = error_matrix(assessment)) section.tables.push_back(std::move(*matrix));
@@ -106,6 +122,48 @@ bool has_selected_runs(const CaseAssessment& assessment) {
   return std::any_of(status.begin(), status.end(), [](const auto& of_run) {
     return of_run.second.state != RunState::not_selected;
   });
+}
+
+bool has_selected(const std::vector<ProblemAssessment>& problems) {
+  return std::any_of(problems.begin(), problems.end(), [](const ProblemAssessment& one) {
+    return one.run.status.state != RunState::not_selected;
+  });
+}
+
+reports::Outcome outcome_of(int status) {
+  return status == exit_pass           ? reports::Outcome::pass
+         : status == exit_inconclusive ? reports::Outcome::inconclusive
+                                       : reports::Outcome::fail;
+}
+
+// Without a verdict where nothing is judged and nothing is amiss.
+reports::Page page_of(const CaseAssessment& assessment) {
+  reports::Page page{page_of_case(assessment.definition.name), assessment.definition.title, "", {}};
+  const std::vector<CaseAssessment> alone{assessment};
+  const Standing standing = standing_of(alone);
+  const bool judged =
+      std::any_of(standing.verdicts.begin(), standing.verdicts.end(), [](Verdict verdict) {
+        return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
+      });
+  if (!judged && !standing.run_failed && !standing.left_open) return page;
+  page.verdict = verdict_sentence(alone);
+  page.outcome = outcome_of(exit_status(standing));
+  return page;
+}
+
+// What is told of several cases together, where there is any.
+void add_across_page(const CampaignDefinition& campaign, const std::vector<CaseAssessment>& cases,
+                     reports::Report& report) {
+  std::vector<Section> sections;
+  if (auto walls = wall_treatment_section(cases)) sections.push_back(std::move(*walls));
+  if (campaign.paper == "li2010") sections.push_back(li2010_section(cases));
+  if (campaign.paper == "zhao2021") sections.push_back(zhao2021_section(cases));
+  if (sections.empty()) return;
+  report.pages.push_back({across_page, "Across the cases", "", {}});
+  for (Section& one : sections) {
+    one.page = across_page;
+    report.sections.push_back(std::move(one));
+  }
 }
 
 }  // namespace
@@ -143,28 +201,25 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
   report.verdict = verdict_sentence(cases, problems);
-  const int status = exit_status(cases, problems);
-  report.outcome = status == exit_pass           ? reports::Outcome::pass
-                   : status == exit_inconclusive ? reports::Outcome::inconclusive
-                                                 : reports::Outcome::fail;
+  report.outcome = outcome_of(exit_status(cases, problems));
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
-  reports::Table gate = gate_table(cases);
-  add_gate_rows(problems, gate);
-  report.sections.push_back(
-      {"gate",
-       "Gate",
-       {fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)},
-       {std::move(gate)},
-       {}});
-  for (const CaseAssessment& one : cases)
-    if (has_selected_runs(one)) report.sections.push_back(case_section(one));
+  report.sections = summary_sections(
+      cases, problems,
+      fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source));
+  for (const CaseAssessment& one : cases) {
+    if (!has_selected_runs(one)) continue;
+    report.pages.push_back(page_of(one));
+    report.sections.push_back(gate_section(one));
+    report.sections.push_back(case_section(one));
+  }
+  if (has_selected(problems))
+    report.pages.push_back({problems_page, "Verification problems", verdict_sentence({}, problems),
+                            outcome_of(exit_status({}, problems))});
   for (const ProblemAssessment& one : problems)
     if (one.run.status.state != RunState::not_selected)
       report.sections.push_back(problem_section(one));
-  if (auto walls = wall_treatment_section(cases)) report.sections.push_back(std::move(*walls));
-  if (campaign.paper == "li2010") report.sections.push_back(li2010_section(cases));
-  if (campaign.paper == "zhao2021") report.sections.push_back(zhao2021_section(cases));
+  add_across_page(campaign, cases, report);
   report.results_json = results_json(campaign.name, quick, cases, problems);
   return report;
 }

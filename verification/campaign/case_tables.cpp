@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verification/campaign/work_points.hpp"
+#include "verification/campaign/report_places.hpp"
 
 namespace slosh {
 namespace {
@@ -40,13 +41,6 @@ std::string allowed(const GateRow& row) {
   if (row.between)
     return in_unit(row.between->first, row.unit) + " to " + in_unit(row.between->second, row.unit);
   return "below that of " + *row.improves_on;
-}
-
-// "forced amplitude error of elevation@right"
-std::string measure_name(const GateRow& row) {
-  std::string metric = measured_name(row);
-  std::replace(metric.begin(), metric.end(), '_', ' ');
-  return (row.mode == "whole" ? "" : row.mode + " ") + metric + " of " + row.quantity;
 }
 
 // "10.4 ± 0.2 (5)"
@@ -85,20 +79,26 @@ std::string peaks(const std::vector<SpectralPeak>& found, const std::string& uni
 
 }  // namespace
 
-Table gate_table(const std::vector<CaseAssessment>& cases) {
-  Table table{
-      "gate",
-      "Gate rows",
-      "A value that is no number, a series that ends early and a reference that is missing or "
-      "out of its range never pass. Limits and their reasons stand in each case's section.",
-      {"verdict", "case", "candidate", "reference", "measure", "found"},
-      {}};
-  for (const CaseAssessment& one : cases)
-    for (const GateOutcome& outcome : one.gate)
-      table.rows.push_back({verdict_name(outcome.verdict), one.definition.name,
-                            outcome.row.candidate,
-                            outcome.row.reference.empty() ? "none" : outcome.row.reference,
-                            measure_name(outcome.row), outcome.message});
+std::string measure_name(const GateRow& row) {
+  std::string metric = measured_name(row);
+  std::replace(metric.begin(), metric.end(), '_', ' ');
+  return (row.mode == "whole" ? "" : row.mode + " ") + metric + " of " + row.quantity;
+}
+
+Table gate_table(const CaseAssessment& assessment) {
+  const std::string& name = assessment.definition.name;
+  Table table{name + "-gate",
+              "Gate rows",
+              "A value that is no number, a series that ends early and a reference that is missing "
+              "or out of its range never pass.",
+              {"verdict", "candidate", "reference", "measure", "found"},
+              {}};
+  for (const GateOutcome& outcome : assessment.gate) {
+    table.row_ids.push_back(case_row_id(name, table.rows.size()));
+    table.rows.push_back({verdict_name(outcome.verdict), outcome.row.candidate,
+                          outcome.row.reference.empty() ? "none" : outcome.row.reference,
+                          measure_name(outcome.row), outcome.message});
+  }
   return table;
 }
 

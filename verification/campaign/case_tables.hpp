@@ -1,15 +1,18 @@
-// The tables of one case's section of a report, and the gate's over all cases.
+// The tables of one case's page of a report.
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include "reports/report_model.hpp"
 #include "verification/campaign/case_assessment.hpp"
 
 namespace slosh {
 
-// The gate rows of all cases: what was found and the verdict.
-reports::Table gate_table(const std::vector<CaseAssessment>& cases);
+// "forced amplitude error of elevation@right"
+std::string measure_name(const GateRow& row);
+
+// The case's gate rows: what was found and the verdict. Each has its anchor (report_places.hpp).
+reports::Table gate_table(const CaseAssessment& assessment);
 
 // A case's limits, why they stand and where they come from; rows alike but for their runs are
 // one line.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verification/campaign/order_table.hpp"
+#include "verification/campaign/report_places.hpp"
 #include "verification/case_file/problem_table.hpp"
 #include "verification/problems/problem.hpp"
 
@@ -63,10 +64,12 @@ Table limits_table(const ProblemAssessment& assessment) {
               "",
               {"verdict", "measure", "metric", "found", "reason", "source"},
               {}};
-  for (const ProblemGateOutcome& outcome : assessment.gate)
+  for (const ProblemGateOutcome& outcome : assessment.gate) {
+    table.row_ids.push_back(problem_row_id(assessment.definition.name, table.rows.size()));
     table.rows.push_back({verdict_name(outcome.verdict), outcome.row.measure,
                           metric_name(outcome.row.metric), outcome.message, outcome.row.reason,
                           outcome.row.source});
+  }
   return table;
 }
 
@@ -117,6 +120,7 @@ reports::Section problem_section(const ProblemAssessment& assessment) {
   const Problem& problem = find_problem(assessment.definition.name);
   reports::Section section;
   section.id = "problem-" + problem.name;
+  section.page = problems_page;
   section.title = problem.title;
   section.paragraphs = {problem.statement, "Exact: " + problem.exact_solution,
                         "Source: " + problem.source + "."};
@@ -133,13 +137,6 @@ reports::Section problem_section(const ProblemAssessment& assessment) {
   section.figures = error_figures(problem, result);
   for (const reports::Figure& one : result.outcome.figures) section.figures.push_back(one);
   return section;
-}
-
-void add_gate_rows(const std::vector<ProblemAssessment>& problems, Table& gate) {
-  for (const ProblemAssessment& one : problems)
-    for (const ProblemGateOutcome& outcome : one.gate)
-      gate.rows.push_back({verdict_name(outcome.verdict), one.definition.name, outcome.row.measure,
-                           "exact solution", metric_name(outcome.row.metric), outcome.message});
 }
 
 }  // namespace slosh

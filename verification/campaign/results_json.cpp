@@ -3,6 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "verification/campaign/work_precision_json.hpp"
+#include "verification/campaign/predictions.hpp"
+#include "verification/campaign/tolerance_share.hpp"
+#include "verification/campaign/verdict_matrix.hpp"
 #include "verification/case_file/problem_table.hpp"
 
 namespace slosh {
@@ -94,6 +97,9 @@ Json comparison_entry(const Comparison& pair) {
 }
 
 namespace {
+Json share_entry(const std::optional<ToleranceShare>& share) {
+  return share ? Json(share->value) : Json(nullptr);
+}
 
 Json gate_entry(const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
@@ -106,6 +112,7 @@ Json gate_entry(const GateOutcome& outcome) {
              {"unit", row.unit},
              {"value", outcome.value.value},
              {"half_width_95", outcome.value.half_width},
+             {"tolerance_share", share_entry(tolerance_share(outcome))},
              {"message", outcome.message},
              {"reason", row.reason},
              {"source", row.source},
@@ -140,6 +147,7 @@ Json gate_entry(const ProblemGateOutcome& outcome) {
              {"metric", metric_name(row.metric)},
              {"unit", row.unit},
              {"value", outcome.value},
+             {"tolerance_share", share_entry(tolerance_share(outcome))},
              {"message", outcome.message},
              {"reason", row.reason},
              {"source", row.source},
@@ -170,18 +178,64 @@ Json problem_entry(const ProblemAssessment& one) {
   return entry;
 }
 
+Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
+  Json list = Json::array();
+  for (const MatrixRow& row : matrix.rows)
+    for (const auto& [metric, cell] : row.cells)
+      list.push_back({{of, row.name},
+                      {"candidate", row.candidate},
+                      {"reference", row.reference},
+                      {"metric", metric},
+                      {"verdict", verdict_name(cell.verdict)},
+                      {"value", cell.value},
+                      {"half_width_95", cell.half_width},
+                      {"unit", cell.unit},
+                      {"tolerance_share", share_entry(cell.share)},
+                      {"rows", cell.rows}});
+  return list;
+}
+
+Json bias_entry(const PredictionSet& set) {
+  Json predictions = Json::array();
+  for (const Prediction& one : set.predictions)
+    predictions.push_back({{"case", one.case_name},
+                           {"candidate", one.candidate},
+                           {"reference", one.reference},
+                           {"quantity", one.quantity},
+                           {"mode", one.mode},
+                           {"predicted", one.value.predicted},
+                           {"reference_value", one.value.reference},
+                           {"reference_relative_deviation", one.value.reference_deviation}});
+  const auto number = [&](double ModelBias::*member) {
+    return set.bias ? Json((*set.bias).*member) : Json(nullptr);
+  };
+  return {{"quantity_kind", set.kind},
+          {"unit", set.unit},
+          {"model", set.model},
+          {"bias", number(&ModelBias::bias)},
+          {"relative_deviation", number(&ModelBias::relative_deviation)},
+          {"reference_relative_deviation", number(&ModelBias::reference_deviation)},
+          {"comparisons", predictions}};
+}
+
 }  // namespace
 
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems) {
-  Json document{{"schema", "slosh results"},
-                {"schema_version", 2},
+  Json document{{"$schema", "results.schema.json"},
+                {"schema", "slosh results"},
+                {"schema_version", 3},
                 {"campaign", campaign},
                 {"quick", quick},
                 {"exit_status", exit_status(cases, problems)},
+                {"verdict_matrix", matrix_entry(verdict_matrix(cases), "case")},
+                {"problem_matrix", matrix_entry(verdict_matrix(problems), "problem")},
+                {"model_bias", Json::array()},
                 {"cases", Json::array()},
                 {"problems", Json::array()}};
+  for (const PredictionSet& set : prediction_sets(cases))
+    document["model_bias"].push_back(bias_entry(set));
   for (const CaseAssessment& one : cases) {
     Json entry{{"name", one.definition.name},
                {"runs", Json::array()},

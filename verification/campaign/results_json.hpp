@@ -1,8 +1,6 @@
-// The campaign's outcome as JSON, for machines. Schema, version 1 (the README lists it): schema,
-// schema_version, campaign, quick, exit_status, cases[]: name, runs[], comparisons[], gate[],
-// work_precision[];
-// problems[]: name, state, message, cost, measures[] with order and errors[], gate[].
-// Numbers in SI units, the unit in the key; a number that does not exist is null.
+// The campaign's outcome as JSON, for machines. Its schema, version 3, is
+// reports/results.schema.json, which every report has beside it. Numbers in SI units, the unit in
+// the key; a number that does not exist is null.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -48,6 +48,11 @@ void add_inconclusive_option(CLI::App& command, CampaignOptions& options) {
       ->check(unnamed(CLI::Range(0, 125)));
 }
 
+void add_pdf_option(CLI::App& command, CampaignOptions& options) {
+  command.add_flag("--pdf", options.pdf,
+                   "Leave the whole report as report.pdf too; needs chromium");
+}
+
 void add_ledger_option(CLI::App& command, CampaignOptions& options) {
   command
       .add_option("--ledger", options.ledger,
@@ -109,6 +114,7 @@ void add_campaign_and_report(const CommandTree& tree) {
       [judge](const CampaignOptions& options) { return judge(options, true); });
   add_selection_options(*campaign, campaign_options->selection);
   add_inconclusive_option(*campaign, *campaign_options);
+  add_pdf_option(*campaign, *campaign_options);
   add_launch_options(*campaign, *campaign_options);
   add_start_options(*campaign, *campaign_options);
   const auto [report, report_options] = add_command_on_campaign(
@@ -119,6 +125,7 @@ void add_campaign_and_report(const CommandTree& tree) {
       [judge](const CampaignOptions& options) { return judge(options, false); });
   add_selection_options(*report, report_options->selection);
   add_inconclusive_option(*report, *report_options);
+  add_pdf_option(*report, *report_options);
 }
 
 void add_gate_and_selftest(const CommandTree& tree) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 
 #include "reports/check_report.hpp"
 #include "verification/campaign/results_json.hpp"
@@ -70,18 +71,55 @@ std::vector<std::string> section_ids(const reports::Report& report) {
   return ids;
 }
 
-TEST(CampaignReport, HasASectionForTheGateEachCaseAndThePaper) {
+const reports::Section& section_of(const reports::Report& report, const std::string& id) {
+  for (const reports::Section& section : report.sections)
+    if (section.id == id) return section;
+  throw std::out_of_range("no section " + id);
+}
+
+std::vector<std::string> page_ids(const reports::Report& report) {
+  std::vector<std::string> ids;
+  for (const reports::Page& page : report.pages) ids.push_back(page.id);
+  return ids;
+}
+
+TEST(CampaignReport, HasItsSummaryFirstAndAPageForEachCaseAndForThePaper) {
   CaseAssessment second = good();
   second.definition.name = "another_surge";
   CampaignDefinition campaign = surge_campaign();
-  EXPECT_EQ(section_ids(report_of(campaign, {good(), second})),
-            (std::vector<std::string>{"gate", "small_surge", "another_surge"}));
-  campaign.paper = "li2010";
-  EXPECT_EQ(section_ids(report_of(campaign, {good()})),
-            (std::vector<std::string>{"gate", "small_surge", "li2010"}));
-  campaign.paper = "zhao2021";
-  EXPECT_EQ(section_ids(report_of(campaign, {good()})),
-            (std::vector<std::string>{"gate", "small_surge", "zhao2021"}));
+  const reports::Report both = report_of(campaign, {good(), second});
+  EXPECT_EQ(section_ids(both),
+            (std::vector<std::string>{"gate", "worst", "bias", "small_surge-gate", "small_surge",
+                                      "another_surge-gate", "another_surge"}));
+  EXPECT_EQ(page_ids(both), (std::vector<std::string>{"small_surge", "another_surge"}));
+  for (const char* paper : {"li2010", "zhao2021"}) {
+    campaign.paper = paper;
+    const reports::Report report = report_of(campaign, {good()});
+    EXPECT_EQ(page_ids(report), (std::vector<std::string>{"small_surge", "across"}));
+    EXPECT_EQ(section_of(report, paper).page, "across");
+  }
+}
+
+TEST(CampaignReport, TellsOnEachCasesPageItsOwnVerdict) {
+  CaseAssessment bad = not_comparable();
+  bad.definition.name = "another_surge";
+  CaseAssessment unjudged = good();
+  unjudged.definition.name = "third_surge";
+  unjudged.gate.clear();
+  const reports::Report report = report_of(surge_campaign(), {good(), bad, unjudged});
+  EXPECT_EQ(report.pages.at(0).outcome, reports::Outcome::pass);
+  EXPECT_EQ(report.pages[0].verdict, "3 of 3 gate rows hold.");
+  EXPECT_EQ(report.pages.at(1).outcome, reports::Outcome::fail);
+  EXPECT_EQ(report.pages[1].verdict.find("0 of 3 gate rows hold"), 0u);
+  EXPECT_EQ(report.pages.at(2).verdict, "") << "nothing judges it";
+}
+
+TEST(CampaignReport, OfACaseNamedAsAnotherPageStandsBesideIt) {
+  CaseAssessment odd = good();
+  odd.definition.name = "index";
+  const reports::Report report = report_of(surge_campaign(), {odd});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(report.pages.at(0).id, "case-index");
 }
 
 TEST(CampaignReport, KeepsToTheReportsModel) {
@@ -114,19 +152,28 @@ TEST(CampaignReport, TellsTheVerdictAndTheCommandThatRepeatsIt) {
   EXPECT_EQ(report_of(surge_campaign(), {not_comparable()}).outcome, reports::Outcome::fail);
 }
 
-TEST(CampaignReport, HasARowForEveryGateRow) {
-  const reports::Report report = report_of(surge_campaign(), {good(), not_comparable()});
-  const auto& rows = report.sections[0].tables[0].rows;
-  ASSERT_EQ(rows.size(), 6u);
-  EXPECT_EQ(rows[0][0], "pass");
-  EXPECT_EQ(rows[3][0], "not compared");
+TEST(CampaignReport, HasARowWithAnAnchorForEveryGateRowAndLeadsThere) {
+  CaseAssessment second = not_comparable();
+  second.definition.name = "another_surge";
+  const reports::Report report = report_of(surge_campaign(), {good(), second});
+  const reports::Table& first = section_of(report, "small_surge-gate").tables.at(0);
+  ASSERT_EQ(first.rows.size(), 3u);
+  EXPECT_EQ(first.rows[0][0], "pass");
+  EXPECT_EQ(first.row_ids.at(2), "small_surge-3");
+  EXPECT_EQ(section_of(report, "another_surge-gate").tables.at(0).rows.at(0)[0], "not compared");
+  const reports::Table& matrix = report.sections.at(0).tables.at(0);
+  ASSERT_EQ(matrix.rows.size(), 2u);
+  EXPECT_EQ(matrix.rows[1][3], "not compared");
+  EXPECT_EQ(matrix.links[1],
+            (std::vector<std::string>{"section-another_surge-gate", "", "", "row-another_surge-1",
+                                      "row-another_surge-2", "row-another_surge-3"}));
 }
 
 TEST(CampaignReport, DrawsAReferenceOutOfItsRangeAndSaysSo) {
   CaseRuns runs = surge_runs();
   runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
   const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
-  const reports::Section& section = report.sections[1];
+  const reports::Section& section = section_of(report, "small_surge");
   EXPECT_NE(section.paragraphs.back().find("never gates"), std::string::npos);
   const auto& curves = section.figures[0].curves;
   EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [](const reports::Curve& curve) {
@@ -140,7 +187,7 @@ TEST(CampaignReport, StandsWithoutASingleResult) {
     runs.status[run.name] = {RunState::failed, "killed by signal 9 (Killed)"};
   const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
   EXPECT_NO_THROW(reports::check_report(report));
-  EXPECT_TRUE(report.sections[1].figures.empty());
+  EXPECT_TRUE(section_of(report, "small_surge").figures.empty());
   EXPECT_EQ(report.outcome, reports::Outcome::fail);
 }
 
@@ -152,7 +199,7 @@ TEST(CampaignReport, DrawsTheToleratedResidualOfTheQuantityThatTheRowNames) {
   const auto bands = [&] {
     const reports::Report report =
         report_of(surge_campaign(), {assess(definition, surge_runs_with("particles", high))});
-    return report.sections[1].figures[1].bands.size();
+    return section_of(report, "small_surge").figures[1].bands.size();
   };
   EXPECT_EQ(bands(), 1u);
   definition.gate[0].quantity = "elevation@left";
@@ -166,7 +213,7 @@ nlohmann::json json_of(const std::vector<CaseAssessment>& cases) {
 TEST(ResultsJson, HasTheFieldsOfItsSchema) {
   const nlohmann::json document = json_of({good()});
   EXPECT_EQ(document.at("schema"), "slosh results");
-  EXPECT_EQ(document.at("schema_version"), 2);
+  EXPECT_EQ(document.at("schema_version"), 3);
   EXPECT_EQ(document.at("campaign"), "surges");
   EXPECT_EQ(document.at("quick"), true);
   EXPECT_EQ(document.at("exit_status"), 0);
@@ -186,6 +233,7 @@ TEST(ResultsJson, HasTheFieldsOfItsSchema) {
   EXPECT_EQ(row.at("uncertainty_95").at("reference"), 0);
   EXPECT_EQ(row.at("uncertainty_95").at("all"), row.at("uncertainty_95").at("time_history"));
   EXPECT_EQ(row.at("verdict"), "pass");
+  EXPECT_NEAR(row.at("tolerance_share"), 0, 1e-9);
   EXPECT_EQ(row.at("metric"), "amplitude_error");
   EXPECT_EQ(row.at("limit"), 0.05);
   EXPECT_EQ(row.at("line"), 50);
@@ -197,10 +245,10 @@ TEST(CampaignReport, TellsPlainlyOfARecordThatIsNotSupplied) {
                 {assess(surge_case(), surge_runs_without("theory", RunState::not_supplied,
                                                          "expected SLOSH_EXPERIMENTS/a.csv"))});
   EXPECT_NO_THROW(reports::check_report(report));
-  EXPECT_EQ(report.sections.at(1).paragraphs.at(1),
+  EXPECT_EQ(section_of(report, "small_surge").paragraphs.at(1),
             "The record `theory` is not supplied: expected SLOSH_EXPERIMENTS/a.csv. Rows that need "
             "it neither pass nor fail.");
-  EXPECT_EQ(report.sections[0].tables.at(0).rows.at(0).at(0), "not supplied");
+  EXPECT_EQ(section_of(report, "small_surge-gate").tables.at(0).rows.at(0).at(0), "not supplied");
 }
 
 TEST(CampaignReport, TellsHowTheTankMoves) {
@@ -208,7 +256,7 @@ TEST(CampaignReport, TellsHowTheTankMoves) {
     CaseAssessment assessment = good();
     assessment.definition.motion = motion;
     const std::string text =
-        report_of(surge_campaign(), {assessment}).sections.at(1).paragraphs.at(0);
+        section_of(report_of(surge_campaign(), {assessment}), "small_surge").paragraphs.at(0);
     const std::size_t begin = text.find("deep; ") + 6;
     return text.substr(begin, text.find("; 20 s from rest") - begin);
   };
@@ -237,7 +285,7 @@ TEST(CampaignReport, ShowsPressureInPascalWhereTheCaseIsAboutIt) {
   }
   const reports::Report report = report_of(surge_campaign(), {assess(definition, runs)});
   EXPECT_NO_THROW(reports::check_report(report));
-  const reports::Section& section = report.sections.at(1);
+  const reports::Section& section = section_of(report, "small_surge");
   EXPECT_EQ(section.figures.at(0).title, "Pressure on the left wall 0.093 m above the bottom");
   EXPECT_EQ(section.figures[0].y_label, "pressure [Pa]");
   EXPECT_EQ(section.figures[0].curves.at(0).y, runs.results.at("theory").series[0].value);

@@ -129,9 +129,13 @@ TEST(ProblemAssessment, IsASectionOfTheReportWithItsErrorsAndLimits) {
       campaign_report(campaign, false, "./slosh", {}, {assess(operators, whole_run())});
   EXPECT_NO_THROW(reports::check_report(report));
   EXPECT_EQ(report.outcome, reports::Outcome::pass);
-  ASSERT_EQ(report.sections.size(), 2u);
-  EXPECT_EQ(report.sections[0].tables[0].rows.size(), 4u);
-  const reports::Section& section = report.sections[1];
+  ASSERT_EQ(report.sections.size(), 3u);
+  EXPECT_EQ(report.sections[0].tables.at(0).id, "problem-matrix");
+  EXPECT_EQ(report.sections[1].tables.at(0).rows.size(), 4u);  // worst first
+  ASSERT_EQ(report.pages.size(), 1u);
+  EXPECT_EQ(report.pages[0].id, "problems");
+  const reports::Section& section = report.sections[2];
+  EXPECT_EQ(section.page, "problems");
   EXPECT_EQ(section.id, "problem-manufactured_operators");
   ASSERT_EQ(section.tables.size(), 2u);
   EXPECT_EQ(section.tables[0].rows.size(), find_problem("manufactured_operators").measures.size());

@@ -184,7 +184,7 @@ TEST(RecordReport, DrawsTheRecordAsPointsWithItsUncertainty) {
   const reports::Report report =
       campaign_report(campaign, false, "./slosh campaign dams", {assess_front(front_series(0.01))});
   EXPECT_NO_THROW(reports::check_report(report));
-  const reports::Section& section = report.sections.at(1);
+  const reports::Section& section = report.sections.back();
   const reports::Figure& history = section.figures.at(0);
   EXPECT_EQ(history.y_label, "front position [mm]");
   EXPECT_EQ(history.curves.at(0).label, "published");

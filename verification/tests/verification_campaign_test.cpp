@@ -27,7 +27,7 @@ TEST_F(VerificationCampaign, HoldsInItsQuickFormAndComputesNothingTwice) {
   EXPECT_EQ(first.status, 0) << first.err << first.out;
   EXPECT_NE(first.out.find("PASS: "), std::string::npos) << first.out;
   for (const char* part : {"problem-taylor_green", "problem-wall_impulse"})
-    EXPECT_NE(read(report() / "index.html").find(part), std::string::npos) << part;
+    EXPECT_NE(read(report() / "problems.html").find(part), std::string::npos) << part;
   EXPECT_NE(read(report() / "results.json").find("\"oscillating_drop\""), std::string::npos);
   const fs::path kept = directory() / "out/problems/taylor_green.json";
   const auto written = fs::last_write_time(kept);
