@@ -6,6 +6,7 @@
 
 #include "reports/write_report.hpp"
 #include "verification/baseline/baseline_diff.hpp"
+#include "verification/baseline/baseline_figures.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/problem_run.hpp"
 #include "verification/case_file/campaign_parser.hpp"
@@ -138,9 +139,11 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
       "./slosh campaign {}{}{}", name_or_path(assessed.definition.file, installation.campaigns),
       options.quick ? " --quick" : "", experiments_option(whole(options.experiments)));
   const fs::path report = assessed.output / "report";
-  reports::write_report(campaign_report(assessed.definition, options.quick, command, assessed.cases,
-                                        assessed.problems),
-                        report);
+  reports::Report content = campaign_report(assessed.definition, options.quick, command,
+                                            assessed.cases, assessed.problems);
+  add_baseline_figures(read_ledger(ledger_of(options, assessed.definition, installation)),
+                       assessed.cases, content);
+  reports::write_report(content, report);
   std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
             << verdict_sentence(assessed.cases, assessed.problems)
             << "\nreport: " << (report / "index.html").string() << "\n";

@@ -20,8 +20,9 @@ using Names = std::vector<std::string>;
 
 TEST(CaseFigures, AreThoseOfTheDataThatAreThere) {
   EXPECT_EQ(ids(case_figures(assess(surge_case(), surge_runs()))),
-            (Names{"small_surge-history", "small_surge-residual", "small_surge-spectrum",
-                   "small_surge-cost"}));
+            (Names{"small_surge-history", "small_surge-residual", "small_surge-sliding-amplitude",
+                   "small_surge-sliding-lag", "small_surge-phasor-forced",
+                   "small_surge-phasor-natural_1", "small_surge-spectrum", "small_surge-cost"}));
 }
 
 TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecord) {
