@@ -22,14 +22,14 @@ constexpr std::size_t most_approvals = 12;  // the latest
 constexpr std::size_t most_labels = 6;      // dates that stand side by side
 
 // What stood after each of the latest approvals, numbered from one.
-struct Standing {
+struct ApprovedState {
   std::size_t number;
   const Approval* approval;
   Baseline baseline;
 };
 
-std::vector<Standing> standings(const std::vector<Approval>& approvals) {
-  std::vector<Standing> found;
+std::vector<ApprovedState> approved_states(const std::vector<Approval>& approvals) {
+  std::vector<ApprovedState> found;
   const std::size_t first = approvals.size() - std::min(approvals.size(), most_approvals);
   for (std::size_t i = first; i < approvals.size(); ++i)
     found.push_back(
@@ -68,9 +68,9 @@ void add_point(double place, const std::optional<BaselineValue>& value, Curve& c
 }
 
 Curve history_of(const RowMovement& row, const std::string& label,
-                 const std::vector<Standing>& past) {
+                 const std::vector<ApprovedState>& past) {
   Curve curve{label, {}, {}, {}, Curve::Style::line_points};
-  for (const Standing& one : past) {
+  for (const ApprovedState& one : past) {
     const auto found = one.baseline.find(row.row);
     add_point(static_cast<double>(one.number),
               found == one.baseline.end() ? std::nullopt : std::optional(found->second), curve);
@@ -79,7 +79,7 @@ Curve history_of(const RowMovement& row, const std::string& label,
   return curve;
 }
 
-std::vector<std::pair<double, std::string>> ticks_of(const std::vector<Standing>& past) {
+std::vector<std::pair<double, std::string>> ticks_of(const std::vector<ApprovedState>& past) {
   std::vector<std::pair<double, std::string>> ticks;
   const std::size_t every = (past.size() + most_labels - 1) / most_labels;
   for (std::size_t i = 0; i < past.size(); i += every)
@@ -89,15 +89,15 @@ std::vector<std::pair<double, std::string>> ticks_of(const std::vector<Standing>
   return ticks;
 }
 
-std::string approvals_text(const std::vector<Standing>& past) {
+std::string approvals_text(const std::vector<ApprovedState>& past) {
   std::vector<std::string> texts;
-  for (const Standing& one : past)
+  for (const ApprovedState& one : past)
     texts.push_back(fmt::format("{}: {}, {}", one.number, one.approval->who, one.approval->reason));
   return fmt::format("{}.", fmt::join(texts, "; "));
 }
 
 Figure figure_of(const std::string& case_name, const std::vector<const RowMovement*>& rows,
-                 const std::vector<Standing>& past) {
+                 const std::vector<ApprovedState>& past) {
   Figure figure;
   figure.id = case_name + "-baselines";
   figure.title = "Gate rows over their baselines";
@@ -122,14 +122,14 @@ Figure figure_of(const std::string& case_name, const std::vector<const RowMoveme
 void add_baseline_figures(const std::vector<Approval>& approvals,
                           const std::vector<CaseAssessment>& cases, reports::Report& report) {
   if (approvals.empty()) return;
-  const std::vector<Standing> past = standings(approvals);
+  const std::vector<ApprovedState> past = approved_states(approvals);
   const std::vector<RowMovement> moved = movements(past.back().baseline, cases);
   for (const CaseAssessment& one : cases) {
     const std::string& name = one.definition.name;
     const std::vector<const RowMovement*> rows = worst_rows(moved, name);
     const bool known = std::any_of(rows.begin(), rows.end(), [&](const RowMovement* row) {
-      return std::any_of(past.begin(), past.end(), [&](const Standing& standing) {
-        return standing.baseline.contains(row->row);
+      return std::any_of(past.begin(), past.end(), [&](const ApprovedState& state) {
+        return state.baseline.contains(row->row);
       });
     });
     const auto section =
