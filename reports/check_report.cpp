@@ -98,6 +98,13 @@ void check_field(const FieldFigure& figure) {
     throw ReportError(
         fmt::format("figure '{}': columns {}, expected 1 or more", figure.id, figure.columns));
   }
+  if (!figure.frames.empty() &&
+      figure.frames.size() * static_cast<std::size_t>(figure.columns) != figure.panels.size()) {
+    throw ReportError(
+        fmt::format("figure '{}': {} frames of {} panels each, expected as many as "
+                    "there are panels ({})",
+                    figure.id, figure.frames.size(), figure.columns, figure.panels.size()));
+  }
   if (!(figure.arrow_scale >= 0) || !std::isfinite(figure.arrow_scale)) {
     throw ReportError(
         fmt::format("figure '{}': arrow_scale {}, expected 0 (automatic) or metres "

@@ -79,6 +79,10 @@ struct FieldFigure {
   double arrow_scale = 0;                       // m of the tank per m/s; 0: automatic
   int columns = 1;                              // panels a row
   std::vector<FieldPanel> panels;               // row by row
+  int panel_height = 0;                         // px, at most; 0: as a page has room for
+  // A label a row: the rows are the frames of an animation, which a page plays one in the place of
+  // another. Empty: a still picture.
+  std::vector<std::string> frames = {};
 };
 
 // The cells "pass", "confirmed", "FAIL", "violated", "refuted", "solver failed", "not compared",

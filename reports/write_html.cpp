@@ -4,6 +4,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "reports/figure_palette.hpp"
+#include "reports/film_markup.hpp"
 #include "reports/templates.hpp"
 #include "reports/text_markup.hpp"
 
@@ -86,10 +87,16 @@ mustache::data heading_data(const AnyFigure& figure, int number) {
 mustache::data figure_data(const Figure& figure, const DrawnFigure& drawn, int number) {
   mustache::data data = heading_data(figure, number);
   data.set("svg", svg_element(figure, drawn, SvgPlace::in_page));
+  data.set("film", mustache::data(mustache::data::type::bool_false));
   return data;
 }
 
 mustache::data field_data(const FieldFigure& figure, const DrawnField& drawn, int number) {
+  if (!figure.frames.empty()) {
+    mustache::data data = heading_data(figure, number);
+    data.set("film", film_element(figure, drawn));
+    return data;
+  }
   mustache::data picture;
   picture.set("width", std::to_string(drawn.width));
   picture.set("height", std::to_string(drawn.height));
@@ -97,6 +104,7 @@ mustache::data field_data(const FieldFigure& figure, const DrawnField& drawn, in
   picture.set("address", data_address(drawn));
   mustache::data data = heading_data(figure, number);
   data.set("picture", picture);
+  data.set("film", mustache::data(mustache::data::type::bool_false));
   return data;
 }
 
@@ -136,6 +144,22 @@ mustache::data outcome_data(Outcome outcome) {
   return data;
 }
 
+bool has_film(const Report& report) {
+  return std::any_of(report.sections.begin(), report.sections.end(), [](const Section& section) {
+    return std::any_of(section.fields.begin(), section.fields.end(),
+                       [](const FieldFigure& figure) { return !figure.frames.empty(); });
+  });
+}
+
+// What makes films play; nothing in a page without one.
+mustache::data film_data(const Report& report) {
+  if (!has_film(report)) return mustache::data(mustache::data::type::bool_false);
+  mustache::data data;
+  data.set("policy", film_script_policy());
+  data.set("script", film_script_element());
+  return data;
+}
+
 }  // namespace
 
 std::string html_page(const Report& report, const Drawings& drawings) {
@@ -147,6 +171,7 @@ std::string html_page(const Report& report, const Drawings& drawings) {
   data.set("outcome", outcome_data(report.outcome));
   data.set("style", page_style);
   data.set("dark_rules", dark_rules());
+  data.set("film", film_data(report));
   data.set("sections", sections_data(report, drawings));
   return page.render(data);
 }

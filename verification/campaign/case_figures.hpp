@@ -15,7 +15,8 @@ namespace slosh {
 // energy budgets; error against run time, the last. A figure for which no run stands is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
 
-// Pressure and velocity at the case's snapshot times: a row a moment, a column a solver or scheme.
+// Pressure and velocity at the case's snapshot times: a row a moment, a column a solver or scheme;
+// last the case's animation, of the two first runs that left all of its moments.
 std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);
 
 }  // namespace slosh

@@ -109,6 +109,7 @@ void add_tolerance(const std::string& candidate, const Sector& sector,
 Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
+  figure.curves = {{"reference, (1, 0)", {1}, {0}, {}, Curve::Style::points}};
   std::vector<Curve> outlines;
   std::vector<std::string> runs;
   for (const Comparison* shown : shown_comparisons(assessment))
@@ -118,8 +119,7 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
       add_tolerance(shown->candidate, sector_of(definition, *shown, mode), outlines);
       runs.push_back(shown->candidate);
     }
-  if (runs.empty()) return figure;
-  figure.curves.push_back({"reference, (1, 0)", {1}, {0}, {}, Curve::Style::points});
+  if (runs.empty()) return {};
   figure.curves.insert(figure.curves.end(), outlines.begin(), outlines.end());
   figure.id = definition.name + "-phasor-" + mode;
   figure.title = "Amplitude and phase of the mode " + mode;
