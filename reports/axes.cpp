@@ -102,6 +102,9 @@ AxisRange vertical_range(const Figure& figure, const AxisRange& horizontal) {
       extent.include(curve.y[i], figure.log_y);
       extent.include(curve.y[i] - half_bar, figure.log_y);
       extent.include(curve.y[i] + half_bar, figure.log_y);
+      if (curve.lower.empty()) continue;
+      extent.include(curve.lower[i], figure.log_y);
+      extent.include(curve.upper[i], figure.log_y);
     }
   }
   for (const Band& band : figure.bands) {
@@ -109,6 +112,19 @@ AxisRange vertical_range(const Figure& figure, const AxisRange& horizontal) {
     extent.include(band.upper, figure.log_y);
   }
   return padded(extent, figure.log_y, vertical_margin);
+}
+
+PlotRanges plot_ranges(const Figure& figure) {
+  const AxisRange horizontal = horizontal_range(figure);
+  const AxisRange vertical = vertical_range(figure, horizontal);
+  if (!figure.equal_axes) return {horizontal, vertical};
+  const double half =
+      std::max(horizontal.upper - horizontal.lower, vertical.upper - vertical.lower) / 2;
+  const auto widened = [half](const AxisRange& range) {
+    const double middle = (range.lower + range.upper) / 2;
+    return AxisRange{middle - half, middle + half};
+  };
+  return {widened(horizontal), widened(vertical)};
 }
 
 std::string logarithmic_ticks(const AxisRange& range) {

@@ -21,9 +21,16 @@ double round_tick(double value, bool up);
 // with lines, with a margin for points.
 AxisRange horizontal_range(const Figure& figure);
 
-// What holds every drawable sample inside the horizontal range, its error bar, and every finite
-// band level.
+// What holds every drawable sample inside the horizontal range, its error bar, its ribbon, and
+// every finite band level.
 AxisRange vertical_range(const Figure& figure, const AxisRange& horizontal);
+
+struct PlotRanges {
+  AxisRange horizontal, vertical;
+};
+
+// Both; where the figure's axes are equal, the narrower one widened about its middle.
+PlotRanges plot_ranges(const Figure& figure);
 
 // gnuplot's tick list for a logarithmic axis: at 1, 2 and 5 times the powers of ten over up to
 // three decades, at powers of ten over more.

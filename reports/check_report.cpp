@@ -73,19 +73,27 @@ void check_pages(const Report& report) {
       throw ReportError(fmt::format("page '{}' has no section", page.id));
 }
 
+void check_curve(const Figure& figure, const Curve& curve) {
+  const auto fits = [&](const std::vector<double>& values) {
+    return values.empty() || values.size() == curve.y.size();
+  };
+  if (curve.x.size() != curve.y.size() || !fits(curve.y_error) || !fits(curve.x_error))
+    throw ReportError(fmt::format(
+        "figure '{}', curve '{}': {} x, {} y, {} y_error, {} x_error values, expected equally many",
+        figure.id, curve.label, curve.x.size(), curve.y.size(), curve.y_error.size(),
+        curve.x_error.size()));
+  if (curve.lower.size() != curve.upper.size() || !fits(curve.lower))
+    throw ReportError(fmt::format(
+        "figure '{}', curve '{}': a ribbon of {} lower and {} upper values about {} y, expected "
+        "equally many",
+        figure.id, curve.label, curve.lower.size(), curve.upper.size(), curve.y.size()));
+}
+
 void check_figure(const Figure& figure) {
-  for (const Curve& curve : figure.curves) {
-    const auto bars_fit = [&](const std::vector<double>& bars) {
-      return bars.empty() || bars.size() == curve.y.size();
-    };
-    if (curve.x.size() != curve.y.size() || !bars_fit(curve.x_error) || !bars_fit(curve.y_error)) {
-      throw ReportError(fmt::format(
-          "figure '{}', curve '{}': {} x, {} y, {} x_error, {} y_error values, expected equally "
-          "many",
-          figure.id, curve.label, curve.x.size(), curve.y.size(), curve.x_error.size(),
-          curve.y_error.size()));
-    }
-  }
+  for (const Curve& curve : figure.curves) check_curve(figure, curve);
+  if (figure.equal_axes && (figure.log_x || figure.log_y))
+    throw ReportError(
+        fmt::format("figure '{}': equal axes, expected none of them logarithmic", figure.id));
   const auto [lower, upper] = figure.x_range;
   if (lower == upper) return;
   if (!(lower < upper) || !std::isfinite(lower) || !std::isfinite(upper) ||
@@ -129,6 +137,13 @@ void check_field(const FieldFigure& figure) {
   if (figure.columns < 1) {
     throw ReportError(
         fmt::format("figure '{}': columns {}, expected 1 or more", figure.id, figure.columns));
+  }
+  if (!figure.frames.empty() &&
+      figure.frames.size() * static_cast<std::size_t>(figure.columns) != figure.panels.size()) {
+    throw ReportError(
+        fmt::format("figure '{}': {} frames of {} panels each, expected as many as "
+                    "there are panels ({})",
+                    figure.id, figure.frames.size(), figure.columns, figure.panels.size()));
   }
   if (!(figure.arrow_scale >= 0) || !std::isfinite(figure.arrow_scale)) {
     throw ReportError(

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <string_view>
 #include <vector>
 
+#include "reports/base64.hpp"
 #include "reports/field_layout.hpp"
 #include "reports/field_range.hpp"
 #include "reports/field_script.hpp"
@@ -45,14 +44,7 @@ std::string description(const FieldFigure& figure) {
 }
 
 std::string data_address(const DrawnField& drawn) {
-  using namespace boost::archive::iterators;
-  using Base64 = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  // Three bytes make four characters; what the last three lack is marked by '=' (RFC 4648, 4).
-  const std::size_t lacking = (3 - drawn.png.size() % 3) % 3;
-  const std::string bytes = drawn.png + std::string(lacking, '\0');
-  std::string address = "data:image/png;base64,";
-  address.append(Base64(bytes.begin()), Base64(bytes.end()));
-  return address.replace(address.size() - lacking, lacking, lacking, '=');
+  return "data:image/png;base64," + base64(drawn.png);
 }
 
 }  // namespace slosh::reports

@@ -22,6 +22,9 @@ std::string description(const Figure& figure) {
   for (const Curve& curve : figure.curves) names.push_back(curve.label);
   for (const Band& band : figure.bands) names.push_back(band.label + " (band)");
   for (const Marker& marker : figure.markers) names.push_back(marker.label + " (vertical line)");
+  for (const Span& span : figure.spans)
+    names.push_back(
+        fmt::format("{} from {:.4g} to {:.4g} (shaded)", span.label, span.begin, span.end));
   return fmt::format("Horizontal axis: {}. Vertical axis: {}. Shown: {}.", figure.x_label,
                      figure.y_label, fmt::join(names, "; "));
 }

@@ -77,8 +77,10 @@ FieldLayout field_layout(const FieldFigure& figure) {
   const double gaps = 2 * canvas_margin + (columns - 1) * column_gap;
   const double widest_cell = (widest_canvas - gaps) / columns;
   FieldLayout layout{};
-  layout.scale = std::min((widest_cell - 2 * wall) / extent.width(),
-                          (tallest_cell - 2 * wall) / extent.height());
+  layout.scale =
+      std::min((widest_cell - 2 * wall) / extent.width(),
+               ((figure.panel_height > 0 ? figure.panel_height : tallest_cell) - 2 * wall) /
+                   extent.height());
   const double cell_width = std::ceil(layout.scale * extent.width() + 2 * wall),
                cell_height = std::ceil(layout.scale * extent.height() + 2 * wall);
   layout.width =
@@ -118,6 +120,24 @@ FieldLayout field_layout(const FieldFigure& figure) {
     panel.axis.y += panel.bottom;
   }
   return layout;
+}
+
+FilmFrames film_frames(const FieldFigure& figure, const FieldLayout& layout) {
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  FilmFrames film{{}, 0};
+  for (std::size_t row = 0; row < figure.frames.size(); ++row) {
+    double top = layout.height, bottom = layout.height;  // from the canvas' top
+    for (std::size_t i = row * columns; i < std::min((row + 1) * columns, layout.panels.size());
+         ++i) {
+      const PlacedPanel& panel = layout.panels[i];
+      bottom = layout.height - panel.bottom;
+      top = std::min(top,
+                     bottom - panel.height - static_cast<double>(panel.label.size()) * label_line);
+    }
+    film.tops.push_back(top);
+    film.height = std::max(film.height, bottom - top);
+  }
+  return film;
 }
 
 }  // namespace slosh::reports

@@ -51,4 +51,12 @@ inline constexpr double label_character = 8.8;  // px, of gnuplot's 'sans,12' on
 
 FieldLayout field_layout(const FieldFigure& figure);
 
+// Where the rows of an animation stand [px from the canvas' top], and the tallest one's height.
+struct FilmFrames {
+  std::vector<double> tops;
+  double height;
+};
+
+FilmFrames film_frames(const FieldFigure& figure, const FieldLayout& layout);
+
 }  // namespace slosh::reports

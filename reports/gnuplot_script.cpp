@@ -15,6 +15,7 @@ namespace {
 
 constexpr int plot_height =
     380;  // px, axis labels included, legend not: half the width, as a time history reads best
+constexpr int square_plot_height = 560;  // px, as above, of a figure with equal axes
 constexpr int axis_label_height =
     56;  // px, below the frame: ticks, numbers, label and a gap before the legend
 constexpr int row_height =
@@ -28,6 +29,15 @@ constexpr double key_sample_width =
     55;                  // px, the line before a legend entry and the space after it
 constexpr int foot = 8;  // px, below the legend: its descenders
 
+// Each once.
+std::vector<std::string> span_labels(const Figure& figure) {
+  std::vector<std::string> labels;
+  for (const Span& span : figure.spans)
+    if (std::find(labels.begin(), labels.end(), span.label) == labels.end())
+      labels.push_back(span.label);
+  return labels;
+}
+
 struct KeyLayout {
   int columns, rows;
   double narrower;  // characters to take off each entry: gnuplot reckons with wide ones, 0.7 of the
@@ -40,8 +50,11 @@ KeyLayout key_layout(const Figure& figure) {
     widest = std::max(widest, text_width(curve.label, character_width));
   for (const Band& band : figure.bands)
     widest = std::max(widest, text_width(band.label, character_width));
+  const std::vector<std::string> spans = span_labels(figure);
+  for (const std::string& label : spans)
+    widest = std::max(widest, text_width(label, character_width));
   const int columns = std::max(1, static_cast<int>(key_width / (widest + key_sample_width)));
-  const int entries = static_cast<int>(figure.curves.size() + figure.bands.size());
+  const int entries = static_cast<int>(figure.curves.size() + figure.bands.size() + spans.size());
   const double reckoned_width = 0.7 * 13;
   return {columns, (entries + columns - 1) / columns,
           widest * (1 / character_width - 1 / reckoned_width)};
@@ -87,18 +100,20 @@ std::string canvas(const Figure& figure) {
   const double height = canvas_height(figure);
   const double key_height = row_height * key.rows + foot;
   return fmt::format(
-      "set encoding utf8\nset minussign\n"
-      "set terminal svg size {},{} dynamic enhanced font 'sans-serif,13'\n"
-      "set border 3 lc rgb '{}'\nset tics out nomirror scale 0.6 textcolor rgb '{}'\n"
-      "set grid lt 1 lw 1 lc rgb '{}'\nset xzeroaxis lt 1 lw 1 lc rgb '{}'\n"
-      "set bars 0.6\n"
-      "set bmargin at screen {:.4f}\n"
-      "set key at graph 0, screen {:.4f} left top horizontal maxcols {} width {:.2f} Left reverse "
-      "samplen 3 spacing 1 noenhanced textcolor rgb '{}'\n"
-      "set rmargin 3\n",
-      canvas_width, height, ink.light, ink.light, grid.light, faint_ink.light,
-      (axis_label_height + key_height) / height, key_height / height, key.columns, -key.narrower,
-      ink.light);
+             "set encoding utf8\nset minussign\n"
+             "set terminal svg size {},{} dynamic enhanced font 'sans-serif,13'\n"
+             "set border 3 lc rgb '{}'\nset tics out nomirror scale 0.6 textcolor rgb '{}'\n"
+             "set grid lt 1 lw 1 lc rgb '{}'\nset xzeroaxis lt 1 lw 1 lc rgb '{}'\n"
+             "set bars 0.6\n"
+             "set bmargin at screen {:.4f}\n"
+             "set key at graph 0, screen {:.4f} left top horizontal maxcols {} width {:.2f} Left "
+             "reverse "
+             "samplen 3 spacing 1 noenhanced textcolor rgb '{}'\n"
+             "set rmargin 3\n",
+             canvas_width, height, ink.light, ink.light, grid.light, faint_ink.light,
+             (axis_label_height + key_height) / height, key_height / height, key.columns,
+             -key.narrower, ink.light) +
+         (figure.equal_axes ? "set size square\n" : "");
 }
 
 std::string axis(char name, const std::string& label, const AxisRange& range, bool logarithmic) {
@@ -132,6 +147,27 @@ std::string band_objects(const Figure& figure) {
         "solid {} noborder\n",
         level(band.lower, "graph 0"), level(band.upper, "graph 1"),
         band_colours[i % band_colours.size()].light, band_opacity);
+  }
+  return commands;
+}
+
+std::string named_ticks(const Figure& figure) {
+  if (figure.x_ticks.empty()) return "";
+  std::vector<std::string> ticks;
+  for (const auto& [place, label] : figure.x_ticks)
+    ticks.push_back(fmt::format("{} {:.9g}", quoted(label), place));
+  return fmt::format("set xtics noenhanced ({})\n", fmt::join(ticks, ", "));
+}
+
+std::string span_objects(const Figure& figure, const AxisRange& range) {
+  std::string commands;
+  for (const Span& span : figure.spans) {
+    const double begin = std::max(span.begin, range.lower), end = std::min(span.end, range.upper);
+    if (!(begin < end)) continue;
+    commands += fmt::format(
+        "set object rectangle from first {:.9g}, graph 0 to first {:.9g}, graph 1 behind fc rgb "
+        "'{}' fs transparent solid {} noborder\n",
+        begin, end, faint_ink.light, band_opacity);
   }
   return commands;
 }
@@ -173,6 +209,35 @@ std::string bar_directions(const Curve& curve) {
   return std::string(curve.x_error.empty() ? "" : "x") + (curve.y_error.empty() ? "" : "y");
 }
 
+// As a datablock, of the samples where both edges have a place; on a logarithmic axis an edge that
+// is not positive lies on the frame.
+std::string ribbon_block(const Figure& figure, std::size_t number, const AxisRange& vertical) {
+  const Curve& curve = figure.curves[number];
+  std::string block = fmt::format("$ribbon_{} << END_OF_RIBBON\n", number);
+  bool in_gap = true;
+  for (const auto& index : drawn_samples(figure, curve, drawn_limit)) {
+    const bool drawn =
+        index && std::isfinite(curve.lower[*index]) && std::isfinite(curve.upper[*index]);
+    if (drawn) {
+      const double lower =
+          figure.log_y ? std::max(curve.lower[*index], vertical.lower) : curve.lower[*index];
+      block += fmt::format("{:.9g} {:.9g} {:.9g}\n", curve.x[*index], lower,
+                           std::max(lower, curve.upper[*index]));
+    } else if (!in_gap) {
+      block += '\n';
+    }
+    in_gap = !drawn;
+  }
+  return block + "END_OF_RIBBON\n";
+}
+
+std::string ribbon_element(std::size_t number) {
+  return fmt::format(
+      "$ribbon_{} using 1:2:3 with filledcurves fc rgb '{}' fs transparent solid {} noborder "
+      "notitle",
+      number, curve_colours[number % curve_colours.size()].light, band_opacity);
+}
+
 // `of_style`: how many earlier curves share the curve's dashes.
 std::string curve_element(const Curve& curve, std::size_t number, std::size_t of_style) {
   const std::string bars = bar_directions(curve);
@@ -202,6 +267,8 @@ std::string curve_element(const Curve& curve, std::size_t number, std::size_t of
 
 std::string plot_command(const Figure& figure) {
   std::vector<std::string> elements;
+  for (std::size_t i = 0; i < figure.curves.size(); ++i)
+    if (!figure.curves[i].lower.empty()) elements.push_back(ribbon_element(i));
   std::array<std::size_t, 2> of_style{0, 0};
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
     const Curve& curve = figure.curves[i];
@@ -215,6 +282,10 @@ std::string plot_command(const Figure& figure) {
         "keyentry with boxes fc rgb '{}' fs transparent solid {} noborder title {}",
         band_colours[i % band_colours.size()].light, band_opacity, quoted(figure.bands[i].label)));
   }
+  for (const std::string& label : span_labels(figure))
+    elements.push_back(
+        fmt::format("keyentry with boxes fc rgb '{}' fs transparent solid {} noborder title {}",
+                    faint_ink.light, band_opacity, quoted(label)));
   if (elements.empty()) elements.push_back("NaN notitle");
   return fmt::format("plot {}\n", fmt::join(elements, ", \\\n  "));
 }
@@ -223,19 +294,21 @@ std::string plot_command(const Figure& figure) {
 
 int canvas_height(const Figure& figure) {
   const int rows =
-      key_layout(figure).rows + marker_rows(placed_markers(figure, horizontal_range(figure)));
-  return plot_height + row_height * rows;
+      key_layout(figure).rows + marker_rows(placed_markers(figure, plot_ranges(figure).horizontal));
+  return (figure.equal_axes ? square_plot_height : plot_height) + row_height * rows;
 }
 
 std::string gnuplot_script(const Figure& figure) {
-  const AxisRange horizontal = horizontal_range(figure);
-  const AxisRange vertical = vertical_range(figure, horizontal);
+  const auto [horizontal, vertical] = plot_ranges(figure);
   std::string script = canvas(figure);
-  script += axis('x', figure.x_label, horizontal, figure.log_x);
+  script += axis('x', figure.x_label, horizontal, figure.log_x) + named_ticks(figure);
   script += axis('y', figure.y_label, vertical, figure.log_y);
-  script += band_objects(figure);
+  script += span_objects(figure, horizontal) + band_objects(figure);
   script += marker_lines(placed_markers(figure, horizontal));
-  for (std::size_t i = 0; i < figure.curves.size(); ++i) script += datablock(figure, i);
+  for (std::size_t i = 0; i < figure.curves.size(); ++i) {
+    script += datablock(figure, i);
+    if (!figure.curves[i].lower.empty()) script += ribbon_block(figure, i, vertical);
+  }
   return script + plot_command(figure);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/film_markup.hpp"
 #include "reports/text_markup.hpp"
 
 namespace slosh::reports {
@@ -129,11 +130,17 @@ class SectionWriter {
   mustache::data figure_data(const Figure& figure) {
     mustache::data data = caption_data(figure, ++figures_);
     data.set("svg", svg_element(figure, *drawn_figure_++, SvgPlace::in_page));
+    data.set("film", mustache::data(mustache::data::type::bool_false));
     return data;
   }
 
   mustache::data field_data(const FieldFigure& figure) {
     const DrawnField& drawn = *drawn_field_++;
+    if (!figure.frames.empty()) {
+      mustache::data data = caption_data(figure, ++figures_);
+      data.set("film", film_element(figure, drawn));
+      return data;
+    }
     mustache::data picture;
     picture.set("width", std::to_string(drawn.width));
     picture.set("height", std::to_string(drawn.height));
@@ -141,6 +148,7 @@ class SectionWriter {
     picture.set("address", data_address(drawn));
     mustache::data data = caption_data(figure, ++figures_);
     data.set("picture", picture);
+    data.set("film", mustache::data(mustache::data::type::bool_false));
     return data;
   }
 

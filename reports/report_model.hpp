@@ -20,7 +20,8 @@ struct Curve {
   std::vector<double> x, y;     // of equal length
   std::vector<double> y_error;  // half bars, as long as y; empty for none
   enum class Style { line, dashed, points, line_points } style = Style::line;
-  std::vector<double> x_error = {};  // half bars, as long as x; empty for none
+  std::vector<double> x_error = {};            // half bars, as long as x; empty for none
+  std::vector<double> lower = {}, upper = {};  // edges of a ribbon, as long as y; empty for none
 };
 
 // A shaded band between two horizontal levels (a tolerance); an infinite level reaches the figure's
@@ -36,6 +37,13 @@ struct Marker {
   double x;
 };
 
+// A stretch of the horizontal axis set apart from the rest (a transient that no metric looks at);
+// those of one label share their entry in the legend.
+struct Span {
+  std::string label;
+  double begin, end;
+};
+
 struct Figure {
   std::string id;  // file name stem, and the anchor is "figure-<id>"
   std::string title, caption;
@@ -45,6 +53,9 @@ struct Figure {
   std::vector<Curve> curves;
   std::vector<Band> bands;
   std::vector<Marker> markers;
+  std::vector<Span> spans = {};
+  bool equal_axes = false;  // a square with one scale for both axes, neither of them logarithmic
+  std::vector<std::pair<double, std::string>> x_ticks = {};  // place and label; empty: automatic
 };
 
 // A tank at one moment, its water coloured by a scalar (the pressure, the speed): the particles of
@@ -70,6 +81,10 @@ struct FieldFigure {
   double arrow_scale = 0;                       // m of the tank per m/s; 0: automatic
   int columns = 1;                              // panels a row
   std::vector<FieldPanel> panels;               // row by row
+  int panel_height = 0;                         // px, at most; 0: as a page has room for
+  // A label a row: the rows are the frames of an animation, which a page plays one in the place of
+  // another. Empty: a still picture.
+  std::vector<std::string> frames = {};
 };
 
 // The cells "pass", "confirmed", "FAIL", "violated", "refuted", "inconclusive", "solver failed",

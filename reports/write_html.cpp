@@ -3,6 +3,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "reports/figure_palette.hpp"
+#include "reports/film_markup.hpp"
 #include "reports/templates.hpp"
 #include "reports/text_markup.hpp"
 
@@ -70,6 +71,23 @@ mustache::data list_of(const std::vector<Page>& pages, const PageLinks& links) {
   return list;
 }
 
+bool has_film(const Report& report, const std::string& page) {
+  return std::any_of(report.sections.begin(), report.sections.end(), [&](const Section& section) {
+    return section.page == page &&
+           std::any_of(section.fields.begin(), section.fields.end(),
+                       [](const FieldFigure& figure) { return !figure.frames.empty(); });
+  });
+}
+
+// What makes films play; nothing in a page without one.
+mustache::data film_data(const Report& report, const std::string& page) {
+  if (!has_film(report, page)) return mustache::data(mustache::data::type::bool_false);
+  mustache::data data;
+  data.set("policy", film_script_policy());
+  data.set("script", film_script_element());
+  return data;
+}
+
 }  // namespace
 
 std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings) {
@@ -81,6 +99,7 @@ std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings)
   for (std::size_t i = 0; i < pages.size(); ++i) {
     mustache::data data = document_data(report);
     data.set("page", page_data(report, pages[i], written));
+    data.set("film", film_data(report, pages[i].id));
     data.set("is_first", i == 0);
     data.set("has_pages", i == 0 && pages.size() > 1);
     data.set("has_neighbours", pages.size() > 1);

@@ -8,6 +8,7 @@
 #include "reports/write_report.hpp"
 #include "verification/assessment_text.hpp"
 #include "verification/baseline/baseline_diff.hpp"
+#include "verification/baseline/baseline_figures.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign_plan_text.hpp"
 #include "verification/campaign_standing.hpp"
@@ -21,11 +22,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What --resume promises: a name that is mistyped starts nothing from the beginning.
-void require_earlier_start(const CampaignSettings& settings) {
-  if (!fs::exists(settings.output / "jobs/jobs.json"))
+// What --resume promises: a name that is mistyped starts nothing from the beginning. And --pdf: no
+// campaign runs for hours to a report that cannot be printed.
+void require_possible(const CampaignOptions& options, const CampaignSettings& settings) {
+  if (options.resume && !fs::exists(settings.output / "jobs/jobs.json"))
     throw CaseFileError(fmt::format("--resume: expected an earlier start of this campaign in {}",
                                     settings.output.string()));
+  if (options.pdf && !reports::can_print_pdf())
+    throw CaseFileError("--pdf: " + reports::no_browser_message());
+}
+
+fs::path page_in(const fs::path& place) { return place / "report/index.html"; }
+fs::path pdf_in(const fs::path& place) { return place / "report/report.pdf"; }
+
+bool report_stands(const fs::path& place, const CampaignOptions& options) {
+  return fs::exists(page_in(place)) && (!options.pdf || fs::exists(pdf_in(place)));
+}
+
+std::string report_lines(const fs::path& place, const CampaignOptions& options) {
+  return "report: " + page_in(place).string() + "\n" +
+         (options.pdf ? "PDF: " + pdf_in(place).string() + "\n" : "");
+}
+
+// What a report needs to know beside the assessment.
+struct ReportSources {
+  fs::path ledger;
+  std::string campaign;  // as a command line names it
+};
+
+void leave_report(const AssessedCampaign& assessed, const CampaignOptions& options,
+                  const ReportSources& sources) {
+  const std::string command =
+      fmt::format("./slosh campaign {}{}{}", sources.campaign, selection_options(options.selection),
+                  experiments_option(whole(options.experiments)));
+  reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
+                                           assessed.cases, assessed.problems);
+  add_baseline_figures(read_ledger(sources.ledger), assessed.cases, report);
+  reports::write_report(report, assessed.output / "report", options.pdf);
 }
 
 AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& stop) {
@@ -66,20 +99,19 @@ fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& cam
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
   RequestedCampaign campaign = requested(options, installation);
-  const CampaignSettings settings = campaign.settings;
-  if (options.resume) require_earlier_start(settings);
-  if (options.pdf && !reports::can_print_pdf())
-    throw CaseFileError("--pdf: " + reports::no_browser_message());
+  require_possible(options, campaign.settings);
   if (options.dry_run) {
-    std::cout << plan_text(campaign.cases, campaign.definition.problems, settings);
+    std::cout << plan_text(campaign.cases, campaign.definition.problems, campaign.settings);
     return exit_pass;
   }
-  const fs::path place = campaign.place, page = place / "report/index.html",
-                 pdf = place / "report/report.pdf";
-  const std::vector<CaseDefinition> cases = campaign.cases;
+  const fs::path place = campaign.place,
+                 ledger = ledger_of(options, campaign.definition, installation);
+  const auto fingerprint = [&, cases = campaign.cases, settings = campaign.settings,
+                            definition = campaign.definition] {
+    return fingerprint_of(definition, cases, settings, ledger);
+  };
   if (const auto standing = read_standing(place);
-      standing && fs::exists(page) && (!options.pdf || fs::exists(pdf)) &&
-      standing->fingerprint == fingerprint_of(campaign.definition, cases, settings)) {
+      standing && report_stands(place, options) && standing->fingerprint == fingerprint()) {
     std::cout << standing->out;
     return ended(standing->status, options);
   }
@@ -87,20 +119,14 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   std::cerr << complaints(assessed.cases, assessed.problems);
   const std::string rows = gate_lines(assessed.cases, assessed.problems);
   std::cout << rows;
-  const std::string command = fmt::format(
-      "./slosh campaign {}{}{}", name_or_path(assessed.definition.file, installation.campaigns),
-      selection_options(options.selection), experiments_option(settings.experiments));
-  reports::write_report(campaign_report(assessed.definition, options.selection.quick, command,
-                                        assessed.cases, assessed.problems),
-                        place / "report", options.pdf);
+  leave_report(assessed, options,
+               {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
   const int status = exit_status(assessed.cases, assessed.problems);
-  const std::string verdict =
-      fmt::format("{}: {}\nreport: {}\n", word_for(status),
-                  verdict_sentence(assessed.cases, assessed.problems), page.string());
+  const std::string verdict = fmt::format("{}: {}\n{}", word_for(status),
+                                          verdict_sentence(assessed.cases, assessed.problems),
+                                          report_lines(place, options));
   std::cout << verdict;
-  if (options.pdf) std::cout << "PDF: " << pdf.string() << "\n";
-  if (const auto fingerprint = fingerprint_of(assessed.definition, cases, settings))
-    write_standing({*fingerprint, status, rows + verdict}, place);
+  if (const auto now = fingerprint()) write_standing({*now, status, rows + verdict}, place);
   return ended(status, options);
 }
 

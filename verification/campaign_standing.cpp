@@ -27,11 +27,13 @@ json stamp_of(const fs::path& file) {
 
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
-                                          const CampaignSettings& settings) {
+                                          const CampaignSettings& settings,
+                                          const fs::path& ledger) {
   json all{{"campaign", campaign.text},
            {"selection", selection_options(settings.selection)},
            {"experiments", settings.experiments.string()},
            {"tool", stamp_of(settings.executable)},
+           {"ledger", stamp_of(ledger)},
            {"cases", json::array()},
            {"results", json::array()}};
   for (const CaseDefinition& one : cases) all["cases"].push_back(one.text);

@@ -23,7 +23,8 @@ struct CampaignStanding {
 // something is left to do.
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
-                                          const CampaignSettings& settings);
+                                          const CampaignSettings& settings,
+                                          const std::filesystem::path& ledger);
 
 // <output>/standing.json. Nothing where it is absent or no such file.
 std::optional<CampaignStanding> read_standing(const std::filesystem::path& output);

@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "reports/axes.hpp"
+#include "reports/gnuplot_script.hpp"
 #include "reports/run_gnuplot.hpp"
 #include "reports/tests/path_variable.hpp"
 #include "reports/tests/scratch_directory.hpp"
@@ -184,6 +186,83 @@ TEST(DrawnFigure, SurvivesValuesThatAreNearlyEqualHugeOrTiny) {
       EXPECT_NO_THROW(drawn_markup(figure)) << y[0] << (logarithmic ? " logarithmic" : "");
     }
   }
+}
+
+TEST(DrawnFigure, HasARibbonOnePieceForEachPartBetweenGaps) {
+  const auto pieces = [](const std::vector<double>& upper) {
+    Figure figure = simple_figure("ribbon", {1, 2, 3, 4, 5, 6});
+    figure.curves[0].lower = {0, 1, 2, 3, 4, 5};
+    figure.curves[0].upper = upper;
+    const std::string markup = drawn_markup(figure);
+    int count = 0;
+    for (auto at = markup.find("<polygon"); at != std::string::npos;
+         at = markup.find("<polygon", at + 1))
+      count += markup.compare(markup.find("fill = '", at) + 8, 7, "#0069a8") == 0;
+    return count;
+  };
+  EXPECT_EQ(pieces({2, 3, 4, 5, 6, 7}), 1);
+  EXPECT_EQ(pieces({2, 3, 4, nan, 6, 7}), 2);
+  EXPECT_EQ(pieces({nan, nan, nan, nan, nan, nan}), 0);
+}
+
+TEST(DrawnFigure, CutsARibbonThatReachesBelowALogarithmicAxis) {
+  Figure figure = simple_figure("deep", {1, 2, 3});
+  figure.log_y = true;
+  figure.curves[0].lower = {0.5, -1, 1};
+  figure.curves[0].upper = {2, 3, 4};
+  EXPECT_NE(drawn_markup(figure).find("fill = '#0069a8'"), std::string::npos);
+}
+
+TEST(DrawnFigure, NamesSpansOfOneLabelOnceAndLeavesOutThoseBesideTheAxis) {
+  Figure figure = simple_figure("spans", {1, 2, 3, 4, 5});
+  const int without = canvas_height(figure);
+  figure.x_range = {0, 4};
+  figure.spans = {{"start", -1, 1}, {"start", 3, 9}, {"start", 5, 6}, {"start", 2, 2}};
+  const std::string script = gnuplot_script(figure);
+  const auto count = [](const std::string& text, const std::string& part) {
+    int n = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count(script, "title 'start'"), 1);
+  EXPECT_EQ(count(script, "set object"), 2);
+  EXPECT_NE(script.find("from first 0, graph 0 to first 1, graph 1"), std::string::npos);
+  EXPECT_EQ(canvas_height(figure), without);  // beside the curve in one row of the legend
+  const ScratchDirectory scratch;
+  const std::string svg =
+      svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
+  EXPECT_NE(svg.find("start from 3 to 9 (shaded)"), std::string::npos);
+  expect_well_formed(svg);
+}
+
+TEST(DrawnFigure, OfEqualAxesIsASquareOfOneScale) {
+  Figure figure = simple_figure("square", {1, 1.1});
+  figure.curves[0].x_error = {0.5, 0.5};
+  figure.curves[0].y_error = {0.1, 0.1};
+  figure.curves[0].style = Curve::Style::points;
+  figure.equal_axes = true;
+  // The frame's axes, as gnuplot writes them: left top, left bottom, right bottom.
+  const std::regex frame("M([0-9.]+),([0-9.]+) L([0-9.]+),([0-9.]+) L([0-9.]+),([0-9.]+) ");
+  const std::string markup = drawn_markup(figure);
+  double side = 0;
+  for (std::sregex_iterator match(markup.begin(), markup.end(), frame), end; match != end; ++match)
+    if ((*match)[1] == (*match)[3] && (*match)[4] == (*match)[6]) {
+      side = std::stod((*match)[4]) - std::stod((*match)[2]);
+      EXPECT_NEAR(std::stod((*match)[5]) - std::stod((*match)[3]), side, 0.2);
+    }
+  EXPECT_GT(side, 300);
+  const auto [horizontal, vertical] = plot_ranges(figure);
+  EXPECT_NEAR(horizontal.upper - horizontal.lower, vertical.upper - vertical.lower, 1e-12);
+  EXPECT_LT(horizontal.lower, -0.5);  // with the bars
+}
+
+TEST(DrawnFigure, HasTheTicksThatItIsGiven) {
+  Figure figure = simple_figure("ticks", {1, 2});
+  figure.x_ticks = {{0, "first's"}, {1, "now"}};
+  const std::string markup = drawn_markup(figure);
+  EXPECT_NE(markup.find("first's"), std::string::npos);
+  EXPECT_NE(markup.find("now"), std::string::npos);
+  EXPECT_EQ(markup.find(">0.5<"), std::string::npos);
 }
 
 TEST(DrawnFigure, OfALongSeriesStaysSmall) {

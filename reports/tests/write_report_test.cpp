@@ -265,8 +265,18 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
   expect_refused("short curve", [](Report& r) { r.sections[1].figures[0].curves[0].y.pop_back(); });
   expect_refused("short bars",
                  [](Report& r) { r.sections[2].figures[0].curves[0].y_error.pop_back(); });
-  expect_refused("short horizontal bars",
+  expect_refused("short level bars",
                  [](Report& r) { r.sections[2].figures[0].curves[0].x_error = {1}; });
+  expect_refused("a ribbon with one edge", [](Report& r) {
+    Curve& curve = r.sections[1].figures[0].curves[0];
+    curve.lower = curve.y;
+  });
+  expect_refused("a short ribbon", [](Report& r) {
+    Curve& curve = r.sections[1].figures[0].curves[0];
+    curve.lower = curve.upper = {1};
+  });
+  expect_refused("equal logarithmic axes",
+                 [](Report& r) { r.sections[2].figures[0].equal_axes = true; });
   expect_refused("turned range", [](Report& r) { r.sections[1].figures[0].x_range = {2, 1}; });
   const auto spoilt_field = [&](const char* why, const auto& spoil) {
     expect_refused(why, [&](Report& r) { spoil(r.sections[1].fields[0]); });

@@ -18,6 +18,10 @@ using reports::FieldPanel;
 // What of a page's width leaves panels that one can read, and of its height one view.
 constexpr std::size_t most_columns = 4, most_rows = 4;
 
+// Of an animation, whose frames all travel in one picture.
+constexpr std::size_t animated_columns = 2;
+constexpr int animated_height = 240;  // px
+
 // Null where the run left none at that time.
 const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::string& run,
                                  double time) {
@@ -92,6 +96,22 @@ FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<dou
   return figure;
 }
 
+// A frame a moment; of the runs the first two, side by side.
+FieldFigure animation(const CaseAssessment& assessment, std::vector<std::string> runs) {
+  const CaseDefinition& definition = assessment.definition;
+  const std::vector<double>& times = definition.animation_times;
+  runs.resize(std::min(runs.size(), animated_columns));
+  FieldFigure figure = field_figure(assessment, times, runs);
+  figure.id = definition.name + "-animation";
+  figure.title = fmt::format("The flow from {:g} to {:g} s", times.front(), times.back());
+  figure.caption = fmt::format(
+      "An animation in {} frames, {:g} s apart; it stands still until it is played. {}",
+      times.size(), times[1] - times[0], figure.caption.substr(figure.caption.find("The colour")));
+  figure.panel_height = animated_height;
+  for (const double time : times) figure.frames.push_back(fmt::format("t = {:.2f} s", time));
+  return figure;
+}
+
 }  // namespace
 
 std::vector<FieldFigure> case_fields(const CaseAssessment& assessment) {
@@ -109,6 +129,13 @@ std::vector<FieldFigure> case_fields(const CaseAssessment& assessment) {
       figures.push_back(field_figure(assessment, moments, columns));
       figures.back().id = fmt::format("{}-fields-{}", definition.name, figures.size());
     }
+  std::vector<std::string> moving = runs;
+  std::erase_if(moving, [&](const std::string& run) {
+    return std::any_of(definition.animation_times.begin(), definition.animation_times.end(),
+                       [&](double time) { return !snapshot_at(assessment, run, time); });
+  });
+  if (!definition.animation_times.empty() && !moving.empty())
+    figures.push_back(animation(assessment, moving));
   return figures;
 }
 

@@ -8,8 +8,9 @@ namespace slosh {
 
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment) {
   std::vector<reports::Figure> figures;
-  for (auto make : {motion_figures, main_history, residual_figures, other_histories,
-                    spectrum_figures, study_figures, energy_figures, cost_figures}) {
+  for (auto make : {motion_figures, main_history, residual_figures, sliding_figures, phasor_figures,
+                    other_histories, spectrum_figures, study_figures, convergence_figures,
+                    energy_figures, cost_figures}) {
     std::vector<reports::Figure> made = make(assessment);
     figures.insert(figures.end(), std::make_move_iterator(made.begin()),
                    std::make_move_iterator(made.end()));

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
-#include "verification/campaign/work_points.hpp"
 #include "verification/campaign/report_places.hpp"
+#include "verification/campaign/work_points.hpp"
 
 namespace slosh {
 namespace {
@@ -221,13 +222,15 @@ Table terms_table(const CaseAssessment& assessment) {
 Table provenance_table(const CaseAssessment& assessment) {
   Table table{assessment.definition.name + "-provenance",
               "Provenance",
-              "Compiler flags and the whole key stand in the result file and in `results.json`.",
+              "The whole key stands in the result file and in `results.json`.",
               {"run", "made by", "on", "key", "repeat with"},
               {}};
+  std::set<std::string> flags;
   for (const RunDefinition& run : assessment.definition.runs) {
     const auto found = assessment.runs.results.find(run.name);
     if (found == assessment.runs.results.end()) continue;
     const auto& origin = found->second.provenance;
+    if (const auto of = origin.find("compiler_flags"); of != origin.end()) flags.insert(of->second);
     const auto openfoam = origin.find("openfoam_version");
     table.rows.push_back(
         {run.name,
@@ -237,6 +240,8 @@ Table provenance_table(const CaseAssessment& assessment) {
          fmt::format("`{}`", found->second.key.substr(0, 8)),
          fmt::format("`{}`", origin.at("command"))});
   }
+  if (!flags.empty())
+    table.caption += fmt::format(" Compiler flags: `{}`.", fmt::join(flags, "`; `"));
   return table;
 }
 

@@ -41,9 +41,9 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
       shown.word);
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("residual [{}]", shown.unit);
-  const std::vector<std::string> finest = finest_runs(assessment, quantity);
-  for (const Comparison* judging : judging_comparisons(assessment)) {
-    if (std::find(finest.begin(), finest.end(), judging->candidate) == finest.end()) continue;
+  figure.x_range = {0, definition.duration};
+  figure.spans = outside_window(definition);
+  for (const Comparison* judging : shown_comparisons(assessment)) {
     Curve curve{judging->candidate + " - " + judging->reference,
                 judging->residual.time,
                 judging->residual.value,

@@ -19,11 +19,20 @@ std::vector<reports::Figure> other_histories(const CaseAssessment& assessment);
 // Candidates less their references, with the tolerance band.
 std::vector<reports::Figure> residual_figures(const CaseAssessment& assessment);
 
+// Amplitude ratio and phase lag of the first mode over windows that slide along.
+std::vector<reports::Figure> sliding_figures(const CaseAssessment& assessment);
+
+// Complex amplitudes over their references', a figure a mode.
+std::vector<reports::Figure> phasor_figures(const CaseAssessment& assessment);
+
 // Of the elevation and of the highest surface at each gauge, else of what the case is about.
 std::vector<reports::Figure> spectrum_figures(const CaseAssessment& assessment);
 
 // SPH runs of one scheme that differ in their time step or in their spacing alone.
 std::vector<reports::Figure> study_figures(const CaseAssessment& assessment);
+
+// Error against spacing, with the order and its band.
+std::vector<reports::Figure> convergence_figures(const CaseAssessment& assessment);
 
 // Where an SPH run's energy comes from and goes to.
 std::vector<reports::Figure> energy_figures(const CaseAssessment& assessment);

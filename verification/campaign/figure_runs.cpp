@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "verification/campaign/choice_table.hpp"
+#include "verification/case_file/quantities.hpp"
 
 namespace slosh {
 namespace {
@@ -121,9 +122,39 @@ reports::Curve history_curve(const CaseAssessment& assessment, const std::string
   if (const auto* record = std::get_if<RecordRun>(&run_named(assessment.definition, run).solver)) {
     if (record->time.size() <= most_points) curve.style = reports::Curve::Style::points;
     if (record->uncertainty)
-      curve.y_error.assign(curve.y.size(), scales.value * *record->uncertainty);
+      set_uncertainty(curve, std::vector(curve.y.size(), scales.value * *record->uncertainty));
   }
   return curve;
+}
+
+void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths) {
+  if (curve.style == reports::Curve::Style::points) {
+    curve.y_error = half_widths;
+    return;
+  }
+  for (std::size_t i = 0; i < curve.y.size(); ++i) {
+    curve.lower.push_back(curve.y[i] - half_widths[i]);
+    curve.upper.push_back(curve.y[i] + half_widths[i]);
+  }
+}
+
+std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessment) {
+  const std::vector<std::string> finest =
+      finest_runs(assessment, compared_quantities(assessment.definition).front());
+  std::vector<const Comparison*> shown = judging_comparisons(assessment);
+  std::erase_if(shown, [&](const Comparison* one) {
+    return std::find(finest.begin(), finest.end(), one->candidate) == finest.end();
+  });
+  return shown;
+}
+
+std::vector<reports::Span> outside_window(const CaseDefinition& definition, double time_scale) {
+  std::vector<reports::Span> spans;
+  for (const auto& [begin, end] : {std::pair{0.0, definition.window_begin},
+                                   std::pair{definition.window_end, definition.duration}})
+    if (begin < end)
+      spans.push_back({"outside the comparison window", time_scale * begin, time_scale * end});
+  return spans;
 }
 
 std::string who_is_who(const CaseDefinition& definition, const std::vector<std::string>& runs) {
@@ -137,7 +168,7 @@ std::string who_is_who(const CaseDefinition& definition, const std::vector<std::
     bars |= record && record->uncertainty;
   }
   return fmt::format("{}.{}", fmt::join(texts, "; "),
-                     bars ? " Bars are a record's 95 % interval." : "");
+                     bars ? " Bars, or a ribbon, are a record's 95 % interval." : "");
 }
 
 }  // namespace slosh

@@ -41,6 +41,16 @@ struct AxisScales {
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
                              const std::string& quantity, const AxisScales& scales);
 
+// As bars of points and as a ribbon of anything else; half widths [the curve's unit], as many as it
+// has samples.
+void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths);
+
+// Of the finest run of each scheme and solver the judging comparison.
+std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessment);
+
+// What no metric of the case looks at, for an axis of time.
+std::vector<reports::Span> outside_window(const CaseDefinition& definition, double time_scale = 1);
+
 // "recommended_10mm: SPH, scheme recommended, 10 mm; ..." and, of records with an uncertainty, what
 // their bars are; ends in a full stop.
 std::string who_is_who(const CaseDefinition& definition, const std::vector<std::string>& runs);

@@ -5,6 +5,7 @@
 
 #include "verification/campaign/figure_kinds.hpp"
 #include "verification/campaign/figure_runs.hpp"
+#include "verification/campaign/history_uncertainty.hpp"
 #include "verification/campaign/shown_quantity.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -13,6 +14,23 @@ namespace slosh {
 namespace {
 
 using reports::Figure;
+
+// With ribbons; whether there is one but a record's.
+bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
+                const AxisScales& scales, Figure& figure) {
+  bool numerical = false;
+  figure.curves.clear();
+  for (const std::string& run : finest_runs(assessment, quantity)) {
+    figure.curves.push_back(history_curve(assessment, run, quantity, scales));
+    std::vector<double> widths =
+        numerical_half_widths(assessment.definition, assessment.runs, run, quantity);
+    if (widths.empty()) continue;
+    for (double& width : widths) width *= scales.value;
+    set_uncertainty(figure.curves.back(), widths);
+    numerical = true;
+  }
+  return numerical;
+}
 
 Figure history(const CaseAssessment& assessment, const std::string& quantity) {
   const CaseDefinition& definition = assessment.definition;
@@ -27,8 +45,11 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity) {
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
   figure.x_range = {0, definition.duration};
-  for (const std::string& run : runs)
-    figure.curves.push_back(history_curve(assessment, run, quantity, {.value = shown.scale}));
+  figure.spans = outside_window(definition);
+  if (add_curves(assessment, quantity, {.value = shown.scale}, figure))
+    figure.caption +=
+        " Ribbons about solvers: 95 % numerical uncertainty, from coarser runs (Celik et al. 2008, "
+        "one order for the whole history; narrow where histories cross).";
   return figure;
 }
 
@@ -44,10 +65,9 @@ Figure highest_surface(const CaseAssessment& assessment, const std::string& quan
   figure.x_label = "time over the forcing period, t/T [1]";
   figure.y_label = "highest surface over the still depth, η/h [1]";
   figure.x_range.second *= frequency;
-  figure.curves.clear();
-  for (const std::string& run : finest_runs(assessment, quantity))
-    figure.curves.push_back(history_curve(
-        assessment, run, quantity, {.time = frequency, .value = 1 / definition.liquid.fill_depth}));
+  figure.spans = outside_window(definition, frequency);
+  add_curves(assessment, quantity, {.time = frequency, .value = 1 / definition.liquid.fill_depth},
+             figure);
   return figure;
 }
 

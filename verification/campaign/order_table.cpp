@@ -8,6 +8,7 @@
 #include <map>
 
 #include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/refinement.hpp"
 
 namespace slosh {
 namespace {
@@ -64,6 +65,19 @@ std::map<std::string, MeasuresBySpacing> measures_by_scheme(const CaseAssessment
   return schemes;
 }
 
+// The root of a cell's area stands for the spacing.
+MeasuresBySpacing measures_of_meshes(const CaseAssessment& assessment,
+                                     const RefinementDefinition& path) {
+  MeasuresBySpacing meshes;
+  const TankDefinition& tank = assessment.definition.tank;
+  for (const std::string& run : path.runs)
+    if (const Comparison* comparison = comparison_with_truth(assessment, run))
+      meshes[std::sqrt(tank.length * tank.height) *
+             step_of(path.number, run_named(assessment.definition, run), assessment.runs)] =
+          measures_of(*comparison);
+  return meshes;
+}
+
 std::vector<ErrorAtSpacing> errors_of(const MeasuresBySpacing& spacings, const Column& column) {
   std::vector<ErrorAtSpacing> errors;
   for (const auto& [spacing, measures] : spacings)
@@ -108,22 +122,29 @@ std::optional<double> observed_order(const ErrorAtSpacing& coarse, const ErrorAt
 }
 
 std::optional<double> least_squares_order(const std::vector<ErrorAtSpacing>& errors) {
-  std::vector<double> x, y;
-  for (const auto& [spacing, error] : errors) {
-    if (!has_size(error)) continue;
-    x.push_back(std::log(spacing));
-    y.push_back(std::log(std::abs(error.value)));
-  }
-  if (x.size() < least_spacings) return std::nullopt;
-  const double n = static_cast<double>(x.size());
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    sx += x[i];
-    sy += y[i];
-    sxx += x[i] * x[i];
-    sxy += x[i] * y[i];
-  }
-  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  const auto line = least_squares_line(errors);
+  return line ? std::optional(line->order.value) : std::nullopt;
+}
+
+std::optional<PowerLawLine> least_squares_line(const std::vector<ErrorAtSpacing>& errors) {
+  std::vector<ValueAtStep> sized;
+  for (const auto& [spacing, error] : errors)
+    if (has_size(error)) sized.push_back({spacing, std::abs(error.value), error.half_width});
+  if (sized.size() < least_spacings) return std::nullopt;
+  return fit_power_law_line(sized);
+}
+
+std::vector<ErrorFamily> error_families(const CaseAssessment& assessment) {
+  std::vector<ErrorFamily> families;
+  const auto add = [&](const std::string& name, const MeasuresBySpacing& spacings) {
+    if (spacings.size() < least_spacings) return;
+    for (const Column& column : columns)
+      families.push_back({name, column.error, column.scale, errors_of(spacings, column)});
+  };
+  for (const auto& [scheme, spacings] : measures_by_scheme(assessment)) add(scheme, spacings);
+  for (const RefinementDefinition& path : assessment.definition.refinements)
+    if (path.number == RefinedNumber::mesh) add(path.name, measures_of_meshes(assessment, path));
+  return families;
 }
 
 std::optional<reports::Table> order_table(const CaseAssessment& assessment) {

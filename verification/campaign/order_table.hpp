@@ -10,6 +10,7 @@
 
 #include "reports/report_model.hpp"
 #include "verification/campaign/case_assessment.hpp"
+#include "verification/metrics/power_law_line.hpp"
 
 namespace slosh {
 
@@ -25,6 +26,19 @@ std::optional<double> observed_order(const ErrorAtSpacing& coarse, const ErrorAt
 
 // Over those errors that are larger than their intervals; nothing where fewer than three are.
 std::optional<double> least_squares_order(const std::vector<ErrorAtSpacing>& errors);
+std::optional<PowerLawLine> least_squares_line(const std::vector<ErrorAtSpacing>& errors);
+
+// One measure of runs that differ in their spacing alone.
+struct ErrorFamily {
+  std::string name;     // the scheme, or the path of meshes
+  std::string measure;  // "normalised rms [%]"
+  double scale;         // from the errors to that unit
+  std::vector<ErrorAtSpacing> errors;
+};
+
+// Of each scheme that runs unchanged at three or more spacings, and of each [[refinement]] over
+// three or more meshes, compared with theory or a record: every measure.
+std::vector<ErrorFamily> error_families(const CaseAssessment& assessment);
 
 // Of each scheme that runs unchanged at three or more spacings, and is compared with theory or a
 // record there: errors and orders. Nothing where there is no such scheme.

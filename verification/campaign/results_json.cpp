@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verification/campaign/work_precision_json.hpp"
 #include "verification/campaign/predictions.hpp"
 #include "verification/campaign/tolerance_share.hpp"
 #include "verification/campaign/verdict_matrix.hpp"
+#include "verification/campaign/work_precision_json.hpp"
 #include "verification/case_file/problem_table.hpp"
 
 namespace slosh {

@@ -55,8 +55,8 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   campaign.text = read_definition_text("campaign", file);
   const TomlTable root(campaign.text, file);
   root.get("schema_version", exactly(schema_version));
-  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem", "sweep",
-                   "timing"});
+  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem",
+                   "sweep", "timing"});
   campaign.name = root.get("name", file_safe_name());
   campaign.title = root.get("title", any_text());
   campaign.source = root.get("source", any_text());

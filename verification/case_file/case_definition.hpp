@@ -290,6 +290,7 @@ struct CaseDefinition {
   double sample_interval;  // [s], of every recorded series
   // [s], when a run leaves its whole fields; increasing multiples of the sample interval
   std::vector<double> snapshot_times;
+  std::vector<double> animation_times = {};  // likewise, evenly spaced; none: no animation
   std::vector<GaugeDefinition> gauges;
   std::vector<PressureGaugeDefinition> pressure_gauges;
   std::optional<ImpactsDefinition> impacts = {};

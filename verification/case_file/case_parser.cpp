@@ -125,7 +125,8 @@ void read_head(const TomlTable& root, CaseDefinition& definition) {
   root.allow_only({"schema_version", "name",       "title",  "source",     "tags",
                    "gravity_m_s2",   "tank",       "liquid", "gas",        "obstacle",
                    "initial_wave",   "motion",     "time",   "gauge",      "pressure_gauge",
-                   "impacts",        "comparison", "run",    "refinement", "gate"});
+                   "impacts",        "comparison", "run",    "refinement", "gate",
+                   "animation"});
   definition.name = root.get("name", file_safe_name());
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
@@ -157,6 +158,8 @@ CaseDefinition read_case(const std::filesystem::path& file,
   definition.liquid = read_liquid(root.table("liquid"), definition.tank);
   definition.gas = read_gas(root.table("gas"), definition.liquid);
   read_time(root.table("time"), definition);
+  if (root.has("animation"))
+    definition.animation_times = read_animation(root.table("animation"), definition);
   definition.motion = read_motion(root.table("motion"), definition);
   if (definition.gravity == 0 && definition.motion.still())
     root.refuse("gravity_m_s2", "a number > 0, in m/s2, of a tank that stands: nothing would move");

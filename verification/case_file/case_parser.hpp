@@ -22,6 +22,8 @@
 //                 with the tank and may lie outside it
 //   [time]        start = "earth" | "tank", duration_s, sample_interval_s, snapshot_times_s?
 //                 (a list of increasing multiples of sample_interval_s)
+//   [animation]?  begin_s, end_s, interval_s (multiples of sample_interval_s; 3 to 60 moments): SPH
+//                 and interFoam leave their fields then, and the report plays the finest of each
 //   [[gauge]]?    name, x_m (from the left wall; SPH measures the depth of liquid there, which over
 //                 an obstacle, and within six particle spacings of one, lacks the obstacle's share)
 //   [[pressure_gauge]]? name, wall = "left" | "right" | "bottom", position_m (of the

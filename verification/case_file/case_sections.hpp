@@ -33,6 +33,9 @@ void refuse_overlaps(const std::vector<TomlTable>& tables,
 // [initial_wave], of a case whose tank, liquid and obstacles have been read.
 InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition);
 
+// [animation], of a case whose time has been read: its moments [s].
+std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition);
+
 // [[run]], of a case whose liquid, motion and gauges have been read; the files of records are
 // relative to the case file, those of experiments to that directory, which may be empty.
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,

@@ -117,9 +117,8 @@ std::string by_what(const CaseDefinition& definition,
     const auto found = known.find(run.name);
     const KnownRun of_run = found == known.end() ? KnownRun{} : found->second;
     text += fmt::format("  {}{}\n", run.name, run.quick ? "  (quick form too)" : "");
-    text += wrapped(solver_text(run) + number_of_elements(run, of_run) + ": " +
-                        cost_text(of_run),
-                    6);
+    text +=
+        wrapped(solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run), 6);
     if (!of_run.start) continue;
     const std::string terms = fmt::format("{}", fmt::join(of_run.start->active_terms, "; "));
     const auto [first, is_new] = told.try_emplace(terms, run.name);

@@ -130,11 +130,6 @@ GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                       with_interval(others, row.unit), other)};
 }
 
-AllowedRange allowed_by(const GateRow& row) {
-  if (row.limit) return {-*row.limit, *row.limit};
-  return {row.between->first, row.between->second};
-}
-
 Verdict verdict_of(ThreeWayVerdict verdict) {
   switch (verdict) {
     case ThreeWayVerdict::pass:
@@ -234,6 +229,11 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
 }
 
 }  // namespace
+
+AllowedRange allowed_by(const GateRow& row) {
+  if (row.limit) return {-*row.limit, *row.limit};
+  return {row.between->first, row.between->second};
+}
 
 Estimate measured(const GateRow& row, const GateEvidence& evidence) {
   if (row.metric == Metric::largest_magnitude) {

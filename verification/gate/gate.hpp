@@ -120,6 +120,9 @@ struct GateEvidence {
 // where the row's unit is not the metric's.
 Estimate measured(const GateRow& row, const GateEvidence& evidence);
 
+// Of a row with a limit or a range, what its metric may be, in the row's unit.
+AllowedRange allowed_by(const GateRow& row);
+
 // A limit or a range passes where the whole 95 % interval about the metric lies within it, is
 // violated where all of it lies outside, and is inconclusive otherwise; an improvement on another
 // run, likewise, where the intervals leave open which is the better. NaN never passes. An impact

@@ -116,13 +116,10 @@ int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
   return block_count(window.end - window.begin, 2 * pi / slowest);
 }
 
-void compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
-                   const std::vector<ToneRequest>& modes, Comparison& result) {
+void add_modes(const TimeSeries& candidate, const TimeSeries& reference,
+               const std::vector<ToneRequest>& modes, Comparison& result) {
   const TimeWindow window = result.window;
-  const PairedFit fitted = fit_pair(candidate, reference, window, modes);
-  for (std::size_t k = 0; k < modes.size(); ++k)
-    result.modes.push_back(
-        compare_tones(fitted.candidate.tones[k], fitted.reference.tones[k], fitted.differences[k]));
+  result.modes = compare_modes(candidate, reference, window, modes);
   result.cross_correlation_lag =
       cross_correlation_lag(candidate, reference, window, 2 * pi / modes.front().angular_frequency);
   const int peaks = static_cast<int>(modes.size()) + 1;
@@ -136,6 +133,17 @@ TimeSeries named(const std::string& role, TimeSeries series) {
 }
 
 }  // namespace
+
+std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
+                                          TimeWindow window,
+                                          const std::vector<ToneRequest>& modes) {
+  const PairedFit fitted = fit_pair(candidate, reference, window, modes);
+  std::vector<ModeComparison> compared;
+  for (std::size_t k = 0; k < modes.size(); ++k)
+    compared.push_back(
+        compare_tones(fitted.candidate.tones[k], fitted.reference.tones[k], fitted.differences[k]));
+  return compared;
+}
 
 Comparison compare(const TimeSeries& candidate_series, const TimeSeries& reference_series,
                    TimeWindow window, const std::vector<ToneRequest>& modes) {
@@ -161,7 +169,7 @@ Comparison compare(const TimeSeries& candidate_series, const TimeSeries& referen
     result.alignment = align_in_time(candidate, cut_reference);
   } else {
     result.alignment = {no_number, no_number};
-    compare_modes(candidate, reference, modes, result);
+    add_modes(candidate, reference, modes, result);
   }
   return result;
 }

@@ -50,6 +50,10 @@ struct Comparison {
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;
 };
 
+// The modes alone, in their order, of two series in one unit. Throws as fit_pair() does.
+std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
+                                          TimeWindow window, const std::vector<ToneRequest>& modes);
+
 // Compares two series over a window. The candidate is interpolated (cubic) to the reference's
 // times. Throws ComparisonError when either series holds a non-finite value, does not vary or falls
 // short of the window by more than one sample, when the units differ, or when the window

@@ -3,6 +3,7 @@
 
 #include "openfoam_cases/check_tank.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
+#include "verification/case_file/field_times.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/solver_runs.hpp"
 #include "verification/runs/taken_series.hpp"
@@ -46,7 +47,7 @@ openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& de
     tank.gauges.push_back({gauge.name, gauge.x});
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     tank.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
-  tank.snapshot_times = definition.snapshot_times;
+  tank.snapshot_times = field_times(definition);
   for (const ObstacleDefinition& one : definition.obstacles)
     tank.obstacles.push_back({one.left, one.right, one.bottom, one.top});
   return tank;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "openfoam_cases/sloshing_tank.hpp"
+#include "verification/case_file/field_times.hpp"
 #include "verification/runs/content_hash.hpp"
 #include "verification/runs/external_command.hpp"
 
@@ -125,7 +126,7 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& openfoam_templates) {
   ContentHash question, answer;
   json asked{{"case", physics(definition)}, {"run", description(run.solver)}};
-  if (leaves_fields(run)) asked["snapshot_times"] = definition.snapshot_times;
+  if (leaves_fields(run)) asked["snapshot_times"] = field_times(definition);
   question.add(asked.dump());
   answer.add_file(solver_build);
   if (std::holds_alternative<InterFoamRun>(run.solver)) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sph/simulation.hpp"
+#include "verification/case_file/field_times.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/snapshots.hpp"
 #include "verification/runs/solver_runs.hpp"
@@ -83,7 +84,7 @@ class SnapshotTimes {
       : sample_interval_(definition.sample_interval),
         file_stride_(samples(file_interval)),
         stride_(file_stride_) {
-    for (const double time : definition.snapshot_times) {
+    for (const double time : field_times(definition)) {
       result_.push_back(samples(time));
       stride_ = std::gcd(stride_, result_.back());
     }
@@ -169,7 +170,7 @@ RunResult run_sph(const SphRun& sph, const RunRequest& request) {
   RunResult result;
   std::optional<SnapshotWriter> file;
   scene.snapshot_interval =
-      definition.snapshot_times.empty() ? request.settings.snapshot_interval : times.interval();
+      field_times(definition).empty() ? request.settings.snapshot_interval : times.interval();
   scene.record_snapshot = [&](const sph::Snapshot& snapshot) {
     if (times.for_result(snapshot.time))
       result.snapshots.push_back(as_seen_in_the_tank(snapshot, definition, sph.particle_spacing));

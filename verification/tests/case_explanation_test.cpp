@@ -43,8 +43,7 @@ TEST(CaseExplanation, TellsWhatWasMeasuredApartFromWhatIsExpected) {
   known.start = SphOutline{3500, {"a kernel", "a state"}};
   known.cost.measured = true;
   const std::string measured = explanation(tank(), {{"a_run", known}});
-  EXPECT_TRUE(holds(measured, "3500 particles: 1.4 core-seconds measured "))
-      << measured;
+  EXPECT_TRUE(holds(measured, "3500 particles: 1.4 core-seconds measured ")) << measured;
   EXPECT_TRUE(holds(measured, " terms: a kernel; a state "));
 }
 

@@ -19,9 +19,11 @@ constexpr double forcing = 0.3 * 4.94488;  // [rad/s]
 using Names = std::vector<std::string>;
 
 TEST(CaseFigures, AreThoseOfTheDataThatAreThere) {
-  EXPECT_EQ(ids(case_figures(assess(surge_case(), surge_runs()))),
-            (Names{"small_surge-history", "small_surge-residual", "small_surge-spectrum",
-                   "small_surge-cost", "small_surge-memory"}));
+  EXPECT_EQ(
+      ids(case_figures(assess(surge_case(), surge_runs()))),
+      (Names{"small_surge-history", "small_surge-residual", "small_surge-sliding-amplitude",
+             "small_surge-sliding-lag", "small_surge-phasor-forced", "small_surge-phasor-natural_1",
+             "small_surge-spectrum", "small_surge-cost", "small_surge-memory"}));
 }
 
 TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecord) {
@@ -45,8 +47,8 @@ TEST(PressureFigure, SaysHowItWasSampledAndWhoIsWho) {
             "interpolated between the wall's faces, less the gas's mean. Solvers and theory are "
             "sampled every 0.02 s, at that instant, and not filtered. theory: linear potential "
             "theory, 500 modes; particles: SPH, scheme recommended, 10 mm; fine_mesh: interFoam, "
-            "50 x 100 cells; measured: published record b.csv. Bars are a record's 95 % interval. "
-            "none.");
+            "50 x 100 cells; measured: published record b.csv. Bars, or a ribbon, are a record's "
+            "95 % interval. none.");
   EXPECT_NE(figure_of(assessment, "filtered_wall_pressure-B")
                 .caption.find("one low-pass filter for all: Gaussian, zero phase, -3 dB at 5 Hz."),
             std::string::npos);
