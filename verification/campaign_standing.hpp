@@ -18,8 +18,8 @@ struct CampaignStanding {
   std::string out;          // what was told of it
 };
 
-// Hashes the campaign's and the cases' files, the runs with their keys, the tool itself, and of
-// each result and its timings when it was written; nothing where a result is missing, so that
+// Hashes the campaign's and the cases' files and the tool itself, and of the ledger of baselines,
+// of each result and of its timings when it was written; nothing where a result is missing, so that
 // something is left to do.
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
