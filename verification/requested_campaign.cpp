@@ -24,13 +24,18 @@ void require_window(const CaseDefinition& definition) try {
   throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
 }
 
-void require_timed_cases(const CampaignDefinition& campaign,
-                         const std::vector<CaseDefinition>& cases) {
-  for (const std::string& name : campaign.timing.cases)
-    if (std::none_of(cases.begin(), cases.end(),
-                     [&](const CaseDefinition& one) { return one.name == name; }))
-      throw CaseFileError(fmt::format("{}: timing.cases = \"{}\": expected names of its cases",
-                                      campaign.file.string(), name));
+void require_timed_runs(const CampaignDefinition& campaign,
+                        const std::vector<CaseDefinition>& cases) {
+  for (const std::string& pattern : campaign.timing.only) {
+    const auto names_one_of = [&](const CaseDefinition& one) {
+      return std::any_of(one.runs.begin(), one.runs.end(), [&](const RunDefinition& run) {
+        return names_run({.only = {pattern}}, one, run);
+      });
+    };
+    if (std::none_of(cases.begin(), cases.end(), names_one_of))
+      throw CaseFileError(fmt::format("{}: timing.only = \"{}\": expected patterns of its runs",
+                                      campaign.file.string(), pattern));
+  }
 }
 
 // All that a campaign's cases get wrong is found before anything runs.
@@ -49,7 +54,7 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
     cases.push_back(std::move(definition));
   }
   require_swept_cases(campaign, cases);
-  require_timed_cases(campaign, cases);
+  require_timed_runs(campaign, cases);
   return cases;
 }
 

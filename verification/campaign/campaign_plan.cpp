@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "verification/engine/timings.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -63,10 +61,8 @@ Job job_of(const PlannedRun& planned, const CampaignSettings& settings, const Ex
 }
 
 bool is_timed(const PlannedRun& planned, const TimingDefinition& timing) {
-  const auto& cases = timing.cases;
   return !std::holds_alternative<RecordRun>(planned.run->solver) &&
-         (cases.empty() ||
-          std::find(cases.begin(), cases.end(), planned.definition->name) != cases.end());
+         names_run({.only = timing.only}, *planned.definition, *planned.run);
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ struct KnownProblem {
 
 // Which runs are repeated alone on the machine, so that what they take can be compared.
 struct TimingDefinition {
-  int repeats = 0;                 // of each; 0: none
-  double longest_run = 60;         // [s] of processor time: what takes longer is not repeated
-  std::vector<std::string> cases;  // names; empty: all
+  int repeats = 0;                // of each; 0: none
+  double longest_run = 60;        // [s] of processor time: what takes longer is not repeated
+  std::vector<std::string> only;  // patterns as run_selection.hpp has them; empty: all
 };
 
 struct CampaignDefinition {

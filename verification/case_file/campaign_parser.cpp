@@ -37,12 +37,12 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
 }
 
 TimingDefinition read_timing(const TomlTable& timing) {
-  timing.allow_only({"repeats", "longest_run_s", "cases"});
+  timing.allow_only({"repeats", "longest_run_s", "only"});
   TimingDefinition read;
   read.repeats = timing.get("repeats", at_least(1));
   read.longest_run = timing.find("longest_run_s", positive("s")).value_or(read.longest_run);
-  if (timing.has("cases"))
-    for (const PlacedText& one : timing.texts("cases", any_text())) read.cases.push_back(one.text);
+  if (timing.has("only"))
+    for (const PlacedText& one : timing.texts("only", any_text())) read.only.push_back(one.text);
   return read;
 }
 

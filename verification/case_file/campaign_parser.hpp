@@ -5,7 +5,7 @@
 // [[problem.gate]]: measure (one of the problem's), metric = "order_at_least" | "error_at_finest" |
 // "largest_error" with limit, or "order_within" with lower and upper; unit, reason, source. At
 // least one case or problem. [[sweep]]? as sweep.hpp says; [timing]? with repeats, longest_run_s?
-// and cases? = [names of cases], which runs are repeated for their timings.
+// and only? = [patterns CASE or CASE/RUN]: which runs are repeated for their timings.
 #pragma once
 
 #include <filesystem>

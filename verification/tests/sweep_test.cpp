@@ -105,10 +105,10 @@ TEST_F(Sweep, RefusesNamesThatDoNotTellRunsApartAndCasesThatAreNone) {
 
 TEST_F(Sweep, IsReadWithTheCampaignsTiming) {
   const TimingDefinition timing =
-      campaign("[timing]\nrepeats = 3\nlongest_run_s = 5\ncases = [\"small\"]\n").timing;
+      campaign("[timing]\nrepeats = 3\nlongest_run_s = 5\nonly = [\"small/*\"]\n").timing;
   EXPECT_EQ(timing.repeats, 3);
   EXPECT_EQ(timing.longest_run, 5);
-  EXPECT_EQ(timing.cases, std::vector<std::string>{"small"});
+  EXPECT_EQ(timing.only, std::vector<std::string>{"small/*"});
   EXPECT_THROW(campaign("[timing]\nrepeats = 0\n"), CaseFileError);
   EXPECT_THROW(campaign("[timing]\nrepeat = 1\n"), CaseFileError);
 }
