@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 // What --resume promises: a name that is mistyped starts nothing from the beginning. And --pdf: no
 // campaign runs for hours to a report that cannot be printed.
 void require_possible(const CampaignOptions& options, const CampaignSettings& settings) {
-  if (options.resume && !fs::exists(settings.output / "jobs/jobs.json"))
+  if (options.resume && !fs::exists(settings.output / "jobs"))
     throw CaseFileError(fmt::format("--resume: expected an earlier start of this campaign in {}",
                                     settings.output.string()));
   if (options.pdf && !reports::can_print_pdf())

@@ -107,11 +107,13 @@ std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& 
   std::vector<Job> jobs;
   const bool computed = is_pending(planned) || planned.status.state == RunState::finished;
   if (!computed || !is_timed(planned, settings.timing)) return jobs;
+  const std::size_t made = read_timings(settings.store.file(planned.key, ".timings.json")).size(),
+                    wanted = static_cast<std::size_t>(settings.timing.repeats);
+  if (made >= wanted) return jobs;
   const ExpectedCost cost =
       expected_cost(*planned.definition, *planned.run, planned.key, settings.store);
   if (cost.processor_time > settings.timing.longest_run) return jobs;
-  const std::size_t made = read_timings(settings.store.file(planned.key, ".timings.json")).size();
-  for (std::size_t i = made; i < static_cast<std::size_t>(settings.timing.repeats); ++i) {
+  for (std::size_t i = made; i < wanted; ++i) {
     Job job = job_of(planned, settings, cost);
     job.name += fmt::format(", timing {}", i + 1);
     job.log_file.replace_extension(fmt::format(".timing_{}.log", i + 1));

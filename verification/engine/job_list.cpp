@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char *list_name = "jobs.json", *lock_name = "lock";
+constexpr const char* list_name = "jobs.json";
 constexpr const char *started = ".started", *ended = ".ended.json";
 
 json entry_of(const Job& job) {
@@ -49,8 +49,6 @@ double seconds_since(fs::file_time_type begin) {
 
 JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs) {
   fs::create_directories(directory);
-  for (const auto& entry : fs::directory_iterator(directory))
-    if (entry.path().filename() != lock_name) fs::remove_all(entry.path());
   json list = json::array();
   for (const Job& job : jobs) list.push_back(entry_of(job));
   try {

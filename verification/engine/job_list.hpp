@@ -3,7 +3,6 @@
 //   jobs.json     the jobs
 //   N.started     empty, made when job N starts
 //   N.ended.json  how it has ended, replaced as a whole
-//   lock          held by the start that works there
 #pragma once
 
 #include <chrono>
@@ -16,7 +15,7 @@ namespace slosh {
 
 class JobList {
  public:
-  // A new list in the directory, which is made if need be; all files but the lock are removed.
+  // A new list in the directory, which is made and must not have one yet.
   // Throws std::filesystem::filesystem_error, and std::runtime_error for a path that is not UTF-8.
   static JobList create(const std::filesystem::path& directory, const std::vector<Job>& jobs);
 

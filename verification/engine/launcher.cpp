@@ -1,7 +1,9 @@
 #include "verification/engine/launcher.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <stdexcept>
 
 #include "verification/engine/job_list.hpp"
@@ -10,13 +12,32 @@
 
 namespace slosh {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name that no earlier start had.
+fs::path fresh_list(const fs::path& directory) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return directory / fmt::format("list_{}_{}", now.count(), ::getpid());
+}
+
+void remove_lists(const fs::path& directory) {
+  if (!fs::is_directory(directory)) return;
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (entry.path().filename().string().starts_with("list_")) fs::remove_all(entry.path());
+}
+
+}  // namespace
+
 std::vector<JobState> launch(const std::vector<Job>& jobs, const LaunchSettings& settings,
                              const std::atomic<bool>& stop, const ObserveJobs& observe) {
   if (settings.at_once < 1)
     throw std::invalid_argument(
         fmt::format("at_once = {}: expected at least one core to fill", settings.at_once));
   if (jobs.empty()) return {};
-  const JobList list = JobList::create(settings.directory, jobs);
+  remove_lists(settings.directory);
+  const JobList list = JobList::create(fresh_list(settings.directory), jobs);
   return settings.engine == Engine::slurm ? run_by_slurm(list, settings, stop, observe)
                                           : run_by_ninja(list, settings, stop, observe);
 }

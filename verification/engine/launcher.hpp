@@ -13,8 +13,10 @@ namespace slosh {
 enum class Engine { ninja, slurm };
 
 struct LaunchSettings {
-  std::filesystem::path directory;  // of the job list; made if need be
-  std::filesystem::path tool;       // whose `job N`, in the directory, runs job N of the list
+  // One start at a time works there (whoever calls sees to that); made if need be. Lists of earlier
+  // starts are removed from it: what is left of such a start writes into its own list.
+  std::filesystem::path directory;
+  std::filesystem::path tool;  // whose `job N`, in the directory, runs job N of the list
   Engine engine = Engine::ninja;
   int at_once = 1;  // cores to fill on this machine; a cluster fills its own
 };

@@ -36,13 +36,14 @@ struct Task {
 
 class Arrays {
  public:
-  Arrays(const JobList& list, const fs::path& tool) : list_(list), tasks_(list.jobs().size()) {
+  Arrays(const JobList& list, const LaunchSettings& settings)
+      : list_(list), ids_file_(settings.directory / arrays_name), tasks_(list.jobs().size()) {
     const fs::path file = list.directory() / "task.sh";
     replace_file(file, script, Durability::process_crash);
 
     for (const SlurmArray& array : slurm_arrays(list.jobs())) {
       const std::string id =
-          submit(array, file, tool, array.alone ? ids_ : std::vector<std::string>{});
+          submit(array, file, settings.tool, array.alone ? ids_ : std::vector<std::string>{});
       for (const std::size_t job : array.jobs)
         tasks_[job].id = fmt::format("{}_{}", id, job - array.jobs.front());
     }
@@ -85,12 +86,12 @@ class Arrays {
     // "ID" or "ID;CLUSTER"
     const std::string id = answer.out.substr(0, answer.out.find_first_of(";\n"));
     ids_.push_back(id);
-    replace_file(list_.directory() / arrays_name, nlohmann::json(ids_).dump(),
-                 Durability::process_crash);
+    replace_file(ids_file_, nlohmann::json(ids_).dump(), Durability::process_crash);
     return id;
   }
 
   const JobList& list_;
+  fs::path ids_file_;
   std::vector<std::string> ids_;
   std::vector<Task> tasks_;
 };
@@ -99,7 +100,7 @@ class Arrays {
 
 std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe) {
-  Arrays arrays(list, settings.tool);
+  Arrays arrays(list, settings);
   Watch watch(list, observe);
   Clock::time_point asked = Clock::now();
   const auto all_ended = [&] {
@@ -117,7 +118,7 @@ std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& se
     }
     std::this_thread::sleep_for(Watch::interval);
   }
-  fs::remove(list.directory() / arrays_name);
+  fs::remove(settings.directory / arrays_name);
   return watch.finish(stop, "");
 }
 

@@ -10,7 +10,7 @@ namespace slosh {
 
 // As launch(), of a list that is written. A job that has left the queue without a word is lost; a
 // controller that does not answer is asked again. Writes slurm.json, the ids of its arrays, to the
-// list's directory.
+// settings' directory.
 std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe);
 

@@ -37,12 +37,9 @@ TEST(JobList, IsReadAsItWasWritten) {
   EXPECT_TRUE(read.alone);
 }
 
-TEST(JobList, KnowsNothingOfAnEarlierList) {
+TEST(JobList, TellsHowFarAJobIs) {
   const TemporaryDirectory directory;
   const Job job{.name = "a", .command = {"/bin/true"}, .log_file = "log"};
-  const JobList earlier = JobList::create(directory.path(), {job});
-  earlier.mark_started(0);
-  earlier.mark_ended(0, {.job = job, .phase = JobPhase::exited});
   const JobList list = JobList::create(directory.path(), {job});
   std::vector<JobState> states = list.initial_states();
   EXPECT_FALSE(list.update(states));
@@ -50,6 +47,10 @@ TEST(JobList, KnowsNothingOfAnEarlierList) {
   list.mark_started(0);
   EXPECT_TRUE(list.update(states));
   EXPECT_EQ(states[0].phase, JobPhase::running);
+  list.mark_ended(0, {.job = job, .phase = JobPhase::exited, .status = 3});
+  EXPECT_TRUE(list.update(states));
+  EXPECT_EQ(states[0].status, 3);
+  EXPECT_FALSE(list.update(states)) << "an end is told once";
 }
 
 TEST(JobList, RefusesAListThatIsNoneOrNotInUtf8) {
