@@ -237,13 +237,14 @@ std::vector<TomlTable> TomlTable::combinations() const {
   std::vector<toml::table> made{*content_->table};
   for (const auto& [key, node] : *content_->table) {
     const toml::array* axis = node.as_array();
+    const std::string name(key.str());
     if (!axis || node.is_array_of_tables()) continue;
-    if (axis->empty()) refuse(key.str(), "a value, or an array of at least one");
+    if (axis->empty()) refuse(name, "a value, or an array of at least one");
     std::vector<toml::table> longer;
     for (const toml::table& table : made)
       for (const toml::node& element : *axis) {
         longer.push_back(table);
-        element.visit([&](const auto& value) { longer.back().insert_or_assign(key.str(), value); });
+        element.visit([&](const auto& value) { longer.back().insert_or_assign(name, value); });
       }
     made = std::move(longer);
   }
