@@ -1,5 +1,6 @@
 #include "reports/write_html.hpp"
 
+#include <algorithm>
 #include <kainjow/mustache.hpp>
 
 #include "reports/figure_palette.hpp"

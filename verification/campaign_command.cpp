@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "reports/print_pdf.hpp"
@@ -30,6 +31,18 @@ void require_possible(const CampaignOptions& options, const CampaignSettings& se
                                     settings.output.string()));
   if (options.pdf && !reports::can_print_pdf())
     throw CaseFileError("--pdf: " + reports::no_browser_message());
+}
+
+// Nothing of it would come out otherwise if it were tried again.
+bool is_settled(const AssessedCampaign& assessed) {
+  const auto settled = [](const RunStatus& status) {
+    return status.state != RunState::failed && status.state != RunState::missing;
+  };
+  for (const CaseAssessment& one : assessed.cases)
+    for (const auto& [run, status] : one.runs.status)
+      if (!settled(status)) return false;
+  return std::all_of(assessed.problems.begin(), assessed.problems.end(),
+                     [&](const ProblemAssessment& one) { return settled(one.run.status); });
 }
 
 fs::path page_in(const fs::path& place) { return place / "report/index.html"; }
@@ -106,9 +119,10 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   }
   const fs::path place = campaign.place,
                  ledger = ledger_of(options, campaign.definition, installation);
-  const auto fingerprint = [&, cases = campaign.cases, settings = campaign.settings,
-                            definition = campaign.definition] {
-    return fingerprint_of(definition, cases, settings, ledger);
+  const auto fingerprint = [cases = campaign.cases, settings = campaign.settings,
+                            definition = campaign.definition,
+                            judges = judges_of(campaign.settings, ledger)] {
+    return fingerprint_of(definition, cases, settings, judges);
   };
   if (const auto standing = read_standing(place);
       standing && report_stands(place, options) && standing->fingerprint == fingerprint()) {
@@ -119,6 +133,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   std::cerr << complaints(assessed.cases, assessed.problems);
   const std::string rows = gate_lines(assessed.cases, assessed.problems);
   std::cout << rows;
+  forget_standing(place);
   leave_report(assessed, options,
                {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
   const int status = exit_status(assessed.cases, assessed.problems);
@@ -126,7 +141,8 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                                           verdict_sentence(assessed.cases, assessed.problems),
                                           report_lines(place, options));
   std::cout << verdict;
-  if (const auto now = fingerprint()) write_standing({*now, status, rows + verdict}, place);
+  if (const auto now = fingerprint(); now && is_settled(assessed))
+    write_standing({*now, status, rows + verdict}, place);
   return ended(status, options);
 }
 

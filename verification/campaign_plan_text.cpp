@@ -5,6 +5,7 @@
 
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/problem_run.hpp"
+#include "verification/case_file/shell_word.hpp"
 
 namespace slosh {
 namespace {
@@ -14,9 +15,7 @@ std::string shown(const std::string& word) {
   constexpr const char* plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  return shell_word(word);
 }
 
 std::string command_text(const Job& job) {

@@ -25,18 +25,26 @@ json stamp_of(const fs::path& file) {
 
 }  // namespace
 
+std::string judges_of(const CampaignSettings& settings, const fs::path& ledger) {
+  return json{stamp_of(settings.executable), stamp_of(ledger)}.dump(-1, ' ', false,
+                                                                    json::error_handler_t::replace);
+}
+
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
                                           const CampaignSettings& settings,
-                                          const fs::path& ledger) {
+                                          const std::string& judges) {
   json all{{"campaign", campaign.text},
            {"selection", selection_options(settings.selection)},
            {"experiments", settings.experiments.string()},
-           {"tool", stamp_of(settings.executable)},
-           {"ledger", stamp_of(ledger)},
+           {"place", settings.output.string()},
+           {"judges", judges},
            {"cases", json::array()},
            {"results", json::array()}};
-  for (const CaseDefinition& one : cases) all["cases"].push_back(one.text);
+  for (const CaseDefinition& one : cases) {
+    all["cases"].push_back(one.text);
+    if (one.impacts) all["cases"].push_back(stamp_of(one.impacts->peak_table));
+  }
   for (const PlannedRun& planned : plan_runs(cases, settings)) {
     if (is_pending(planned) || !timing_jobs(planned, settings).empty()) return std::nullopt;
     all["results"].push_back({static_cast<int>(planned.status.state), planned.status.message});
@@ -59,6 +67,8 @@ std::optional<CampaignStanding> read_standing(const fs::path& output) {
   if (read.is_discarded() || !read.contains("out")) return std::nullopt;
   return CampaignStanding{read.at("fingerprint"), read.at("status"), read.at("out")};
 }
+
+void forget_standing(const fs::path& output) { fs::remove(output / file_name); }
 
 void write_standing(const CampaignStanding& standing, const fs::path& output) {
   const json all{

@@ -18,16 +18,22 @@ struct CampaignStanding {
   std::string out;          // what was told of it
 };
 
-// Hashes the campaign's and the cases' files and the tool itself, and of the ledger of baselines,
-// of each result and of its timings when it was written; nothing where a result is missing, so that
+// What judges beside the results: when the tool and the ledger of baselines were written. To be
+// asked for before a campaign, which takes hours in which either may be replaced.
+std::string judges_of(const CampaignSettings& settings, const std::filesystem::path& ledger);
+
+// Hashes the campaign's and the cases' files, the judges, and of each result, its timings and the
+// cases' tables of peaks when they were written; nothing where a result is missing, so that
 // something is left to do.
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
                                           const CampaignSettings& settings,
-                                          const std::filesystem::path& ledger);
+                                          const std::string& judges);
 
 // <output>/standing.json. Nothing where it is absent or no such file.
 std::optional<CampaignStanding> read_standing(const std::filesystem::path& output);
+// To be called before the report is replaced: what is said again must be of the report that stands.
+void forget_standing(const std::filesystem::path& output);
 void write_standing(const CampaignStanding& standing, const std::filesystem::path& output);
 
 }  // namespace slosh

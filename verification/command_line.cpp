@@ -107,7 +107,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
                    progress_writer(options.progress_file, definition.duration));
   };
   if (options.timing) {
-    time_run(store, key, compute);
+    time_run(store, key, options.longest, compute);
   } else if (!options.store.empty()) {
     keep_run(store, key, compute);
   } else {

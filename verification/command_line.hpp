@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 namespace slosh {
@@ -29,10 +30,11 @@ struct RunOptions {
   std::filesystem::path campaign;     // a name or path: with the runs of its sweeps; or empty
   std::filesystem::path store;        // the result goes there, under its key; empty: to the output
   bool timing = false;                // only its timing, into the store
-  double snapshot_interval = 0;       // [s]
-  double state_interval = 0;          // [s]
-  double time_limit = 0;              // [s]; 0: none
-  std::filesystem::path resume;       // empty: from the start
+  double longest = std::numeric_limits<double>::infinity();  // [s], of a run that is timed
+  double snapshot_interval = 0;                              // [s]
+  double state_interval = 0;                                 // [s]
+  double time_limit = 0;                                     // [s]; 0: none
+  std::filesystem::path resume;                              // empty: from the start
 };
 
 // Runs job `index` of the list in the current directory (engine/job_list.hpp): what an engine

@@ -10,6 +10,7 @@
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/case_file/nearest_name.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/case_file/shell_word.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/runs/content_hash.hpp"
@@ -65,20 +66,17 @@ std::vector<SeriesSource> sources_of(const ImportOptions& options) {
   return sources;
 }
 
-// An argument as a shell takes it.
-std::string quoted(const std::string& argument) { return "'" + argument + "'"; }
-
 std::string command_of(const ImportOptions& options) {
-  std::string command =
-      fmt::format("./slosh import {} --format {}", quoted(options.file.string()), options.format);
-  for (const std::string& series : options.series) command += " --series " + quoted(series);
+  std::string command = fmt::format("./slosh import {} --format {}",
+                                    shell_word(options.file.string()), options.format);
+  for (const std::string& series : options.series) command += " --series " + shell_word(series);
   for (const auto& [name, value] :
        {std::pair{"--unit", &options.unit}, std::pair{"--time", &options.time_column},
         std::pair{"--time-unit", &options.time_unit}})
-    if (!value->empty()) command += fmt::format(" {} {}", name, quoted(*value));
+    if (!value->empty()) command += fmt::format(" {} {}", name, shell_word(*value));
   if (options.scale != 1) command += fmt::format(" --scale {}", options.scale);
   if (options.offset != 0) command += fmt::format(" --offset {}", options.offset);
-  return command + " -o " + quoted(options.output.string());
+  return command + " -o " + shell_word(options.output.string());
 }
 
 }  // namespace

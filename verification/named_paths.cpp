@@ -1,19 +1,10 @@
 #include "verification/named_paths.hpp"
 
+#include "verification/case_file/shell_word.hpp"
+
 namespace slosh {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// One word of a shell's command line, whatever is in it.
-std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
-
-}  // namespace
 
 std::string name_or_path(const fs::path& file, const fs::path& shipped) {
   if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();

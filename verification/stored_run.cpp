@@ -48,10 +48,18 @@ void keep_problem(const ResultStore& store, const std::string& key,
   std::cout << "result: " << file.string() << "\n";
 }
 
-void time_run(const ResultStore& store, const std::string& key,
+void time_run(const ResultStore& store, const std::string& key, double longest,
               const std::function<RunResult()>& compute) {
   const StoreLock lock(store, key);
+  if (!fs::exists(store.file(key, ".h5"))) {
+    std::cout << "no result stands that could be timed\n";
+    return;
+  }
   const RunResult kept = read_result(store.file(key, ".h5"));
+  if (kept.cost.user_time + kept.cost.system_time > longest) {
+    std::cout << fmt::format("not repeated: it takes more than {} s\n", longest);
+    return;
+  }
   const RunResult again = compute();
   if (const std::string series = difference(kept, again); !series.empty())
     throw ResultError(fmt::format("{}: expected the same {} of a repeated run, for its timing",

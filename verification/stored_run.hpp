@@ -16,10 +16,10 @@ void keep_run(const ResultStore& store, const std::string& key,
 void keep_problem(const ResultStore& store, const std::string& key,
                   const std::function<ProblemResult()>& compute);
 
-// Adds what `compute` took to the timings of the key. Throws ResultError where no result stands
-// there, or where the new one has other series by as much as a bit: what was timed was another
-// answer.
-void time_run(const ResultStore& store, const std::string& key,
+// Adds what `compute` took to the timings of the key; not of a run that failed, nor of one that
+// took more than `longest` seconds of processor time. Throws ResultError where the new result has
+// other series by as much as a bit: what was timed was another answer.
+void time_run(const ResultStore& store, const std::string& key, double longest,
               const std::function<RunResult()>& compute);
 
 }  // namespace slosh

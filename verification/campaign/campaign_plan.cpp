@@ -1,6 +1,7 @@
 #include "verification/campaign/campaign_plan.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "verification/engine/timings.hpp"
 #include "verification/runs/run_case.hpp"
@@ -112,16 +113,27 @@ std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& 
   if (made >= wanted) return jobs;
   const ExpectedCost cost =
       expected_cost(*planned.definition, *planned.run, planned.key, settings.store);
-  if (cost.processor_time > settings.timing.longest_run) return jobs;
+  if (cost.measured && cost.processor_time > settings.timing.longest_run) return jobs;
   for (std::size_t i = made; i < wanted; ++i) {
     Job job = job_of(planned, settings, cost);
     job.name += fmt::format(", timing {}", i + 1);
     job.log_file.replace_extension(fmt::format(".timing_{}.log", i + 1));
-    job.command.push_back("--timing");
+    job.command.insert(job.command.end(),
+                       {"--timing", "--longest", fmt::format("{}", settings.timing.longest_run)});
     job.alone = true;
     jobs.push_back(std::move(job));
   }
   return jobs;
+}
+
+void show_result(const fs::path& result, const fs::path& link) {
+  std::error_code none;
+  if (fs::read_symlink(link, none) == result) return;
+  fs::create_directories(link.parent_path());
+  const fs::path next = fmt::format("{}.{}.next", link.string(), ::getpid());
+  fs::remove(next);
+  fs::create_symlink(result, next);
+  fs::rename(next, link);
 }
 
 fs::path link_to_result(const CampaignSettings& settings, const CaseDefinition& definition,

@@ -42,6 +42,9 @@ bool is_pending(const PlannedRun& planned);
 Job job_for(const PlannedRun& planned, const CampaignSettings& settings);
 std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& settings);
 
+// A link to the result, in the directories that it needs: what a campaign took is seen by its name.
+void show_result(const std::filesystem::path& result, const std::filesystem::path& link);
+
 // Where the campaign's own directory shows a run's result: a link into the store.
 std::filesystem::path link_to_result(const CampaignSettings& settings,
                                      const CaseDefinition& definition, const RunDefinition& run);

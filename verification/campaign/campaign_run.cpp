@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/job_log.hpp"
@@ -21,18 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The campaign's directory shows what it took by a link of the run's name.
-void show_result(const PlannedRun& planned, const CampaignSettings& settings) {
-  const fs::path link = link_to_result(settings, *planned.definition, *planned.run);
-  std::error_code none;
-  if (fs::read_symlink(link, none) == planned.file) return;
-  fs::create_directories(link.parent_path());
-  const fs::path next = link.string() + ".next";
-  fs::remove(next);
-  fs::create_symlink(planned.file, next);
-  fs::rename(next, link);
-}
-
 // Enters the result under the run's name. Throws ResultError where it cannot be used.
 void take_result(const PlannedRun& planned, const CampaignSettings& settings, CaseRuns& runs) {
   RunResult result = read_result(planned.file);
@@ -45,7 +34,7 @@ void take_result(const PlannedRun& planned, const CampaignSettings& settings, Ca
       comparable_costs(read_timings(settings.store.file(planned.key, ".timings.json")));
   runs.status[planned.run->name] = planned.status;
   runs.results[planned.run->name] = std::move(result);
-  show_result(planned, settings);
+  show_result(planned.file, link_to_result(settings, *planned.definition, *planned.run));
 }
 
 // Enters what stands before anything is started; of what cannot be used the run is pending.
@@ -148,15 +137,27 @@ std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
   return states;
 }
 
+void wait_for_other_starts(const CampaignSettings& settings, const std::atomic<bool>& stop,
+                           std::optional<FileLock>& lock) {
+  const auto end_where_stopped = [&] {
+    if (stop) throw InterruptedError("interrupted: nothing was started");
+  };
+  lock.emplace(settings.output / "jobs/lock", [&, told = false]() mutable {
+    end_where_stopped();
+    if (std::exchange(told, true)) return;
+    std::cerr << "another start works in " << settings.output.string() << "; waiting for it\n";
+  });
+  wait_for_earlier_arrays(settings.output / "jobs", stop);
+  end_where_stopped();
+}
+
 }  // namespace
 
 CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
                                const std::vector<ProblemDefinition>& problems,
                                const CampaignSettings& settings, const std::atomic<bool>& stop) {
-  const FileLock lock(settings.output / "jobs/lock", [&] {
-    std::cerr << "another start works in " << settings.output.string() << "; waiting for it\n";
-  });
-  if (settings.engine == Engine::slurm) wait_for_earlier_arrays(settings.output / "jobs", stop);
+  std::optional<FileLock> lock;  // who only reads waits for nobody
+  if (settings.solve) wait_for_other_starts(settings, stop, lock);
   CampaignRuns outcome{std::vector<CaseRuns>(cases.size()), {}};
   std::map<const CaseDefinition*, CaseRuns*> runs_of;
   for (std::size_t i = 0; i < cases.size(); ++i) runs_of[&cases[i]] = &outcome.cases[i];

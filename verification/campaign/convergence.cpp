@@ -57,7 +57,12 @@ std::optional<double> order_half_width(const std::vector<ValueAtStep>& values) {
 Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQuestion& question) {
   CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
   const GateEvidence given = evidence.gate_evidence();
-  const MeasureRow measure = [&](const GateRow& row) { return measured(row, given); };
+  // The gate judges the residual of its window as it stands; an order is to hold in others too.
+  const MeasureRow measure = [&](const GateRow& row) {
+    return row.metric == Metric::normalised_rms
+               ? evidence.comparison(row.candidate, row.reference, row.quantity).normalised_rms
+               : measured(row, given);
+  };
   Convergence found;
   for (const auto& [mode, metric] : metrics_of(assessment.definition, question.quantity)) {
     GateRow row{};

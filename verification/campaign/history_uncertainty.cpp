@@ -76,7 +76,9 @@ std::vector<double> numerical_half_widths(const CaseDefinition& definition, cons
   for (const RefinementDefinition& path : definition.refinements) {
     if (std::find(path.runs.begin(), path.runs.end(), run) == path.runs.end()) continue;
     const std::vector<HistoryAtStep> found = histories(definition, runs, path, run, series);
-    if (found.size() < 2) continue;
+    // Without its own there is nothing that the others could be about.
+    if (found.size() < 2 || found[0].step > step_of(path.number, run_named(definition, run), runs))
+      continue;
     add_in_quadrature(widths, minus(found[1].value, found[0].value), factor_of(found));
   }
   if (has_series(runs, run, quantity + coarser))

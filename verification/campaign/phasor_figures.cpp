@@ -129,7 +129,9 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
       "along the circle. Bars hold the 95 % interval of amplitude and lag. {}{}",
       shown_quantity(definition, compared_quantities(definition).front()).word,
       definition.window_begin, definition.window_end,
-      outlines.empty() ? "" : "Inside a dashed outline the gate's rows hold. ",
+      outlines.empty() ? ""
+                       : "Dashed: the bounds of the gate's rows, which hold where the whole "
+                         "interval lies within. ",
       who_is_who(definition, runs));
   figure.x_label = "in phase, Re [1]";
   figure.y_label = "in quadrature, Im [1]";

@@ -1,20 +1,25 @@
 #include "verification/campaign/problem_run.hpp"
 
+#include <utility>
+
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/job_log.hpp"
 #include "verification/problems/problem.hpp"
 
 namespace slosh {
 
-ProblemRun standing_problem(const ProblemDefinition& problem,
-                            const CampaignSettings& settings) try {
+ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings) {
   if (!names_problem(settings.selection, problem.name)) return {{RunState::not_selected, ""}, {}};
   const std::string key =
       problem_key(problem.name, settings.selection.quick, settings.problem_build);
-  const StandingResult standing = standing_result(key, ".json", settings);
-  return {{RunState::finished, standing.message}, read_problem_result(standing.file)};
-} catch (const ResultError& error) {
-  return {{RunState::missing, error.what()}, {}};
+  try {
+    const StandingResult standing = standing_result(key, ".json", settings);
+    ProblemResult result = read_problem_result(standing.file);
+    show_result(standing.file, settings.output / "problems" / (problem.name + ".json"));
+    return {{RunState::finished, standing.message}, std::move(result)};
+  } catch (const ResultError& error) {
+    return {{RunState::missing, error.what()}, {}};
+  }
 }
 
 Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) {

@@ -184,7 +184,7 @@ Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
     for (const auto& [metric, cell] : row.cells)
       list.push_back({{of, row.name},
                       {"candidate", row.candidate},
-                      {"reference", row.reference},
+                      {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
                       {"metric", metric},
                       {"verdict", verdict_name(cell.verdict)},
                       {"value", cell.value},

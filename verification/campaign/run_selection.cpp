@@ -8,8 +8,10 @@
 #include <set>
 
 #include "verification/campaign/repeat_spread.hpp"
+#include "verification/campaign/work_points.hpp"
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/case_file/nearest_name.hpp"
+#include "verification/case_file/shell_word.hpp"
 #include "verification/gate/impact_metrics.hpp"
 
 namespace slosh {
@@ -51,6 +53,8 @@ bool are_repeats(const CaseDefinition& definition, const RunDefinition& run,
 // Whether the row's value, bounds or uncertainty (row_uncertainty.hpp) rest on the run.
 bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDefinition& run) {
   if (row.reference == run.name || row.improves_on == run.name) return true;
+  if (row.metric == Metric::cost_to_reach)
+    return work_family(run) == work_family(run_named(definition, row.candidate));
   if (are_repeats(definition, run, row.candidate)) return true;
   const bool is_record = std::holds_alternative<RecordRun>(run.solver);
   if (is_of_impacts(row.metric))
@@ -132,8 +136,8 @@ std::string selection_text(const RunSelection& selection) {
 
 std::string selection_options(const RunSelection& selection) {
   std::string options = selection.quick ? " --quick" : "";
-  for (const std::string& pattern : selection.only) options += fmt::format(" --only '{}'", pattern);
-  for (const std::string& tag : selection.tags) options += fmt::format(" --tag '{}'", tag);
+  for (const std::string& pattern : selection.only) options += " --only " + shell_word(pattern);
+  for (const std::string& tag : selection.tags) options += " --tag " + shell_word(tag);
   return options;
 }
 

@@ -1,7 +1,8 @@
 // Which runs of a campaign are wanted: all, those of the quick form, those that the user names by
 // patterns and tags. A run that a selected gate row is judged by is selected too, so that the row's
 // verdict is that of the whole campaign: the reference, the run that the row improves on, and those
-// its uncertainty comes from (refinements, repeats, records). Patterns are those of fnmatch(3), a
+// its uncertainty comes from (refinements, repeats, records), or the family whose cost it bounds.
+// Patterns are those of fnmatch(3), a
 // '*' ending at a '/': "CASE" matches whole cases and problems, "CASE/RUN" single runs.
 #pragma once
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -82,7 +83,7 @@ VerdictMatrix verdict_matrix(const std::vector<CaseAssessment>& cases) {
           outcome.judgement ? outcome.judgement->uncertainty : outcome.value.half_width;
       add({one.definition.name,
            row.candidate,
-           row.reference.empty() ? "none" : row.reference,
+           row.reference,
            metric_name(row.metric),
            {.rows = 1,
             .verdict = outcome.verdict,
@@ -109,7 +110,7 @@ VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems) {
            {.rows = 1,
             .verdict = outcome.verdict,
             .value = outcome.value,
-            .half_width = 0,
+            .half_width = std::numeric_limits<double>::quiet_NaN(),
             .unit = outcome.row.unit,
             .found = found_text(outcome),
             .row_id = problem_row_id(one.definition.name, i),
@@ -134,7 +135,9 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
       ++left_out;
       continue;
     }
-    std::vector<std::string> cells{row.name, row.candidate, row.reference}, links(3);
+    std::vector<std::string> cells{row.name, row.candidate,
+                                   row.reference.empty() ? "none" : row.reference},
+        links(3);
     for (const std::string& metric : matrix.metrics) {
       const auto found = row.cells.find(metric);
       const bool is_there = found != row.cells.end();
@@ -145,7 +148,7 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
     table.links.push_back(std::move(links));
   }
   if (left_out > 0)
-    table.caption += fmt::format(" Without {} pairs that this quick form leaves out.", left_out);
+    table.caption += fmt::format(" Without {} pairs of which no row was selected.", left_out);
   return table;
 }
 

@@ -172,6 +172,11 @@ CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs
   const CostAtError found = cost_at_error(by_core_seconds(family), row.error.value());
   if (found.reach == Reach::not_at_all) require_all_runs(definition, runs, family);
   require_timings(family, found);
+  // An upper bound, which within the limit is enough to pass.
+  if (found.reach == Reach::by_cheapest && row.limit && found.cost > *row.limit)
+    throw ComparisonError(fmt::format(
+        "{} errs less than {} at {}: without a coarser run what that error costs is not known",
+        found.rests_on.front(), in_unit(*row.error, "1"), in_unit(found.cost, row.unit)));
   return found;
 }
 

@@ -1,5 +1,7 @@
 #include "verification/campaign/work_precision_json.hpp"
 
+#include <stdexcept>
+
 #include "verification/campaign/work_precision_tables.hpp"
 
 namespace slosh {

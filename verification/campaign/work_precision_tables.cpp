@@ -156,16 +156,34 @@ std::vector<WorkFamily> told_families(const CaseAssessment& assessment) {
   return families;
 }
 
+namespace {
+
+// How far the cost moves, as a logarithm, while the error that is asked for moves within its bar; a
+// side that is not reached counts for nothing.
+double moved_by_error(const std::vector<WorkPoint>& own, double cost, const Estimate& error) {
+  double most = 0;
+  for (const double side : {-1.0, 1.0}) {
+    const double other = error.value * std::exp(side * error.half_width / error.value);
+    most = std::fmax(most, std::abs(std::log(cost_at_error(own, other).cost / cost)));
+  }
+  return most;
+}
+
+}  // namespace
+
 std::vector<SpeedUp> speed_ups(const WorkFamily& family, const std::vector<WorkFamily>& families) {
   const auto mesh = std::find_if(families.begin(), families.end(),
                                  [](const WorkFamily& one) { return one.name == mesh_family; });
   if (mesh == families.end() || family.name == mesh_family) return {};
   std::vector<SpeedUp> found;
   for (const WorkPoint& point : pareto_front(by_core_seconds(*mesh))) {
-    const CostAtError own = cost_at_error(by_core_seconds(family), point.error.value);
+    const std::vector<WorkPoint> points = by_core_seconds(family);
+    const CostAtError own = cost_at_error(points, point.error.value);
     const double of_mesh = point.cost.half_width / point.cost.value;
     found.push_back({point.error.value, point.run, point.cost.value / own.cost,
-                     std::hypot(known_spread(own), std::isnan(of_mesh) ? 0 : of_mesh), own.reach});
+                     std::hypot(known_spread(own), std::isnan(of_mesh) ? 0 : of_mesh,
+                                moved_by_error(points, own.cost, point.error)),
+                     own.reach});
   }
   return found;
 }

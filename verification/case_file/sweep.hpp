@@ -1,9 +1,8 @@
 // Runs that a campaign adds to its cases: every combination of what a [[sweep]] lists.
 //
-//   [[sweep]]  cases (names or globs of the campaign's cases), name (of each run: "{key}" stands
-//   for
-//              the value at that key, its '.' written as 'p'), and the keys of a [[run]], any value
-//              of which may be an array of values
+//   [[sweep]]  cases (names or globs of the campaign's cases), name (of each run: "{key}" is the
+//              value at that key, its '.' written as 'p'), and the keys of a [[run]], any value of
+//              which may be an array of values
 //   [[sweep.gate]]?  as [[gate]] of a case, without candidate: a row for each of these runs
 #pragma once
 

@@ -33,6 +33,7 @@ struct ConvergeOptions {
 // Two-layer theory is that of the solvers that see the gas.
 bool can_refer(const RunDefinition& run) {
   if (const auto* record = std::get_if<RecordRun>(&run.solver)) return record->supplied;
+  if (std::holds_alternative<ExternalRun>(run.solver)) return false;  // its files lie elsewhere
   const auto* linear = std::get_if<LinearRun>(&run.solver);
   return !std::holds_alternative<SphRun>(run.solver) && !(linear && linear->two_layer);
 }

@@ -71,6 +71,13 @@ void add_run_command(const CommandTree& tree) {
       .add_flag("--timing", options->timing,
                 "Repeat the run of the store and add what it takes to its timings")
       ->needs(store);
+  command
+      .add_option("--longest", options->longest,
+                  "Not of a run that took more processor time [s] (default: of any)")
+      ->type_name("SECONDS")
+      ->needs("--timing");
+  for (const char* other : {"--output", "--snapshots", "--states", "--resume", "--time-limit"})
+    store->excludes(command.get_option(other));
 }
 
 void add_problem_command(const CommandTree& tree) {
@@ -98,7 +105,7 @@ void add_job_command(const CommandTree& tree) {
         tree.stop_on_signals();
         return run_listed_job(*index, tree.stop);
       });
-  command.add_option("index", *index, "Its place in jobs.json, from 0")->required();
+  command.add_option("index", *index, "Its place in jobs.cbor, from 0")->required();
   command.group("");
 }
 

@@ -5,15 +5,28 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& file) {
-  throw fs::filesystem_error("cannot lock", file, std::error_code(errno, std::generic_category()));
+constexpr std::chrono::milliseconds look_interval{100};
+
+fs::filesystem_error failure(const fs::path& file) {
+  return fs::filesystem_error("cannot lock", file, std::error_code(errno, std::generic_category()));
+}
+
+void wait_for(int descriptor, const fs::path& file, const std::function<void()>& waiting) {
+  while (::flock(descriptor, waiting ? LOCK_EX | LOCK_NB : LOCK_EX) != 0) {
+    if (errno == EINTR) continue;
+    if (errno != EWOULDBLOCK) throw failure(file);
+    waiting();
+    std::this_thread::sleep_for(look_interval);
+  }
 }
 
 }  // namespace
@@ -21,13 +34,12 @@ namespace fs = std::filesystem;
 FileLock::FileLock(const fs::path& file, const std::function<void()>& waiting) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
   descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail(file);
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-  if (errno == EWOULDBLOCK && waiting) waiting();
-  while (::flock(descriptor_, LOCK_EX) != 0) {
-    if (errno == EINTR) continue;
+  if (descriptor_ < 0) throw failure(file);
+  try {
+    wait_for(descriptor_, file, waiting);
+  } catch (...) {
     ::close(descriptor_);
-    fail(file);
+    throw;
   }
 }
 

@@ -9,7 +9,8 @@ namespace slosh {
 class FileLock {
  public:
   // Makes the file and its directory if need be, and waits for whoever holds it; `waiting` is
-  // called before. Throws std::filesystem::filesystem_error.
+  // called about ten times a second meanwhile, and may throw. Throws
+  // std::filesystem::filesystem_error.
   explicit FileLock(const std::filesystem::path& file, const std::function<void()>& waiting = {});
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "verification/runs/atomic_file.hpp"
@@ -14,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* list_name = "jobs.json";
+// CBOR (RFC 8949), for JSON has no place for paths that are no UTF-8.
+constexpr const char* list_name = "jobs.cbor";
 constexpr const char *started = ".started", *ended = ".ended.json";
 
 json entry_of(const Job& job) {
@@ -41,6 +44,16 @@ Job job_of(const json& entry) {
           .alone = entry.at("alone")};
 }
 
+// Nothing where it is not there, or cannot be read yet: it is looked at again.
+std::optional<json> read_end(const fs::path& file) try {
+  if (!fs::exists(file)) return std::nullopt;
+  return json::parse(read_bytes(file));
+} catch (const fs::filesystem_error&) {
+  return std::nullopt;
+} catch (const json::exception&) {
+  return std::nullopt;
+}
+
 double seconds_since(fs::file_time_type begin) {
   return std::chrono::duration<double>(fs::file_time_type::clock::now() - begin).count();
 }
@@ -51,12 +64,9 @@ JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs)
   fs::create_directories(directory);
   json list = json::array();
   for (const Job& job : jobs) list.push_back(entry_of(job));
-  try {
-    replace_file(directory / list_name, list.dump(1), Durability::process_crash);
-  } catch (const json::exception&) {
-    throw std::runtime_error(directory.string() +
-                             ": expected paths of jobs in UTF-8, as the list of jobs keeps them");
-  }
+  const std::vector<std::uint8_t> bytes = json::to_cbor(list);
+  replace_file(directory / list_name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+               Durability::process_crash);
   return {directory, jobs};
 }
 
@@ -64,7 +74,7 @@ JobList JobList::open(const fs::path& directory) {
   const fs::path file = directory / list_name;
   try {
     std::vector<Job> jobs;
-    for (const json& entry : json::parse(read_bytes(file))) jobs.push_back(job_of(entry));
+    for (const json& entry : json::from_cbor(read_bytes(file))) jobs.push_back(job_of(entry));
     return {directory, std::move(jobs)};
   } catch (const json::exception& error) {
     throw std::runtime_error(
@@ -92,8 +102,8 @@ void JobList::mark_ended(std::size_t index, const JobState& state) const {
 bool JobList::update(std::size_t index, JobState& state) const {
   const JobPhase before = state.phase;
   std::error_code none;
-  if (fs::exists(file(index, ended), none)) {
-    const json entry = json::parse(read_bytes(file(index, ended)));
+  if (const auto end = read_end(file(index, ended))) {
+    const json& entry = *end;
     state.phase = static_cast<JobPhase>(entry.at("phase").get<int>());
     state.status = entry.at("status");
     state.message = entry.at("message");

@@ -1,6 +1,6 @@
 // The jobs of one start of a campaign as files in one directory, which is all that the processes
 // that run them share with the one that waits for them, be they on this machine or on others:
-//   jobs.json     the jobs
+//   jobs.cbor     the jobs
 //   N.started     empty, made when job N starts
 //   N.ended.json  how it has ended, replaced as a whole
 #pragma once
@@ -16,7 +16,7 @@ namespace slosh {
 class JobList {
  public:
   // A new list in the directory, which is made and must not have one yet.
-  // Throws std::filesystem::filesystem_error, and std::runtime_error for a path that is not UTF-8.
+  // Throws std::filesystem::filesystem_error.
   static JobList create(const std::filesystem::path& directory, const std::vector<Job>& jobs);
 
   // The list that is there. Throws std::runtime_error naming the file where it cannot be read.

@@ -25,7 +25,15 @@ fs::path fresh_list(const fs::path& directory) {
 void remove_lists(const fs::path& directory) {
   if (!fs::is_directory(directory)) return;
   for (const auto& entry : fs::directory_iterator(directory))
-    if (entry.path().filename().string().starts_with("list_")) fs::remove_all(entry.path());
+    // What is left of an earlier start may write there at this moment: the next one removes that.
+    if (std::error_code none; entry.path().filename().string().starts_with("list_"))
+      fs::remove_all(entry.path(), none);
+}
+
+// An earlier start's: a job that never starts must not seem to say what that one said.
+void remove_logs(const std::vector<Job>& jobs) {
+  std::error_code none;
+  for (const Job& job : jobs) fs::remove(job.log_file, none);
 }
 
 }  // namespace
@@ -37,6 +45,7 @@ std::vector<JobState> launch(const std::vector<Job>& jobs, const LaunchSettings&
         fmt::format("at_once = {}: expected at least one core to fill", settings.at_once));
   if (jobs.empty()) return {};
   remove_lists(settings.directory);
+  remove_logs(jobs);
   const JobList list = JobList::create(fresh_list(settings.directory), jobs);
   return settings.engine == Engine::slurm ? run_by_slurm(list, settings, stop, observe)
                                           : run_by_ninja(list, settings, stop, observe);

@@ -25,6 +25,8 @@ exec "$SLOSH_TOOL" job "$((SLOSH_FIRST_JOB + SLURM_ARRAY_TASK_ID))"
 constexpr const char* arrays_name = "slurm.json";
 
 constexpr std::chrono::seconds queue_interval{2};
+// As often as observers are told: the list may lie on a network's disk.
+constexpr std::chrono::milliseconds list_interval{200};
 // From a task's last word in the queue until its files are seen here: network file systems are
 // late.
 constexpr std::chrono::seconds file_delay{10};
@@ -116,9 +118,10 @@ std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& se
         watch.lose(job, state_of_task(arrays.task(job)));
       asked = Clock::now();
     }
-    std::this_thread::sleep_for(Watch::interval);
+    std::this_thread::sleep_for(list_interval);
   }
-  fs::remove(settings.directory / arrays_name);
+  // What is cancelled takes its time to end: the next start waits for it.
+  if (!stop) fs::remove(settings.directory / arrays_name);
   return watch.finish(stop, "");
 }
 
@@ -132,6 +135,7 @@ void wait_for_earlier_arrays(const fs::path& directory, const std::atomic<bool>&
     empty = queued && queued->empty() ? empty + 1 : 0;
     std::this_thread::sleep_for(queue_interval);
   }
+  if (!stop) fs::remove(file);
 }
 
 }  // namespace slosh

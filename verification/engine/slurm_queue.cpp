@@ -40,7 +40,7 @@ SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>
   return {child.exit_code(), out.get(), err.get()};
 }
 
-std::optional<std::set<std::string>> queued_tasks(const std::vector<std::string>& arrays) {
+std::optional<std::set<std::string>> queued_tasks(const std::vector<std::string>& arrays) try {
   const SlurmAnswer answer = ask_slurm(
       "squeue",
       {"--noheader", "--array", "--format=%i", fmt::format("--jobs={}", fmt::join(arrays, ","))});
@@ -51,15 +51,19 @@ std::optional<std::set<std::string>> queued_tasks(const std::vector<std::string>
   std::istringstream lines(answer.out);
   for (std::string task; lines >> task;) tasks.insert(task);
   return tasks;
+} catch (const EngineError&) {
+  return std::nullopt;
 }
 
-std::string state_of_task(const std::string& task) {
+std::string state_of_task(const std::string& task) try {
   const SlurmAnswer answer = ask_slurm("scontrol", {"--oneliner", "show", "job", task});
   const std::string mark = "JobState=";
   const std::size_t at = answer.out.find(mark);
   if (at == std::string::npos) return "no longer known to Slurm";
   const std::size_t begin = at + mark.size();
   return "Slurm says " + answer.out.substr(begin, answer.out.find(' ', begin) - begin);
+} catch (const EngineError&) {
+  return "Slurm does not answer";
 }
 
 }  // namespace slosh

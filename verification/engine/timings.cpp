@@ -1,7 +1,5 @@
 #include "verification/engine/timings.hpp"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "verification/runs/atomic_file.hpp"
@@ -42,8 +40,8 @@ std::vector<Timing> read_timings(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return timings;
   try {
     for (const json& entry : json::parse(read_bytes(file))) timings.push_back(timing_of(entry));
-  } catch (const json::exception& error) {
-    throw ResultError(fmt::format("cannot use the timings {}: {}", file.string(), error.what()));
+  } catch (const json::exception&) {  // damaged: they are made again
+    timings.clear();
   }
   return timings;
 }

@@ -14,7 +14,7 @@ struct Timing {
   std::string processor, date;  // as in a result's provenance
 };
 
-// None where the file is absent. Throws ResultError where it is no such file.
+// None where the file is absent or no such file.
 std::vector<Timing> read_timings(const std::filesystem::path& file);
 
 // Adds one; the file is replaced as a whole. Throws ResultError. The caller sees to it that no

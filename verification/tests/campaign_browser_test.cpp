@@ -46,9 +46,10 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
               results.at("cases").at(0).at("gate").size());
     EXPECT_EQ(page.at("table_rows").at("table-small-cost-table"), 2);  // theory and particles
     EXPECT_EQ(page.at("drawings"), files_in(report() / "figures"));
-    // History, residual, two forces, two momenta, highest surface, two spectra, error against run
-    // time; the first page has none, for two modes are too few comparisons.
-    EXPECT_EQ(page.at("drawings"), 10);
+    // History, residual, sliding amplitude and lag, the forced phasor and the natural one's, two
+    // forces, two momenta, highest surface, two spectra, error against run time and memory; the
+    // first page has none, for two modes are too few comparisons.
+    EXPECT_EQ(page.at("drawings"), 13);
     EXPECT_GE(page.at("smallest_drawing"), 100);
     // Theory's elevation, its spectrum and its force beside all of the particles'.
     EXPECT_GE(page.at("drawn_curves"), 12);

@@ -39,7 +39,7 @@ class ExternalRun : public SmallCampaign {
     write_campaign(own_case(kind, more));
     return campaign();
   }
-  std::string log() const { return read("out/runs/small/mine.work/mine.external.log"); }
+  std::string log() const { return read(files_of_store("mine.external.log").at(0)); }
 };
 
 TEST_F(ExternalRun, PassesTheGateWhereItIsRightToAPerCent) {

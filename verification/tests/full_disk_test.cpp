@@ -63,6 +63,7 @@ TEST_F(FullDisk, KeepsAnEarlierResultAndEndsWithFour) {
 
 TEST_F(FullDisk, KeepsAnEarlierReportAndEndsWithFour) {
   ASSERT_EQ(campaign().status, 0);
+  write_campaign(with(particles_case, "limit = 0.3", "limit = 0.29"));  // or nothing is to be done
   fs::create_directory(directory() / "seed/report");
   write("seed/report/index.html", "an earlier report");
   fs::remove_all(report());
@@ -97,20 +98,20 @@ TEST_F(FullDisk, EndsARunWhoseSnapshotsDoNotFit) {
 }
 
 TEST_F(FullDisk, EndsACampaignWithoutRoomForItsResultsWithFourAndSaysWhy) {
-  write("seed/filling", std::string(56'000, 'x'));
-  RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out"});
+  write("seed/filling", std::string(16'000, 'x'));  // pages of 4 kB: ten of the jobs' own files fit
+  RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out", "--store", "disk/store"});
   EXPECT_EQ(ran->status, 4) << ran->out;
   expect_in(ran->err, "small/theory: solver failed: exit status 4: ");
   expect_in(ran->err, "No space left on device");
   expect_in(ran->out, "solver failed  small particles");
 }
 
-TEST_F(FullDisk, WithoutRoomForALogTellsThatThereIsNone) {
-  write("seed/filling", std::string(60'000, 'x'));
-  fs::create_directories(directory() / "seed/out/runs/small");
+TEST_F(FullDisk, WithoutRoomForItsListOfJobsACampaignSaysSo) {
+  write("seed/filling", std::string(61'000, 'x'));
   RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out"});
   EXPECT_EQ(ran->status, 4) << ran->out;
-  expect_in(ran->err, "small/theory: solver failed: exit status 4: nothing is in its log");
+  expect_in(ran->err, "No space left on device");
+  expect_in(ran->err, "disk/out/jobs");
 }
 
 TEST_F(FullDisk, IsToldOfALimitOnTheSizeOfFilesToo) {

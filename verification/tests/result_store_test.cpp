@@ -94,7 +94,7 @@ TEST_F(Store, KeepsTimingsAndComparesThoseOfOneProcessor) {
   EXPECT_EQ(costs[1].peak_memory, 1e6);
   EXPECT_TRUE(comparable_costs({}).empty());
   fs::resize_file(file, fs::file_size(file) / 2);
-  EXPECT_THROW(read_timings(file), ResultError);
+  EXPECT_TRUE(read_timings(file).empty()) << "they are made again";
 }
 
 }  // namespace

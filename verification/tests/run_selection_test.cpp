@@ -62,6 +62,12 @@ TEST(RunSelection, TakesTheRunsThatAReferencesUncertaintyComesFrom) {
   EXPECT_EQ(selected({.only = {"t*k/coar*"}}, tank()), (Names{"coarse", "mesh_20", "mesh_40"}));
 }
 
+TEST(RunSelection, TakesTheWholeFamilyWhoseCostARowBounds) {
+  CaseDefinition definition = tank();
+  definition.gate[0].metric = Metric::cost_to_reach;
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"theory", "fine", "coarse"}));
+}
+
 TEST(RunSelection, TakesTheRunThatARowImprovesOn) {
   CaseDefinition definition = tank();
   definition.gate[0].improves_on = "coarse";

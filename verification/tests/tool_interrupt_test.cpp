@@ -50,15 +50,23 @@ bool comes_true(const std::function<bool()>& condition) {
   return false;
 }
 
+bool works_in_its_case(int process) {
+  std::error_code gone;
+  return fs::read_symlink("/proc/" + std::to_string(process) + "/cwd", gone)
+      .filename()
+      .string()
+      .ends_with(".openfoam");
+}
+
 class ToolInterrupted : public SmallCampaign {
  protected:
   // The interFoam of this campaign, once it runs; 0 where it does not come.
   int running_interfoam() const {
     int id = 0;
     comes_true([&] {
-      // Not the one that is asked for its version at the start.
+      // Not those that are asked for their version at the start.
       for (const Process& one : processes_of(directory() / "out"))
-        if (one.name == "interFoam") id = one.id;
+        if (one.name == "interFoam" && works_in_its_case(one.id)) id = one.id;
       return id != 0;
     });
     return id;

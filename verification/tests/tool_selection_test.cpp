@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 class ToolSelection : public SmallCampaign {
  protected:
   static std::string two_candidates() {
-    return particles_case + with(particles_run, "\"particles\"", "\"coarser\"") +
+    return particles_case +
+           with(with(particles_run, "\"particles\"", "\"coarser\""), "0.025", "0.05") +
            gate_on("coarser");
   }
   Ended only(const std::string& command, const std::string& pattern) const {

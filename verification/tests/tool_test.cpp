@@ -345,7 +345,8 @@ TEST_F(Tool, ColoursATerminalUnlessToldNotTo) {
   if (script.empty()) GTEST_SKIP() << "script is not installed";
   write_campaign(particles_case);
   const auto on_terminal = [&](const std::string& output, const std::string& no_color) {
-    const std::string command = "'" SLOSH_TOOL "' campaign ./surges.toml --output " + output;
+    const std::string command =
+        "'" SLOSH_TOOL "' campaign ./surges.toml --output " + output + " --store " + output;
     return end_of(
         start(script, {"-qec", command, "/dev/null"}, {{"TERM", "xterm"}, {"NO_COLOR", no_color}}));
   };
