@@ -37,6 +37,18 @@ void take_result(const PlannedRun& planned, const CampaignSettings& settings, Ca
   show_result(planned.file, link_to_result(settings, *planned.definition, *planned.run));
 }
 
+struct StoredUnder {
+  const std::string& key;
+  const char* extension;
+};
+
+// Where a result lies there that is damaged or another build's.
+void tell_of_another(const StoredUnder& place, const RunStatus& status,
+                     const CampaignSettings& settings) {
+  if (settings.solve && settings.store.newest_file(place.key, place.extension))
+    std::cerr << status.message << ": it is computed again\n";
+}
+
 // Enters what stands before anything is started; of what cannot be used the run is pending.
 void take_stock(std::vector<PlannedRun>& plan, const CampaignSettings& settings,
                 std::map<const CaseDefinition*, CaseRuns*>& outcome) {
@@ -49,8 +61,8 @@ void take_stock(std::vector<PlannedRun>& plan, const CampaignSettings& settings,
           std::cerr << name << " was " << planned.status.message << '\n';
       } catch (const ResultError& error) {
         planned.status = {RunState::missing, error.what()};
-        if (settings.solve) std::cerr << error.what() << ": it is computed again\n";
       }
+    if (is_pending(planned)) tell_of_another({planned.key, ".h5"}, planned.status, settings);
     runs.status[planned.run->name] = planned.status;
   }
 }
@@ -111,10 +123,12 @@ void take_timings(const std::vector<PlannedRun>& plan, const CampaignSettings& s
 }
 
 void tell_of_problems(const std::vector<ProblemDefinition>& problems,
-                      const std::vector<ProblemRun>& standing) {
+                      const std::vector<ProblemRun>& standing, const CampaignSettings& settings) {
   for (std::size_t i = 0; i < problems.size(); ++i)
     if (standing[i].result && !standing[i].status.message.empty())
       std::cerr << problems[i].name << " was " << standing[i].status.message << '\n';
+    else if (standing[i].status.state == RunState::missing)
+      tell_of_another({key_of(problems[i], settings), ".json"}, standing[i].status, settings);
 }
 
 std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
@@ -165,7 +179,7 @@ CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
   take_stock(plan, settings, runs_of);
   for (const ProblemDefinition& problem : problems)
     outcome.problems.push_back(standing_problem(problem, settings));
-  tell_of_problems(problems, outcome.problems);
+  tell_of_problems(problems, outcome.problems, settings);
   if (!settings.solve) return outcome;
 
   std::vector<Pending> pending = pending_jobs(plan, problems, outcome.problems, settings);

@@ -8,12 +8,14 @@
 
 namespace slosh {
 
+std::string key_of(const ProblemDefinition& problem, const CampaignSettings& settings) {
+  return problem_key(problem.name, settings.selection.quick, settings.problem_build);
+}
+
 ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings) {
   if (!names_problem(settings.selection, problem.name)) return {{RunState::not_selected, ""}, {}};
-  const std::string key =
-      problem_key(problem.name, settings.selection.quick, settings.problem_build);
   try {
-    const StandingResult standing = standing_result(key, ".json", settings);
+    const StandingResult standing = standing_result(key_of(problem, settings), ".json", settings);
     ProblemResult result = read_problem_result(standing.file);
     show_result(standing.file, settings.output / "problems" / (problem.name + ".json"));
     return {{RunState::finished, standing.message}, std::move(result)};

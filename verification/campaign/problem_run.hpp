@@ -2,13 +2,15 @@
 // that are left, and how those have ended.
 #pragma once
 
-#include <vector>
+#include <string>
 
 #include "verification/campaign/campaign_settings.hpp"
 #include "verification/campaign/problem_assessment.hpp"
 #include "verification/engine/job.hpp"
 
 namespace slosh {
+
+std::string key_of(const ProblemDefinition& problem, const CampaignSettings& settings);
 
 // That of the result that stands, or why none does.
 ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings);
