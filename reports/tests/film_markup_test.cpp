@@ -31,7 +31,7 @@ Report report_of(const FieldFigure& figure) {
 }
 
 std::string page_of(const FieldFigure& figure) {
-  return html_page(report_of(figure), {{}, {{"png bytes", 1000, 900}}});
+  return html_pages(report_of(figure), {{}, {{"png bytes", 1000, 900}}}).at(0).text;
 }
 
 int count(const std::string& text, const std::string& part) {

@@ -54,7 +54,7 @@ class SlurmCampaign : public SmallCampaign {
     if (!has_slurm()) GTEST_SKIP() << "needs root, slurm-wlm and munge";
     fs::permissions(node_, fs::perms(0755));  // munge's user reads its key below it
     ASSERT_EQ(node({"start", node_.string(), "2"}), 0);
-    write_campaign(with(particles_case, "duration_s = 8.0", "duration_s = 16.0"));
+    write_campaign(particles_case);
     write("surges.toml", read("surges.toml") + sweep);
   }
   ~SlurmCampaign() override {
@@ -136,7 +136,12 @@ TEST_F(SlurmCampaign, LosesAndRepeatsNothingWhereAJobTheToolAndTheControllerAreK
 
   std::vector<std::string> resumed = on_slurm();
   resumed.push_back("--resume");
-  const Ended again = tool(resumed, environment());
+  auto second = start(SLOSH_TOOL, resumed, environment());
+  while (second.running()) {  // as the cluster's administrator would
+    node({"resume-node", node_.string()});
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+  }
+  const Ended again = end_of(std::move(second));
   EXPECT_EQ(again.status, 0) << again.err;
   const auto after = written();
   EXPECT_EQ(after.size(), runs);

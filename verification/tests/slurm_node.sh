@@ -3,6 +3,7 @@
 #   slurm_node.sh start DIRECTORY CORES   leaves DIRECTORY/slurm.conf (for SLURM_CONF)
 #   slurm_node.sh stop DIRECTORY
 #   slurm_node.sh kill-controller DIRECTORY; slurm_node.sh start-controller DIRECTORY
+#   slurm_node.sh resume-node DIRECTORY   takes a drained node back into service
 set -eu
 directory=$2
 export SLURM_CONF="$directory/slurm.conf"
@@ -85,6 +86,9 @@ case $1 in
     ;;
   kill-controller) end_of "$directory/slurmctld.pid" KILL ;;
   start-controller) slurmctld ;;
+  # A controller that was killed may give the number of a job away again that it had not saved, and
+  # drains the node that knows the number already.
+  resume-node) scontrol update "nodename=$(hostname -s)" state=resume 2>/dev/null || true ;;
   stop)
     scancel -u root 2>/dev/null || true
     end_of "$directory/slurmd.pid" TERM
