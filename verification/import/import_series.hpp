@@ -1,15 +1,14 @@
 // A time series out of a file that another program wrote. The formats, a closed list:
-//   csv                        a first line of names, then rows; parted by ';', ',', tabs or blanks
-//   dualsphysics_gauge         GaugesSWL_*.csv, GaugesVel_*.csv, GaugesForce_*.csv,
-//   GaugesMaxZ_*.csv dualsphysics_points        MeasureTool's CSV files of points: pressures,
-//   elevations, velocities openfoam_probes            probes and patchProbes of a field: columns
-//   "probe_0", "probe_1", ... openfoam_interface_height  height.dat and position.dat: "hB_0",
-//   "hL_0", "p_0.z", ... openfoam_forces            force.dat and moment.dat of v1912 and later:
-//   "total_x", ... openfoam_field_value       volFieldValue.dat, surfaceFieldValue.dat:
-//   "volAverage(alpha.liquid)" sphinxsys                  the .dat files of observed and reduced
-//   quantities: "Position[0][1]" hdf5                       data sets by their paths; a result file
-//   of this project by a series'
-//                              group alone ("/series/elevation@right")
+// - csv: a first line of names, then rows; parted by ';', ',', tabs or blanks
+// - dualsphysics_gauge: GaugesSWL_*.csv, GaugesVel_*.csv, GaugesForce_*.csv, GaugesMaxZ_*.csv
+// - dualsphysics_points: MeasureTool's CSV files of points (pressures, elevations, velocities)
+// - openfoam_probes: probes and patchProbes of a field, columns "probe_0", "probe_1", ...
+// - openfoam_interface_height: height.dat and position.dat, "hB_0", "hL_0", "p_0.z", ...
+// - openfoam_forces: force.dat and moment.dat of v1912 and later, "total_x", ...
+// - openfoam_field_value: volFieldValue.dat, surfaceFieldValue.dat, "volAverage(alpha.liquid)"
+// - sphinxsys: the .dat files of observed and reduced quantities, "Position[0][1]"
+// - hdf5: data sets by their paths; a result file of this project by a series' group alone
+//   ("/series/elevation@right")
 // Of a vector the component is part of the column's name: "probe_0.x", "weightedVolIntegrate(U).x".
 // A name may come with its unit as in the file ("swlz [m]") or without ("swlz").
 #pragma once
