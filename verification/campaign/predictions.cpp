@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/campaign/row_uncertainty.hpp"
+#include "verification/campaign/work_points.hpp"
 #include "verification/case_file/quantities.hpp"
 
 namespace slosh {
@@ -32,13 +32,6 @@ std::string amplitude_kind(const std::string& quantity) {
   return found == kinds.end() ? "" : found->second;
 }
 
-std::string model_name(const RunDefinition& run) {
-  const auto* sph = std::get_if<SphRun>(&run.solver);
-  if (!sph) return family(run);
-  const std::string changes = changes_of(*sph);
-  return changes.empty() ? sph->scheme : sph->scheme + ", " + changes;
-}
-
 // Of each model and quantity the comparison of the finest run with its first theory or record.
 std::vector<const Comparison*> counted_comparisons(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
@@ -48,7 +41,7 @@ std::vector<const Comparison*> counted_comparisons(const CaseAssessment& assessm
     if (assessment.runs.status.at(one.reference).state == RunState::out_of_range ||
         std::holds_alternative<InterFoamRun>(run_named(definition, one.reference).solver))
       continue;
-    const Comparison*& best = finest[{model_name(candidate), one.quantity}];
+    const Comparison*& best = finest[{work_family(candidate), one.quantity}];
     if (!best || resolution(candidate) > resolution(run_named(definition, best->candidate)))
       best = &one;
   }
@@ -118,7 +111,7 @@ class Collection {
   void add(const std::string& kind, const std::string& unit, const CaseDefinition& definition,
            const Comparison& pair, const ModeComparison& mode, const PredictedValue& value) {
     if (!is_usable(value)) return;
-    const std::string model = model_name(run_named(definition, pair.candidate));
+    const std::string model = work_family(run_named(definition, pair.candidate));
     if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
     auto set = std::find_if(sets_.begin(), sets_.end(), [&](const PredictionSet& one) {
       return one.kind == kind && one.model == model;

@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json estimate(const Estimate& value) {
-  return {{"value", value.value}, {"half_width_95", value.half_width}};
-}
-
 // What was asked of an SPH run; a number of its scheme that it does not set is null.
 Json sph_entry(const SphRun& sph) {
   Json numbers = Json::object();
@@ -69,28 +65,28 @@ Json comparison_entry(const Comparison& pair) {
   for (const ModeComparison& mode : pair.modes)
     modes.push_back({{"mode", mode.mode},
                      {"resolved", mode.resolved()},
-                     {"candidate_amplitude", estimate(mode.candidate.amplitude)},
-                     {"reference_amplitude", estimate(mode.reference.amplitude)},
-                     {"amplitude_error", estimate(mode.amplitude_error)},
-                     {"phase_lag_s", estimate(mode.phase_lag)},
-                     {"phase_lag_deg", estimate(mode.phase_lag_degrees)},
-                     {"phase_lag_periods", estimate(mode.phase_lag_periods)},
-                     {"frequency_error", estimate(mode.frequency_error)},
-                     {"decay_rate_1_s", estimate(mode.decay_rate)},
-                     {"reference_decay_rate_1_s", estimate(mode.reference.decay_rate)}});
+                     {"candidate_amplitude", estimate_json(mode.candidate.amplitude)},
+                     {"reference_amplitude", estimate_json(mode.reference.amplitude)},
+                     {"amplitude_error", estimate_json(mode.amplitude_error)},
+                     {"phase_lag_s", estimate_json(mode.phase_lag)},
+                     {"phase_lag_deg", estimate_json(mode.phase_lag_degrees)},
+                     {"phase_lag_periods", estimate_json(mode.phase_lag_periods)},
+                     {"frequency_error", estimate_json(mode.frequency_error)},
+                     {"decay_rate_1_s", estimate_json(mode.decay_rate)},
+                     {"reference_decay_rate_1_s", estimate_json(mode.reference.decay_rate)}});
   return {{"candidate", pair.candidate},
           {"reference", pair.reference},
           {"quantity", pair.quantity},
           {"unit", pair.unit},
           {"window_begin_s", pair.window.begin},
           {"window_end_s", pair.window.end},
-          {"normalised_rms", estimate(pair.normalised_rms)},
+          {"normalised_rms", estimate_json(pair.normalised_rms)},
           {"maximum_residual", pair.maximum_residual},
           {"cross_correlation_lag_s", pair.cross_correlation_lag},
           {"time_lag_s", pair.alignment.lag},
           {"aligned_rms", pair.alignment.normalised_rms},
-          {"sprague_geers_magnitude", estimate(pair.sprague_geers_magnitude)},
-          {"sprague_geers_phase", estimate(pair.sprague_geers_phase)},
+          {"sprague_geers_magnitude", estimate_json(pair.sprague_geers_magnitude)},
+          {"sprague_geers_phase", estimate_json(pair.sprague_geers_phase)},
           {"candidate_peaks", peaks(pair.candidate_peaks)},
           {"reference_peaks", peaks(pair.reference_peaks)},
           {"modes", modes}};

@@ -9,10 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json estimate(const Estimate& value) {
-  return {{"value", value.value}, {"half_width_95", value.half_width}};
-}
-
 const char* reach_name(Reach reach) {
   switch (reach) {
     case Reach::not_at_all:
@@ -43,15 +39,15 @@ Json costs_at_errors(const std::vector<WorkPoint>& points, const char* cost) {
 
 Json slope_of(const std::vector<WorkPoint>& points) {
   const auto slope = work_slope(points);
-  return slope ? estimate(*slope) : Json(nullptr);
+  return slope ? estimate_json(*slope) : Json(nullptr);
 }
 
 Json run_entry(const WorkRun& run) {
   return {{"run", run.run},
           {"timings", run.cost.timings},
-          {"core_seconds_s", estimate(run.cost.core_seconds)},
-          {"peak_memory_byte", estimate(run.cost.memory)},
-          {"normalised_rms", estimate(run.error)}};
+          {"core_seconds_s", estimate_json(run.cost.core_seconds)},
+          {"peak_memory_byte", estimate_json(run.cost.memory)},
+          {"normalised_rms", estimate_json(run.error)}};
 }
 
 Json speed_up_entry(const SpeedUp& found) {
@@ -63,6 +59,10 @@ Json speed_up_entry(const SpeedUp& found) {
 }
 
 }  // namespace
+
+Json estimate_json(const Estimate& value) {
+  return {{"value", value.value}, {"half_width_95", value.half_width}};
+}
 
 Json timings_json(const CaseRuns& runs, const std::string& run) {
   Json list = Json::array();

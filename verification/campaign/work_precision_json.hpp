@@ -8,6 +8,9 @@
 
 namespace slosh {
 
+// {"value", "half_width_95"}, in the unit that the key names.
+nlohmann::ordered_json estimate_json(const Estimate& value);
+
 // What the repeats of a run took that had a core for themselves, in the order they were made.
 nlohmann::ordered_json timings_json(const CaseRuns& runs, const std::string& run);
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "verification/runs/result_file.hpp"
+#include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh {
@@ -24,14 +25,7 @@ particle_spacing_m = 0.05
 courant_number = [0.3, 0.4]
 )";
 
-bool comes_true(const std::function<bool()>& condition) {
-  const auto begin = std::chrono::steady_clock::now();
-  while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
-}
+constexpr std::chrono::seconds patience{60};
 
 class CampaignEngine : public SmallCampaign {
  protected:
@@ -116,7 +110,7 @@ TEST_F(CampaignEngine, GoesOnAfterItsProcessWasKilledAndRepeatsWhatIsMissingAlon
   write_swept();
   write("small.toml", with(read("small.toml"), "duration_s = 8.0", "duration_s = 40.0"));
   auto child = start_tool({"campaign", "./surges.toml", "--output", "out", "--jobs", "2"});
-  ASSERT_TRUE(comes_true([&] { return files_of_store(".h5").size() >= 2; }));
+  ASSERT_TRUE(comes_true([&] { return files_of_store(".h5").size() >= 2; }, patience));
   kill(child.id(), SIGKILL);
   EXPECT_EQ(end_of(std::move(child)).status, -SIGKILL);
   const auto before = written();

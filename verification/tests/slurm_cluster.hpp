@@ -9,6 +9,7 @@
 #include <functional>
 #include <thread>
 
+#include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh {
@@ -35,14 +36,7 @@ inline bool has_slurm() {
          there("munged") && there("setpriv");
 }
 
-inline bool comes_true(const std::function<bool()>& condition) {
-  const auto begin = std::chrono::steady_clock::now();
-  while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(60)) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return false;
-}
+inline constexpr std::chrono::seconds patience{60};
 
 class SlurmCampaign : public SmallCampaign {
  protected:

@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 TEST_F(SlurmCampaign, LosesAndRepeatsNothingWhereAJobTheToolAndTheControllerAreKilled) {
   auto child = start(SLOSH_TOOL, on_slurm(), environment());
-  ASSERT_TRUE(comes_true([&] { return files_of_store(".h5").size() >= 5; }));
-  ASSERT_TRUE(comes_true([&] { return cancel_one_task(); }));
+  ASSERT_TRUE(comes_true([&] { return files_of_store(".h5").size() >= 5; }, patience));
+  ASSERT_TRUE(comes_true([&] { return cancel_one_task(); }, patience));
   ASSERT_EQ(node({"kill-controller", node_.string()}), 0);
   std::this_thread::sleep_for(std::chrono::seconds(3));  // the tool asks a controller that is dead
   EXPECT_TRUE(child.running());
@@ -40,17 +40,18 @@ TEST_F(SlurmCampaign, LosesAndRepeatsNothingWhereAJobTheToolAndTheControllerAreK
 
 TEST_F(SlurmCampaign, EndsItsJobsWhereItIsInterrupted) {
   auto child = start(SLOSH_TOOL, on_slurm(), environment());
-  ASSERT_TRUE(comes_true([&] { return files_of_store(".h5").size() >= 3; }));
+  ASSERT_TRUE(comes_true([&] { return files_of_store(".h5").size() >= 3; }, patience));
   kill(child.id(), SIGINT);
   const Ended ended = end_of(std::move(child));
   EXPECT_EQ(ended.status, 130) << ended.err;
-  EXPECT_TRUE(comes_true([&] { return !cancel_one_task(); })) << "tasks are left in the queue";
+  EXPECT_TRUE(comes_true([&] { return !cancel_one_task(); }, patience))
+      << "tasks are left in the queue";
   EXPECT_LT(files_of_store(".h5").size(), all_runs);
 }
 
 TEST_F(SlurmCampaign, SaysWhatSlurmDidToAJobThatWasCancelled) {
   auto child = start(SLOSH_TOOL, on_slurm(), environment());
-  ASSERT_TRUE(comes_true([&] { return cancel_one_task(); }));
+  ASSERT_TRUE(comes_true([&] { return cancel_one_task(); }, patience));
   const Ended ended = end_of(std::move(child));
   EXPECT_EQ(ended.status, 3) << ended.err;
   EXPECT_NE(ended.err.find("failed   small/"), std::string::npos) << ended.err;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "verification/runs/result_file.hpp"
+#include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh {
@@ -41,14 +42,7 @@ std::vector<Process> processes_of(const fs::path& directory) {
   return found;
 }
 
-bool comes_true(const std::function<bool()>& condition) {
-  const auto begin = std::chrono::steady_clock::now();
-  while (std::chrono::steady_clock::now() - begin < std::chrono::seconds(30)) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
+constexpr std::chrono::seconds patience{30};
 
 bool works_in_its_case(int process) {
   std::error_code gone;
@@ -63,12 +57,14 @@ class ToolInterrupted : public SmallCampaign {
   // The interFoam of this campaign, once it runs; 0 where it does not come.
   int running_interfoam() const {
     int id = 0;
-    comes_true([&] {
-      // Not those that are asked for their version at the start.
-      for (const Process& one : processes_of(directory() / "out"))
-        if (one.name == "interFoam" && works_in_its_case(one.id)) id = one.id;
-      return id != 0;
-    });
+    comes_true(
+        [&] {
+          // Not those that are asked for their version at the start.
+          for (const Process& one : processes_of(directory() / "out"))
+            if (one.name == "interFoam" && works_in_its_case(one.id)) id = one.id;
+          return id != 0;
+        },
+        patience);
     return id;
   }
   boost::process::child start_campaign() const {
@@ -81,7 +77,7 @@ TEST_F(ToolInterrupted, EndsItsRunsKeepsWhatIsFinishedAndGoesOnFromThere) {
   auto child = start_campaign();
   const auto progress = directory() / "out/jobs/small.particles.progress";
   const auto theory = [&] { return files_of_store(".h5").size() == 1; };
-  ASSERT_TRUE(comes_true([&] { return theory() && fs::exists(progress); }));
+  ASSERT_TRUE(comes_true([&] { return theory() && fs::exists(progress); }, patience));
   kill(child.id(), SIGINT);
   const Ended interrupted = end_of(std::move(child));
   EXPECT_EQ(interrupted.status, 130);
