@@ -8,6 +8,7 @@
 #include <chrono>
 #include <future>
 #include <sstream>
+#include <thread>
 
 #include "verification/engine/launcher.hpp"
 
@@ -17,6 +18,17 @@ namespace {
 namespace bp = boost::process;
 
 constexpr std::chrono::seconds time_limit{60};
+
+// Waits by asking: the library's own wait with a limit is deprecated.
+bool ends_within(bp::child& child, std::chrono::seconds limit) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  std::error_code ignored;
+  while (child.running(ignored)) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -32,8 +44,8 @@ SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>
   bp::child child(bp::exe = path, bp::args = arguments, environment,
                   bp::std_in<bp::null, bp::std_out> out, bp::std_err > err, service);
   service.run_for(time_limit);  // until its output ends
-  std::error_code ignored;
-  if (!child.wait_for(time_limit, ignored)) {
+  if (!ends_within(child, time_limit)) {
+    std::error_code ignored;
     child.terminate(ignored);
     throw EngineError(fmt::format("{} has not ended within {} s", program, time_limit.count()));
   }

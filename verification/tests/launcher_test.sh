@@ -41,6 +41,7 @@ mkdir -p "$work/bin" "$project/verification"
 cp "$slosh" "$project/slosh"
 stand_in dpkg-query <<'END'
 #!/bin/sh
+case $3 in *Depends*) echo "clang-19 (>= 19~)"; exit ;; esac
 echo "dpkg-query" >>"$calls"
 shift 3
 for name; do
@@ -97,6 +98,8 @@ echo 1000 >"$uid"
 run 0 doctor
 expect_in "$work/out" "all required packages are installed"
 expect_not_in "$work/out" MISSING
+# The runtime of the clang that this system has.
+expect_in "$work/out" "ok       libclang-rt-19-dev"
 
 printf '%s\n' g++ libfftw3-dev openfoam >"$lacking"
 run 2 doctor
@@ -122,22 +125,18 @@ expect_in "$calls" "apt-get noninteractive -q -o DPkg::Lock::Timeout=300 install
 expect_in "$work/err" "could not install openfoam, without it: the interFoam runs"
 printf '<campaign>\n<small amplitude>\n<--quick>\n' | cmp - "$work/out" || fail "the arguments changed"
 
-# The fastest of three starts in ms, for a machine that is busy.
-time_starts() {
-  best=9999
-  for _ in 1 2 3; do
-    begin=$(date +%s%N)
-    run 3 campaign
-    elapsed=$((($(date +%s%N) - begin) / 1000000))
-    [ "$elapsed" -ge "$best" ] || best=$elapsed
-  done
-  [ "$best" -lt 500 ] || fail "a second start took $best ms"
+# A second start installs and builds nothing; it may ask dpkg-query this often.
+start_again() {  # TIMES
+  run 3 campaign
+  expect_not_in "$calls" apt-get
+  expect_not_in "$work/err" building
+  asked=$(grep -c '^dpkg-query$' "$calls" || true)
+  [ "$asked" -le "$1" ] || fail "a second start asked dpkg-query $asked times, expected at most $1"
 }
 
 # Each start tells of the solver that cannot be had, without delay, and tries it again a day later.
-time_starts
+start_again 3
 expect_in "$work/err" "not installed: openfoam, without it: the interFoam runs"
-expect_not_in "$calls" apt-get
 touch -d '2 days ago' "$project/build/launcher/solver.tried"
 run 3 campaign
 expect_in "$calls" "install -y --no-install-recommends openfoam"
@@ -154,7 +153,7 @@ echo 0 >"$uid"
 # Once it is there no package tool is asked, nothing is said, and there is no delay.
 : >"$lacking"
 run 3 campaign
-time_starts
+start_again 0
 [ ! -s "$calls" ] || fail "a second start asked for packages: $(cat "$calls")"
 [ ! -s "$work/err" ] || fail "a second start was not silent"
 
@@ -265,4 +264,4 @@ mv "$project" "$work/moved tank"
 project="$work/moved tank"
 run 1 campaign
 
-echo "a second start takes $best ms"
+echo "passed"
