@@ -90,8 +90,9 @@ enum class Load { pressure, force, moment };
 
 Finding same_in_both_ways(const Cases& cases, Load load) {
   const CaseAssessment& assessment = case_named(cases, mild);
-  const RunResult& moving = standing_result(assessment, "moving_5mm");
-  const RunResult& fixed = standing_result(assessment, "fixed_5mm");
+  const std::string moving_run = "moving_5mm", fixed_run = "fixed_5mm";
+  const RunResult& moving = standing_result(assessment, moving_run);
+  const RunResult& fixed = standing_result(assessment, fixed_run);
   const auto [pressure, cutoff] = filtered_gauge(assessment.definition);
   const std::string quantity = load == Load::pressure ? pressure
                                : load == Load::force  ? "force_x"
@@ -244,7 +245,8 @@ Finding fixed_is_more_stable(const Cases& cases) {
 double spread(const CaseAssessment& assessment, const std::string& way,
               const std::vector<std::string>& coarser, const std::string& finest) {
   const std::string quantity = filtered_gauge(assessment.definition).first;
-  const TimeSeries& best = standing_result(assessment, way + "_" + finest).at(quantity);
+  const std::string finest_run = way + "_" + finest;
+  const TimeSeries& best = standing_result(assessment, finest_run).at(quantity);
   double sum = 0;
   for (const std::string& one : coarser)
     sum += difference(standing_result(assessment, way + "_" + one).at(quantity), best,
