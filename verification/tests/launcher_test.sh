@@ -181,9 +181,11 @@ wait "$first" || status=$?
 mkdir "$project/sph" "$project/reference" "$project/openfoam_cases" "$project/reports"
 stand_in clang-format <<'END'
 #!/bin/sh
+if [ "$1" = --version ]; then echo "Debian clang-format version $(cat "$work/format_version").0.6"; exit; fi
 exit "$(cat "$work/format")"
 END
 echo 0 >"$work/format"
+echo 14 >"$work/format_version"
 sed -i 's/return 4/return count - 1/' "$project/verification/tool.cpp"
 cat >>"$project/CMakeLists.txt" <<'END'
 enable_testing()
@@ -212,6 +214,11 @@ run 1 test -R no_such_test
 echo 1 >"$work/format"
 run 1 test
 expect_in "$work/out" "formatting: failed"
+# Another version has other rules, and its verdict would be of those.
+echo 19 >"$work/format_version"
+run 0 test
+expect_in "$work/out" "formatting: skipped (the files are formatted by clang-format 14, here is 19)"
+echo 14 >"$work/format_version"
 
 # The fuzz targets: all or one, for the time that is asked for; without their compiler's runtime they are left out.
 echo 0 >"$work/format"
