@@ -293,6 +293,8 @@ struct ImpactsDefinition {
   std::vector<double> peak_means, peak_deviations;  // [Pa], by impact: mean and standard deviation
   double plateau_begin, plateau_end;                // [s], after an impact
   double plateau;                                   // [Pa], the published record's mean there
+  // Half widths of the 95 % intervals of the times [s] and of the plateau [Pa], where published.
+  std::optional<double> times_half_width = {}, plateau_half_width = {};
   // The table of the repeats: where it lies, or where it was looked for; empty where the case names
   // none. Its peaks [Pa] by impact, none where it is not supplied.
   std::filesystem::path peak_table;
