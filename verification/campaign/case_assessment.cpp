@@ -9,6 +9,7 @@
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/filtered_pressure.hpp"
 #include "verification/campaign/validity_envelope.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
 
 namespace slosh {
@@ -62,7 +63,7 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   const bool two_layers = has_two_layer_theory(definition);
   std::vector<Pair> pairs;
   for (const RunDefinition& candidate : definition.runs) {
-    if (!stands(runs, candidate.name) || is_theory(candidate) ||
+    if (!stands(runs, candidate.name) || is_theory(candidate) || is_later_member(candidate) ||
         std::holds_alternative<RecordRun>(candidate.solver))
       continue;
     const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);

@@ -6,6 +6,7 @@
 
 #include "verification/campaign/row_uncertainty.hpp"
 #include "verification/campaign/work_points.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -18,6 +19,12 @@ namespace {
 
 const RecordRun* record_named(const CaseDefinition& definition, const std::string& run) {
   return std::get_if<RecordRun>(&run_named(definition, run).solver);
+}
+
+// Whether no small disturbance decides what the run gives.
+bool is_exact(const decltype(RunDefinition::solver)& solver) {
+  return !std::holds_alternative<SphRun>(solver) && !std::holds_alternative<InterFoamRun>(solver) &&
+         !std::holds_alternative<ExternalRun>(solver);
 }
 
 // The case's, or what a record covers of it: a candidate must cover it all.
@@ -105,12 +112,16 @@ GateEvidence CaseEvidence::gate_evidence() {
   const MeasureCost cost = [this, find](const GateRow& row) {
     return cost_to_reach(definition_, runs_, row, find);
   };
-  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost};
+  const FindEnsemble ensemble = [this](const std::string& run) {
+    return EnsembleOfRun{members_of(definition_, run),
+                         is_exact(run_named(definition_, run).solver)};
+  };
+  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble};
   const FindUncertainty uncertainty = [this, evidence](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, evidence.comparison,
                            [&](const GateRow& other) { return measured(other, evidence); });
   };
-  return {find, find_series, measure_impacts, uncertainty, cost};
+  return {find, find_series, measure_impacts, uncertainty, cost, ensemble};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "verification/campaign/case_evidence.hpp"
+#include "verification/case_file/ensemble.hpp"
 
 namespace slosh {
 namespace {
@@ -34,16 +35,17 @@ GateStrength strength_of(const CaseAssessment& assessment, const GateOutcome& ou
   CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings};
   for (const auto& [run, result] : assessment.runs.results)
     runs.results[run] = judged_part(result, row.quantity);
-  TimeSeries& judged = series_of(runs.results.at(row.candidate), row.quantity);
-  const TimeSeries own = judged;
-  const PassesWith passes_with = [&](const TimeSeries& series) {
-    judged.time = series.time;
-    judged.value = series.value;
-    judged.unit = series.unit;
+  const MutationFrame frame = frame_of(assessment.definition, row);
+  const auto own = [&](const std::string& run) -> const TimeSeries& {
+    return assessment.runs.results.at(run).at(row.quantity);
+  };
+  const PassesWith passes_with = [&](const Mutation* mutation) {
+    for (const std::string& run : members_of(assessment.definition, row.candidate))
+      series_of(runs.results.at(run), row.quantity) =
+          mutation ? mutated(own(run), *mutation, frame) : own(run);
     return CaseEvidence(assessment.definition, runs).judge(row).verdict == Verdict::pass;
   };
-  return gate_strength(row, {outcome.value.value, own}, frame_of(assessment.definition, row),
-                       passes_with);
+  return gate_strength(row, {outcome.value.value, own(row.candidate)}, frame, passes_with);
 }
 
 bool is_judged(const CaseAssessment& assessment, const GateOutcome& outcome) {

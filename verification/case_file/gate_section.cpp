@@ -5,6 +5,7 @@
 #include <array>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
 
@@ -99,11 +100,12 @@ const RecordRun* as_record(const CaseDefinition& definition, const std::string& 
   return nullptr;
 }
 
-// A published record is a reference and never a candidate.
+// A published record is a reference and never a candidate; the first of an ensemble stands for all.
 std::vector<std::string> candidates(const CaseDefinition& definition) {
   std::vector<std::string> names;
   for (const RunDefinition& run : definition.runs)
-    if (!std::holds_alternative<RecordRun>(run.solver)) names.push_back(run.name);
+    if (!std::holds_alternative<RecordRun>(run.solver) && !is_later_member(run))
+      names.push_back(run.name);
   return names;
 }
 
@@ -111,7 +113,8 @@ std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
                                       const CaseDefinition& definition) {
   std::vector<std::string> names;
   for (const RunDefinition& run : definition.runs) {
-    if (std::find(excluded.begin(), excluded.end(), run.name) == excluded.end()) {
+    if (!is_later_member(run) &&
+        std::find(excluded.begin(), excluded.end(), run.name) == excluded.end()) {
       names.push_back(run.name);
     }
   }

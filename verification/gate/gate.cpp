@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "verification/gate/impact_metrics.hpp"
+#include "verification/metrics/ensemble_mean.hpp"
 
 namespace slosh {
 namespace {
@@ -211,12 +212,27 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                      in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
 }
 
+EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) {
+  return evidence.ensemble ? evidence.ensemble(run) : EnsembleOfRun{{run}};
+}
+
+// "; mean over 4 x 3 repeats" of an ensemble, nothing of a single run.
+std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
+  const std::size_t candidates = ensemble_of(row.candidate, evidence).members.size();
+  const std::size_t references =
+      row.reference.empty() ? 1 : ensemble_of(row.reference, evidence).members.size();
+  if (candidates * references < 2 || row.metric == Metric::cost_to_reach) return "";
+  return row.reference.empty() ? fmt::format("; mean over {} repeats", candidates)
+                               : fmt::format("; mean over {} x {} repeats", candidates, references);
+}
+
 GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
   UncertaintyContributions contributions;
   if (evidence.uncertainty) contributions = evidence.uncertainty(row);
   contributions.statistics = std::hypot(contributions.statistics, value.half_width);
   const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
-  return {row, verdict_of(judged.verdict), value, bound_text(row, judged, evidence), judged};
+  return {row, verdict_of(judged.verdict), value,
+          bound_text(row, judged, evidence) + repeats_text(row, evidence), judged};
 }
 
 bool is_of_candidate_alone(Metric metric) {
@@ -231,16 +247,22 @@ struct RoleInRow {
   std::string role, run;
 };
 
-std::vector<RoleInRow> runs_of(const GateRow& row) {
-  std::vector<RoleInRow> runs{{"candidate", row.candidate}};
-  if (needs_reference(row.metric)) runs.push_back({"reference", row.reference});
-  if (row.improves_on) runs.push_back({"run to improve on", *row.improves_on});
+// Of an ensemble each member: a row on fewer than all would be a row on another ensemble.
+std::vector<RoleInRow> runs_of(const GateRow& row, const GateEvidence& evidence) {
+  std::vector<RoleInRow> runs;
+  const auto add = [&](const char* role, const std::string& named) {
+    for (const std::string& run : ensemble_of(named, evidence).members) runs.push_back({role, run});
+  };
+  add("candidate", row.candidate);
+  if (needs_reference(row.metric)) add("reference", row.reference);
+  if (row.improves_on) add("run to improve on", *row.improves_on);
   return runs;
 }
 
 // Why a row cannot be evaluated, most telling first; nothing where it can.
 std::optional<std::pair<Verdict, std::string>> obstacle(
-    const GateRow& row, const std::map<std::string, RunStatus>& runs) {
+    const GateRow& row, const std::map<std::string, RunStatus>& runs,
+    const GateEvidence& evidence) {
   struct Obstacle {
     RunState state;
     Verdict verdict;
@@ -253,12 +275,13 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
       {RunState::missing, Verdict::not_compared, "has no result"},
       {RunState::out_of_range, Verdict::not_compared, "is outside its declared range"},
   }};
-  for (const auto& [role, run] : runs_of(row)) {
+  const std::vector<RoleInRow> needed = runs_of(row, evidence);
+  for (const auto& [role, run] : needed) {
     if (!runs.contains(run))
       return {{Verdict::not_compared, fmt::format("the {} {} is missing", role, run)}};
   }
   for (const Obstacle& one : obstacles) {
-    for (const auto& [role, run] : runs_of(row)) {
+    for (const auto& [role, run] : needed) {
       const RunStatus& status = runs.at(run);
       if (status.state != one.state) continue;
       const std::string detail = status.message.empty() ? "" : ": " + status.message;
@@ -268,14 +291,7 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
   return std::nullopt;
 }
 
-}  // namespace
-
-AllowedRange allowed_by(const GateRow& row) {
-  if (row.limit) return {-*row.limit, *row.limit};
-  return {row.between->first, row.between->second};
-}
-
-Estimate measured(const GateRow& row, const GateEvidence& evidence) {
+Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
   if (is_of_candidate_alone(row.metric)) {
     const TimeSeries series = evidence.series(row.candidate, row.quantity);
     require_unit(row, series.unit);
@@ -294,9 +310,52 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence) {
   return metric_value(row.metric, row.mode, comparison);
 }
 
+// Of each candidate against each reference. A lag is told from that of the first pair, within half
+// a turn: lags about half a turn would else have a mean of none.
+std::vector<std::vector<double>> values_of_pairs(const GateRow& row,
+                                                 const std::vector<std::string>& candidates,
+                                                 const std::vector<std::string>& references,
+                                                 const GateEvidence& evidence) {
+  constexpr double turn = 360;
+  std::vector<std::vector<double>> values;
+  for (const std::string& candidate : candidates) {
+    values.emplace_back();
+    for (const std::string& reference : references) {
+      GateRow pair = row;
+      pair.candidate = candidate;
+      pair.reference = reference;
+      double value = measured_once(pair, evidence).value;
+      const double first = values.front().empty() ? value : values.front().front();
+      if (row.metric == Metric::phase_lag) value -= turn * std::round((value - first) / turn);
+      values.back().push_back(value);
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+AllowedRange allowed_by(const GateRow& row) {
+  if (row.limit) return {-*row.limit, *row.limit};
+  return {row.between->first, row.between->second};
+}
+
+Estimate measured(const GateRow& row, const GateEvidence& evidence) {
+  const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
+  const bool alone = row.reference.empty();
+  const EnsembleOfRun reference =
+      alone ? EnsembleOfRun{{""}, true} : ensemble_of(row.reference, evidence);
+  const bool single = candidate.members.size() == 1 && reference.members.size() == 1;
+  if (single || row.metric == Metric::cost_to_reach) return measured_once(row, evidence);
+  const bool exact = candidate.members.size() == 1 ? candidate.exact : reference.exact;
+  return ensemble_mean(values_of_pairs(row, candidate.members, reference.members, evidence),
+                       exact ? SingleSide::exact : SingleSide::one_of_many);
+}
+
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence) {
-  if (const auto found = obstacle(row, runs)) return {row, found->first, no_value, found->second};
+  if (const auto found = obstacle(row, runs, evidence))
+    return {row, found->first, no_value, found->second};
   try {
     const Estimate value = measured(row, evidence);
     return row.improves_on ? judge_improvement(row, value, evidence)

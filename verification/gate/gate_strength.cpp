@@ -31,11 +31,11 @@ std::vector<Mutation> mutations_tried() {
 
 GateStrength gate_strength(const GateRow& row, const JudgedCandidate& candidate,
                            const MutationFrame& frame, const PassesWith& passes_with) {
-  GateStrength result{passes_with(candidate.series), {}};
+  GateStrength result{passes_with(nullptr), {}};
   if (!result.passes_as_it_is) return result;
   for (const Mutation& mutation : mutations_tried())
-    result.outcomes.push_back({mutation, claims_to_detect(row, candidate, mutation, frame),
-                               !passes_with(mutated(candidate.series, mutation, frame))});
+    result.outcomes.push_back(
+        {mutation, claims_to_detect(row, candidate, mutation, frame), !passes_with(&mutation)});
   return result;
 }
 

@@ -12,9 +12,9 @@
 
 namespace slosh {
 
-// Whether the row passes with this candidate in place of its own; anything else than a pass
-// (violated, not compared) is false.
-using PassesWith = std::function<bool(const TimeSeries& candidate)>;
+// Whether the row passes with its candidate made wrong by this mutation, every member of an
+// ensemble alike; null: as it is. Anything else than a pass (violated, not compared) is false.
+using PassesWith = std::function<bool(const Mutation* mutation)>;
 
 struct MutationOutcome {
   Mutation mutation;

@@ -54,7 +54,10 @@ MutationFrame frame_of(const GateRow& row) {
 GateStrength strength_of(const GateRow& row) {
   return gate_strength(
       row, {judge(row, candidate).value.value, candidate}, frame_of(row),
-      [&](const TimeSeries& series) { return judge(row, series).verdict == Verdict::pass; });
+      [&](const Mutation* mutation) {
+        return judge(row, mutation ? mutated(candidate, *mutation, frame_of(row)) : candidate)
+                   .verdict == Verdict::pass;
+      });
 }
 
 bool detects(const GateStrength& strength, MutationKind kind) {
