@@ -71,6 +71,20 @@ std::vector<ToneRequest> modes_to_fit(const CompareOptions& options,
   return modes;
 }
 
+// A candidate that was cut short would be judged on what it has and pass: that part is compared
+// only where the user asks for it.
+void require_whole_reference(const TimeSeries& candidate, const TimeSeries& reference) {
+  const auto &has = candidate.time, &expected = reference.time;
+  const double intervals = std::max(1.0, static_cast<double>(has.size()) - 1);
+  const double sample = (has.back() - has.front()) / intervals * (1 + 1e-6);  // but for rounding
+  if (has.front() <= expected.front() + sample && has.back() >= expected.back() - sample) return;
+  throw ComparisonError(
+      fmt::format("{}: the candidate spans {} to {} s, the reference {} to {} s; expected a "
+                  "candidate that covers the reference to within one sample, or --window BEGIN END "
+                  "for the part to compare",
+                  candidate.name, has.front(), has.back(), expected.front(), expected.back()));
+}
+
 TimeWindow window_of(const CompareOptions& options, const std::optional<CaseDefinition>& definition,
                      const TimeSeries& candidate, const TimeSeries& reference) {
   if (!options.window.empty()) {
@@ -83,14 +97,9 @@ TimeWindow window_of(const CompareOptions& options, const std::optional<CaseDefi
   if (definition) return {definition->window_begin, definition->window_end};
   if (candidate.time.empty() || reference.time.empty())
     throw ComparisonError("a series without a sample");
-  const TimeWindow common{std::max(candidate.time.front(), reference.time.front()),
-                          std::min(candidate.time.back(), reference.time.back())};
-  if (!(common.begin < common.end))
-    throw ComparisonError(
-        fmt::format("no overlap: the candidate spans {} to {} s, the reference {} to {} s",
-                    candidate.time.front(), candidate.time.back(), reference.time.front(),
-                    reference.time.back()));
-  return common;
+  require_whole_reference(candidate, reference);
+  return {std::max(candidate.time.front(), reference.time.front()),
+          std::min(candidate.time.back(), reference.time.back())};
 }
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
@@ -182,9 +191,7 @@ Comparison compared(const CompareOptions& options, const Installation& installat
 
 int compare_results(const CompareOptions& options, const Installation& installation) {
   const Comparison comparison = compared(options, installation);
-  std::vector<GateOutcome> outcomes;
-  for (const std::string& limit : options.limits)
-    outcomes.push_back(judged_by_limit(limit, comparison));
+  const std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
   print(comparison);
   for (const GateOutcome& outcome : outcomes)
     std::cout << fmt::format("{}: {} {}: {}\n", verdict_name(outcome.verdict), outcome.row.mode,

@@ -1,74 +1,92 @@
 #include "verification/limit_option.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "verification/case_file/case_file_error.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/nearest_name.hpp"
-#include "verification/case_file/rules.hpp"
 
 namespace slosh {
 namespace {
 
-// What a limit may be set on; of those with a mode "forced" unless another is named.
-struct JudgedMetric {
-  Metric metric;
-  bool of_mode;
+// "natural_1:frequency_error=0.01" in its three parts, of which the mode may be absent.
+struct LimitText {
+  std::string whole;
+  std::optional<std::string> mode;
+  std::string metric, value;
 };
-constexpr JudgedMetric judged_metrics[] = {
-    {Metric::amplitude_error, true},      {Metric::phase_lag, true},
-    {Metric::frequency_error, true},      {Metric::decay_rate, true},
-    {Metric::decay_error, true},          {Metric::normalised_rms, false},
-    {Metric::maximum_residual, false},    {Metric::time_lag, false},
-    {Metric::aligned_rms, false},         {Metric::band_energy_error, true},
-    {Metric::spectral_peak_error, false}, {Metric::rms_error, false},
-    {Metric::crest_error, false},         {Metric::trough_error, false},
-    {Metric::mean_offset, false}};
 
-JudgedMetric metric_named(const std::string& name, const std::string& limit) {
-  std::vector<std::string> names;
-  for (const JudgedMetric& one : judged_metrics) {
-    names.push_back(metric_name(one.metric));
-    if (names.back() == name) return one;
-  }
-  throw CaseFileError(
-      fmt::format("--limit {}: expected METRIC=VALUE or MODE:METRIC=VALUE with one "
-                  "of {}; nearest: {}",
-                  limit, fmt::join(names, ", "), nearest_names(name, names, 1).front()));
-}
-
-double positive_number(const std::string& text, const std::string& limit, const std::string& unit) {
-  double value = 0;
-  std::istringstream stream(text);
-  if (!(stream >> value) || !stream.eof() || !(value > 0) || !std::isfinite(value))
-    throw CaseFileError(fmt::format("--limit {}: expected a value > 0, {}", limit, in(unit)));
-  return value;
-}
-
-// "phase_lag=2", "natural_1:frequency_error=0.01".
-GateRow row_of(const std::string& limit, const Comparison& comparison) {
+LimitText parts_of(const std::string& limit) {
   const std::size_t equals = std::min(limit.find('='), limit.size());
   const std::size_t colon = limit.find(':');
   const bool has_mode = colon < equals;
   const std::size_t begin = has_mode ? colon + 1 : 0;
-  const JudgedMetric metric = metric_named(limit.substr(begin, equals - begin), limit);
-  if (has_mode && !metric.of_mode)
-    throw CaseFileError(fmt::format("--limit {}: expected no mode: {} is of the whole window",
-                                    limit, metric_name(metric.metric)));
+  return {.whole = limit,
+          .mode = has_mode ? std::optional(limit.substr(0, colon)) : std::nullopt,
+          .metric = limit.substr(begin, equals - begin),
+          .value = equals < limit.size() ? limit.substr(equals + 1) : ""};
+}
+
+[[noreturn]] void refuse(const LimitText& limit, const std::string& key,
+                         const std::optional<std::string>& value, const std::string& expected) {
+  throw CaseFileError(fmt::format("--limit {}: {} {}: expected {}", limit.whole, key,
+                                  value ? "= " + *value : "is missing", expected));
+}
+
+const MetricEntry& metric_of(const LimitText& limit) {
+  std::vector<std::string> names;
+  for (const MetricEntry& entry : metric_table())
+    if (is_of_a_pair(entry)) names.push_back(entry.name);
+  if (std::find(names.begin(), names.end(), limit.metric) != names.end())
+    return metric_entry(limit.metric);
+  throw CaseFileError(fmt::format(
+      "--limit {}: expected METRIC=VALUE or MODE:METRIC=VALUE with {}{}", limit.whole,
+      one_of_text("a metric of two results", names), nearest_text(limit.metric, names)));
+}
+
+// Without a mode the forced one, where the metric can be measured on that, or the whole window.
+std::string mode_of(const LimitText& limit, const MetricEntry& metric,
+                    const Comparison& comparison) {
+  std::vector<std::string> fitted;
+  for (const ModeComparison& mode : comparison.modes) fitted.push_back(mode.mode);
+  const std::vector<std::string> known = measured_modes(metric, fitted, fitted.empty());
+  const auto is_known = [&](const std::string& mode) {
+    return std::find(known.begin(), known.end(), mode) != known.end();
+  };
+  if (limit.mode && is_known(*limit.mode)) return *limit.mode;
+  for (const char* usual : {"forced", "whole"})
+    if (!limit.mode && is_known(usual)) return usual;
+  const std::string expected = one_of_text(measured_on_text(metric), known);
+  const std::string how =
+      fitted.empty() && known.empty() ? "; --case or --frequency names the modes to fit" : "";
+  refuse(limit, "mode", limit.mode,
+         expected + (limit.mode ? nearest_text(*limit.mode, known) : "") + how);
+}
+
+double value_of(const LimitText& limit, const Rule<double>& rule) {
+  double value = 0;
+  std::istringstream stream(limit.value);
+  if (!(stream >> value) || !stream.eof() || !rule.holds(value))
+    refuse(limit, "limit", limit.value, rule.expected);
+  return value;
+}
+
+GateRow row_of(const LimitText& limit, const Comparison& comparison) {
+  const MetricEntry& metric = metric_of(limit);
   GateRow row{};
   row.candidate = comparison.candidate;
   row.reference = comparison.reference;
   row.quantity = comparison.quantity;
-  row.mode = has_mode ? limit.substr(0, colon) : metric.of_mode ? "forced" : "whole";
+  row.mode = mode_of(limit, metric, comparison);
   row.metric = metric.metric;
   row.unit = metric_unit(metric.metric, comparison.unit);
-  row.limit =
-      positive_number(equals < limit.size() ? limit.substr(equals + 1) : "", limit, row.unit);
+  const double window = comparison.window.end - comparison.window.begin;
+  row.limit = value_of(limit, limit_rule(metric, row.unit, {.window = window}));
   return row;
 }
 
@@ -82,8 +100,18 @@ GateOutcome judged(const GateRow& row, const Comparison& comparison) {
 
 }  // namespace
 
-GateOutcome judged_by_limit(const std::string& limit, const Comparison& comparison) {
-  return judged(row_of(limit, comparison), comparison);
+std::vector<GateOutcome> judged_by_limits(const std::vector<std::string>& limits,
+                                          const Comparison& comparison) {
+  std::vector<GateOutcome> outcomes;
+  for (const std::string& text : limits) {
+    const LimitText limit = parts_of(text);
+    const GateRow row = row_of(limit, comparison);
+    for (const GateOutcome& other : outcomes)
+      if (other.row.metric == row.metric && other.row.mode == row.mode)
+        refuse(limit, "metric", limit.metric, "each metric of a mode once");
+    outcomes.push_back(judged(row, comparison));
+  }
+  return outcomes;
 }
 
 }  // namespace slosh

@@ -1,16 +1,20 @@
-// A limit as a command line gives it, "phase_lag=2" or "natural_1:frequency_error=0.01", in the
-// metric's unit; judged as a gate row of a case is.
+// Limits as a command line gives them, "phase_lag=2" or "natural_1:frequency_error=0.01", in the
+// metric's unit. The table of metrics that the gate rows of a case are held to holds these too
+// (metric_table.hpp): the modes that a metric is measured on, and how wide a limit may be.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "verification/gate/gate.hpp"
 #include "verification/metrics/comparison.hpp"
 
 namespace slosh {
 
-// Of a metric that has modes "forced" where none is named. Throws CaseFileError for what is no such
-// limit.
-GateOutcome judged_by_limit(const std::string& limit, const Comparison& comparison);
+// One outcome for each limit, judged as a gate row of a case is. A metric that can be measured on
+// the forced mode is measured there where no mode is named. Throws CaseFileError for what is no
+// such limit and for a second one on the same metric and mode.
+std::vector<GateOutcome> judged_by_limits(const std::vector<std::string>& limits,
+                                          const Comparison& comparison);
 
 }  // namespace slosh

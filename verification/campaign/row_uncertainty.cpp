@@ -6,7 +6,7 @@
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/repeat_spread.hpp"
-#include "verification/gate/impact_metrics.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {

@@ -10,9 +10,9 @@
 #include "verification/campaign/repeat_spread.hpp"
 #include "verification/campaign/work_points.hpp"
 #include "verification/case_file/case_file_error.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/nearest_name.hpp"
 #include "verification/case_file/shell_word.hpp"
-#include "verification/gate/impact_metrics.hpp"
 
 namespace slosh {
 namespace {

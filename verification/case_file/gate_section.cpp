@@ -2,71 +2,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
+#include <tuple>
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
 
 namespace slosh {
 namespace {
 
-// What a metric is measured on. A forced mode's frequency is given and it does not decay: a row on
-// either would pass whatever the candidate did. What swings has the lags of its modes, what runs
-// away one.
-enum class MeasuredOn {
-  any_mode,
-  natural_mode,
-  whole_window,
-  wave,  // the whole window of what swings
-  run_away,
-  own_series,
-  impact,
-  plateau
-};
-
-struct MetricEntry {
-  const char* name;
-  Metric metric;
-  const char* unit;  // "": the quantity's
-  MeasuredOn measured_on;
-};
-
-constexpr std::array<MetricEntry, 21> metrics{{
-    {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
-    {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
-    {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
-    {"decay_rate", Metric::decay_rate, "1/s", MeasuredOn::natural_mode},
-    {"decay_error", Metric::decay_error, "1", MeasuredOn::natural_mode},
-    {"normalised_rms", Metric::normalised_rms, "1", MeasuredOn::whole_window},
-    {"maximum_residual", Metric::maximum_residual, "", MeasuredOn::whole_window},
-    {"time_lag", Metric::time_lag, "s", MeasuredOn::run_away},
-    {"aligned_rms", Metric::aligned_rms, "1", MeasuredOn::run_away},
-    {"largest_magnitude", Metric::largest_magnitude, "", MeasuredOn::own_series},
-    {"band_energy_error", Metric::band_energy_error, "1", MeasuredOn::any_mode},
-    {"spectral_peak_error", Metric::spectral_peak_error, "1", MeasuredOn::wave},
-    {"rms_error", Metric::rms_error, "1", MeasuredOn::whole_window},
-    {"crest_error", Metric::crest_error, "1", MeasuredOn::wave},
-    {"trough_error", Metric::trough_error, "1", MeasuredOn::wave},
-    {"mean_offset", Metric::mean_offset, "", MeasuredOn::whole_window},
-    {"noise_share", Metric::noise_share, "1", MeasuredOn::own_series},
-    {"impact_time", Metric::impact_time, "s", MeasuredOn::impact},
-    {"plateau_error", Metric::plateau_error, "1", MeasuredOn::plateau},
-    {"impact_percentile", Metric::impact_percentile, "1", MeasuredOn::impact},
-    {"cost_to_reach", Metric::cost_to_reach, "s", MeasuredOn::whole_window},
-}};
-
 const MetricEntry& read_metric(const TomlTable& row) {
   std::vector<std::string> names;
-  for (const MetricEntry& entry : metrics) names.push_back(entry.name);
-  const std::string name = row.choice("metric", "a metric", names);
-  return *std::find_if(metrics.begin(), metrics.end(),
-                       [&](const MetricEntry& entry) { return entry.name == name; });
-}
-
-bool is_of_impacts(const MetricEntry& metric) {
-  return metric.measured_on == MeasuredOn::impact || metric.measured_on == MeasuredOn::plateau;
+  for (const MetricEntry& entry : metric_table()) names.push_back(entry.name);
+  return metric_entry(row.choice("metric", "a metric", names));
 }
 
 std::vector<std::string> impact_names(const ImpactsDefinition& impacts) {
@@ -76,22 +26,18 @@ std::vector<std::string> impact_names(const ImpactsDefinition& impacts) {
   return names;
 }
 
-std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& quantity,
-                                  const CaseDefinition& definition) {
-  if (metric.measured_on == MeasuredOn::whole_window ||
-      metric.measured_on == MeasuredOn::own_series || metric.measured_on == MeasuredOn::plateau)
-    return {"whole"};
-  if (metric.measured_on == MeasuredOn::impact) return impact_names(definition.impacts.value());
-  if (metric.measured_on == MeasuredOn::run_away)
-    return has_modes(quantity) ? std::vector<std::string>{} : std::vector<std::string>{"whole"};
+std::vector<std::string> fitted_to(const std::string& quantity, const CaseDefinition& definition) {
   if (!has_modes(quantity)) return {};
   std::vector<std::string> modes;
-  const bool is_forced = forcing_frequency(definition) > 0;
-  if (metric.measured_on == MeasuredOn::wave)
-    return is_forced || definition.natural_modes > 0 ? std::vector<std::string>{"whole"} : modes;
-  if (is_forced && metric.measured_on == MeasuredOn::any_mode) modes.push_back("forced");
+  if (forcing_frequency(definition) > 0) modes.push_back("forced");
   for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
   return modes;
+}
+
+std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& quantity,
+                                  const CaseDefinition& definition) {
+  if (metric.measured_on == MeasuredOn::impact) return impact_names(definition.impacts.value());
+  return measured_modes(metric, fitted_to(quantity, definition), !has_modes(quantity));
 }
 
 const RecordRun* as_record(const CaseDefinition& definition, const std::string& run) {
@@ -121,20 +67,34 @@ std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
   return names;
 }
 
+BoundScales scales_of(const CaseDefinition& definition) {
+  return {.window = definition.window_end - definition.window_begin,
+          .impact_period = definition.impacts ? definition.impacts->period : 0};
+}
+
+// Narrower than twice the widest limit, which stands for a range about zero.
+std::pair<double, double> read_range(const TomlTable& row, const MetricEntry& metric,
+                                     const CaseDefinition& definition, const std::string& unit) {
+  const double lower = row.get("lower", any_number(unit));
+  const double widest = lower + 2 * widest_bound(metric, scales_of(definition));
+  const Rule<double> above_lower{
+      fmt::format("a number above lower ({}) and below {:.4g}, {} ({})", lower, widest, in(unit),
+                  metric.because),
+      [lower, widest](double value) { return value > lower && value < widest; }};
+  return {lower, row.get("upper", above_lower)};
+}
+
 // Exactly one of limit, lower with upper, improves_on.
-void read_bound(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row) {
+void read_bound(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
+                GateRow& gate_row) {
   std::vector<std::string> given;
   for (const char* key : {"limit", "lower", "upper", "improves_on"}) {
     if (row.has(key)) given.push_back(key);
   }
-  const std::string unit = gate_row.unit;
   if (given == std::vector<std::string>{"limit"}) {
-    gate_row.limit = row.get("limit", positive(unit));
+    gate_row.limit = row.get("limit", limit_rule(metric, gate_row.unit, scales_of(definition)));
   } else if (given == std::vector<std::string>{"lower", "upper"}) {
-    const double lower = row.get("lower", any_number(unit));
-    const Rule<double> above_lower{fmt::format("a number above lower ({}), {}", lower, in(unit)),
-                                   [lower](double value) { return value > lower; }};
-    gate_row.between = {lower, row.get("upper", above_lower)};
+    gate_row.between = read_range(row, metric, definition, gate_row.unit);
   } else if (given == std::vector<std::string>{"improves_on"}) {
     gate_row.improves_on =
         row.choice("improves_on", "a run other than the candidate and the reference",
@@ -143,6 +103,29 @@ void read_bound(const TomlTable& row, const CaseDefinition& definition, GateRow&
     row.refuse_table(fmt::format("{{{}}}", fmt::join(given, ", ")),
                      "exactly one of limit | lower with upper | improves_on");
   }
+}
+
+// Two rows bound the same metric of the same runs and in the same way: one limit or range, one
+// improvement on another run, one limit on the cost of an error.
+bool bounds_the_same(const GateRow& a, const GateRow& b) {
+  const auto subject = [](const GateRow& row) {
+    return std::tie(row.candidate, row.reference, row.quantity, row.mode, row.metric, row.error,
+                    row.improves_on);
+  };
+  return subject(a) == subject(b);
+}
+
+// Of two such rows nobody could tell which one the case means.
+void refuse_second_bound(const TomlTable& row, const CaseDefinition& definition,
+                         const GateRow& gate_row) {
+  for (const GateRow& other : definition.gate)
+    if (bounds_the_same(other, gate_row))
+      row.refuse_table(
+          fmt::format("a second bound on {} of {}", metric_name(gate_row.metric),
+                      gate_row.candidate),
+          fmt::format("one row for each candidate, reference, quantity, mode and metric; the first "
+                      "is at {}:{}",
+                      other.where.file, other.where.line));
 }
 
 // The error whose cost is bounded, and only from above: what is cheaper is better.
@@ -171,7 +154,7 @@ void read_compared_series(const TomlTable& row, const MetricEntry& metric,
   gate_row.quantity =
       record ? row.choice("quantity", "the record's quantity", {record->quantity})
              : row.choice("quantity", "a compared quantity", compared_quantities(definition));
-  const std::string unit = *metric.unit ? metric.unit : unit_of(gate_row.quantity);
+  const std::string unit = metric_unit(metric.metric, unit_of(gate_row.quantity));
   gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {unit});
 }
 
@@ -219,14 +202,14 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.metric = metric.metric;
   if (metric.measured_on == MeasuredOn::own_series) {
     read_own_series(row, metric, definition, gate_row);
-  } else if (is_of_impacts(metric)) {
+  } else if (is_of_impacts(metric.metric)) {
     read_impact_series(row, metric, definition, gate_row);
   } else {
     read_compared_series(row, metric, definition, gate_row);
   }
-  gate_row.mode = row.choice("mode", fmt::format("what {} is measured on", metric.name),
-                             modes_of(metric, gate_row.quantity, definition));
-  read_bound(row, definition, gate_row);
+  gate_row.mode =
+      row.choice("mode", measured_on_text(metric), modes_of(metric, gate_row.quantity, definition));
+  read_bound(row, metric, definition, gate_row);
   read_error(row, metric, gate_row);
   if (metric.metric == Metric::impact_percentile && !gate_row.between)
     row.refuse_table("a row on impact_percentile",
@@ -234,6 +217,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.reason = row.get("reason", any_text());
   gate_row.source = row.get("source", any_text());
   gate_row.where = row.where();
+  refuse_second_bound(row, definition, gate_row);
   return gate_row;
 }
 

@@ -1,5 +1,8 @@
 #include "verification/case_file/nearest_name.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -28,6 +31,16 @@ std::vector<std::string> nearest_names(std::string_view wrong, std::vector<std::
                    });
   known.resize(std::min(count, known.size()));
   return known;
+}
+
+std::string one_of_text(std::string_view expected, const std::vector<std::string>& known) {
+  if (known.empty()) return fmt::format("{}, of which there is none", expected);
+  return fmt::format("{}, {} {}", expected, known.size() == 1 ? "which is" : "one of",
+                     fmt::join(known, ", "));
+}
+
+std::string nearest_text(std::string_view wrong, const std::vector<std::string>& known) {
+  return known.empty() ? "" : "; nearest: " + nearest_names(wrong, known, 1).front();
 }
 
 }  // namespace slosh

@@ -16,4 +16,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 std::vector<std::string> nearest_names(std::string_view wrong, std::vector<std::string> known,
                                        std::size_t count);
 
+// What a name must be: "a run, one of fine, coarse", "a unit, which is m", "a mode, of which there
+// is none".
+std::string one_of_text(std::string_view expected, const std::vector<std::string>& known);
+// "; nearest: coarse"; nothing where no name is known.
+std::string nearest_text(std::string_view wrong, const std::vector<std::string>& known);
+
 }  // namespace slosh

@@ -135,13 +135,12 @@ bool TomlTable::flag(std::string_view key) const {
 
 std::string TomlTable::choice(std::string_view key, std::string_view expected,
                               const std::vector<std::string>& known) const {
-  if (known.empty()) refuse(key, fmt::format("{}, of which there is none", expected));
-  const std::string one_of = fmt::format(
-      "{}, {} {}", expected, known.size() == 1 ? "which is" : "one of", fmt::join(known, ", "));
+  const std::string one_of = one_of_text(expected, known);
+  if (known.empty()) refuse(key, one_of);
   const std::string value =
       get<std::string>(key, {one_of, [](const std::string&) { return true; }});
   if (std::find(known.begin(), known.end(), value) != known.end()) return value;
-  refuse(key, fmt::format("{}; nearest: {}", one_of, nearest_names(value, known, 1).front()));
+  refuse(key, one_of + nearest_text(value, known));
 }
 
 std::vector<PlacedText> TomlTable::texts(std::string_view key,

@@ -236,7 +236,7 @@ GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvi
 }
 
 bool is_of_candidate_alone(Metric metric) {
-  return metric == Metric::largest_magnitude || metric == Metric::noise_share;
+  return metric_entry(metric).measured_on == MeasuredOn::own_series;
 }
 
 bool needs_reference(Metric metric) {
@@ -423,86 +423,6 @@ std::string state_name(RunState state) {
       return "out of range";
   }
   throw std::logic_error("a state without a name");
-}
-
-std::string metric_name(Metric metric) {
-  switch (metric) {
-    case Metric::amplitude_error:
-      return "amplitude_error";
-    case Metric::phase_lag:
-      return "phase_lag";
-    case Metric::frequency_error:
-      return "frequency_error";
-    case Metric::decay_rate:
-      return "decay_rate";
-    case Metric::decay_error:
-      return "decay_error";
-    case Metric::normalised_rms:
-      return "normalised_rms";
-    case Metric::maximum_residual:
-      return "maximum_residual";
-    case Metric::time_lag:
-      return "time_lag";
-    case Metric::aligned_rms:
-      return "aligned_rms";
-    case Metric::largest_magnitude:
-      return "largest_magnitude";
-    case Metric::band_energy_error:
-      return "band_energy_error";
-    case Metric::spectral_peak_error:
-      return "spectral_peak_error";
-    case Metric::rms_error:
-      return "rms_error";
-    case Metric::crest_error:
-      return "crest_error";
-    case Metric::trough_error:
-      return "trough_error";
-    case Metric::mean_offset:
-      return "mean_offset";
-    case Metric::noise_share:
-      return "noise_share";
-    case Metric::impact_time:
-      return "impact_time";
-    case Metric::plateau_error:
-      return "plateau_error";
-    case Metric::impact_percentile:
-      return "impact_percentile";
-    case Metric::cost_to_reach:
-      return "cost_to_reach";
-  }
-  throw std::logic_error("a metric without a name");
-}
-
-std::string metric_unit(Metric metric, const std::string& quantity_unit) {
-  switch (metric) {
-    case Metric::amplitude_error:
-    case Metric::frequency_error:
-    case Metric::decay_error:
-    case Metric::normalised_rms:
-    case Metric::aligned_rms:
-    case Metric::plateau_error:
-    case Metric::impact_percentile:
-    case Metric::band_energy_error:
-    case Metric::spectral_peak_error:
-    case Metric::rms_error:
-    case Metric::crest_error:
-    case Metric::trough_error:
-    case Metric::noise_share:
-      return "1";
-    case Metric::phase_lag:
-      return "deg";
-    case Metric::decay_rate:
-      return "1/s";
-    case Metric::time_lag:
-    case Metric::impact_time:
-    case Metric::cost_to_reach:
-      return "s";
-    case Metric::maximum_residual:
-    case Metric::largest_magnitude:
-    case Metric::mean_offset:
-      return quantity_unit;
-  }
-  throw std::logic_error("a metric without a unit");
 }
 
 std::string measured_name(const GateRow& row) {

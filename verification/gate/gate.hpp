@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "verification/case_file/case_definition.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/gate/three_way_verdict.hpp"
 #include "verification/metrics/comparison.hpp"
 #include "verification/metrics/work_precision.hpp"
@@ -151,8 +152,6 @@ int exit_status_of(const std::vector<Verdict>& verdicts);
 std::string verdict_name(Verdict verdict);
 // "finished", "solver failed", "no result", "not selected", "not supplied", "out of range"
 std::string state_name(RunState state);
-std::string metric_name(Metric metric);  // as in the case file
-std::string metric_unit(Metric metric, const std::string& quantity_unit);
 // "amplitude_error", and of a cost the error too: "cost_to_reach 10 %"
 std::string measured_name(const GateRow& row);
 // "CANDIDATE against REFERENCE, MODE METRIC of QUANTITY", and ", below that of RUN" of a row that

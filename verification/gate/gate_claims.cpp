@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "verification/gate/impact_metrics.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/metrics/harmonic_fit.hpp"
 #include "verification/metrics/windowed_series.hpp"
 

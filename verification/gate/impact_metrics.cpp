@@ -47,11 +47,6 @@ Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n) {
   return {fmt::format("repeats of impact {}", n + 1), impacts.repeats.at(n)};
 }
 
-bool is_of_impacts(Metric metric) {
-  return metric == Metric::impact_time || metric == Metric::plateau_error ||
-         metric == Metric::impact_percentile;
-}
-
 double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries* record,
                      const CaseDefinition& definition) {
   if (!pressure.name.ends_with("/filtered")) return published(definition).times[n];

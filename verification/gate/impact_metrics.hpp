@@ -35,8 +35,6 @@ double plateau_error(const TimeSeries& pressure, const CaseDefinition& definitio
 // The peaks of the repeats' n-th impact, n from 0 [Pa]. Throws NotSuppliedError.
 Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n);
 
-bool is_of_impacts(Metric metric);
-
 // When the n-th impact should come [s]. In the pressure as it is: as published. In the filtered
 // pressure, whose peaks stand elsewhere: as in the record's, filtered alike. `record`: the record's
 // series of the same name, null where there is none. Throws NotSuppliedError for want of it, and

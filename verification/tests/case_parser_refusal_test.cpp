@@ -434,7 +434,37 @@ INSTANTIATE_TEST_SUITE_P(
             "trial.toml:58: gate.unit = \"%\": expected the unit of amplitude_error, which is 1"},
         Mistake{"NegativeLimit",
                 {"limit = 0.05", "limit = -0.05"},
-                "trial.toml:59: gate.limit = -0.05: expected a number > 0, without unit"},
+                "trial.toml:59: gate.limit = -0.05: expected a number > 0 and below 1, without "
+                "unit (a candidate that does not move has -1)"},
+        Mistake{"LimitThatACandidateAtRestKeeps",
+                {"limit = 0.05", "limit = 1"},
+                "trial.toml:59: gate.limit = 1: expected a number > 0 and below 1, without unit (a "
+                "candidate that does not move has -1)"},
+        Mistake{"LimitThatEveryNumberKeeps",
+                {"limit = 0.05", "limit = 1e300"},
+                "trial.toml:59: gate.limit = 1e+300: expected a number > 0 and below 1"},
+        Mistake{"LimitOfHalfATurn",
+                {"metric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
+                 "metric = \"phase_lag\"\nunit = \"deg\"\nlimit = 180"},
+                "trial.toml:59: gate.limit = 180: expected a number > 0 and below 180, in deg (a "
+                "lag is known but for whole periods"},
+        Mistake{"LimitOfAQuantityThatNoTankHolds",
+                {"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
+                 "mode = \"whole\"\nmetric = \"maximum_residual\"\nunit = \"m\"\nlimit = 1e9"},
+                "trial.toml:59: gate.limit = 1e+09: expected a number > 0 and below 1e+09, in m"},
+        Mistake{
+            "RangeThatEveryNumberKeeps",
+            {"limit = 0.05", "lower = -0.3\nupper = 1e300"},
+            "trial.toml:60: gate.upper = 1e+300: expected a number above lower (-0.3) and below "
+            "1.7, without unit (a candidate that does not move has -1)"},
+        Mistake{"SecondBoundOnTheSame",
+                {"source = \"a source\"\n",
+                 "source = \"a source\"\n[[gate]]\ncandidate = \"coarse\"\nreference = "
+                 "\"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\nmetric = "
+                 "\"amplitude_error\"\nunit = \"1\"\nlower = 0.5\nupper = 0.6\nreason = \"r\"\n"
+                 "source = \"s\"\n"},
+                "trial.toml:62: gate = a second bound on amplitude_error of coarse: expected one "
+                "row for each candidate, reference, quantity, mode and metric; the first is at "},
         Mistake{"NoBound",
                 {"limit = 0.05\n", ""},
                 "trial.toml:52: gate = {}: expected exactly one of limit | lower with upper | "
@@ -447,7 +477,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:52: gate = {lower}: expected exactly one of"},
         Mistake{"BoundsInverted",
                 {"limit = 0.05", "lower = 1\nupper = 0.5"},
-                "trial.toml:60: gate.upper = 0.5: expected a number above lower (1), without unit"},
+                "trial.toml:60: gate.upper = 0.5: expected a number above lower (1) and below 3, "
+                "without unit"},
         Mistake{"ImprovesOnItself",
                 {"limit = 0.05", "improves_on = \"coarse\""},
                 "trial.toml:59: gate.improves_on = \"coarse\": expected a run other than the "

@@ -1,5 +1,7 @@
 // The commands import and compare as a user starts them: another program's file becomes a result,
 // and two results are compared and judged with no case at all.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -142,13 +144,61 @@ TEST_F(ForeignResults, AreJudgedByLimitsAsRowsAre) {
             5);
 }
 
+TEST_F(ForeignResults, AForcedModeIsNotJudgedOnAFrequencyOrADecayThatItIsGiven) {
+  write("small.toml", small_case);
+  import_pair({.amplitude = 0.021});
+  for (const char* metric : {"frequency_error", "decay_rate", "decay_error"}) {
+    const std::string expected =
+        fmt::format("expected what {} is measured on, which is natural_1", metric);
+    for (const std::string mode : {"", "forced:"}) {
+      const std::string limit = mode + metric + "=0.1";
+      const Ended ended = compare({"--case", "./small.toml", "--limit", limit});
+      EXPECT_EQ(ended.status, 2) << limit;
+      const std::string start = fmt::format("slosh: --limit {}: mode {}: {}", limit,
+                                            mode.empty() ? "is missing" : "= forced", expected);
+      EXPECT_TRUE(ended.err.starts_with(start)) << ended.err;
+    }
+    const Ended tone = compare({"--frequency", "0.8", "--limit", metric + std::string("=0.1")});
+    EXPECT_EQ(tone.status, 2) << tone.out;
+  }
+}
+
+TEST_F(ForeignResults, ALimitThatCannotBeViolatedIsNone) {
+  import_pair({});
+  for (const char* limit : {"normalised_rms=1", "normalised_rms=1e300", "forced:phase_lag=180",
+                            "amplitude_error=1", "maximum_residual=1e9"}) {
+    const Ended ended = compare({"--frequency", "0.8", "--limit", limit});
+    EXPECT_EQ(ended.status, 2) << limit;
+    EXPECT_NE(ended.err.find(": expected a number > 0 and below "), std::string::npos) << ended.err;
+  }
+  EXPECT_EQ(compare({"--limit", "time_lag=2.5"}).status, 2);
+  EXPECT_EQ(compare({"--limit", "time_lag=2.4"}).status, 0);
+  const Ended twice = compare({"--limit", "normalised_rms=0.1", "--limit", "normalised_rms=0.9"});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_EQ(twice.err,
+            "slosh: --limit normalised_rms=0.9: metric = normalised_rms: expected each metric of a "
+            "mode once\n");
+}
+
+TEST_F(ForeignResults, ACandidateThatWasCutShortIsNotJudgedOnWhatItHas) {
+  import_pair({.end = 6});
+  const std::vector<std::string> limit{"--limit", "normalised_rms=0.05"};
+  const Ended cut = compare(limit);
+  EXPECT_EQ(cut.status, 4);
+  EXPECT_NE(cut.err.find("the candidate spans 0 to 6 s, the reference 0 to 10 s"),
+            std::string::npos)
+      << cut.err;
+  EXPECT_NE(cut.err.find("--window BEGIN END"), std::string::npos) << cut.err;
+  EXPECT_EQ(compare({"--window", "0", "6", "--limit", "normalised_rms=0.05"}).status, 0);
+  import_pair({.end = 9.98});  // one sample short
+  EXPECT_EQ(compare(limit).status, 0);
+}
+
 TEST_F(ForeignResults, NeverPassWhereThereIsNothingToCompare) {
-  const std::vector<std::string> limit{"--limit", "normalised_rms=10"};
-  EXPECT_EQ(judged({.end = 5}, {"--window", "0", "10", "--limit", "normalised_rms=10"}), 4);
-  EXPECT_EQ(judged({}, {"--limit", "amplitude_error=1"}), 4);  // no mode is fitted
-  EXPECT_EQ(judged({}, {"--quantity", "force_x", "--limit", "normalised_rms=10"}), 4);
-  EXPECT_EQ(judged({}, {"--window", "20", "30", "--limit", "normalised_rms=10"}), 4);
-  EXPECT_EQ(judged({}, {"--frequency", "0.05", "--limit", "amplitude_error=1"}), 4);
+  EXPECT_EQ(judged({.end = 5}, {"--window", "0", "10", "--limit", "normalised_rms=0.9"}), 4);
+  EXPECT_EQ(judged({}, {"--quantity", "force_x", "--limit", "normalised_rms=0.9"}), 4);
+  EXPECT_EQ(judged({}, {"--window", "20", "30", "--limit", "normalised_rms=0.9"}), 4);
+  EXPECT_EQ(judged({}, {"--frequency", "0.05", "--limit", "amplitude_error=0.9"}), 4);
   EXPECT_EQ(judged({}, {"--limit", "amplitude_eror=1"}), 2);
   EXPECT_EQ(judged({}, {"--limit", "normalised_rms=-1"}), 2);
   EXPECT_EQ(judged({}, {"--limit", "normalised_rms=nan"}), 2);
