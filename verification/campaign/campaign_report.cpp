@@ -10,6 +10,7 @@
 #include "verification/campaign/case_tables.hpp"
 #include "verification/campaign/case_text.hpp"
 #include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ensemble_table.hpp"
 #include "verification/campaign/error_matrix.hpp"
 #include "verification/campaign/impact_table.hpp"
 #include "verification/campaign/li2010_paper.hpp"
@@ -102,6 +103,7 @@ Section case_section(const CaseAssessment& assessment) {
   if (auto refined = refinement_table(assessment)) section.tables.push_back(std::move(*refined));
   if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
   if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));
+  if (auto ensembles = ensemble_table(assessment)) section.tables.push_back(std::move(*ensembles));
   if (auto repeats = repeat_table(assessment)) section.tables.push_back(std::move(*repeats));
   if (auto choices = choice_table(assessment)) section.tables.push_back(std::move(*choices));
   if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));

@@ -47,11 +47,19 @@ Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& re
   }
 }
 
+// Of a member of an ensemble that failed or was not run there is none.
+const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
+                            const std::string& quantity) {
+  const auto found = runs.results.find(run);
+  if (found == runs.results.end()) throw ResultError("there is no result of " + run);
+  return found->second.at(quantity);
+}
+
 Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs,
                         const std::string& candidate_name, const std::string& reference_name,
                         const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
-  const TimeSeries& candidate = runs.results.at(candidate_name).at(quantity);
-  const TimeSeries& reference = runs.results.at(reference_name).at(quantity);
+  const TimeSeries& candidate = series_of(runs, candidate_name, quantity);
+  const TimeSeries& reference = series_of(runs, reference_name, quantity);
   const TimeWindow window = window_of(definition, reference_name);
   const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
   Comparison comparison = record_named(definition, reference_name)
@@ -102,11 +110,11 @@ GateEvidence CaseEvidence::gate_evidence() {
     return comparison(candidate, reference, quantity);
   };
   const FindSeries find_series = [this](const std::string& run, const std::string& quantity) {
-    return cut_to_window(runs_.results.at(run).at(quantity),
+    return cut_to_window(series_of(runs_, run, quantity),
                          {definition_.window_begin, definition_.window_end});
   };
   const MeasureImpacts measure_impacts = [this](const std::string& run, const GateRow& of) {
-    return impact_metric(of.metric, of.mode, runs_.results.at(run).at(of.quantity),
+    return impact_metric(of.metric, of.mode, series_of(runs_, run, of.quantity),
                          series_of_record(definition_, runs_, of.quantity), definition_);
   };
   const MeasureCost cost = [this, find](const GateRow& row) {

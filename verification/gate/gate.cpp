@@ -216,14 +216,18 @@ EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) 
   return evidence.ensemble ? evidence.ensemble(run) : EnsembleOfRun{{run}};
 }
 
-// "; mean over 4 x 3 repeats" of an ensemble, nothing of a single run.
+// Nothing but itself of a row that has none.
+EnsembleOfRun reference_of(const GateRow& row, const GateEvidence& evidence) {
+  return row.reference.empty() ? EnsembleOfRun{{""}, true} : ensemble_of(row.reference, evidence);
+}
+
+// "; mean over 4 x 3 repeats" of ensembles, nothing of single runs.
 std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
+  if (!is_of_ensembles(row, evidence)) return "";
   const std::size_t candidates = ensemble_of(row.candidate, evidence).members.size();
-  const std::size_t references =
-      row.reference.empty() ? 1 : ensemble_of(row.reference, evidence).members.size();
-  if (candidates * references < 2 || row.metric == Metric::cost_to_reach) return "";
   return row.reference.empty() ? fmt::format("; mean over {} repeats", candidates)
-                               : fmt::format("; mean over {} x {} repeats", candidates, references);
+                               : fmt::format("; mean over {} x {} repeats", candidates,
+                                             reference_of(row, evidence).members.size());
 }
 
 GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
@@ -310,17 +314,21 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
   return metric_value(row.metric, row.mode, comparison);
 }
 
-// Of each candidate against each reference. A lag is told from that of the first pair, within half
-// a turn: lags about half a turn would else have a mean of none.
-std::vector<std::vector<double>> values_of_pairs(const GateRow& row,
-                                                 const std::vector<std::string>& candidates,
-                                                 const std::vector<std::string>& references,
-                                                 const GateEvidence& evidence) {
+}  // namespace
+
+AllowedRange allowed_by(const GateRow& row) {
+  if (row.limit) return {-*row.limit, *row.limit};
+  return {row.between->first, row.between->second};
+}
+
+// A lag is told from that of the first pair, within half a turn: lags about half a turn would else
+// have a mean of none.
+std::vector<std::vector<double>> measured_pairs(const GateRow& row, const GateEvidence& evidence) {
   constexpr double turn = 360;
   std::vector<std::vector<double>> values;
-  for (const std::string& candidate : candidates) {
+  for (const std::string& candidate : ensemble_of(row.candidate, evidence).members) {
     values.emplace_back();
-    for (const std::string& reference : references) {
+    for (const std::string& reference : reference_of(row, evidence).members) {
       GateRow pair = row;
       pair.candidate = candidate;
       pair.reference = reference;
@@ -333,23 +341,20 @@ std::vector<std::vector<double>> values_of_pairs(const GateRow& row,
   return values;
 }
 
-}  // namespace
-
-AllowedRange allowed_by(const GateRow& row) {
-  if (row.limit) return {-*row.limit, *row.limit};
-  return {row.between->first, row.between->second};
+Estimate measured(const GateRow& row, const GateEvidence& evidence) {
+  if (!is_of_ensembles(row, evidence)) return measured_once(row, evidence);
+  const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
+  const bool exact =
+      candidate.members.size() == 1 ? candidate.exact : reference_of(row, evidence).exact;
+  return ensemble_mean(measured_pairs(row, evidence),
+                       exact ? SingleSide::exact : SingleSide::one_of_many);
 }
 
-Estimate measured(const GateRow& row, const GateEvidence& evidence) {
-  const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
-  const bool alone = row.reference.empty();
-  const EnsembleOfRun reference =
-      alone ? EnsembleOfRun{{""}, true} : ensemble_of(row.reference, evidence);
-  const bool single = candidate.members.size() == 1 && reference.members.size() == 1;
-  if (single || row.metric == Metric::cost_to_reach) return measured_once(row, evidence);
-  const bool exact = candidate.members.size() == 1 ? candidate.exact : reference.exact;
-  return ensemble_mean(values_of_pairs(row, candidate.members, reference.members, evidence),
-                       exact ? SingleSide::exact : SingleSide::one_of_many);
+bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence) {
+  return row.metric != Metric::cost_to_reach &&
+         ensemble_of(row.candidate, evidence).members.size() *
+                 reference_of(row, evidence).members.size() >
+             1;
 }
 
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,

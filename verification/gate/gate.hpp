@@ -131,6 +131,12 @@ struct GateEvidence {
 // for, and ComparisonError where the row's unit is not the metric's.
 Estimate measured(const GateRow& row, const GateEvidence& evidence);
 
+// Whether the row's candidate or its reference is an ensemble on whose mean it is judged.
+bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
+// The metric of each member of the candidate (outer) against each of the reference. Throws as
+// measured().
+std::vector<std::vector<double>> measured_pairs(const GateRow& row, const GateEvidence& evidence);
+
 // Of a row with a limit or a range, what its metric may be, in the row's unit.
 AllowedRange allowed_by(const GateRow& row);
 

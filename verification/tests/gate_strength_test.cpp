@@ -140,8 +140,8 @@ TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
 }
 
 TEST(GateStrength, FindsOutAJudgeThatIgnoresNaN) {
-  const auto careless = [](const TimeSeries& series) {
-    TimeSeries cleaned = series;
+  const auto careless = [](const Mutation* mutation) {
+    TimeSeries cleaned = mutation ? mutated(candidate, *mutation, frame_of(amplitude)) : candidate;
     for (double& value : cleaned.value)
       if (std::isnan(value)) value = 0;
     return judge(amplitude, cleaned).verdict == Verdict::pass;
