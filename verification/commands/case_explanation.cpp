@@ -161,9 +161,9 @@ const char* words_for(Metric metric) {
     case Metric::rms_error:
       return "error of the root mean square about the mean";
     case Metric::crest_error:
-      return "error of the mean crest height";
+      return "error of the mean crest";
     case Metric::trough_error:
-      return "error of the mean trough depth";
+      return "error of the mean trough";
     case Metric::mean_offset:
       return "mean less the reference's";
     case Metric::noise_share:

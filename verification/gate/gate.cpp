@@ -94,12 +94,10 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       return {comparison.candidate_wave.deviation / comparison.reference_wave.deviation - 1, 0};
     case Metric::crest_error:
       return resolved_or_refused(
-          metric,
-          comparison.candidate_wave.crest_height / comparison.reference_wave.crest_height - 1);
+          metric, comparison.candidate_wave.crest / comparison.reference_wave.crest - 1);
     case Metric::trough_error:
       return resolved_or_refused(
-          metric,
-          comparison.candidate_wave.trough_depth / comparison.reference_wave.trough_depth - 1);
+          metric, comparison.candidate_wave.trough / comparison.reference_wave.trough - 1);
     case Metric::mean_offset:
       return {comparison.candidate_wave.mean - comparison.reference_wave.mean, 0};
     case Metric::largest_magnitude:

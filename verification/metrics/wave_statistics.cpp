@@ -55,16 +55,15 @@ double median_magnitude(std::vector<double> values) {
 }  // namespace
 
 WaveStatistics wave_statistics(const TimeSeries& series, double period) {
-  const double middle = mean(series.value);
   std::vector<double> highs, lows;
   for (const Extremes& one : extremes_by_period(series, period)) {
     highs.push_back(one.high);
     lows.push_back(one.low);
   }
-  return {.mean = middle,
+  return {.mean = mean(series.value),
           .deviation = rms(without_mean(series.value)),
-          .crest_height = mean(highs) - middle,
-          .trough_depth = middle - mean(lows)};
+          .crest = mean(highs),
+          .trough = mean(lows)};
 }
 
 double noise_share(const TimeSeries& series) {

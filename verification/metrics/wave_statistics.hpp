@@ -2,8 +2,8 @@
 // and extremes of one series over a window, and the white noise in it. With y_i the samples, m
 // their mean and T the wave's period:
 //   deviation     s = sqrt(sum (y_i - m)^2 / n)
-//   crest height  mean over the whole periods of (max y in the period) - m
-//   trough depth  m - mean over the whole periods of (min y in the period)
+//   crest         mean over the whole periods of max y in the period
+//   trough        mean over the whole periods of min y in the period
 //   noise share   median |D^4 y| / (0.6745 sqrt(70)) / s
 // with D^4 y = y_(i-2) - 4 y_(i-1) + 6 y_i - 4 y_(i+1) + y_(i+2) of equally spaced samples. White
 // noise of deviation sigma gives D^4 y the variance 70 sigma^2 (the sum of the squared weights;
@@ -17,9 +17,11 @@
 
 namespace slosh {
 
+// In the series' unit and from its own zero, of an elevation the still level: after breaking the
+// crests scatter from run to run, the troughs hardly, so that these see a datum that is off.
 struct WaveStatistics {
-  double mean, deviation;             // in the series' unit
-  double crest_height, trough_depth;  // likewise, from the mean; NaN of less than one whole period
+  double mean, deviation;
+  double crest, trough;  // NaN of less than one whole period
 };
 
 // Of a series that cut_to_window() has checked; the periods [s] begin at its first sample.

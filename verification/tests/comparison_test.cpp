@@ -238,8 +238,8 @@ TEST(Comparison, TellsTheStatisticsOfBothWaves) {
   const auto high = sampled([](double t) { return 0.004 + 1.1 * wave(t); }, 0, 20);
   const auto result = compare(high, reference, window, modes);
   EXPECT_NEAR(result.candidate_wave.deviation / result.reference_wave.deviation, 1.1, 1e-9);
-  EXPECT_NEAR(result.candidate_wave.crest_height / result.reference_wave.crest_height, 1.1, 1e-9);
-  EXPECT_NEAR(result.candidate_wave.trough_depth / result.reference_wave.trough_depth, 1.1, 1e-9);
+  EXPECT_NEAR(result.candidate_wave.crest, 0.004 + 1.1 * result.reference_wave.crest, 1e-9);
+  EXPECT_NEAR(result.candidate_wave.trough, 0.004 + 1.1 * result.reference_wave.trough, 1e-9);
   EXPECT_NEAR(result.candidate_wave.mean - result.reference_wave.mean, 0.004, 1e-4);
 }
 

@@ -67,8 +67,8 @@ Comparison comparison_of(double amplitude_error) {
   comparison.maximum_residual = 0.0004;
   comparison.alignment = {-0.003, 0.05};
   comparison.modes[0].band_energy_error = 0.07;
-  comparison.candidate_wave = {.mean = 0.003, .deviation = 3, .crest_height = 6, .trough_depth = 4};
-  comparison.reference_wave = {.mean = 0.001, .deviation = 2, .crest_height = 5, .trough_depth = 5};
+  comparison.candidate_wave = {.mean = 0.003, .deviation = 3, .crest = 6, .trough = 4};
+  comparison.reference_wave = {.mean = 0.001, .deviation = 2, .crest = 5, .trough = 5};
   comparison.candidate_peaks = {{0.9, 1}};
   comparison.reference_peaks = {{1, 1}};
   return comparison;
@@ -696,7 +696,7 @@ TEST(GateMetrics, HaveNamesAndUnits) {
 TEST(Gate, RefusesWaveStatisticsOfTooFewPeriods) {
   Comparison comparison = comparison_of(0);
   comparison.modes[0].band_energy_error = nan;
-  comparison.candidate_wave.crest_height = nan;
+  comparison.candidate_wave.crest = nan;
   const auto outcome = [&](Metric metric, const char* mode) {
     return judge(row_of(metric, mode, "1", 0.2), comparison);
   };
