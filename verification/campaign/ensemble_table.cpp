@@ -13,29 +13,35 @@
 namespace slosh {
 namespace {
 
-using Pairs = std::vector<std::vector<double>>;  // [candidate][reference]
+using Pairs = std::vector<std::vector<Estimate>>;  // [candidate][reference]
 
 Pairs transposed(const Pairs& pairs) {
   Pairs turned(pairs.front().size());
-  for (const std::vector<double>& row : pairs)
+  for (const std::vector<Estimate>& row : pairs)
     for (std::size_t j = 0; j < row.size(); ++j) turned[j].push_back(row[j]);
   return turned;
+}
+
+std::vector<double> values_of(const std::vector<Estimate>& estimates) {
+  std::vector<double> values;
+  for (const Estimate& estimate : estimates) values.push_back(estimate.value);
+  return values;
 }
 
 // The standard deviation over a side's members of the mean over the other side's.
 std::string spread_text(const Pairs& pairs, const std::string& unit) {
   if (pairs.size() < 2) return "of one";
   std::vector<double> means;
-  for (const std::vector<double>& row : pairs) means.push_back(mean(row));
+  for (const auto& of_member : pairs) means.push_back(mean(values_of(of_member)));
   const double n = static_cast<double>(means.size());
   return in_unit(rms(without_mean(means)) * std::sqrt(n / (n - 1)), unit);
 }
 
 std::vector<std::string> line_of(const GateOutcome& outcome, const Pairs& pairs) {
   const GateRow& row = outcome.row;
-  double least = pairs.front().front(), most = least;
-  for (const std::vector<double>& of_candidate : pairs)
-    for (const double value : of_candidate) {
+  double least = outcome.value.value, most = least;
+  for (const auto& of_candidate : pairs)
+    for (const double value : values_of(of_candidate)) {
       least = std::min(least, value);
       most = std::max(most, value);
     }

@@ -337,33 +337,38 @@ AllowedRange allowed_by(const GateRow& row) {
   return {row.between->first, row.between->second};
 }
 
-// A lag is told from that of the first pair, within half a turn: lags about half a turn would else
-// have a mean of none.
-std::vector<std::vector<double>> measured_pairs(const GateRow& row, const GateEvidence& evidence) {
-  constexpr double turn = 360;
-  std::vector<std::vector<double>> values;
+std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row,
+                                                  const GateEvidence& evidence) {
+  std::vector<std::vector<Estimate>> pairs;
   for (const std::string& candidate : ensemble_of(row.candidate, evidence).members) {
-    values.emplace_back();
+    pairs.emplace_back();
     for (const std::string& reference : reference_of(row, evidence).members) {
       GateRow pair = row;
       pair.candidate = candidate;
       pair.reference = reference;
-      double value = measured_once(pair, evidence).value;
-      const double first = values.front().empty() ? value : values.front().front();
-      if (row.metric == Metric::phase_lag) value -= turn * std::round((value - first) / turn);
-      values.back().push_back(value);
+      pairs.back().push_back(measured_once(pair, evidence));
+      // A lag is told within half a turn from the first: those about half a turn would else have a
+      // mean of none.
+      double& value = pairs.back().back().value;
+      constexpr double turn = 360;
+      if (row.metric == Metric::phase_lag)
+        value -= turn * std::round((value - pairs.front().front().value) / turn);
     }
   }
-  return values;
+  return pairs;
 }
 
 Estimate measured(const GateRow& row, const GateEvidence& evidence) {
   if (!is_of_ensembles(row, evidence)) return measured_once(row, evidence);
   const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
-  const bool exact =
-      candidate.members.size() == 1 ? candidate.exact : reference_of(row, evidence).exact;
+  const EnsembleOfRun reference = reference_of(row, evidence);
+  const auto is_one_of_many = [](const EnsembleOfRun& side) {
+    return side.members.size() == 1 && !side.exact;
+  };
   return ensemble_mean(measured_pairs(row, evidence),
-                       exact ? SingleSide::exact : SingleSide::one_of_many);
+                       is_one_of_many(candidate) || is_one_of_many(reference)
+                           ? SingleSide::one_of_many
+                           : SingleSide::exact);
 }
 
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence) {

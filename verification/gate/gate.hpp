@@ -135,7 +135,7 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence);
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
 // The metric of each member of the candidate (outer) against each of the reference. Throws as
 // measured().
-std::vector<std::vector<double>> measured_pairs(const GateRow& row, const GateEvidence& evidence);
+std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row, const GateEvidence& evidence);
 
 // Of a row with a limit or a range, what its metric may be, in the row's unit.
 AllowedRange allowed_by(const GateRow& row);

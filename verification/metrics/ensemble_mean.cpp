@@ -43,22 +43,25 @@ double half_width_of(double variance, double freedom) {
 
 }  // namespace
 
-Estimate ensemble_mean(const std::vector<std::vector<double>>& values, SingleSide single) {
-  if (values.empty() || values.front().empty() || values.size() * values.front().size() < 2)
+Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single) {
+  if (pairs.empty() || pairs.front().empty() || pairs.size() * pairs.front().size() < 2)
     throw std::invalid_argument("an ensemble's mean needs two runs or more");
-  std::vector<double> of_candidates, of_references(values.front().size());
-  for (const std::vector<double>& row : values) {
-    of_candidates.push_back(mean(row));
-    for (std::size_t j = 0; j < row.size(); ++j)
-      of_references[j] += row[j] / static_cast<double>(values.size());
-  }
+  std::vector<double> of_candidates(pairs.size()), of_references(pairs.front().size()), own;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t j = 0; j < of_references.size(); ++j) {
+      of_candidates[i] += pairs[i][j].value / static_cast<double>(of_references.size());
+      of_references[j] += pairs[i][j].value / static_cast<double>(pairs.size());
+      own.push_back(pairs[i][j].half_width);
+    }
   const MeanVariance a = variance_of_mean(of_candidates), b = variance_of_mean(of_references);
   const double value = mean(of_candidates);
   if (a.freedom > 0 && b.freedom > 0)
     return {value, half_width_of(a.variance + b.variance, welch_freedom(a, b))};
-  MeanVariance repeated = a.freedom > 0 ? a : b;
-  if (single == SingleSide::one_of_many) repeated = with_one_of_many(repeated);
-  return {value, half_width_of(repeated.variance, repeated.freedom)};
+  const MeanVariance repeated = a.freedom > 0 ? a : b;
+  if (single == SingleSide::exact)
+    return {value, half_width_of(repeated.variance, repeated.freedom)};
+  const MeanVariance one_more = with_one_of_many(repeated);
+  return {value, std::hypot(half_width_of(one_more.variance, one_more.freedom), mean(own))};
 }
 
 }  // namespace slosh

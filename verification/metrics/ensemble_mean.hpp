@@ -16,12 +16,15 @@
 namespace slosh {
 
 // A side of one run has no spread of its own. It is exact where disturbances do not decide it
-// (theory, a record); any other is taken to spread as the other side does: u^2 = s^2 (1 + 1 / n) of
-// n - 1 degrees of freedom, the interval that holds one more run (prediction interval).
+// (theory, a record). Any other is taken to spread as the other side does, u^2 = s^2 (1 + 1 / n) of
+// n - 1 degrees of freedom (the interval that holds one more run), and as its own history says,
+// whose mean half width over the pairs is added in quadrature: the other side, of another method,
+// may spread less.
 enum class SingleSide { exact, one_of_many };
 
-// values[i][j] of candidate i and reference j, as many in each row, one side at least with two or
-// more. NaN among them gives NaN.
-Estimate ensemble_mean(const std::vector<std::vector<double>>& values, SingleSide single);
+// pairs[i][j] of candidate i and reference j with the interval of its own histories; as many in
+// each row, one side at least with two or more. NaN among them gives NaN. Throws
+// std::invalid_argument of a single pair.
+Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single);
 
 }  // namespace slosh

@@ -10,20 +10,39 @@
 namespace slosh {
 namespace {
 
+using Values = std::vector<std::vector<double>>;
+
+std::vector<std::vector<Estimate>> pairs_of(const Values& values, double half_width = 0) {
+  std::vector<std::vector<Estimate>> pairs;
+  for (const std::vector<double>& row : values) {
+    pairs.emplace_back();
+    for (const double value : row) pairs.back().push_back({value, half_width});
+  }
+  return pairs;
+}
+
 TEST(EnsembleMean, IsTheMeanOfAllPairsWithStudentsInterval) {
   // 1, 2, 6 against one exact reference: s^2 = 7, t_(0.975, 2) = 4.3027.
-  const Estimate found = ensemble_mean({{1}, {2}, {6}}, SingleSide::exact);
+  const Estimate found = ensemble_mean(pairs_of({{1}, {2}, {6}}), SingleSide::exact);
   EXPECT_DOUBLE_EQ(found.value, 3);
   EXPECT_NEAR(found.half_width, 4.30265 * std::sqrt(7.0 / 3), 1e-4);
   // Against one run of many the other side's spread counts once more.
-  EXPECT_NEAR(ensemble_mean({{1}, {2}, {6}}, SingleSide::one_of_many).half_width,
+  EXPECT_NEAR(ensemble_mean(pairs_of({{1}, {2}, {6}}), SingleSide::one_of_many).half_width,
               4.30265 * std::sqrt(7 * (1 + 1.0 / 3)), 1e-4);
-  EXPECT_NEAR(ensemble_mean({{1, 2, 6}}, SingleSide::exact).half_width, found.half_width, 1e-12);
+  EXPECT_NEAR(ensemble_mean(pairs_of({{1, 2, 6}}), SingleSide::exact).half_width, found.half_width,
+              1e-12);
+}
+
+TEST(EnsembleMean, CountsTheHistoriesOfASingleRunOfManyAndOfNoOther) {
+  const Values alike{{2}, {2}, {2}};
+  EXPECT_EQ(ensemble_mean(pairs_of(alike, 0.7), SingleSide::exact).half_width, 0);
+  EXPECT_NEAR(ensemble_mean(pairs_of(alike, 0.7), SingleSide::one_of_many).half_width, 0.7, 1e-12);
+  EXPECT_EQ(ensemble_mean(pairs_of({{2, 2}, {2, 2}}, 0.7), SingleSide::one_of_many).half_width, 0);
 }
 
 TEST(EnsembleMean, AddsTheSpreadOfBothSidesAfterWelch) {
   // m_ij = x_i - y_j, x = 1, 2, 6 (variance 7), y = 0, 2 (variance 2).
-  const Estimate found = ensemble_mean({{1, -1}, {2, 0}, {6, 4}}, SingleSide::exact);
+  const Estimate found = ensemble_mean(pairs_of({{1, -1}, {2, 0}, {6, 4}}), SingleSide::exact);
   EXPECT_DOUBLE_EQ(found.value, 2);
   const double a = 7.0 / 3, b = 1, freedom = (a + b) * (a + b) / (a * a / 2 + b * b);
   EXPECT_NEAR(freedom, 2.985, 1e-3);
@@ -32,18 +51,18 @@ TEST(EnsembleMean, AddsTheSpreadOfBothSidesAfterWelch) {
 
 TEST(EnsembleMean, IsNoNumberWhereAMemberIsNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Estimate found = ensemble_mean({{1}, {nan}, {2}}, SingleSide::exact);
+  const Estimate found = ensemble_mean(pairs_of({{1}, {nan}, {2}}), SingleSide::exact);
   EXPECT_TRUE(std::isnan(found.value));
   EXPECT_TRUE(std::isnan(found.half_width));
 }
 
 TEST(EnsembleMean, HasNoIntervalOfMembersThatAreAllAlike) {
-  EXPECT_EQ(ensemble_mean({{2}, {2}, {2}}, SingleSide::exact).half_width, 0);
+  EXPECT_EQ(ensemble_mean(pairs_of({{2}, {2}, {2}}), SingleSide::exact).half_width, 0);
 }
 
 TEST(EnsembleMean, RefusesASinglePair) {
-  EXPECT_THROW(ensemble_mean({{2}}, SingleSide::exact), std::invalid_argument);
-  EXPECT_THROW(ensemble_mean({}, SingleSide::exact), std::invalid_argument);
+  EXPECT_THROW(ensemble_mean(pairs_of({{2}}), SingleSide::exact), std::invalid_argument);
+  EXPECT_THROW(ensemble_mean(pairs_of({}), SingleSide::exact), std::invalid_argument);
 }
 
 struct Scenario {
@@ -73,7 +92,7 @@ TEST_P(EnsembleCoverage, OfTheIntervalIs95Percent) {
       values.emplace_back();
       for (const double r : reference) values.back().push_back(c / r - 1);
     }
-    const Estimate found = ensemble_mean(values, of.single);
+    const Estimate found = ensemble_mean(pairs_of(values), of.single);
     covered += std::abs(found.value + 0.05) <= found.half_width;
   }
   EXPECT_GE(covered, 0.91 * draws);
