@@ -162,7 +162,8 @@ TEST(CaseParser, RefusesAnInputThatIsNoneOrIsThereTwice) {
                       "input that this case has, one of fill_depth, period"),
             0U);
   EXPECT_EQ(said("\"m\"", "\"mm\""),
-            "trial.toml:65: input.unit = \"mm\": expected the unit of fill_depth, which is m");
+            "trial.toml:65: input.unit = \"mm\": expected the unit of fill_depth, which is m; "
+            "nearest: m");
   EXPECT_EQ(said("0.0005", "0").find("trial.toml:64: input.half_width = 0: expected a number > 0"),
             0U);
   EXPECT_EQ(said("source", "sources").find("trial.toml:66: input.sources"), 0U);
