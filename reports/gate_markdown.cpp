@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reports/gate_document.hpp"
+#include "reports/text_markup.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -38,16 +39,6 @@ const char* word(GateOutcomeKind outcome) {
   return "";
 }
 
-// A table's cell: no bar and no line break may end it.
-std::string cell(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '|') safe += '\\';
-    safe += c == '\n' ? ' ' : c;
-  }
-  return safe;
-}
-
 bool is_worth_a_line(const GateEntry& entry) {
   return badness(entry) > 0 || (entry.outcome == GateOutcomeKind::pass && !entry.moved.empty() &&
                                 entry.moved != "unmoved");
@@ -65,16 +56,18 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document) {
 }
 
 std::string gate_markdown(const GateDocument& document) {
-  std::string text = fmt::format("## {}\n\n{}\n", document.title, document.verdict);
-  if (!document.basis.empty()) text += fmt::format("\n{}\n", document.basis);
+  std::string text =
+      fmt::format("## {}\n\n{}\n", markdown_text(document.title), markdown_text(document.verdict));
+  if (!document.basis.empty()) text += fmt::format("\n{}\n", markdown_text(document.basis));
   std::string lines;
   std::size_t told = 0;
   for (const GateEntry* entry : worst_first(document)) {
     if (!is_worth_a_line(*entry)) continue;
     ++told;
     lines += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", word(entry->outcome),
-                         cell(entry->kind), cell(entry->group), cell(entry->name),
-                         cell(entry->message), cell(entry->uncertainties), cell(entry->moved));
+                         markdown_text(entry->kind), markdown_text(entry->group),
+                         markdown_text(entry->name), markdown_text(entry->message),
+                         markdown_text(entry->uncertainties), markdown_text(entry->moved));
   }
   if (told > 0)
     text +=

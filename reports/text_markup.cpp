@@ -52,6 +52,22 @@ std::string backslashed(const std::string& text, std::string_view special) {
   return escaped;
 }
 
+// No tag of HTML, not even behind a backslash, which some readers of Markdown do not know.
+std::string markdown_escaped(const std::string& text) {
+  std::string escaped = backslashed(text, R"(\`*_[]#|~$)");
+  boost::replace_all(escaped, "&", "&amp;");
+  boost::replace_all(escaped, "<", "&lt;");
+  boost::replace_all(escaped, ">", "&gt;");
+  return escaped;
+}
+
+// Code is shown as it is written: what could end it, or a table's cell in it, stands as text.
+std::string markdown_code(const std::string& code) {
+  if (code.empty() || code.find_first_of("<>&\\") != std::string::npos)
+    return markdown_escaped("`" + code + "`");
+  return fmt::format("`{}`", backslashed(code, "|"));
+}
+
 // A long name may be broken after its underscores, so that it does not widen a table's column.
 std::string breakable(const std::string& html) {
   return boost::replace_all_copy(html, "_", "_<wbr>");
@@ -73,8 +89,7 @@ std::string markdown_text(const std::string& text) {
   static const std::regex list_number(R"(^(\d+)([.)]\s))");
   std::string markdown;
   for (const auto& [part, is_code] : pieces(one_line(text))) {
-    markdown += is_code ? fmt::format("`{}`", backslashed(part, "|"))
-                        : backslashed(part, R"(\`*_[]<>#|~$&)");
+    markdown += is_code ? markdown_code(part) : markdown_escaped(part);
   }
   if (!markdown.empty() && (markdown[0] == '-' || markdown[0] == '+'))
     markdown = fmt::format("\\{}", markdown);

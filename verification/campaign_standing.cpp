@@ -1,5 +1,6 @@
 #include "verification/campaign_standing.hpp"
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "verification/campaign/campaign_plan.hpp"
@@ -62,10 +63,17 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
 
 std::optional<CampaignStanding> read_standing(const fs::path& output) {
   const fs::path file = output / file_name;
-  if (!fs::exists(file)) return std::nullopt;
+  if (!fs::is_regular_file(file)) return std::nullopt;
   const json read = json::parse(read_bytes(file), nullptr, false);
-  if (read.is_discarded() || !read.contains("out")) return std::nullopt;
-  return CampaignStanding{read.at("fingerprint"), read.at("status"), read.at("out")};
+  const auto has = [&](const char* key, json::value_t type) {
+    return read.is_object() && read.contains(key) && read.at(key).type() == type;
+  };
+  if (has("fingerprint", json::value_t::string) && has("out", json::value_t::string) &&
+      has("status", json::value_t::number_unsigned))
+    return CampaignStanding{read.at("fingerprint"), read.at("status"), read.at("out")};
+  std::cerr << file.string() << ": no verdict of an earlier start can be read from it; the results "
+            << "are judged again\n";
+  return std::nullopt;
 }
 
 void forget_standing(const fs::path& output) { fs::remove(output / file_name); }

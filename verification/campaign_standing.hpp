@@ -30,7 +30,7 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const CampaignSettings& settings,
                                           const std::string& judges);
 
-// <output>/standing.json. Nothing where it is absent or no such file.
+// <output>/standing.json. Nothing where it is absent, nor, which is told, where it is no such file.
 std::optional<CampaignStanding> read_standing(const std::filesystem::path& output);
 // To be called before the report is replaced: what is said again must be of the report that stands.
 void forget_standing(const std::filesystem::path& output);

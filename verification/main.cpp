@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -40,6 +41,10 @@ void stop_on_signals() {
   std::signal(SIGTERM, request_stop);
 }
 
+// No number and no path of the tool, or of a program that it starts, may depend on the locale that
+// the user has: its decimals may be commas, and boost::filesystem throws where it is not installed.
+void use_no_locale() { setenv("LC_ALL", "C", 1); }
+
 int dispatch(int argc, char** argv) {
   const slosh::Installation data = installation();
   CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
@@ -64,6 +69,7 @@ int main(int argc, char** argv) {
     return status;
   };
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, as a full disk
+  use_no_locale();
   try {
     return dispatch(argc, argv);
   } catch (const slosh::CaseFileError& error) {

@@ -38,7 +38,6 @@ void require_timed_runs(const CampaignDefinition& campaign,
   }
 }
 
-// All that a campaign's cases get wrong is found before anything runs.
 std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
                                        const fs::path& experiments) {
   std::vector<CaseDefinition> cases;
@@ -49,13 +48,20 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
         throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
                                         file.string(), definition.name, other.file.string()));
     add_swept_runs(campaign, experiments, definition);
-    require_window(definition);
-    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
     cases.push_back(std::move(definition));
   }
   require_swept_cases(campaign, cases);
   require_timed_runs(campaign, cases);
   return cases;
+}
+
+// All else that a campaign's cases get wrong is found before anything runs. It takes seconds: the
+// start of every SPH run is set up.
+void require_runnable(const std::vector<CaseDefinition>& cases) {
+  for (const CaseDefinition& definition : cases) {
+    require_window(definition);
+    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
+  }
 }
 
 std::vector<std::string> names_of(const std::vector<ProblemDefinition>& problems) {
@@ -86,6 +92,7 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
   const fs::path experiments = whole(options.experiments);
   campaign.cases = read_cases(campaign.definition, experiments);
   require_matches(options.selection, {campaign.cases, names_of(campaign.definition.problems)});
+  require_runnable(campaign.cases);
   const fs::path usual =
       installation.build / "campaigns" / (campaign.definition.name + form_of(options));
   campaign.settings = {.output = fs::absolute(options.output.empty() ? usual : options.output),

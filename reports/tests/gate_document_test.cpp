@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -97,7 +99,23 @@ TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
   EXPECT_LT(at("unsure"), at("tolerance loosened"));
   EXPECT_EQ(at("| fine"), text.npos);
   EXPECT_NE(at("2 more rows passed unmoved"), text.npos);
-  EXPECT_NE(at("3 % is not <= 1 % \\| at all"), text.npos);  // the bar would end the cell
+  EXPECT_NE(at("3 % is not &lt;= 1 % \\| at all"), text.npos);  // the bar would end the cell
+}
+
+TEST(GateDocument, HoldsNoTagOfANameInItsMarkdown) {
+  GateDocument hostile = document();
+  hostile.title = "<script>alert(1)</script> `<b>` | x";
+  hostile.verdict = "<i>0 of 6</i>";
+  for (GateEntry& entry : hostile.entries)
+    entry.group = entry.name = entry.message = entry.moved = "<img src=x> `a|<b>` | c";
+  const std::string text = gate_markdown(hostile);
+  EXPECT_EQ(text.find('<'), text.npos) << text;
+  EXPECT_NE(text.find("&lt;script&gt;"), text.npos) << text;
+  EXPECT_NE(text.find("&lt;img src=x&gt;"), text.npos) << text;
+  const std::string row = text.substr(text.find("| **not judged**"));
+  std::string line = row.substr(0, row.find('\n'));
+  boost::replace_all(line, "\\|", "");
+  EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 6) << line;
 }
 
 TEST(GateDocument, PointsInSarifAtTheRowInItsCaseFile) {

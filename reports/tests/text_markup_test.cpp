@@ -23,8 +23,14 @@ TEST(HtmlText, ShowsTextBetweenBackticksAsCode) {
 
 TEST(MarkdownText, EscapesEverythingThatMarkdownReads) {
   EXPECT_EQ(markdown_text("a*b_c [x](y) <i> #1 ~z~ $t$ & \\"),
-            R"(a\*b\_c \[x\](y) \<i\> \#1 \~z\~ \$t\$ \& \\)");
+            R"(a\*b\_c \[x\](y) &lt;i&gt; \#1 \~z\~ \$t\$ &amp; \\)");
   EXPECT_EQ(markdown_text("one ` only"), "one \\` only");
+}
+
+TEST(MarkdownText, HoldsNoTagInCodeEither) {
+  EXPECT_EQ(markdown_text("`<b>x</b>`"), "\\`&lt;b&gt;x&lt;/b&gt;\\`");
+  EXPECT_EQ(markdown_text("`a\\|<b>`"), "\\`a\\\\\\|&lt;b&gt;\\`");
+  EXPECT_EQ(markdown_text("``<b>``"), "\\`\\`&lt;b&gt;\\`\\`");
 }
 
 TEST(MarkdownText, StaysInsideItsTableCell) {

@@ -74,7 +74,7 @@ void take_over(const JobState& state, PlannedRun& planned, const CampaignSetting
     throw CaseFileError(complaint_in(state.job.log_file));
   RunStatus& status = runs.status[planned.run->name];
   if (!has_succeeded(state)) {
-    status = {RunState::failed, description(state) + ": " + complaint_in(state.job.log_file)};
+    status = status_without_result(state);
     return;
   }
   try {

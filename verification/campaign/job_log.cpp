@@ -16,4 +16,10 @@ std::string complaint_in(const std::filesystem::path& log) {
   return last.empty() ? "nothing is in its log " + log.string() : last;
 }
 
+RunStatus status_without_result(const JobState& state) {
+  const bool unkept = state.phase == JobPhase::exited && state.status == exit_not_compared;
+  return {unkept ? RunState::missing : RunState::failed,
+          description(state) + ": " + complaint_in(state.job.log_file)};
+}
+
 }  // namespace slosh

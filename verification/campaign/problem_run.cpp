@@ -39,8 +39,7 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
 
 ProblemRun ended_problem(const JobState& state, const ProblemDefinition& problem,
                          const CampaignSettings& settings) {
-  if (!has_succeeded(state))
-    return {{RunState::failed, description(state) + ": " + complaint_in(state.job.log_file)}, {}};
+  if (!has_succeeded(state)) return {status_without_result(state), {}};
   return standing_problem(problem, settings);
 }
 

@@ -80,7 +80,9 @@
 //                 "plateau_error" are measured against [impacts]: no reference, quantity = the
 //                 pressure at its gauge, as it is or "/filtered"; metric = "cost_to_reach" (of the
 //                 candidate's family, in s of one core; mode = "whole", with limit alone) needs
-//                 error (a normalised rms, 0 to 1)
+//                 error (a normalised rms, 0 to 1). No bound is as wide as metric_table.hpp's, and
+//                 no two rows bound the same metric of the same runs (an improvement on another run
+//                 may stand beside a limit)
 //
 // The names of SPH schemes and their variants are not known here: whoever starts a run checks its
 // own.

@@ -11,9 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Rule<double> a_scale{"a number other than 0, without unit",
-                           [](double scale) { return scale != 0; }};
-
 SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition) {
   series.allow_only({"quantity", "file", "format", "column", "unit", "time_column", "time_unit",
                      "scale", "offset"});
@@ -29,7 +26,7 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
   source.time_column = series.find("time_column", any_text()).value_or("");
   if (series.has("time_unit"))
     source.time_unit = series.choice("time_unit", "a unit of time", unit_names("s"));
-  source.scale = series.find("scale", a_scale).value_or(source.scale);
+  source.scale = series.find("scale", not_zero("1")).value_or(source.scale);
   source.offset = series.find("offset", any_number(unit)).value_or(source.offset);
   return source;
 }

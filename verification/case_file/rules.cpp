@@ -23,6 +23,10 @@ Rule<double> not_negative(std::string_view unit) {
   return {"a number >= 0, " + in(unit), [](double value) { return value >= 0; }};
 }
 
+Rule<double> not_zero(std::string_view unit) {
+  return {"a number other than 0, " + in(unit), [](double value) { return value != 0; }};
+}
+
 Rule<int> at_least(int least) {
   return {fmt::format("an integer >= {}", least), [least](int value) { return value >= least; }};
 }

@@ -19,6 +19,7 @@ std::string in(std::string_view unit);  // "in m"; "without unit" for "1"
 Rule<double> any_number(std::string_view unit);
 Rule<double> positive(std::string_view unit);
 Rule<double> not_negative(std::string_view unit);
+Rule<double> not_zero(std::string_view unit);
 Rule<int> at_least(int least);
 Rule<int> exactly(int only);
 Rule<std::string> any_text();

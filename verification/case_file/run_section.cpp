@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "verification/case_file/case_sections.hpp"
@@ -12,37 +13,13 @@
 namespace slosh {
 namespace {
 
-const std::vector<std::string> keys_of_all{"name", "solver", "quick"};
-const std::vector<std::string> keys_of_external{"command", "directory", "time_limit_s", "inputs",
-                                                "series"};
-const std::vector<std::string> keys_of_sph{"scheme",
-                                           "particle_spacing_m",
-                                           "surface_particle_spacing_m",
-                                           "variant",
-                                           "initial_state",
-                                           "smoothing_length_ratio",
-                                           "sound_speed_ratio",
-                                           "courant_number",
-                                           "artificial_viscosity",
-                                           "density_diffusion",
-                                           "start_disorder",
-                                           "start_seed",
-                                           "repeats",
-                                           "energy_budget"};
-const std::vector<std::string> keys_of_interfoam{"cells_x",        "cells_z",    "processes",
-                                                 "start_disorder", "start_seed", "repeats"};
-const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_elevation_over_depth"};
-const std::vector<std::string> keys_of_potential{"nodes_x", "nodes_z"};
-const std::vector<std::string> keys_of_viscous_wave{"valid_elevation_over_depth"};
-const std::vector<std::string> keys_of_any_record{"uncertainty"};
-const std::vector<std::string> keys_of_shipped_record{"file"};
-const std::vector<std::string> keys_of_experiment{"experiment", "time_column", "value_column",
-                                                  "quantity", "unit"};
+using Keys = std::vector<std::string>;
 
-std::vector<std::string> together(const std::vector<std::vector<std::string>>& lists) {
-  std::vector<std::string> all;
-  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
-  return all;
+const Keys keys_of_all{"name", "solver", "quick"};
+
+Keys together(Keys keys, const Keys& more) {
+  keys.insert(keys.end(), more.begin(), more.end());
+  return keys;
 }
 
 // A ratio must be positive, what damps may be switched off.
@@ -62,6 +39,7 @@ const Rule<std::string> an_initial_state{
 // Beyond a fifth of a spacing particles come so near to one another that the start is a shock.
 const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
                               [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
+
 const Rule<double> a_disturbed_level{
     "a number >= 0 and <= 0.2, in heights of a cell",
     [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
@@ -76,16 +54,13 @@ DisturbedStart read_start(const TomlTable& run, const Rule<double>& rule) {
   for (const char* key : {"start_seed", "repeats"})
     if (run.has(key) && !(disorder > 0))
       run.refuse(key,
-                 fmt::format("no such key without start_disorder > 0: there is nothing to "
-                             "vary (1e-6 {} is enough in a chaotic flow)",
+                 fmt::format("no such key without start_disorder > 0: there is nothing to vary "
+                             "(1e-6 {} is enough in a chaotic flow)",
                              &rule == &a_disorder ? "particle spacings" : "heights of a cell"));
   return {disorder, run.find("start_seed", at_least(0)).value_or(0)};
 }
 
 SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
-  run.allow_only(
-      together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_potential,
-                keys_of_any_record, keys_of_shipped_record, keys_of_experiment}));
   const double spacing = run.get<double>(
       "particle_spacing_m",
       {fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m", liquid.fill_depth),
@@ -107,7 +82,6 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
 }
 
 InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definition) {
-  run.allow_only(together({keys_of_all, keys_of_interfoam}));
   const int cells_x = run.get("cells_x", at_least(2));
   const int cells_z = run.get("cells_z", at_least(2));
   const auto processes =
@@ -131,7 +105,6 @@ double read_valid_elevation(const TomlTable& run) {
 }
 
 LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
-  run.allow_only(together({keys_of_all, keys_of_linear}));
   const bool wave_alone = definition.motion.still() && definition.initial_wave;
   if (wave_alone && run.has("modes"))
     run.refuse("modes", "no such key of a tank that stands: its initial wave is one mode");
@@ -141,12 +114,10 @@ LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
 }
 
 ViscousWaveRun read_viscous_wave(const TomlTable& run) {
-  run.allow_only(together({keys_of_all, keys_of_viscous_wave}));
   return {.valid_elevation_over_depth = read_valid_elevation(run)};
 }
 
 PotentialRun read_potential(const TomlTable& run) {
-  run.allow_only(together({keys_of_all, keys_of_potential}));
   PotentialRun potential;
   const Rule<int> enough_nodes{"an integer from 16 to 128",
                                [](int nodes) { return nodes >= 16 && nodes <= 128; }};
@@ -156,7 +127,6 @@ PotentialRun read_potential(const TomlTable& run) {
 }
 
 RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& definition) {
-  run.allow_only(together({keys_of_all, keys_of_any_record, keys_of_shipped_record}));
   const std::filesystem::path file = definition.file.parent_path() / run.get("file", any_text());
   if (!std::filesystem::is_regular_file(file)) {
     run.refuse("file", "a CSV file's path relative to the case file; there is no " + file.string());
@@ -177,7 +147,6 @@ RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& defini
 // All that the case says is checked, be the record there or not.
 RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition,
                           const std::filesystem::path& experiments) {
-  run.allow_only(together({keys_of_all, keys_of_any_record, keys_of_experiment}));
   const std::string quantity =
       run.choice("quantity", "a compared quantity", compared_quantities(definition));
   const std::string unit =
@@ -204,31 +173,89 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
   return record;
 }
 
+using Solver = decltype(RunDefinition::solver);
+
+// A solver: the keys of its runs beside keys_of_all, and what reads them.
+struct SolverSection {
+  std::string name;
+  Keys keys;
+  std::function<Solver(const TomlTable& run, const CaseDefinition& definition,
+                       const std::filesystem::path& experiments)>
+      read;
+  std::string form = {};  // the key that tells this form from the solver's other one
+};
+
+const std::vector<SolverSection> solver_sections{
+    {"sph",
+     {"scheme", "particle_spacing_m", "surface_particle_spacing_m", "variant", "initial_state",
+      "smoothing_length_ratio", "sound_speed_ratio", "courant_number", "artificial_viscosity",
+      "density_diffusion", "start_disorder", "start_seed", "repeats", "energy_budget"},
+     [](const auto& run, const auto& definition, const auto&) {
+       return read_sph(run, definition.liquid);
+     }},
+    {"interfoam",
+     {"cells_x", "cells_z", "processes", "start_disorder", "start_seed", "repeats"},
+     [](const auto& run, const auto& definition, const auto&) {
+       return read_interfoam(run, definition);
+     }},
+    {"linear",
+     {"modes", "two_layer", "valid_elevation_over_depth"},
+     [](const auto& run, const auto& definition, const auto&) {
+       return read_linear(run, definition);
+     }},
+    {"viscous_wave",
+     {"valid_elevation_over_depth"},
+     [](const auto& run, const auto&, const auto&) { return read_viscous_wave(run); }},
+    {"potential",
+     {"nodes_x", "nodes_z"},
+     [](const auto& run, const auto&, const auto&) { return read_potential(run); }},
+    {"record",
+     {"file", "uncertainty"},
+     [](const auto& run, const auto& definition, const auto&) {
+       return read_shipped_record(run, definition);
+     }},
+    {"record",
+     {"experiment", "time_column", "value_column", "quantity", "unit", "uncertainty"},
+     [](const auto& run, const auto& definition, const auto& experiments) {
+       return read_experiment(run, definition, experiments);
+     },
+     "experiment"},
+    {"external",
+     {"command", "directory", "time_limit_s", "inputs", "series"},
+     [](const auto& run, const auto& definition, const auto&) {
+       return read_external_run(run, definition);
+     }}};
+
+Keys solver_names() {
+  Keys names;
+  for (const SolverSection& section : solver_sections)
+    if (section.form.empty()) names.push_back(section.name);
+  return names;
+}
+
+Keys keys_of_any_solver() {
+  Keys all = keys_of_all;
+  for (const SolverSection& section : solver_sections) all = together(all, section.keys);
+  return all;
+}
+
+const SolverSection& section_of(const TomlTable& run) {
+  if (!run.has("solver")) run.allow_only(keys_of_any_solver());  // it may be misspelt
+  const std::string name = run.choice("solver", "a solver", solver_names());
+  const SolverSection* found = nullptr;
+  for (const SolverSection& section : solver_sections)
+    if (section.name == name && (section.form.empty() || run.has(section.form))) found = &section;
+  return *found;
+}
+
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments) {
-  run.allow_only(
-      together({keys_of_all, keys_of_sph, keys_of_interfoam, keys_of_linear, keys_of_potential,
-                keys_of_any_record, keys_of_shipped_record, keys_of_experiment, keys_of_external}));
-  RunDefinition read{.name = run.get("name", file_safe_name()),
-                     .solver = {},
-                     .quick = run.flag("quick"),
-                     .where = run.where()};
-  const std::string solver =
-      run.choice("solver", "a solver",
-                 {"sph", "interfoam", "linear", "viscous_wave", "potential", "record", "external"});
-  if (solver == "sph") read.solver = read_sph(run, definition.liquid);
-  if (solver == "interfoam") read.solver = read_interfoam(run, definition);
-  if (solver == "linear") read.solver = read_linear(run, definition);
-  if (solver == "viscous_wave") read.solver = read_viscous_wave(run);
-  if (solver == "potential") read.solver = read_potential(run);
-  if (solver == "record")
-    read.solver = run.has("experiment") ? read_experiment(run, definition, experiments)
-                                        : read_shipped_record(run, definition);
-  if (solver == "external") {
-    run.allow_only(together({keys_of_all, keys_of_external}));
-    read.solver = read_external_run(run, definition);
-  }
-  return read;
+  const SolverSection& section = section_of(run);
+  run.allow_only(together(keys_of_all, section.keys));
+  return {.name = run.get("name", file_safe_name()),
+          .solver = section.read(run, definition, experiments),
+          .quick = run.flag("quick"),
+          .where = run.where()};
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ void add_launch_options(CLI::App& command, CampaignOptions& options) {
       .add_option("--timings", options.timings,
                   "Repeats of each run, alone, for its timings (default: what the campaign says)")
       ->type_name("N")
-      ->check(unnamed(CLI::NonNegativeNumber));
+      ->check(keeps(at_least(0)));
 }
 
 void add_start_options(CLI::App& command, CampaignOptions& options) {

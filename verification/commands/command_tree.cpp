@@ -74,7 +74,7 @@ void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
   at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   command.add_option("-j,--jobs", at_once, fmt::format("{} (default: one a core)", what))
       ->type_name("N")
-      ->check(unnamed(CLI::PositiveNumber));
+      ->check(keeps(at_least(1)));
 }
 
 namespace {

@@ -4,11 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "verification/case_file/rules.hpp"
 #include "verification/command_line.hpp"
 
 namespace slosh {
@@ -52,6 +54,18 @@ inline constexpr const char *campaign_type = "CAMPAIGN", *case_type = "CASE", *r
                             *file_type = "FILE", *directory_type = "DIR";
 // The validator, not told of in --help beside the value's type.
 CLI::Validator unnamed(CLI::Validator validator);
+// A number that keeps a rule as one of a case file does: finite, and refused in the same words.
+template <class T>
+CLI::Validator keeps(const Rule<T>& rule) {
+  return unnamed(CLI::Validator(
+      [rule](const std::string& text) {
+        T value{};
+        const bool is_number =
+            CLI::detail::lexical_cast(text, value) && std::isfinite(static_cast<double>(value));
+        return is_number && rule.holds(value) ? "" : text + ": expected " + rule.expected;
+      },
+      ""));
+}
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments);
 // Of the results that campaigns share: build/store unless the option or SLOSH_STORE says otherwise.
 void add_shared_store_option(CLI::App& command, std::filesystem::path& store,

@@ -14,13 +14,13 @@ void add_state_options(CLI::App& command, RunOptions& options) {
                   "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of "
                   "the case's sample_interval_s")
       ->type_name("SECONDS")
-      ->check(unnamed(CLI::PositiveNumber));
+      ->check(keeps(positive("s")));
   command
       .add_option("--states", options.state_interval,
                   "Interval at which the state of an SPH run is saved beside its result [s]: a "
                   "multiple of the case's sample_interval_s")
       ->type_name("SECONDS")
-      ->check(unnamed(CLI::PositiveNumber));
+      ->check(keeps(positive("s")));
   command
       .add_option("--resume", options.resume,
                   "A saved state that the run goes on from, bit for bit (with the same --states)")
@@ -58,7 +58,7 @@ void add_run_command(const CommandTree& tree) {
       .add_option("--time-limit", options->time_limit,
                   "Wall time after which interFoam is ended [s], of an interFoam run")
       ->type_name("SECONDS")
-      ->check(unnamed(CLI::PositiveNumber));
+      ->check(keeps(positive("s")));
   add_experiments_option(command, options->experiments);
   command.add_option("--progress-file", options->progress_file, "Where to tell how far the run is")
       ->type_name(file_type);

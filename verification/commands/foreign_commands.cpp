@@ -25,10 +25,13 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
   command.add_option("--unit", options.unit, "The columns' unit, where the file does not say it");
   command.add_option("--time", options.time_column, "The column of times, of csv and hdf5");
   command.add_option("--time-unit", options.time_unit, "Its unit, where the file does not say it");
-  command.add_option("--scale", options.scale, "Multiplies the values, as 2 does for half a tank");
-  command.add_option("--offset", options.offset,
-                     "Is added to them in the quantity's SI unit, as -0.35 to a surface's height "
-                     "above the bottom of a tank filled to 0.35 m");
+  command.add_option("--scale", options.scale, "Multiplies the values, as 2 does for half a tank")
+      ->check(keeps(not_zero("1")));
+  command
+      .add_option("--offset", options.offset,
+                  "Is added to them in the quantity's SI unit, as -0.35 to a surface's height "
+                  "above the bottom of a tank filled to 0.35 m")
+      ->check(keeps(any_number("the quantity's SI unit")));
   command.add_option("-o,--output", options.output, "Result file")
       ->type_name(file_type)
       ->required();
@@ -51,7 +54,7 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
       .add_option("--frequency", options.frequencies,
                   "Frequency of a mode to fit [Hz]; may be given again")
       ->allow_extra_args(false)
-      ->check(CLI::PositiveNumber)
+      ->check(keeps(positive("Hz")))
       ->excludes(of_case);
   command
       .add_option("--window", options.window,

@@ -145,6 +145,11 @@ TimeSeries in_own_unit(const SeriesSource& source, const Units& units, RawSeries
   const double scale = source.scale * si_value(units.value, unit);
   for (double& time : raw.time) time *= time_scale;
   for (double& value : raw.value) value = scale * value + source.offset;
+  if (std::any_of(raw.value.begin(), raw.value.end(),
+                  [](double value) { return !(std::abs(value) < largest_value); }))
+    refuse(source.file.string(), source.column,
+           fmt::format("its values times {} plus {}", source.scale, source.offset),
+           fmt::format("a scale and an offset that leave values below {}", largest_value));
   return {source.quantity, unit, std::move(raw.time), std::move(raw.value)};
 }
 

@@ -451,7 +451,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"LimitOfAQuantityThatNoTankHolds",
                 {"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
                  "mode = \"whole\"\nmetric = \"maximum_residual\"\nunit = \"m\"\nlimit = 1e9"},
-                "trial.toml:59: gate.limit = 1e+09: expected a number > 0 and below 1e+09, in m"},
+                "trial.toml:59: gate.limit = 1000000000.0: expected a number > 0 and below 1e+09, "
+                "in m"},
         Mistake{
             "RangeThatEveryNumberKeeps",
             {"limit = 0.05", "lower = -0.3\nupper = 1e300"},

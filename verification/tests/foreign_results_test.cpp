@@ -90,6 +90,25 @@ TEST_F(ForeignResults, AnImportIsRefusedByTheLineWhereItGoesWrong) {
   EXPECT_EQ(import_gauge("a.csv", {"--format", "gauge"}).status, 2);
 }
 
+TEST_F(ForeignResults, NoImportScalesByNothingOrIsMovedByNoNumber) {
+  write_gauge("a.csv", {});
+  for (const char* scale : {"0", "nan", "inf", "-inf", "1e400", "two"}) {
+    const Ended ended = import_gauge("a.csv", {"--scale", scale});
+    EXPECT_EQ(ended.status, 2) << scale;
+    EXPECT_TRUE(ended.err.starts_with(
+        fmt::format("--scale: {}: expected a number other than 0, without unit\n", scale)))
+        << ended.err;
+  }
+  const Ended moved = tool({"import", "a.csv", "--format", "dualsphysics_gauge", "--series",
+                            "elevation@right=swlz", "--offset", "nan", "-o", "a.csv.h5"});
+  EXPECT_EQ(moved.status, 2);
+  EXPECT_TRUE(
+      moved.err.starts_with("--offset: nan: expected a number, in the quantity's SI unit\n"))
+      << moved.err;
+  EXPECT_FALSE(std::filesystem::exists(directory() / "a.csv.h5"));
+  EXPECT_EQ(import_gauge("a.csv", {"--scale", "-2"}).status, 0);
+}
+
 TEST_F(ForeignResults, TwoAreComparedWithNoCase) {
   import_pair({.amplitude = 0.021, .lag = 0.05});
   const Ended ended = compare({"--gauge", "right", "--frequency", "0.8", "--frequency", "1.7",

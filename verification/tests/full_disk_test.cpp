@@ -101,9 +101,26 @@ TEST_F(FullDisk, EndsACampaignWithoutRoomForItsResultsWithFourAndSaysWhy) {
   write("seed/filling", std::string(16'000, 'x'));  // pages of 4 kB: ten of the jobs' own files fit
   RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out", "--store", "disk/store"});
   EXPECT_EQ(ran->status, 4) << ran->out;
-  expect_in(ran->err, "small/theory: solver failed: exit status 4: ");
+  expect_in(ran->err, "small/theory: no result: exit status 4: ");
   expect_in(ran->err, "No space left on device");
-  expect_in(ran->out, "solver failed  small particles");
+  expect_in(ran->out, "not compared   small particles");
+}
+
+TEST_F(FullDisk, EndsACampaignWhoseStoreIsFullWithFourAndSaysWhy) {
+  write("seed/filling", std::string(50'000, 'x'));
+  RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "out", "--store", "disk/store"});
+  EXPECT_EQ(ran->status, 4) << ran->out;
+  expect_in(ran->err, "small/theory: no result: exit status 4: ");
+  expect_in(ran->err, "No space left on device");
+}
+
+TEST_F(FullDisk, AStoreThatCannotBeWrittenEndsACampaignWithFourToo) {
+  const Ended ran =
+      tool({"campaign", "./surges.toml", "--output", "out", "--store", "/proc/store"});
+  EXPECT_EQ(ran.status, 4) << ran.out;
+  expect_in(ran.err, "small/theory: no result: exit status 4: ");
+  expect_in(ran.err, "/proc/store");
+  expect_in(ran.out, "not compared   small particles");
 }
 
 TEST_F(FullDisk, WithoutRoomForItsListOfJobsACampaignSaysSo) {

@@ -2,6 +2,8 @@
 // the place and what was expected.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "verification/import/import_series.hpp"
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/trial_case.hpp"
@@ -50,6 +52,21 @@ std::string complaint_of(const std::string& text, Change change) {
 
 void expect_start(const std::string& message, const std::string& wanted) {
   EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+}
+
+TEST(ImportRefusal, NoScaleOrOffsetLeavesValuesThatAreNone) {
+  const auto with = [](double scale, double offset) {
+    return complaint_of(table, [=](SeriesSource& source) {
+      source.scale = scale;
+      source.offset = offset;
+    });
+  };
+  expect_start(with(1e300, 0),
+               "a.csv: eta = its values times 1e+300 plus 0: expected a scale and an offset that "
+               "leave values below 1e+30");
+  EXPECT_NE(with(1, -1e300), "");
+  EXPECT_NE(with(std::numeric_limits<double>::quiet_NaN(), 0), "");
+  EXPECT_EQ(with(-2, 1e3), "");
 }
 
 TEST(ImportRefusal, CsvIsReadWhateverPartsItsColumns) {

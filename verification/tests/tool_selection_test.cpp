@@ -55,6 +55,13 @@ TEST_F(ToolSelection, RefusesAPatternOrATagThatMatchesNothingBeforeAnythingRuns)
   EXPECT_FALSE(fs::exists(directory() / "out"));
 }
 
+TEST_F(ToolSelection, RefusesAPatternThatMatchesNothingBeforeAnyRunIsSetUp) {
+  write_campaign(with(particles_case, "\"recommended\"", "\"unheard_of\""));
+  EXPECT_TRUE(
+      holds(only("gate", "particles").err, "particles matches nothing: expected a pattern"));
+  EXPECT_TRUE(holds(only("gate", "small").err, "unheard_of"));
+}
+
 TEST_F(ToolSelection, RunsAProblemWithoutTheOthersAndTheCases) {
   const Ended run = tool({"campaign", "verification", "--only", "mirror_symmetry", "-o", "out"});
   EXPECT_EQ(run.status, 0) << run.err << run.out;

@@ -79,6 +79,37 @@ TEST_F(Tool, EndsWithTwoAndAMessageWhereTheCommandLineIsWrong) {
   }
 }
 
+TEST_F(Tool, TellsWhatANumberOnTheCommandLineMustBe) {
+  write_campaign(particles_case);
+  const auto first_line = [](const Ended& ended) {
+    EXPECT_EQ(ended.status, 2);
+    return ended.err.substr(0, ended.err.find('\n'));
+  };
+  for (const char* jobs : {"0", "-3", "1.5", "many"})
+    EXPECT_EQ(first_line(tool({"campaign", "./surges.toml", "-j", jobs})),
+              "--jobs: " + std::string(jobs) + ": expected an integer >= 1");
+  EXPECT_EQ(first_line(tool({"campaign", "./surges.toml", "--timings", "-1"})),
+            "--timings: -1: expected an integer >= 0");
+  EXPECT_EQ(first_line(tool({"run", "./small.toml", "particles", "--snapshots", "nan"})),
+            "--snapshots: nan: expected a number > 0, in s");
+}
+
+TEST_F(Tool, JudgesAgainWhereWhatItLeftOfItsVerdictIsNone) {
+  write_campaign(particles_case);
+  const Ended first = campaign();
+  ASSERT_EQ(first.status, 0) << first.err;
+  for (const char* text :
+       {"[1]", "5", "{\"out\": 5}", R"({"fingerprint": 1, "status": "x", "out": []})",
+        R"({"fingerprint": "", "status": 1e300, "out": ""})", "{\"out\": "}) {
+    write("out/standing.json", text);
+    const Ended again = campaign();
+    EXPECT_EQ(again.status, 0) << text << again.err;
+    EXPECT_EQ(again.out, first.out) << text;
+    EXPECT_TRUE(holds(again.err, "out/standing.json: no verdict of an earlier start can be read"));
+  }
+  EXPECT_EQ(campaign().err, "");
+}
+
 TEST_F(Tool, EndsWithTwoAndTheNearestNamesWhereThereIsNoSuchCaseCampaignOrRun) {
   EXPECT_TRUE(holds(tool({"campaign", "smal_amplitude"}).err, "small_amplitude"));
   EXPECT_EQ(tool({"campaign", "smal_amplitude"}).status, 2);
