@@ -8,6 +8,7 @@
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/filtered_pressure.hpp"
+#include "verification/campaign/input_uncertainty.hpp"
 #include "verification/campaign/validity_envelope.hpp"
 #include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -127,6 +128,7 @@ CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
   for (const auto& [name, result] : runs.results)
     if (const auto reason = outside_validity(definition, run_named(definition, name), result))
       runs.status[name] = {RunState::out_of_range, *reason};
+  runs.input_bounds = predict_input_bounds(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
   CaseEvidence evidence(assessment.definition, assessment.runs);

@@ -11,12 +11,18 @@
 
 namespace slosh {
 
+// What theory predicts with one input of the case at either end of its declared interval.
+struct InputBounds {
+  RunResult lower, upper;
+};
+
 struct CaseRuns {
   std::map<std::string, RunStatus> status;   // of every run that the case declares
   std::map<std::string, RunResult> results;  // of the finished ones and those out of their range
   // By run: what repeats of it took that had their core for themselves, in the order they were
   // made; none where the campaign asks for none.
   std::map<std::string, std::vector<RunCost>> timings = {};
+  std::map<Input, InputBounds> input_bounds = {};  // input_uncertainty.hpp
 };
 
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);

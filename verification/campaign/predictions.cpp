@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "verification/campaign/figure_runs.hpp"
-#include "verification/campaign/row_uncertainty.hpp"
+#include "verification/campaign/record_uncertainty.hpp"
 #include "verification/campaign/work_points.hpp"
 #include "verification/case_file/quantities.hpp"
 

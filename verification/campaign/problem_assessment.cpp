@@ -89,7 +89,8 @@ ProblemGateOutcome evaluate(const ProblemGateRow& row, const ProblemRun& run) {
   try {
     const double value = value_of(row.metric, found->errors);
     const Bound bound = compare_to_bound(row, value);
-    return {row, bound.holds ? Verdict::pass : Verdict::violated, value, bound.text};
+    return {row, bound.holds ? Verdict::pass : Verdict::violated, value,
+            bound.text + (row.kind == RowKind::regression ? " (regression)" : "")};
   } catch (const ComparisonError& error) {
     return {row, Verdict::not_compared, no_number, error.what()};
   }

@@ -32,7 +32,7 @@ TimeSeries& series_of(RunResult& result, const std::string& quantity) {
 
 GateStrength strength_of(const CaseAssessment& assessment, const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
-  CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings};
+  CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings, assessment.runs.input_bounds};
   for (const auto& [run, result] : assessment.runs.results)
     runs.results[run] = judged_part(result, row.quantity);
   const MutationFrame frame = frame_of(assessment.definition, row);

@@ -5,36 +5,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "verification/campaign/case_evidence.hpp"
+#include "verification/campaign/input_uncertainty.hpp"
+#include "verification/campaign/record_uncertainty.hpp"
 #include "verification/campaign/repeat_spread.hpp"
+#include "verification/campaign/replaced_series.hpp"
 #include "verification/case_file/metric_table.hpp"
+#include "verification/gate/impact_metrics.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
 
-double reference_amplitude(const Comparison& comparison, const std::string& mode) {
-  const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
-                                  [&](const ModeComparison& one) { return one.mode == mode; });
-  return found == comparison.modes.end() ? 0 : found->reference.amplitude.value;
-}
-
 // The metric against the same potential flow of fewer nodes.
 double measure_against_coarser(const CaseDefinition& definition, const CaseRuns& runs,
                                const GateRow& row) {
-  CaseRuns with_coarser;
-  for (const std::string& run : {row.candidate, row.reference}) {
-    with_coarser.results[run] = judged_part(runs.results.at(run), row.quantity);
-    with_coarser.status[run] = runs.status.at(run);
-  }
-  std::vector<TimeSeries>& series = with_coarser.results.at(row.reference).series;
-  std::erase_if(series, [&](const TimeSeries& one) { return one.name == row.quantity; });
-  for (TimeSeries& one : series)
-    if (one.name == row.quantity + coarser) one.name = row.quantity;
-  CaseEvidence evidence(definition, with_coarser);
-  return measured(row, evidence.gate_evidence()).value;
+  TimeSeries series = runs.results.at(row.reference).at(row.quantity + coarser);
+  series.name = row.quantity;
+  return measured_with(definition, runs, row, row.reference, series).value;
 }
 
 // The role's run on its refinement paths.
@@ -44,8 +32,8 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
   if (!paths.empty()) {
     std::vector<std::string> names;
     for (const RefinedMetric& path : paths) names.push_back(path.path);
-    // Neither has the limit of a regression row: it was measured with the same step.
-    if (row.kind == RowKind::regression)
+    // The limit of a regression row was measured against the same reference.
+    if (row.kind == RowKind::regression && role == Role::reference)
       return {0, "as large as when the limit was measured, with the same step"};
     return {numerical_uncertainty(paths),
             fmt::format("refinement of the {}", fmt::join(names, ", "))};
@@ -57,26 +45,48 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
                   role == Role::candidate ? row.candidate : row.reference));
 }
 
-Contribution of_record(const RecordRun& record, const GateRow& row,
-                       const FindComparison& comparison) {
+Contribution of_record(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
+                       const RecordRun& record, const FindComparison& comparison) {
   if (!record.uncertainty)
-    return Contribution::unknown(
-        fmt::format("the record {} declares no uncertainty; the key `uncertainty` would tell it",
-                    row.reference));
-  return {uncertainty_from_values(row.metric, row.mode,
-                                  comparison(row.candidate, row.reference, row.quantity),
-                                  *record.uncertainty),
+    return Contribution::unknown(fmt::format(
+        "the record {} declares no uncertainty; the key `uncertainty` of its run would tell it",
+        row.reference));
+  return {record_uncertainty(definition, runs, row,
+                             comparison(row.candidate, row.reference, row.quantity),
+                             *record.uncertainty),
           "the record's declared uncertainty"};
+}
+
+// Of what is published of impacts beside the pressure itself.
+Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, double value) {
+  const auto half_width = [&](const std::optional<double>& declared, double scale,
+                              const char* key) {
+    return declared ? Contribution(*declared * scale, "declared in [impacts]")
+                    : Contribution::unknown(fmt::format(
+                          "[impacts] declares no uncertainty; its key {} would tell it", key));
+  };
+  if (row.metric == Metric::impact_time)
+    return half_width(impacts.times_half_width, 1, "times_half_width_s");
+  if (row.metric == Metric::plateau_error)
+    return half_width(impacts.plateau_half_width, std::abs(1 + value) / impacts.plateau,
+                      "plateau_half_width_Pa");
+  // The share of the repeats below the peak, by the normal approximation of the binomial.
+  const double repeats =
+      static_cast<double>(impacts.repeats.empty() ? 1 : impacts.repeats[0].size());
+  return {1.96 * std::sqrt(std::max(0.0, value * (1 - value)) / repeats),
+          "the finite number of repeats"};
 }
 
 Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs,
                           const GateRow& row, const FindComparison& comparison,
                           const MeasureRow& measure) {
+  if (is_of_impacts(row.metric))
+    return of_impacts(definition.impacts.value(), row, measure(row).value);
   if (row.reference.empty())
     return {0, "no reference: what is measured is zero where all is right"};
   const auto& solver = run_named(definition, row.reference).solver;
   if (const auto* record = std::get_if<RecordRun>(&solver))
-    return of_record(*record, row, comparison);
+    return of_record(definition, runs, row, *record, comparison);
   if (std::holds_alternative<PotentialRun>(solver))
     return {std::abs(measure_against_coarser(definition, runs, row) - measure(row).value),
             "the same potential flow of fewer nodes"};
@@ -92,18 +102,6 @@ bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row) {
   return std::holds_alternative<RecordRun>(run_named(definition, row.reference).solver);
 }
 
-double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
-                               double half_width) {
-  switch (metric) {
-    case Metric::amplitude_error:
-      return half_width / reference_amplitude(comparison, mode);
-    case Metric::phase_lag:
-      return 180 / std::numbers::pi * half_width / reference_amplitude(comparison, mode);
-    default:
-      return 0;
-  }
-}
-
 UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
                                          const GateRow& row, const FindComparison& comparison,
                                          const MeasureRow& measure) {
@@ -115,7 +113,9 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
       rests_on_experiment(definition, row)
           ? numerical(definition, runs, row, Role::candidate, measure)
           : Contribution{0, "the candidate's discretisation error is what the row measures"};
-  found.input = {0, "both sides are told the same"};
+  found.input = rests_on_experiment(definition, row)
+                    ? input_uncertainty(definition, runs, row)
+                    : Contribution{0, "both sides are told the same tank, liquid and motion"};
   return found;
 }
 

@@ -22,13 +22,6 @@
 
 namespace slosh {
 
-// The half width of a metric's interval that values uncertain by `half_width` [the series' unit]
-// give it, where all are too high or scaled together, relative to the reference's amplitude. Zero
-// of metrics that do not depend on the values' size, and of residuals: what scatters the reference
-// only raises them.
-double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
-                               double half_width);
-
 // Whether the row compares with what was measured of a real tank: a record, or published impacts.
 bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row);
 

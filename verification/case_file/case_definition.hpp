@@ -261,10 +261,10 @@ enum class Metric {
   band_energy_error,    // 1, of one mode: energy within a fifth of its frequency to either side
   spectral_peak_error,  // 1, whole window: frequency of the highest peak
   rms_error,            // 1, whole window: deviation from the mean
-  crest_error,   // 1, whole window: mean over the periods of the highest value, from the mean
-  trough_error,  // 1, whole window: likewise of the lowest
-  mean_offset,   // the quantity's unit, whole window: candidate's mean less the reference's
-  noise_share,   // 1, whole window: white noise over the deviation, of the candidate alone
+  crest_error,          // 1, whole window: mean over the periods of the highest value
+  trough_error,         // 1, whole window: mean over the periods of the lowest value
+  mean_offset,          // the quantity's unit, whole window: mean less the reference's
+  noise_share,          // 1, whole window: white noise over the deviation, of the candidate alone
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
   impact_time,        // s, one impact: that of its peak less the published one
   plateau_error,      // 1, "whole": mean over the plateau's time over the published one, less 1
@@ -309,6 +309,8 @@ struct ImpactsDefinition {
   std::vector<double> peak_means, peak_deviations;  // [Pa], by impact: mean and standard deviation
   double plateau_begin, plateau_end;                // [s], after an impact
   double plateau;                                   // [Pa], the published record's mean there
+  // Half widths of the 95 % intervals of the times [s] and of the plateau [Pa], where published.
+  std::optional<double> times_half_width = {}, plateau_half_width = {};
   // The table of the repeats: where it lies, or where it was looked for; empty where the case names
   // none. Its peaks [Pa] by impact, none where it is not supplied.
   std::filesystem::path peak_table;

@@ -33,6 +33,7 @@
 //   [impacts]?    gauge (a pressure gauge), times_s = [...] (published, of the peaks), period_s,
 //                 peaks_Pa and peaks_sd_Pa = [...] (published mean and standard deviation over the
 //                 repeats, one for each time), plateau_begin_s, plateau_end_s, plateau_Pa, source,
+//                 times_half_width_s? and plateau_half_width_Pa? (of their 95 % intervals),
 //                 peak_table? (the repeats' peaks, of up to four impacts: path of a file of
 //                 peak_table.hpp's form below the directory that a user names)
 //   [comparison]  window_begin_s, window_end_s, natural_modes (0 with column_width_m;
@@ -71,8 +72,11 @@
 //                 (one of units.hpp's for it; where the file does not say it), time_column?,
 //                 time_unit? (of a csv or hdf5 file), scale?, offset? (in the quantity's unit: the
 //                 series is scale times the column plus offset)
+//   [[input]]?    name (of inputs.hpp), half_width (of the 95 % interval to which the experiment
+//                 knows it), unit, source
 //   [[gate]]?     candidate, reference, quantity (one of quantities.hpp's that the case has), mode,
-//                 metric, unit, one of limit | lower with upper | improves_on, reason, source; with
+//                 metric, unit, one of limit | lower with upper | improves_on, kind? (of
+//                 row_kind.hpp), reason, source; with
 //                 metric = "largest_magnitude", which is measured on the candidate alone: no
 //                 reference, quantity = any series of its result, its unit; metric = "time_lag" and
 //                 "aligned_rms" are of quantities without modes alone; metric = "impact_time",

@@ -59,7 +59,8 @@ void read_repeats(const TomlTable& impacts, const std::filesystem::path& experim
 ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
                                const std::filesystem::path& experiments) {
   impacts.allow_only({"gauge", "times_s", "period_s", "peaks_Pa", "peaks_sd_Pa", "plateau_begin_s",
-                      "plateau_end_s", "plateau_Pa", "peak_table", "source"});
+                      "plateau_end_s", "plateau_Pa", "times_half_width_s", "plateau_half_width_Pa",
+                      "peak_table", "source"});
   ImpactsDefinition read{};
   read.gauge = impacts.choice("gauge", "a pressure gauge", pressure_gauge_names(definition));
   read.period = impacts.get("period_s", positive("s"));
@@ -73,6 +74,8 @@ ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& d
                    read.plateau_begin, definition.duration),
        [&](double end) { return end > read.plateau_begin && end <= definition.duration; }});
   read.plateau = impacts.get("plateau_Pa", positive("Pa"));
+  read.times_half_width = impacts.find("times_half_width_s", positive("s"));
+  read.plateau_half_width = impacts.find("plateau_half_width_Pa", positive("Pa"));
   read_repeats(impacts, experiments, read);
   read.source = impacts.get("source", any_text());
   return read;

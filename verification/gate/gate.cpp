@@ -384,8 +384,10 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     return {row, found->first, no_value, found->second};
   try {
     const Estimate value = measured(row, evidence);
-    return row.improves_on ? judge_improvement(row, value, evidence)
-                           : judge_bound(row, value, evidence);
+    GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)
+                                          : judge_bound(row, value, evidence);
+    if (row.kind == RowKind::regression) outcome.message += " (regression)";
+    return outcome;
   } catch (const NotSuppliedError& error) {
     return {row, Verdict::not_supplied, no_value, error.what()};
   } catch (const NotSelectedError& error) {

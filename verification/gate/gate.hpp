@@ -75,7 +75,8 @@ struct GateOutcome {
   GateRow row;
   Verdict verdict;
   Estimate value{};     // the metric, NaN where there is none
-  std::string message;  // "0.8 % <= 1.5 %", or why nothing could be compared
+  // "0.8 % <= 1.5 %", of a regression row with " (regression)", or why nothing could be compared
+  std::string message;
   // What the verdict on a limit or a range rests on; none of other rows.
   std::optional<ThreeWayOutcome> judgement = {};
 };

@@ -147,6 +147,7 @@ TEST(Gate, DoesNotPassAValidationRowWhoseNumericalOrReferencesUncertaintyIsUnkno
     GateRow regression = amplitude_row;
     regression.kind = RowKind::regression;
     EXPECT_EQ(judge_with(regression, 0.01, found).verdict, Verdict::pass);
+    EXPECT_TRUE(judge_with(regression, 0.01, found).message.ends_with(" (regression)"));
     GateRow improvement = amplitude_row;
     improvement.limit.reset();
     improvement.improves_on = "sph_coarse";

@@ -29,6 +29,7 @@ GateRow front_row(Metric metric, const std::string& unit, double limit) {
   GateRow row = surge_row("whole", metric, unit, limit);
   row.reference = "published";
   row.quantity = "front_position";
+  row.kind = RowKind::regression;  // of a run alone, without the coarser ones that tell its error
   return row;
 }
 
@@ -53,8 +54,8 @@ CaseDefinition dam_case() {
   RunDefinition particles = sample_run(SphRun{"recommended", 0.01, 0.01});
   particles.name = "particles";
   definition.runs = {published, particles};
-  definition.gate = {front_row(Metric::normalised_rms, "1", 0.02),
-                     front_row(Metric::maximum_residual, "m", 0.01)};
+  definition.gate = {front_row(Metric::normalised_rms, "1", 0.04),
+                     front_row(Metric::maximum_residual, "m", 0.02)};
   return definition;
 }
 
@@ -87,6 +88,31 @@ TEST(RecordAssessment, ComparesOverWhatTheRecordCovers) {
   EXPECT_LT(comparison.maximum_residual, 1e-4);
   EXPECT_TRUE(comparison.modes.empty());
   EXPECT_EQ(exit_status({assessment}), exit_pass);
+}
+
+TEST(RecordAssessment, CountsTheRecordsUncertaintyForEveryMetric) {
+  CaseDefinition definition = dam_case();
+  definition.gate.push_back(front_row(Metric::time_lag, "s", 0.1));
+  definition.gate.push_back(front_row(Metric::aligned_rms, "1", 0.1));
+  const CaseAssessment assessment = assess(definition, dam_runs(front_series(0.01)));
+  ASSERT_EQ(assessment.gate.size(), 4U);
+  for (const GateOutcome& outcome : assessment.gate)
+    EXPECT_GT(outcome.judgement.value().contributions.reference.half_width.value(), 0)
+        << metric_name(outcome.row.metric);
+  const auto of = [&](std::size_t row) {
+    return assessment.gate[row].judgement->contributions.reference.known();
+  };
+  EXPECT_NEAR(of(1), 0.004, 1e-4);  // a record too high by 4 mm leaves a residual of that
+  // At a speed of a t: 4 mm too high is early by 4 mm / (2 m/s2 0.5 s), about.
+  EXPECT_GT(of(2), 0.002);
+  EXPECT_LT(of(2), 0.01);
+}
+
+TEST(RecordAssessment, IsInconclusiveWhereTheRecordDoesNotKnowItsOwnLimit) {
+  CaseDefinition definition = dam_case();
+  definition.gate = {front_row(Metric::maximum_residual, "m", 0.003)};
+  const GateOutcome outcome = assess(definition, dam_runs(front_series(0.01))).gate.at(0);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
 }
 
 TEST(RecordAssessment, StaysWithinTheCasesWindow) {
@@ -155,7 +181,7 @@ TEST(RecordAssessment, SetsTwoSolversSideBySideOnFrontAndElevation) {
 
 // An elevation of the surge at a few times: enough to judge the history, too few to fit a mode.
 TEST(RecordAssessment, ComparesTheHistoriesAloneWhereTheRecordIsTooSparseForModes) {
-  RecordRun sparse{"elevation.csv", surge_quantity, "m", {}, {}, {}};
+  RecordRun sparse{"elevation.csv", surge_quantity, "m", {}, {}, 1e-6};
   const TimeSeries truth = elevation_of({});
   for (std::size_t i = 100; i < 900; i += 77) {
     sparse.time.push_back(truth.time[i]);
@@ -167,7 +193,10 @@ TEST(RecordAssessment, ComparesTheHistoriesAloneWhereTheRecordIsTooSparseForMode
   definition.runs = {definition.runs.at(2), published};
   definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.01),
                      surge_row("forced", Metric::amplitude_error, "1", 0.05)};
-  for (GateRow& row : definition.gate) row.reference = "published";
+  for (GateRow& row : definition.gate) {
+    row.reference = "published";
+    row.kind = RowKind::regression;
+  }
   CaseRuns runs;
   runs.results["particles"] = result_of("particles", truth);
   runs.results["published"] =

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "verification/campaign/input_uncertainty.hpp"
 #include "verification/campaign/uncertainty_table.hpp"
 #include "verification/campaign/validity_envelope.hpp"
+#include "verification/metrics/sample_moments.hpp"
+#include "verification/metrics/windowed_series.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh {
@@ -168,8 +172,135 @@ TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
   const double amplitude = assessment.comparisons.at(0).modes.at(0).reference.amplitude.value;
   EXPECT_NEAR(assessment.gate.at(0).judgement.value().contributions.reference.known(),
               0.0005 / amplitude, 1e-12);
-  // Scatter of the record only raises a residual.
-  EXPECT_EQ(assessment.gate.at(1).judgement.value().contributions.reference.known(), 0);
+  // A record that is all too high by its half width, over its rms about its mean.
+  double squares = 0;
+  const std::vector<double> deviations = without_mean(cut_to_window(wave, {1, 20}).value);
+  for (const double one : deviations) squares += one * one;
+  EXPECT_NEAR(assessment.gate.at(1).judgement.value().contributions.reference.known(),
+              0.0005 / std::sqrt(squares / static_cast<double>(deviations.size())), 2e-3 * 0.08);
+  std::get<RecordRun>(definition.runs.at(0).solver).uncertainty.reset();
+  const CaseAssessment undeclared = assess(definition, runs);
+  for (const GateOutcome& outcome : undeclared.gate) {
+    EXPECT_FALSE(outcome.judgement.value().contributions.reference.half_width.has_value());
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+    EXPECT_NE(outcome.message.find("the record theory declares no uncertainty"), std::string::npos);
+  }
+}
+
+// "particles" against a record, with a coarser run that is higher by what is told.
+struct OfARecord {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs;
+
+  OfARecord(Metric metric, const std::string& mode, const std::string& unit, double limit,
+            double coarse_error) {
+    const TimeSeries wave = elevation_of({});
+    definition.runs.at(1).solver =
+        RecordRun{"eta.csv", surge_quantity, "m", wave.time, wave.value, 1e-6};
+    definition.runs.at(1).name = "record";
+    RunDefinition coarse = definition.runs.at(2);
+    coarse.name = "coarse_particles";
+    std::get<SphRun>(coarse.solver).particle_spacing = 0.02;
+    definition.runs.resize(3);
+    definition.runs.push_back(coarse);
+    definition.gate = {surge_row(mode, metric, unit, limit)};
+    definition.gate[0].reference = "record";
+    definition.refinements = {
+        {"spacing", RefinedNumber::particle_spacing, {"coarse_particles", "particles"}}};
+    for (const char* name : {"theory", "record", "particles"})
+      runs.results[name] = result_of(name, wave);
+    runs.results["coarse_particles"] =
+        result_of("coarse_particles", scaled(wave, 1 + coarse_error));
+    for (const auto& [name, result] : runs.results) runs.status[name] = {RunState::finished, ""};
+  }
+  GateOutcome judged() const { return assess(definition, runs).gate.at(0); }
+  UncertaintyContributions contributions() const { return judged().judgement->contributions; }
+};
+
+TEST(RowUncertainty, AgainstAnExperimentCountsTheCandidatesDiscretisation) {
+  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
+  EXPECT_NEAR(row.contributions().discretisation.half_width.value(), 0.03, 1e-6);  // 2 h and h
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.definition.refinements.clear();
+  EXPECT_FALSE(row.contributions().discretisation.half_width.has_value());
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+  EXPECT_NE(row.judged().message.find("the numerical uncertainty of the candidate particles is "
+                                      "unknown"),
+            std::string::npos);
+}
+
+TEST(RowUncertainty, OfInputsThatNobodyKnowsIsSaidToBeUnknown) {
+  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.definition.gate[0].reference = "theory";
+  EXPECT_EQ(row.contributions().input.half_width.value(), 0);  // both sides are told the same
+}
+
+TEST(RowUncertainty, OfTheMotionsAmplitudeIsItsShare) {
+  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0);
+  row.definition.inputs = {{Input::amplitude, 0.0002, "a ruler"}};
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.0002 / 0.02, 1e-6);
+}
+
+TEST(RowUncertainty, OfTheInputsTogetherIsTheRootOfTheirSquares) {
+  OfARecord row(Metric::frequency_error, "natural_1", "1", 0.05, 0);
+  // omega_1^2 = g k tanh(k h): d omega / omega = dg / 2 g, and k dh / sinh(2 k h) of the depth.
+  row.definition.inputs = {{Input::gravity, 0.02, "a table"}};
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.02 / (2 * 9.81), 2e-6);
+  const double k = std::numbers::pi;
+  row.definition.inputs.push_back({Input::fill_depth, 0.002, "a ruler"});
+  EXPECT_NEAR(row.contributions().input.half_width.value(),
+              std::hypot(0.02 / (2 * 9.81), k * 0.002 / std::sinh(2 * k * 0.35)), 5e-6);
+  row.runs.status["theory"] = {RunState::out_of_range, "too high"};
+  row.definition.runs.at(0).solver = SphRun{"recommended", 0.03, 0.03};  // no theory at all
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+}
+
+TEST(WithInput, ChangesNothingButTheInput) {
+  CaseDefinition definition = surge_case();
+  definition.pressure_gauges = {{"p", Wall::left, 0.1}};
+  EXPECT_EQ(with_input(definition, Input::fill_depth, 0.01).liquid.fill_depth, 0.36);
+  EXPECT_EQ(with_input(definition, Input::density, 2).liquid.density, 1002);
+  EXPECT_EQ(with_input(definition, Input::kinematic_viscosity, 1e-7).liquid.kinematic_viscosity,
+            1.1e-6);
+  EXPECT_NEAR(with_input(definition, Input::sensor_position, 0.01).gauges[0].x, 0.96, 1e-12);
+  EXPECT_NEAR(with_input(definition, Input::sensor_position, 0.01).pressure_gauges[0].position,
+              0.11, 1e-12);
+  const double period = 2 * std::numbers::pi / (0.3 * 4.94488);
+  const CaseDefinition slower = with_input(definition, Input::period, 0.01 * period);
+  EXPECT_NEAR(std::get<SineMotion>(*slower.motion.surge).angular_frequency, 0.3 * 4.94488 / 1.01,
+              1e-12);
+  // A table of a roll, in degrees: its largest angle is 0.1 rad.
+  definition.motion = {};
+  definition.motion.roll = {TableMotion{"roll.csv", {0, 1, 2, 3}, {0, 0.1, 0, -0.05}}, 0.5, 0};
+  definition.declared_forcing_frequency = std::numbers::pi;
+  const CaseDefinition wider =
+      with_input(definition, Input::amplitude, 0.01 * 180 / std::numbers::pi);
+  EXPECT_NEAR(std::get<TableMotion>(wider.motion.roll->angle).value[3], -0.055, 1e-12);
+  const CaseDefinition longer = with_input(definition, Input::period, 0.02);
+  EXPECT_NEAR(std::get<TableMotion>(longer.motion.roll->angle).time[3], 3.03, 1e-12);
+  EXPECT_NEAR(longer.declared_forcing_frequency.value(), std::numbers::pi / 1.01, 1e-12);
+}
+
+TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
+  CaseDefinition definition = surge_case();
+  ImpactsDefinition impacts{};
+  impacts.plateau = 500;
+  definition.impacts = impacts;
+  GateRow row = surge_row("impact_1", Metric::impact_time, "s", 0.1);
+  row.reference.clear();
+  const MeasureRow measure = [](const GateRow&) { return Estimate{0.1, 0}; };
+  const auto reference = [&] {
+    return row_uncertainty(definition, surge_runs(), row, {}, measure).reference.half_width;
+  };
+  EXPECT_FALSE(reference().has_value());
+  definition.impacts->times_half_width = 0.002;
+  EXPECT_EQ(reference().value(), 0.002);
+  row.metric = Metric::plateau_error;
+  EXPECT_FALSE(reference().has_value());
+  definition.impacts->plateau_half_width = 10;
+  EXPECT_NEAR(reference().value(), 1.1 * 10 / 500, 1e-12);
 }
 
 TEST(ValidityEnvelope, LetsASmallWaveFarFromResonanceGate) {
