@@ -104,9 +104,14 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
 
 fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
                    const Installation& installation) {
-  return options.ledger.empty()
-             ? installation.baselines / (campaign.name + form_of(options) + ".jsonl")
-             : options.ledger;
+  if (!options.ledger)
+    return installation.baselines / (campaign.name + form_of(options) + ".jsonl");
+  if (!options.new_ledger && !holds_approvals(*options.ledger))
+    throw CaseFileError(
+        fmt::format("--ledger: '{}' holds no approval; expected the path of a ledger, or `slosh "
+                    "baseline approve --new` to begin one there",
+                    options.ledger->string()));
+  return *options.ledger;
 }
 
 int run_campaign(const CampaignOptions& options, const Installation& installation,
@@ -148,12 +153,18 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
 
 int gate_campaign(const CampaignOptions& options, const Installation& installation,
                   const std::atomic<bool>& stop) {
-  const AssessedCampaign assessed = assess_campaign(options, installation, stop);
-  const std::vector<RowMovement> moved =
-      movements(baseline_of(read_ledger(ledger_of(options, assessed.definition, installation))),
-                assessed.cases);
+  RequestedCampaign campaign = requested(options, installation);
+  const fs::path ledger = ledger_of(options, campaign.definition, installation);
+  const Baseline baseline = baseline_of(read_ledger(ledger));
+  const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
   std::cerr << complaints(assessed.cases, assessed.problems);
   std::cout << gate_lines(assessed.cases, assessed.problems);
+  if (!holds_approvals(ledger))
+    std::cout << fmt::format(
+        "no baseline    {} is not there: nothing is compared with earlier figures; `slosh baseline "
+        "propose --new` and `approve --new` begin one\n",
+        ledger.string());
   for (const RowMovement& movement : moved)
     if (movement.before && movement.has_changed())
       std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));

@@ -61,6 +61,10 @@ void add_ledger_option(CLI::App& command, CampaignOptions& options) {
       ->type_name(file_type);
 }
 
+void add_new_ledger_option(CLI::App& command, CampaignOptions& options) {
+  command.add_flag("--new", options.new_ledger, "Begin a ledger that is not there yet");
+}
+
 void add_launch_options(CLI::App& command, CampaignOptions& options) {
   add_jobs_option(command, options.at_once, "Runs side by side");
   command
@@ -168,7 +172,7 @@ void add_baseline_commands(const CommandTree& tree) {
   baseline.require_subcommand(1);
   const CommandTree below{baseline, tree.installation, tree.stop, tree.stop_on_signals,
                           tree.action};
-  const std::string example = " verification -o wave --ledger wave.jsonl";
+  const std::string example = " verification -o wave --ledger wave.jsonl --new";
   const Installation& installation = tree.installation;
   const auto [diff, diff_options] =
       add_command_on_campaign(below,
@@ -198,6 +202,9 @@ void add_baseline_commands(const CommandTree& tree) {
   add_ledger_option(*diff, *diff_options);
   add_ledger_option(*propose, *propose_options);
   add_ledger_option(*approve, *approve_options);
+  add_new_ledger_option(*diff, *diff_options);
+  add_new_ledger_option(*propose, *propose_options);
+  add_new_ledger_option(*approve, *approve_options);
   const CLI::Validator not_empty(
       [](const std::string& text) { return text.empty() ? "expected a text" : std::string(); }, "");
   approve->add_option("--who", approval->who, "Who approves it")->required()->check(not_empty);
