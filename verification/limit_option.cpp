@@ -21,9 +21,14 @@ struct JudgedMetric {
   bool of_mode;
 };
 constexpr JudgedMetric judged_metrics[] = {
-    {Metric::amplitude_error, true},   {Metric::phase_lag, true},   {Metric::frequency_error, true},
-    {Metric::decay_rate, true},        {Metric::decay_error, true}, {Metric::normalised_rms, false},
-    {Metric::maximum_residual, false}, {Metric::time_lag, false},   {Metric::aligned_rms, false}};
+    {Metric::amplitude_error, true},      {Metric::phase_lag, true},
+    {Metric::frequency_error, true},      {Metric::decay_rate, true},
+    {Metric::decay_error, true},          {Metric::normalised_rms, false},
+    {Metric::maximum_residual, false},    {Metric::time_lag, false},
+    {Metric::aligned_rms, false},         {Metric::band_energy_error, true},
+    {Metric::spectral_peak_error, false}, {Metric::rms_error, false},
+    {Metric::crest_error, false},         {Metric::trough_error, false},
+    {Metric::mean_offset, false}};
 
 JudgedMetric metric_named(const std::string& name, const std::string& limit) {
   std::vector<std::string> names;

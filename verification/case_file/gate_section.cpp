@@ -18,6 +18,7 @@ enum class MeasuredOn {
   any_mode,
   natural_mode,
   whole_window,
+  wave,  // the whole window of what swings
   run_away,
   own_series,
   impact,
@@ -31,7 +32,7 @@ struct MetricEntry {
   MeasuredOn measured_on;
 };
 
-constexpr std::array<MetricEntry, 14> metrics{{
+constexpr std::array<MetricEntry, 21> metrics{{
     {"amplitude_error", Metric::amplitude_error, "1", MeasuredOn::any_mode},
     {"phase_lag", Metric::phase_lag, "deg", MeasuredOn::any_mode},
     {"frequency_error", Metric::frequency_error, "1", MeasuredOn::natural_mode},
@@ -42,6 +43,13 @@ constexpr std::array<MetricEntry, 14> metrics{{
     {"time_lag", Metric::time_lag, "s", MeasuredOn::run_away},
     {"aligned_rms", Metric::aligned_rms, "1", MeasuredOn::run_away},
     {"largest_magnitude", Metric::largest_magnitude, "", MeasuredOn::own_series},
+    {"band_energy_error", Metric::band_energy_error, "1", MeasuredOn::any_mode},
+    {"spectral_peak_error", Metric::spectral_peak_error, "1", MeasuredOn::wave},
+    {"rms_error", Metric::rms_error, "1", MeasuredOn::whole_window},
+    {"crest_error", Metric::crest_error, "1", MeasuredOn::wave},
+    {"trough_error", Metric::trough_error, "1", MeasuredOn::wave},
+    {"mean_offset", Metric::mean_offset, "", MeasuredOn::whole_window},
+    {"noise_share", Metric::noise_share, "1", MeasuredOn::own_series},
     {"impact_time", Metric::impact_time, "s", MeasuredOn::impact},
     {"plateau_error", Metric::plateau_error, "1", MeasuredOn::plateau},
     {"impact_percentile", Metric::impact_percentile, "1", MeasuredOn::impact},
@@ -78,6 +86,8 @@ std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& 
   if (!has_modes(quantity)) return {};
   std::vector<std::string> modes;
   const bool is_forced = forcing_frequency(definition) > 0;
+  if (metric.measured_on == MeasuredOn::wave)
+    return is_forced || definition.natural_modes > 0 ? std::vector<std::string>{"whole"} : modes;
   if (is_forced && metric.measured_on == MeasuredOn::any_mode) modes.push_back("forced");
   for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
   return modes;
@@ -169,10 +179,15 @@ void read_own_series(const TomlTable& row, const MetricEntry& metric,
   refuse_reference(row, metric, "the candidate alone");
   gate_row.quantity = row.get("quantity", any_text());
   const auto compared = compared_quantities(definition);
-  gate_row.unit = std::find(compared.begin(), compared.end(), gate_row.quantity) == compared.end()
-                      ? row.get("unit", any_text())
-                      : row.choice("unit", fmt::format("the unit of {}", gate_row.quantity),
-                                   {unit_of(gate_row.quantity)});
+  const bool known =
+      std::find(compared.begin(), compared.end(), gate_row.quantity) != compared.end();
+  if (*metric.unit) {
+    gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+  } else {
+    gate_row.unit = known ? row.choice("unit", fmt::format("the unit of {}", gate_row.quantity),
+                                       {unit_of(gate_row.quantity)})
+                          : row.get("unit", any_text());
+  }
 }
 
 // The pressure at the gauge of the case's impacts, as it is or filtered.

@@ -149,6 +149,20 @@ const char* words_for(Metric metric) {
       return "normalised rms of the difference without the time lag";
     case Metric::largest_magnitude:
       return "largest magnitude";
+    case Metric::band_energy_error:
+      return "error of the energy near the mode's frequency";
+    case Metric::spectral_peak_error:
+      return "error of the frequency of the highest spectral peak";
+    case Metric::rms_error:
+      return "error of the root mean square about the mean";
+    case Metric::crest_error:
+      return "error of the mean crest height";
+    case Metric::trough_error:
+      return "error of the mean trough depth";
+    case Metric::mean_offset:
+      return "mean less the reference's";
+    case Metric::noise_share:
+      return "white noise over the standard deviation";
     case Metric::impact_time:
       return "time of the peak less the published one";
     case Metric::plateau_error:

@@ -45,6 +45,25 @@ Estimate decay_error_of(const ModeComparison& mode) {
   return mode.decay_error;
 }
 
+// Of the declared window, as normalised_rms. Both series are finite, so that what is no number is
+// for want of periods.
+Estimate resolved_or_refused(Metric metric, double value) {
+  if (std::isnan(value))
+    throw ComparisonError(fmt::format(
+        "the window holds too few periods of the mode for {}; expected {}", metric_name(metric),
+        metric == Metric::band_energy_error ? "10 or more" : "1 or more"));
+  return {value, 0};
+}
+
+Estimate spectral_peak_error(const Comparison& comparison) {
+  if (comparison.candidate_peaks.empty() || comparison.reference_peaks.empty())
+    throw ComparisonError("a spectrum without a peak");
+  return {
+      comparison.candidate_peaks.front().frequency / comparison.reference_peaks.front().frequency -
+          1,
+      0};
+}
+
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
   switch (metric) {
     case Metric::amplitude_error:
@@ -66,7 +85,24 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       return {comparison.alignment.lag, 0};
     case Metric::aligned_rms:
       return {comparison.alignment.normalised_rms, 0};
+    case Metric::band_energy_error:
+      return resolved_or_refused(metric, mode_of(comparison, mode).band_energy_error);
+    case Metric::spectral_peak_error:
+      return spectral_peak_error(comparison);
+    case Metric::rms_error:
+      return {comparison.candidate_wave.deviation / comparison.reference_wave.deviation - 1, 0};
+    case Metric::crest_error:
+      return resolved_or_refused(
+          metric,
+          comparison.candidate_wave.crest_height / comparison.reference_wave.crest_height - 1);
+    case Metric::trough_error:
+      return resolved_or_refused(
+          metric,
+          comparison.candidate_wave.trough_depth / comparison.reference_wave.trough_depth - 1);
+    case Metric::mean_offset:
+      return {comparison.candidate_wave.mean - comparison.reference_wave.mean, 0};
     case Metric::largest_magnitude:
+    case Metric::noise_share:
     case Metric::impact_time:
     case Metric::plateau_error:
     case Metric::impact_percentile:
@@ -183,8 +219,12 @@ GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvi
   return {row, verdict_of(judged.verdict), value, bound_text(row, judged, evidence), judged};
 }
 
+bool is_of_candidate_alone(Metric metric) {
+  return metric == Metric::largest_magnitude || metric == Metric::noise_share;
+}
+
 bool needs_reference(Metric metric) {
-  return metric != Metric::largest_magnitude && !is_of_impacts(metric);
+  return !is_of_candidate_alone(metric) && !is_of_impacts(metric);
 }
 
 struct RoleInRow {
@@ -236,10 +276,10 @@ AllowedRange allowed_by(const GateRow& row) {
 }
 
 Estimate measured(const GateRow& row, const GateEvidence& evidence) {
-  if (row.metric == Metric::largest_magnitude) {
+  if (is_of_candidate_alone(row.metric)) {
     const TimeSeries series = evidence.series(row.candidate, row.quantity);
     require_unit(row, series.unit);
-    return {largest_magnitude(series), 0};
+    return {row.metric == Metric::noise_share ? noise_share(series) : largest_magnitude(series), 0};
   }
   if (is_of_impacts(row.metric)) {
     require_unit(row, "Pa");
@@ -348,6 +388,20 @@ std::string metric_name(Metric metric) {
       return "aligned_rms";
     case Metric::largest_magnitude:
       return "largest_magnitude";
+    case Metric::band_energy_error:
+      return "band_energy_error";
+    case Metric::spectral_peak_error:
+      return "spectral_peak_error";
+    case Metric::rms_error:
+      return "rms_error";
+    case Metric::crest_error:
+      return "crest_error";
+    case Metric::trough_error:
+      return "trough_error";
+    case Metric::mean_offset:
+      return "mean_offset";
+    case Metric::noise_share:
+      return "noise_share";
     case Metric::impact_time:
       return "impact_time";
     case Metric::plateau_error:
@@ -369,6 +423,12 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
     case Metric::aligned_rms:
     case Metric::plateau_error:
     case Metric::impact_percentile:
+    case Metric::band_energy_error:
+    case Metric::spectral_peak_error:
+    case Metric::rms_error:
+    case Metric::crest_error:
+    case Metric::trough_error:
+    case Metric::noise_share:
       return "1";
     case Metric::phase_lag:
       return "deg";
@@ -380,6 +440,7 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
       return "s";
     case Metric::maximum_residual:
     case Metric::largest_magnitude:
+    case Metric::mean_offset:
       return quantity_unit;
   }
   throw std::logic_error("a metric without a unit");

@@ -62,7 +62,14 @@ std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& ca
   const double e = candidate.measured;
   switch (row.metric) {
     case Metric::amplitude_error:
+    case Metric::rms_error:
       return Prediction{(1 + e) * std::abs(factor) - 1};
+    case Metric::band_energy_error:
+      return Prediction{(1 + e) * factor * factor - 1};
+    case Metric::crest_error:
+    case Metric::trough_error:  // a flipped sign makes troughs of crests
+      if (factor > 0) return Prediction{(1 + e) * factor - 1};
+      return std::nullopt;
     case Metric::largest_magnitude:
       return Prediction{std::abs(factor) * e};
     case Metric::normalised_rms:
@@ -92,8 +99,11 @@ std::optional<Prediction> after(const GateRow& row, const JudgedCandidate& candi
   if (const auto periods = change_of(mutation, MutationKind::late, MutationKind::early))
     return of_shift(row, e, *periods, frame.period);
   if (const auto gain = change_of(mutation, MutationKind::faster, MutationKind::slower);
-      gain && row.metric == Metric::frequency_error && row.mode != "forced")
+      gain && ((row.metric == Metric::frequency_error && row.mode != "forced") ||
+               row.metric == Metric::spectral_peak_error))
     return Prediction{(1 + e) * (1 + *gain) - 1};
+  if (mutation.kind == MutationKind::noisy && row.metric == Metric::noise_share)
+    return Prediction{counted_part * mutation.strength / std::hypot(1, mutation.strength), true};
   if (mutation.kind == MutationKind::noisy && row.metric == Metric::normalised_rms)
     return Prediction{counted_part * mutation.strength * (1 - e) - e, true};
   return std::nullopt;

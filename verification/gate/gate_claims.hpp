@@ -1,6 +1,8 @@
 // Which mutations of its candidate a gate row must detect, told from its metric, its bounds and the
 // value E that it measures of the candidate as it is. With f the factor of a mutation that scales:
-//   amplitude_error    becomes (1 + E) f - 1
+//   amplitude_error    becomes (1 + E) f - 1, as rms_error, crest_error and trough_error
+//   band_energy_error  becomes (1 + E) f^2 - 1
+//   noise_share        is at least s / sqrt(1 + s^2) of noise of strength s
 //   largest_magnitude  becomes |f| E
 //   normalised_rms     is at least |f - 1| (1 - E) - E, and s (1 - E) - E of noise of strength s
 //   maximum_residual   is at least |f - 1| max |candidate| - E

@@ -141,6 +141,33 @@ TEST(CaseParser, ReadsAGateRowOnARunsOwnSeries) {
   EXPECT_EQ(row.unit, "m2");
 }
 
+TEST(CaseParser, ReadsGateRowsOnTheStatisticsOfAWave) {
+  const auto row_on = [](const std::string& metric, const std::string& mode,
+                         const std::string& unit) {
+    return read_text(edited({"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"",
+                             "mode = \"" + mode + "\"\nmetric = \"" + metric + "\"\nunit = \"" +
+                                 unit + "\""}))
+        .gate.at(0)
+        .metric;
+  };
+  EXPECT_EQ(row_on("band_energy_error", "forced", "1"), Metric::band_energy_error);
+  EXPECT_EQ(row_on("band_energy_error", "natural_1", "1"), Metric::band_energy_error);
+  EXPECT_EQ(row_on("crest_error", "whole", "1"), Metric::crest_error);
+  EXPECT_EQ(row_on("mean_offset", "whole", "m"), Metric::mean_offset);
+  EXPECT_THROW(row_on("crest_error", "forced", "1"), CaseFileError);
+  EXPECT_THROW(row_on("mean_offset", "whole", "1"), CaseFileError);
+  EXPECT_THROW(row_on("noise_share", "whole", "1"), CaseFileError);  // has a reference
+}
+
+TEST(CaseParser, ReadsAGateRowOnTheNoiseOfARun) {
+  const auto definition = read_text(
+      edited({"reference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\n"
+              "metric = \"amplitude_error\"",
+              "quantity = \"elevation@right\"\nmode = \"whole\"\nmetric = \"noise_share\""}));
+  EXPECT_EQ(definition.gate.at(0).metric, Metric::noise_share);
+  EXPECT_EQ(definition.gate.at(0).reference, "");
+}
+
 TEST(CaseParser, ReadsAGateRowOnWhatAnErrorCosts) {
   const auto definition =
       read_text(edited({"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\n"

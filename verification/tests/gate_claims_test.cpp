@@ -100,5 +100,23 @@ TEST(GateClaims, HoldEveryRowButThoseOfImpactsToASoundSeries) {
   }
 }
 
+TEST(GateClaims, OfWaveStatisticsFollowTheScaleAndTheNoise) {
+  const GateRow energy = row_of(Metric::band_energy_error, 0.2);
+  EXPECT_TRUE(claims(energy, 0, MutationKind::louder, 0.1));  // 1.21
+  EXPECT_FALSE(claims(energy, 0, MutationKind::louder, 0.09));
+  for (const Metric metric : {Metric::rms_error, Metric::crest_error, Metric::trough_error}) {
+    const GateRow row = row_of(metric, 0.05, "whole");
+    EXPECT_TRUE(claims(row, 0, MutationKind::louder, 0.06));
+    EXPECT_FALSE(claims(row, 0.01, MutationKind::louder, 0.03));
+  }
+  EXPECT_FALSE(claims(row_of(Metric::crest_error, 0.05), 0, MutationKind::sign_flipped));
+  const GateRow noise = row_of(Metric::noise_share, 0.05, "whole");
+  EXPECT_TRUE(claims(noise, 0.001, MutationKind::noisy, 0.1));
+  EXPECT_FALSE(claims(noise, 0.001, MutationKind::noisy, 0.05));
+  EXPECT_FALSE(claims(noise, 0.001, MutationKind::louder, 0.5));
+  EXPECT_TRUE(
+      claims(row_of(Metric::spectral_peak_error, 0.01, "whole"), 0, MutationKind::faster, 0.02));
+}
+
 }  // namespace
 }  // namespace slosh

@@ -66,6 +66,11 @@ Comparison comparison_of(double amplitude_error) {
   comparison.normalised_rms = {0.1, 0};
   comparison.maximum_residual = 0.0004;
   comparison.alignment = {-0.003, 0.05};
+  comparison.modes[0].band_energy_error = 0.07;
+  comparison.candidate_wave = {.mean = 0.003, .deviation = 3, .crest_height = 6, .trough_depth = 4};
+  comparison.reference_wave = {.mean = 0.001, .deviation = 2, .crest_height = 5, .trough_depth = 5};
+  comparison.candidate_peaks = {{0.9, 1}};
+  comparison.reference_peaks = {{1, 1}};
   return comparison;
 }
 
@@ -144,6 +149,12 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
   EXPECT_EQ(value(Metric::maximum_residual, "whole", "m"), 0.0004);
   EXPECT_EQ(value(Metric::time_lag, "whole", "s"), -0.003);
   EXPECT_EQ(value(Metric::aligned_rms, "whole", "1"), 0.05);
+  EXPECT_EQ(value(Metric::band_energy_error, "forced", "1"), 0.07);
+  EXPECT_DOUBLE_EQ(value(Metric::spectral_peak_error, "whole", "1"), -0.1);
+  EXPECT_DOUBLE_EQ(value(Metric::rms_error, "whole", "1"), 0.5);
+  EXPECT_DOUBLE_EQ(value(Metric::crest_error, "whole", "1"), 0.2);
+  EXPECT_DOUBLE_EQ(value(Metric::trough_error, "whole", "1"), -0.2);
+  EXPECT_DOUBLE_EQ(value(Metric::mean_offset, "whole", "m"), 0.002);
 }
 
 TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
@@ -445,6 +456,16 @@ TEST_F(GateOnOwnSeries, FailsWithItsSolver) {
   EXPECT_EQ(outcome.verdict, Verdict::solver_failed);
 }
 
+TEST_F(GateOnOwnSeries, JudgesTheNoiseInASeriesInAShareOfItsDeviation) {
+  row = row_of(Metric::noise_share, "whole", "1", 0.05);
+  row.quantity = "wall_gap";
+  EXPECT_EQ(judge_series(gap()).verdict, Verdict::violated);  // its sign turns at each sample
+  TimeSeries smooth = gap();
+  smooth.unit = "m";
+  for (std::size_t i = 0; i < smooth.time.size(); ++i) smooth.value[i] = std::sin(smooth.time[i]);
+  EXPECT_EQ(judge_series(smooth).verdict, Verdict::pass);
+}
+
 class GateOnCost : public ::testing::Test {
  protected:
   GateOnCost() { row.error = 0.1; }
@@ -536,6 +557,20 @@ TEST(GateMetrics, HaveNamesAndUnits) {
   EXPECT_EQ(metric_unit(Metric::aligned_rms, "m"), "1");
   EXPECT_EQ(metric_unit(Metric::decay_rate, "m"), "1/s");
   EXPECT_EQ(metric_unit(Metric::decay_error, "m"), "1");
+}
+
+TEST(Gate, RefusesWaveStatisticsOfTooFewPeriods) {
+  Comparison comparison = comparison_of(0);
+  comparison.modes[0].band_energy_error = nan;
+  comparison.candidate_wave.crest_height = nan;
+  const auto outcome = [&](Metric metric, const char* mode) {
+    return judge(row_of(metric, mode, "1", 0.2), comparison);
+  };
+  EXPECT_EQ(outcome(Metric::band_energy_error, "forced").verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome(Metric::crest_error, "whole").verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome(Metric::crest_error, "whole").message,
+            "the window holds too few periods of the mode for crest_error; expected 1 or more");
+  EXPECT_EQ(outcome(Metric::trough_error, "whole").verdict, Verdict::pass);
 }
 
 }  // namespace
