@@ -147,16 +147,22 @@ void add_gate_and_selftest(const CommandTree& tree) {
   add_inconclusive_option(*gate, *gate_options);
   add_launch_options(*gate, *gate_options);
   add_ledger_option(*gate, *gate_options);
-  const auto [selftest, selftest_options] = add_command_on_campaign(
-      tree,
-      {"selftest",
-       "Whether the gate rows detect what they claim to, on the results that are there",
-       {"./slosh selftest " + one_run}},
-      [tree](const CampaignOptions& options) {
-        return selftest_campaign(options, tree.installation);
-      });
+  const auto record = std::make_shared<bool>(false);
+  const auto [selftest, selftest_options] =
+      add_command_on_campaign(tree,
+                              {"selftest",
+                               "Whether the gate rows detect what they claim to, and those of each "
+                               "case together what every "
+                               "case must detect, on the results that are there",
+                               {"./slosh selftest " + one_run}},
+                              [tree, record](const CampaignOptions& options) {
+                                return selftest_campaign({options, *record}, tree.installation);
+                              });
   add_selection_options(*selftest, selftest_options->selection);
   add_jobs_option(*selftest, selftest_options->at_once, "Rows tried side by side");
+  selftest->add_flag("--record", *record,
+                     "Leave what was found as verification/baselines/NAME.selftest.json, with "
+                     "-quick after the NAME of a quick form");
 }
 
 }  // namespace

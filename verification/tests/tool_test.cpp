@@ -240,10 +240,24 @@ TEST_F(Tool, TestsWhatItsOwnGateDetects) {
   write_campaign(particles_case);
   EXPECT_EQ(tool({"selftest", "./surges.toml", "--output", "out"}).status, 4);
   ASSERT_EQ(campaign().status, 0);
-  const Ended tested = tool({"selftest", "./surges.toml", "--output", "out"});
-  EXPECT_EQ(tested.status, 0) << tested.out << tested.err;
-  EXPECT_TRUE(holds(tested.out, "PASS: "));
-  EXPECT_TRUE(holds(tested.out, "0 that a row claims to detect passed"));
+  const Ended wide = tool({"selftest", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(wide.status, 1) << wide.out << wide.err;
+  EXPECT_TRUE(holds(wide.out, "0 claims are broken"));
+  EXPECT_TRUE(holds(wide.out, "amplitude: MISSED")) << wide.out;
+  EXPECT_TRUE(holds(wide.out, "truncation: detected")) << wide.out;
+  EXPECT_EQ(tool({"selftest", "./surges.toml", "--output", "out", "--only", "small"}).status, 0)
+      << "a part need not be complete";
+  EXPECT_EQ(
+      tool({"selftest", "./surges.toml", "--output", "out", "--only", "small", "--record"}).status,
+      2);
+}
+
+TEST_F(Tool, FindsARowThatJudgesNothing) {
+  write_campaign(with(particles_case, "limit = 0.3", "limit = 1e300"));
+  ASSERT_EQ(campaign().status, 0);
+  const Ended tested = tool({"selftest", "./surges.toml", "--output", "out", "--only", "small"});
+  EXPECT_EQ(tested.status, 1) << tested.out << tested.err;
+  EXPECT_TRUE(holds(tested.out, "detects no change of its candidate's values")) << tested.out;
 }
 
 // A record of the elevation that the user supplies: theory's own, read back from a table.
