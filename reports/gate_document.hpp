@@ -20,6 +20,8 @@ struct GateEntry {
   double value = 0, uncertainty = 0;   // 95 %, in the unit; NaN where there is none
   std::optional<double> lower, upper;  // the tolerance, in the unit
   std::string moved;                   // since the baseline; empty without one
+  std::string kind = {};               // "validation" or "regression"
+  std::string uncertainties = {};      // "u_num 1 %, u_input 0 %, u_reference unknown"
   bool loosened = false;               // the tolerance, against the baseline's
   std::string file;                    // of the row, relative to the source tree where it is in it
   int line = 0;
@@ -27,6 +29,7 @@ struct GateEntry {
 
 struct GateDocument {
   std::string title, verdict;
+  std::string basis = {};  // what the rows rest on; empty: nothing is told of it
   std::string tool_version;
   std::vector<GateEntry> entries;
 };

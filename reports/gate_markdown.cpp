@@ -66,17 +66,21 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document) {
 
 std::string gate_markdown(const GateDocument& document) {
   std::string text = fmt::format("## {}\n\n{}\n", document.title, document.verdict);
+  if (!document.basis.empty()) text += fmt::format("\n{}\n", document.basis);
   std::string lines;
   std::size_t told = 0;
   for (const GateEntry* entry : worst_first(document)) {
     if (!is_worth_a_line(*entry)) continue;
     ++told;
-    lines += fmt::format("| {} | {} | {} | {} | {} |\n", word(entry->outcome), cell(entry->group),
-                         cell(entry->name), cell(entry->message), cell(entry->moved));
+    lines += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", word(entry->outcome),
+                         cell(entry->kind), cell(entry->group), cell(entry->name),
+                         cell(entry->message), cell(entry->uncertainties), cell(entry->moved));
   }
   if (told > 0)
     text +=
-        "\n| verdict | case | row | found | since the baseline |\n|---|---|---|---|---|\n" + lines;
+        "\n| verdict | kind | case | row | found | uncertainties | since the baseline |\n"
+        "|---|---|---|---|---|---|---|\n" +
+        lines;
   const std::size_t rest = document.entries.size() - told;
   if (rest > 0)
     text += fmt::format("\n{} {} passed unmoved, or left out of this form.\n", rest,

@@ -12,6 +12,7 @@
 #include "verification/baseline/baseline_figures.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/case_coverage.hpp"
+#include "verification/campaign/row_kinds.hpp"
 #include "verification/campaign_plan_text.hpp"
 #include "verification/campaign_standing.hpp"
 #include "verification/case_file/case_file_error.hpp"
@@ -144,8 +145,8 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
   const int status = exit_status(assessed.cases, assessed.problems);
   const std::string verdict = fmt::format(
-      "{}: {}\n{}", word_for(status),
-      verdict_sentence(assessed.cases, assessed.problems) + coverage_sentence(assessed.cases),
+      "{}: {}{}\n{}\n{}", word_for(status), verdict_sentence(assessed.cases, assessed.problems),
+      coverage_sentence(assessed.cases), kinds_sentence(assessed.cases, assessed.problems),
       report_lines(place, options));
   std::cout << verdict;
   if (const auto now = fingerprint(); now && is_settled(assessed))
@@ -174,8 +175,9 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
   write_gate_files(gate_document(assessed, moved, installation.source), directory);
   std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
             << verdict_sentence(assessed.cases, assessed.problems)
-            << coverage_sentence(assessed.cases) << "\ngate: " << (directory / "gate.md").string()
-            << ", junit.xml, gate.sarif\n";
+            << coverage_sentence(assessed.cases) << "\n"
+            << kinds_sentence(assessed.cases, assessed.problems)
+            << "\ngate: " << (directory / "gate.md").string() << ", junit.xml, gate.sarif\n";
   return ended(exit_status(assessed.cases, assessed.problems), options);
 }
 

@@ -4,7 +4,10 @@
 
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/case_coverage.hpp"
+#include "verification/campaign/row_kinds.hpp"
+#include "verification/campaign/uncertainty_table.hpp"
 #include "verification/case_file/problem_table.hpp"
+#include "verification/case_file/row_kind.hpp"
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/provenance.hpp"
 
@@ -49,6 +52,7 @@ reports::GateEntry entry_in(const std::string& group, const Outcome& outcome,
           .lower = {},
           .upper = {},
           .moved = "",
+          .kind = kind_name(outcome.row.kind),
           .file = relative_to(source, outcome.row.where.file),
           .line = outcome.row.where.line};
 }
@@ -60,6 +64,8 @@ reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome&
   entry.name = row_name(outcome.row);
   entry.value = outcome.value.value;
   entry.uncertainty = outcome.value.half_width;
+  if (outcome.judgement)
+    entry.uncertainties = uncertainties_text(*outcome.judgement, outcome.row.unit);
   const auto moved = std::find_if(movements.begin(), movements.end(), [&](const RowMovement& one) {
     return one.row == row_name(group, outcome.row);
   });
@@ -89,6 +95,7 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
   reports::GateDocument document{.title = assessed.definition.title,
                                  .verdict = verdict_sentence(assessed.cases, assessed.problems) +
                                             coverage_sentence(assessed.cases),
+                                 .basis = kinds_sentence(assessed.cases, assessed.problems),
                                  .tool_version = provenance("").at("slosh_version"),
                                  .entries = {}};
   for (const CaseAssessment& one : assessed.cases)

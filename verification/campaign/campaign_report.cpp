@@ -19,6 +19,7 @@
 #include "verification/campaign/report_places.hpp"
 #include "verification/campaign/rest_table.hpp"
 #include "verification/campaign/results_json.hpp"
+#include "verification/campaign/row_kinds.hpp"
 #include "verification/campaign/row_strength.hpp"
 #include "verification/campaign/summary_sections.hpp"
 #include "verification/campaign/uncertainty_table.hpp"
@@ -96,6 +97,8 @@ Section case_section(const CaseAssessment& assessment) {
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
   section.fields = case_fields(assessment);
+  if (auto uncertain = uncertainty_table(assessment))
+    section.tables.push_back(std::move(*uncertain));
   if (!definition.gate.empty()) section.tables.push_back(strength_table(assessment, strengths));
   section.tables.push_back(
       coverage_table(definition.name + "-coverage", {case_coverage(assessment, strengths)}));
@@ -199,9 +202,10 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   report.outcome = outcome_of(exit_status(cases, problems));
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
-  report.sections = summary_sections(
-      cases, problems,
-      fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source));
+  report.sections =
+      summary_sections(cases, problems,
+                       fmt::format("{} Repeat this campaign with `{}`. {}.",
+                                   kinds_sentence(cases, problems), command, campaign.source));
   for (const CaseAssessment& one : cases) {
     if (!has_selected_runs(one)) continue;
     report.pages.push_back(page_of(one));

@@ -21,20 +21,88 @@ GateRow with(GateRow row, Role role, const std::string& run) {
   return row;
 }
 
-DiscretisationUncertainty of_two(const ValueAtStep& fine, const ValueAtStep& coarse) {
+DiscretisationUncertainty of_two(const ValueAtStep& fine, const ValueAtStep& coarse,
+                                 double at_step) {
   const double difference =
       std::max(std::abs(coarse.value - fine.value), std::hypot(coarse.noise, fine.noise));
   return {.behaviour = StepBehaviour::diverging,
           .order = {},
-          .extrapolated = fine.value,
-          .uncertainty = 3 * difference / std::min(1.0, coarse.step / fine.step - 1),
+          .extrapolated = at_step == fine.step ? fine.value : coarse.value,
+          .uncertainty = first_order_uncertainty(difference, at_step, fine.step, coarse.step),
           .explanation =
               "two values have no order: three times their difference on one of the first order"};
 }
 
 // Coarse to fine.
-DiscretisationUncertainty judge(const std::vector<ValueAtStep>& values) {
-  return values.size() == 2 ? of_two(values[1], values[0]) : discretisation_uncertainty(values);
+DiscretisationUncertainty judge(const std::vector<ValueAtStep>& values, double at_step) {
+  return values.size() == 2 ? of_two(values[1], values[0], at_step)
+                            : discretisation_uncertainty(values, at_step);
+}
+
+struct MeasuredRun {
+  std::string name;
+  ValueAtStep value;
+};
+
+// The row's metric with each run of the path in the role, coarse to fine.
+std::vector<MeasuredRun> measure_path(const RefinementDefinition& path,
+                                      const CaseDefinition& definition, const CaseRuns& runs,
+                                      const GateRow& row, Role role, const MeasureRow& measure) {
+  std::vector<MeasuredRun> measured;
+  for (const std::string& name : path.runs) {
+    if (!runs.results.contains(name)) continue;
+    const double step = step_of(path.number, run_named(definition, name), runs);
+    try {
+      const Estimate value = measure(with(row, role, name));
+      if (std::isfinite(value.value) && std::isfinite(value.half_width))
+        measured.push_back({name, {step, value.value, value.half_width}});
+    } catch (const std::runtime_error&) {
+      continue;  // ComparisonError or ResultError: this run has no such metric
+    }
+  }
+  std::sort(measured.begin(), measured.end(),
+            [](const MeasuredRun& a, const MeasuredRun& b) { return a.value.step > b.value.step; });
+  return measured;
+}
+
+// Whether the metric's interval is that of a difference between two fits of one window.
+bool is_of_two_fits(Metric metric) {
+  return metric == Metric::amplitude_error || metric == Metric::phase_lag ||
+         metric == Metric::frequency_error || metric == Metric::decay_error;
+}
+
+// Of a difference between two runs of one path, both fitted together.
+std::optional<double> noise_of_pair(const GateRow& row, const std::string& run,
+                                    const std::string& finest, const MeasureRow& measure) {
+  if (!is_of_two_fits(row.metric)) return std::nullopt;
+  GateRow pair = row;
+  pair.candidate = run;
+  pair.reference = finest;
+  try {
+    const double half_width = measure(pair).half_width;
+    return std::isfinite(half_width) ? std::optional(half_width) : std::nullopt;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;  // ComparisonError or ResultError: the two cannot be compared
+  }
+}
+
+// The runs of a path see the same flow, and what the fit of one window cannot explain is nearly the
+// same in all of them: what counts between two of them is the interval of their own difference. The
+// finest is given the smallest share of it that leaves each difference to it its interval.
+void take_noise_of_differences(std::vector<MeasuredRun>& measured, const GateRow& row,
+                               const MeasureRow& measure) {
+  const std::string finest = measured.back().name;
+  std::vector<double> noise;
+  for (const MeasuredRun& one : measured) {
+    if (one.name == finest) continue;
+    const auto of_pair = noise_of_pair(row, one.name, finest, measure);
+    if (!of_pair) return;
+    noise.push_back(*of_pair);
+  }
+  const double own = *std::min_element(noise.begin(), noise.end()) / std::sqrt(2.0);
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    measured[i].value.noise = std::sqrt(noise[i] * noise[i] - own * own);
+  measured.back().value.noise = own;
 }
 
 }  // namespace
@@ -64,29 +132,17 @@ std::vector<RefinedMetric> refined_metrics(const CaseDefinition& definition, con
   std::vector<RefinedMetric> metrics;
   for (const RefinementDefinition& path : definition.refinements) {
     if (std::find(path.runs.begin(), path.runs.end(), own) == path.runs.end()) continue;
-    const double own_step = step_of(path.number, run_named(definition, own), runs);
-    std::vector<std::pair<ValueAtStep, std::string>> measured;
-    for (const std::string& name : path.runs) {
-      if (!runs.results.contains(name)) continue;
-      const double step = step_of(path.number, run_named(definition, name), runs);
-      if (step < own_step) continue;
-      try {
-        const Estimate value = measure(with(row, role, name));
-        if (std::isfinite(value.value) && std::isfinite(value.half_width))
-          measured.push_back({{step, value.value, value.half_width}, name});
-      } catch (const std::runtime_error&) {
-        continue;  // ComparisonError or ResultError: this run has no such metric
-      }
-    }
-    if (measured.size() < 2) continue;
-    std::sort(measured.begin(), measured.end(),
-              [](const auto& a, const auto& b) { return a.first.step > b.first.step; });
+    std::vector<MeasuredRun> measured = measure_path(path, definition, runs, row, role, measure);
+    const auto itself = std::find_if(measured.begin(), measured.end(),
+                                     [&](const MeasuredRun& one) { return one.name == own; });
+    if (measured.size() < 2 || itself == measured.end()) continue;
+    take_noise_of_differences(measured, row, measure);
     RefinedMetric metric{path.name, {}, {}, {}};
-    for (const auto& [value, name] : measured) {
+    for (const auto& [name, value] : measured) {
       metric.values.push_back(value);
       metric.runs.push_back(name);
     }
-    metric.found = judge(metric.values);
+    metric.found = judge(metric.values, itself->value.step);
     metrics.push_back(std::move(metric));
   }
   return metrics;

@@ -7,6 +7,7 @@
 #include "verification/campaign/verdict_matrix.hpp"
 #include "verification/campaign/work_precision_json.hpp"
 #include "verification/case_file/problem_table.hpp"
+#include "verification/case_file/row_kind.hpp"
 
 namespace slosh {
 namespace {
@@ -97,9 +98,28 @@ Json share_entry(const std::optional<ToleranceShare>& share) {
   return share ? Json(share->value) : Json(nullptr);
 }
 
+// null where it is unknown.
+Json half_width(const Contribution& contribution) {
+  return contribution.half_width ? Json(*contribution.half_width) : Json(nullptr);
+}
+
+Json uncertainty_entry(const ThreeWayOutcome& judged) {
+  const UncertaintyContributions& of = judged.contributions;
+  return {{"all", judged.uncertainty},
+          {"time_history", half_width(of.statistics)},
+          {"reference", half_width(of.reference)},
+          {"discretisation", half_width(of.discretisation)},
+          {"input", half_width(of.input)},
+          {"rests_on",
+           {{"reference", of.reference.basis},
+            {"discretisation", of.discretisation.basis},
+            {"input", of.input.basis}}}};
+}
+
 Json gate_entry(const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
   Json entry{{"verdict", verdict_name(outcome.verdict)},
+             {"kind", kind_name(row.kind)},
              {"candidate", row.candidate},
              {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
              {"quantity", row.quantity},
@@ -114,12 +134,7 @@ Json gate_entry(const GateOutcome& outcome) {
              {"source", row.source},
              {"file", row.where.file},
              {"line", row.where.line}};
-  if (const auto& judged = outcome.judgement)
-    entry["uncertainty_95"] = {{"all", judged->uncertainty},
-                               {"time_history", judged->contributions.statistics},
-                               {"reference", judged->contributions.reference},
-                               {"discretisation", judged->contributions.discretisation},
-                               {"input", judged->contributions.input}};
+  if (const auto& judged = outcome.judgement) entry["uncertainty_95"] = uncertainty_entry(*judged);
   if (row.limit) entry["limit"] = *row.limit;
   if (row.error) entry["error"] = *row.error;
   if (row.between) entry["between"] = {row.between->first, row.between->second};
@@ -139,6 +154,7 @@ Json measure_entry(const MeasuredErrors& measure) {
 Json gate_entry(const ProblemGateOutcome& outcome) {
   const ProblemGateRow& row = outcome.row;
   Json entry{{"verdict", verdict_name(outcome.verdict)},
+             {"kind", kind_name(row.kind)},
              {"measure", row.measure},
              {"metric", metric_name(row.metric)},
              {"unit", row.unit},

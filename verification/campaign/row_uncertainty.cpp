@@ -1,5 +1,8 @@
 #include "verification/campaign/row_uncertainty.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,7 +37,57 @@ double measure_against_coarser(const CaseDefinition& definition, const CaseRuns&
   return measured(row, evidence.gate_evidence()).value;
 }
 
+// The role's run on its refinement paths.
+Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
+                       Role role, const MeasureRow& measure) {
+  const std::vector<RefinedMetric> paths = refined_metrics(definition, runs, row, role, measure);
+  if (!paths.empty()) {
+    std::vector<std::string> names;
+    for (const RefinedMetric& path : paths) names.push_back(path.path);
+    return {numerical_uncertainty(paths),
+            fmt::format("refinement of the {}", fmt::join(names, ", "))};
+  }
+  return Contribution::unknown(
+      fmt::format("the numerical uncertainty of the {} {} is unknown; a [[refinement]] of it with "
+                  "another step would tell it",
+                  role == Role::candidate ? "candidate" : "reference",
+                  role == Role::candidate ? row.candidate : row.reference));
+}
+
+Contribution of_record(const RecordRun& record, const GateRow& row,
+                       const FindComparison& comparison) {
+  if (!record.uncertainty)
+    return Contribution::unknown(
+        fmt::format("the record {} declares no uncertainty; the key `uncertainty` would tell it",
+                    row.reference));
+  return {uncertainty_from_values(row.metric, row.mode,
+                                  comparison(row.candidate, row.reference, row.quantity),
+                                  *record.uncertainty),
+          "the record's declared uncertainty"};
+}
+
+Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs,
+                          const GateRow& row, const FindComparison& comparison,
+                          const MeasureRow& measure) {
+  if (row.reference.empty())
+    return {0, "no reference: what is measured is zero where all is right"};
+  const auto& solver = run_named(definition, row.reference).solver;
+  if (const auto* record = std::get_if<RecordRun>(&solver))
+    return of_record(*record, row, comparison);
+  if (std::holds_alternative<PotentialRun>(solver))
+    return {std::abs(measure_against_coarser(definition, runs, row) - measure(row).value),
+            "the same potential flow of fewer nodes"};
+  if (std::holds_alternative<LinearRun>(solver) || std::holds_alternative<ViscousWaveRun>(solver))
+    return {0, "exact solution, inside its range"};
+  return numerical(definition, runs, row, Role::reference, measure);
+}
+
 }  // namespace
+
+bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row) {
+  if (row.reference.empty()) return is_of_impacts(row.metric);
+  return std::holds_alternative<RecordRun>(run_named(definition, row.reference).solver);
+}
 
 double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
                                double half_width) {
@@ -54,26 +107,12 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
   UncertaintyContributions found;
   if (row.metric == Metric::cost_to_reach) return found;
   found.statistics = repeat_spread(definition, runs, row, measure);
-  const auto numerical = [&](Role role) {
-    return numerical_uncertainty(refined_metrics(definition, runs, row, role, measure));
-  };
-  if (is_of_impacts(row.metric)) {  // against what is published of an experiment
-    found.discretisation = numerical(Role::candidate);
-    return found;
-  }
-  if (row.reference.empty()) return found;
-  const RunDefinition& reference = run_named(definition, row.reference);
-  if (const auto* record = std::get_if<RecordRun>(&reference.solver)) {
-    found.discretisation = numerical(Role::candidate);
-    if (record->uncertainty)
-      found.reference = uncertainty_from_values(
-          row.metric, row.mode, comparison(row.candidate, row.reference, row.quantity),
-          *record->uncertainty);
-  } else if (std::holds_alternative<PotentialRun>(reference.solver)) {
-    found.reference = std::abs(measure_against_coarser(definition, runs, row) - measure(row).value);
-  } else {
-    found.reference = numerical(Role::reference);
-  }
+  found.reference = of_reference(definition, runs, row, comparison, measure);
+  found.discretisation =
+      rests_on_experiment(definition, row)
+          ? numerical(definition, runs, row, Role::candidate, measure)
+          : Contribution{0, "the candidate's discretisation error is what the row measures"};
+  found.input = {0, "both sides are told the same"};
   return found;
 }
 

@@ -1,13 +1,15 @@
 // What makes a gate row's metric uncertain beside its own interval, after ASME V&V 20.
-//   reference       of a record what its publisher states of it; of interFoam its numerical
-//                   uncertainty; of potential flow what the metric changes by against its own
-//                   coarser run; of closed-form theory nothing, inside its range
-//   discretisation  of the candidate, against a record alone: against theory or another method the
-//                   candidate's discretisation error is what the row measures
+//   reference       of a record what its publisher states of it, unknown where that is nothing;
+//                   of interFoam and any other solver its numerical uncertainty, unknown of a run
+//                   on no refinement path; of potential flow what the metric changes by against its
+//                   own coarser run; of closed-form theory nothing, inside its range
+//   discretisation  of the candidate, against an experiment alone, unknown of a run on no
+//                   refinement path: against theory or another method the candidate's
+//                   discretisation error is what the row measures
 //   statistics      of a flow that small disturbances decide what its repeats spread (beside the
 //                   metric's own interval)
-//   input           nothing: both sides are told the same tank, liquid and motion, and what an
-//                   experiment knows of its own is part of its stated uncertainty
+//   input           nothing against theory or another method: both sides are told the same tank,
+//                   liquid and motion; against an experiment what its inputs are known to
 // What an error costs has the interval of its timings alone.
 #pragma once
 
@@ -26,6 +28,9 @@ namespace slosh {
 // only raises them.
 double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
                                double half_width);
+
+// Whether the row compares with what was measured of a real tank: a record, or published impacts.
+bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row);
 
 // `comparison` gives that of the row's candidate and reference.
 UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,

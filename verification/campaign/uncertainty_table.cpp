@@ -8,6 +8,7 @@
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/refinement.hpp"
+#include "verification/case_file/row_kind.hpp"
 
 namespace slosh {
 namespace {
@@ -32,11 +33,16 @@ void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Tabl
   }
 }
 
+std::string half_width_text(const Contribution& contribution, const std::string& unit) {
+  return contribution.half_width ? "± " + in_unit(*contribution.half_width, unit) : "unknown";
+}
+
 std::string contributions_text(const ThreeWayOutcome& judged, const std::string& unit) {
   const UncertaintyContributions& of = judged.contributions;
   std::vector<std::string> parts;
-  const auto add = [&](const char* name, double half_width) {
-    if (half_width != 0) parts.push_back(fmt::format("{} {}", name, in_unit(half_width, unit)));
+  const auto add = [&](const char* name, const Contribution& one) {
+    if (!one.half_width) parts.push_back(fmt::format("{} unknown", name));
+    if (one.known() != 0) parts.push_back(fmt::format("{} {}", name, in_unit(one.known(), unit)));
   };
   add("time history", of.statistics);
   add("reference", of.reference);
@@ -55,6 +61,8 @@ std::string remedy_text(const ThreeWayOutcome& judged, Metric metric) {
   if (const auto step = finer_step(judged, 1))
     ways.push_back(fmt::format("steps {:.3g} times as fine, at {:.3g} times the cost (first order)",
                                step->factor, step->cost_ratio));
+  if (const std::string missing = missing_for_validation(judged.contributions); !missing.empty())
+    ways.push_back(missing);
   if (ways.empty())
     return fmt::format("a better {}: no single run reaches it",
                        dominant_contribution(judged.contributions));
@@ -62,6 +70,38 @@ std::string remedy_text(const ThreeWayOutcome& judged, Metric metric) {
 }
 
 }  // namespace
+
+std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string& unit) {
+  const UncertaintyContributions& of = judged.contributions;
+  return fmt::format("u_num {}, u_input {}, u_reference {}",
+                     half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
+                     half_width_text(of.reference, unit));
+}
+
+std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-uncertainties",
+      "Uncertainties of the gate rows",
+      "Half widths of 95 % intervals after ASME V&V 20: of the candidate's discretisation, of what "
+      "it is told of the experiment, of the reference, and of the finite time histories with the "
+      "spread of repeats; together, of those that are known, the root of their sum of squares.",
+      {"row", "kind", "found", "u_num", "u_input", "u_reference", "time histories", "together",
+       "u_num rests on", "u_input rests on", "u_reference rests on"},
+      {}};
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (!outcome.judgement) continue;
+    const std::string& unit = outcome.row.unit;
+    const UncertaintyContributions& of = outcome.judgement->contributions;
+    table.rows.push_back({row_name(outcome.row), kind_name(outcome.row.kind),
+                          in_unit(outcome.value.value, unit),
+                          half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
+                          half_width_text(of.reference, unit), half_width_text(of.statistics, unit),
+                          "± " + in_unit(outcome.judgement->uncertainty, unit),
+                          of.discretisation.basis, of.input.basis, of.reference.basis});
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
 
 std::optional<Table> refinement_table(const CaseAssessment& assessment) {
   Table table{

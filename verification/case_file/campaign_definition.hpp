@@ -28,6 +28,7 @@ struct ProblemGateRow {
   std::optional<std::pair<double, double>> between;  // of order_within
   std::string reason, source;
   SourceLocation where;
+  RowKind kind = RowKind::validation;
 };
 
 struct ProblemDefinition {

@@ -215,6 +215,24 @@ struct RefinementDefinition {
   std::vector<std::string> runs;
 };
 
+// What every solver is told of an experiment, and what the experiment knew only so well.
+enum class Input {
+  fill_depth,           // m
+  period,               // s, of the motion
+  amplitude,            // m, or deg of a roll
+  sensor_position,      // m, of every gauge, along x or along its wall
+  density,              // kg/m3
+  kinematic_viscosity,  // m2/s
+  gravity               // m/s2
+};
+
+// Half width of the 95 % interval of an input, in its unit.
+struct InputUncertainty {
+  Input input;
+  double half_width;
+  std::string source;
+};
+
 struct RunDefinition {
   std::string name;
   std::variant<SphRun, InterFoamRun, LinearRun, ViscousWaveRun, PotentialRun, RecordRun,
@@ -255,6 +273,12 @@ enum class Metric {
   cost_to_reach
 };
 
+// What a row's limit comes from, and so what its passing tells.
+enum class RowKind {
+  validation,  // from theory, an experiment, a standard, a requirement or a stated tolerance
+  regression   // from what was measured before: it tells that nothing has become worse
+};
+
 // One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or
 // when |value| is below that of the run `improves_on` for the same row: exactly one of the three is
 // given.
@@ -273,6 +297,7 @@ struct GateRow {
   std::string reason, source;
   SourceLocation where;
   std::optional<double> error = {};  // normalised rms, of cost_to_reach alone
+  RowKind kind = RowKind::validation;
 };
 
 // What is published of a tank in which the liquid hits a wall once a period: peaks and plateau of
@@ -318,6 +343,7 @@ struct CaseDefinition {
   int natural_modes;
   std::vector<RunDefinition> runs;
   std::vector<RefinementDefinition> refinements = {};
+  std::vector<InputUncertainty> inputs = {};  // each input once; none where nothing is declared
   std::vector<GateRow> gate;
   std::string text;  // the file as read
   std::filesystem::path file;

@@ -126,7 +126,7 @@ void read_head(const TomlTable& root, CaseDefinition& definition) {
                    "gravity_m_s2",   "tank",       "liquid", "gas",        "obstacle",
                    "initial_wave",   "motion",     "time",   "gauge",      "pressure_gauge",
                    "impacts",        "comparison", "run",    "refinement", "gate",
-                   "animation"});
+                   "animation",      "input"});
   definition.name = root.get("name", file_safe_name());
   definition.title = root.get("title", any_text());
   definition.source = root.get("source", any_text());
@@ -179,6 +179,8 @@ CaseDefinition read_case(const std::filesystem::path& file,
   definition.refinements = read_named<RefinementDefinition>(
       root, "refinement",
       [&](const TomlTable& refinement) { return read_refinement(refinement, definition); });
+  for (const TomlTable& input : root.tables("input"))
+    definition.inputs.push_back(read_input(input, definition));
   for (const TomlTable& row : root.tables("gate")) {
     definition.gate.push_back(read_gate_row(row, definition));
   }

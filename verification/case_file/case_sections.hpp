@@ -47,6 +47,9 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
 // [[refinement]], of a case whose runs have been read.
 RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefinition& definition);
 
+// [[input]], of a case whose motion and earlier inputs have been read.
+InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition);
+
 // [[gate]], of a case whose motion, gauges, comparison and runs have been read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
 

@@ -7,6 +7,7 @@
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/case_file/row_kind.hpp"
 
 namespace slosh {
 namespace {
@@ -209,7 +210,7 @@ void read_impact_series(const TomlTable& row, const MetricEntry& metric,
 
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   row.allow_only({"candidate", "reference", "quantity", "mode", "metric", "unit", "limit", "lower",
-                  "upper", "improves_on", "error", "reason", "source"});
+                  "upper", "improves_on", "error", "kind", "reason", "source"});
   GateRow gate_row{};
   gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);
@@ -228,6 +229,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   if (metric.metric == Metric::impact_percentile && !gate_row.between)
     row.refuse_table("a row on impact_percentile",
                      "lower with upper: neither end of the repeats is the better one");
+  gate_row.kind = read_row_kind(row);
   gate_row.reason = row.get("reason", any_text());
   gate_row.source = row.get("source", any_text());
   gate_row.where = row.where();

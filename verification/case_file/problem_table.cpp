@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "verification/case_file/row_kind.hpp"
+
 namespace slosh {
 namespace {
 
@@ -58,7 +60,8 @@ void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
 }
 
 ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
-  row.allow_only({"measure", "metric", "unit", "limit", "lower", "upper", "reason", "source"});
+  row.allow_only(
+      {"measure", "metric", "unit", "limit", "lower", "upper", "kind", "reason", "source"});
   ProblemGateRow gate_row{};
   gate_row.measure = row.choice("measure", fmt::format("a measure of {}", problem.name),
                                 names_of(problem.measures));
@@ -68,6 +71,7 @@ ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
   gate_row.unit =
       row.choice("unit", fmt::format("the unit of {}", metric_name(gate_row.metric)), {unit});
   read_bounds(row, gate_row);
+  gate_row.kind = read_row_kind(row);
   gate_row.reason = row.get("reason", any_text());
   gate_row.source = row.get("source", any_text());
   gate_row.where = row.where();

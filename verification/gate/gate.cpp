@@ -153,6 +153,20 @@ Verdict verdict_on_improvement(const Estimate& estimate, const Estimate& other) 
                                                                             : Verdict::violated;
 }
 
+UncertaintyContributions contributions_to(const GateRow& row, const GateEvidence& evidence) {
+  return evidence.uncertainty ? evidence.uncertainty(row) : UncertaintyContributions{};
+}
+
+// A validation row whose numerical or whose reference's uncertainty is unknown does not pass.
+Verdict verdict_of_kind(const GateRow& row, Verdict verdict, const std::string& missing) {
+  const bool rests_on_unknown = row.kind == RowKind::validation && !missing.empty();
+  return verdict == Verdict::pass && rests_on_unknown ? Verdict::inconclusive : verdict;
+}
+
+std::string with_missing(const std::string& text, const std::string& missing) {
+  return missing.empty() ? text : text + ", as far as is known: " + missing;
+}
+
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                               const GateEvidence& evidence) {
   const std::string& other = row.improves_on.value();
@@ -160,10 +174,12 @@ GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
   others_row.candidate = other;
   const Estimate others = measured(others_row, evidence);
   const Verdict verdict = verdict_on_improvement(value, others);
-  return {row, verdict, value,
-          fmt::format("|{}| {} |{}| of {}", with_interval(value, row.unit),
-                      verdict == Verdict::pass ? "<" : "is not clearly <",
-                      with_interval(others, row.unit), other)};
+  const std::string missing = missing_for_validation(contributions_to(row, evidence));
+  return {row, verdict_of_kind(row, verdict, missing), value,
+          with_missing(fmt::format("|{}| {} |{}| of {}", with_interval(value, row.unit),
+                                   verdict == Verdict::pass ? "<" : "is not clearly <",
+                                   with_interval(others, row.unit), other),
+                       missing)};
 }
 
 Verdict verdict_of(ThreeWayVerdict verdict) {
@@ -212,11 +228,13 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
 }
 
 GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
-  UncertaintyContributions contributions;
-  if (evidence.uncertainty) contributions = evidence.uncertainty(row);
-  contributions.statistics = std::hypot(contributions.statistics, value.half_width);
+  UncertaintyContributions contributions = contributions_to(row, evidence);
+  contributions.statistics.half_width =
+      std::hypot(contributions.statistics.known(), value.half_width);
   const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
-  return {row, verdict_of(judged.verdict), value, bound_text(row, judged, evidence), judged};
+  const std::string missing = missing_for_validation(contributions);
+  return {row, verdict_of_kind(row, verdict_of(judged.verdict), missing), value,
+          with_missing(bound_text(row, judged, evidence), missing), judged};
 }
 
 bool is_of_candidate_alone(Metric metric) {

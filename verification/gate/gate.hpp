@@ -123,6 +123,8 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence);
 // Of a row with a limit or a range, what its metric may be, in the row's unit.
 AllowedRange allowed_by(const GateRow& row);
 
+// A validation row of which the candidate's numerical uncertainty or the reference's is unknown
+// does not pass: it is inconclusive, and its message names what is missing. A regression row may.
 // A limit or a range passes where the whole 95 % interval about the metric lies within it, is
 // violated where all of it lies outside, and is inconclusive otherwise; an improvement on another
 // run, likewise, where the intervals leave open which is the better. NaN never passes. An impact

@@ -28,11 +28,11 @@ ThreeWayVerdict verdict_of(double margin, double uncertainty) {
 
 // The half width left to one contribution beside the others; none where they leave nothing.
 std::optional<double> left_beside(const ThreeWayOutcome& outcome,
-                                  double UncertaintyContributions::*one) {
+                                  Contribution UncertaintyContributions::*one) {
   if (outcome.verdict != ThreeWayVerdict::inconclusive || !std::isfinite(outcome.uncertainty))
     return std::nullopt;
   UncertaintyContributions others = outcome.contributions;
-  others.*one = 0;
+  others.*one = {};
   const double other = validation_uncertainty(others), needed = outcome.conclusive_uncertainty;
   if (!(other < needed)) return std::nullopt;
   return std::sqrt((needed - other) * (needed + other));
@@ -40,21 +40,35 @@ std::optional<double> left_beside(const ThreeWayOutcome& outcome,
 
 }  // namespace
 
+Contribution Contribution::unknown(std::string missing) {
+  Contribution contribution;
+  contribution.half_width.reset();
+  contribution.basis = std::move(missing);
+  return contribution;
+}
+
 double validation_uncertainty(const UncertaintyContributions& contributions) {
   double squares = 0;
-  for (const double one : {contributions.discretisation, contributions.statistics,
-                           contributions.input, contributions.reference}) {
+  for (const double one : {contributions.discretisation.known(), contributions.statistics.known(),
+                           contributions.input.known(), contributions.reference.known()}) {
     if (!(one >= 0)) return std::numeric_limits<double>::quiet_NaN();
     squares += one * one;
   }
   return std::sqrt(squares);
 }
 
+std::string missing_for_validation(const UncertaintyContributions& contributions) {
+  std::string missing;
+  for (const Contribution* one : {&contributions.discretisation, &contributions.reference})
+    if (!one->half_width) missing += (missing.empty() ? "" : "; ") + one->basis;
+  return missing;
+}
+
 std::string dominant_contribution(const UncertaintyContributions& contributions) {
-  const auto named = {std::pair{contributions.discretisation, "discretisation"},
-                      std::pair{contributions.statistics, "statistics"},
-                      std::pair{contributions.input, "input"},
-                      std::pair{contributions.reference, "reference"}};
+  const auto named = {std::pair{contributions.discretisation.known(), "discretisation"},
+                      std::pair{contributions.statistics.known(), "statistics"},
+                      std::pair{contributions.input.known(), "input"},
+                      std::pair{contributions.reference.known(), "reference"}};
   return std::max_element(named.begin(), named.end(),
                           [](const auto& a, const auto& b) { return a.first < b.first; })
       ->second;
@@ -70,14 +84,14 @@ ThreeWayOutcome judge_error(double error, const UncertaintyContributions& contri
 std::optional<Remedy> finer_step(const ThreeWayOutcome& outcome, double order) {
   const auto left = left_beside(outcome, &UncertaintyContributions::discretisation);
   if (!left || !(order > 0)) return std::nullopt;
-  const double ratio = std::pow(outcome.contributions.discretisation / *left, 1 / order);
+  const double ratio = std::pow(outcome.contributions.discretisation.known() / *left, 1 / order);
   return Remedy{*left, ratio, std::pow(ratio, work_exponent)};
 }
 
 std::optional<Remedy> longer_window(const ThreeWayOutcome& outcome) {
   const auto left = left_beside(outcome, &UncertaintyContributions::statistics);
   if (!left) return std::nullopt;
-  const double ratio = std::pow(outcome.contributions.statistics / *left, 2);
+  const double ratio = std::pow(outcome.contributions.statistics.known() / *left, 2);
   return Remedy{*left, ratio, ratio};
 }
 

@@ -7,24 +7,46 @@
 // numerical uncertainty, told apart because they have different remedies. All of them are expanded
 // 95 % half widths, as everything in this project is stated, where the standard adds standard
 // uncertainties and expands the sum: the same where all have the same coverage factor.
+// A contribution that is unknown counts for nothing in U_val; what then may still pass is for the
+// row's kind to say (gate.hpp).
 // NaN or infinity in E fails, and in a U is inconclusive: neither ever passes.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace slosh {
 
-// Half widths of 95 % intervals in the error's unit, none negative. Independent of one another.
-struct UncertaintyContributions {
-  double discretisation = 0;  // of step and spacing, discretisation_uncertainty.hpp
-  double statistics = 0;      // of a finite record, as the metric's confidence interval
-  double input = 0;           // of what the simulation is told: motion, fill depth, properties
-  double reference = 0;       // of the data: an experiment's, or another method's own
+// Half width of a 95 % interval in the error's unit, not negative; none where it is unknown.
+struct Contribution {
+  std::optional<double> half_width = 0.0;
+  // What it rests on; of an unknown one what is missing, and what would tell it.
+  std::string basis = {};
+
+  Contribution() = default;
+  Contribution(double known, std::string rests_on = {})
+      : half_width(known), basis(std::move(rests_on)) {}
+  static Contribution unknown(std::string missing);
+
+  double known() const { return half_width.value_or(0); }  // zero where unknown
 };
 
-// U_val; NaN where one is negative or no number.
+// Independent of one another.
+struct UncertaintyContributions {
+  Contribution discretisation = {};  // of step and spacing, discretisation_uncertainty.hpp
+  Contribution statistics = {};      // of a finite record, as the metric's confidence interval
+  Contribution input = {};      // of what the simulation is told: motion, fill depth, properties
+  Contribution reference = {};  // of the data: an experiment's, or another method's own
+};
+
+// U_val of the known ones; NaN where one is negative or no number.
 double validation_uncertainty(const UncertaintyContributions& contributions);
+
+// What is missing of the numerical uncertainty and of the reference's, joined by "; "; empty where
+// both are known. What this names keeps a validation row from passing. The inputs' is not among
+// them: an experiment's paper may be silent on it, and no run of ours would tell it.
+std::string missing_for_validation(const UncertaintyContributions& contributions);
 
 // "discretisation", "statistics", "input" or "reference": the largest.
 std::string dominant_contribution(const UncertaintyContributions& contributions);

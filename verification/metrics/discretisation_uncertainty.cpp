@@ -36,6 +36,12 @@ void require_sound(const Values& values) {
   }
 }
 
+std::size_t index_of_step(const Values& values, double step) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i].step == step) return i;
+  throw ComparisonError(fmt::format("no value at step {}; expected the step of one of them", step));
+}
+
 double difference(const ValueAtStep& fine, const ValueAtStep& coarse) {
   return coarse.value - fine.value;
 }
@@ -77,11 +83,10 @@ StepBehaviour behaviour_of(const Values& values, std::optional<double> order) {
   return *order >= order_too_high ? StepBehaviour::superconvergent : StepBehaviour::monotone;
 }
 
-// Of the finest value.
 struct ErrorEstimate {
   std::optional<double> order;
-  double error;        // f1 - f0
-  double uncertainty;  // half width of the 95 % interval
+  double extrapolated;  // f0
+  double uncertainty;   // half width of the 95 % interval about the value asked about
 };
 
 // sqrt(sum (largest change of the error as value i is moved up or down by its noise)^2)
@@ -109,15 +114,18 @@ double safety_factor(std::optional<double> order) {
   return reliable ? reliable_safety_factor : cautious_safety_factor;
 }
 
-double three_grid_error(const Values& values) {
+double three_grid_limit(const Values& values) {
   const double order = reliable_order(order_of_three(values, 0));
-  return values[0].value - extrapolated_value(values[0], values[1], order);
+  return extrapolated_value(values[0], values[1], order);
 }
 
-ErrorEstimate from_three(const Values& values) {
-  const double order = order_of_three(values, 0), error = three_grid_error(values);
-  return {order, error,
-          safety_factor(order) * std::abs(error) + moved_by_noise(values, three_grid_error)};
+ErrorEstimate from_three(const Values& values, std::size_t asked) {
+  const auto error = [asked](const Values& moved) {
+    return moved[asked].value - three_grid_limit(moved);
+  };
+  const double order = order_of_three(values, 0);
+  return {order, three_grid_limit(values),
+          safety_factor(order) * std::abs(error(values)) + moved_by_noise(values, error)};
 }
 
 // D of the header.
@@ -128,33 +136,34 @@ double data_range(const Values& values) {
   return (high->value - low->value) / static_cast<double>(values.size() - 1);
 }
 
-ErrorEstimate from_fit(const Values& values) {
+ErrorEstimate from_fit(const Values& values, std::size_t asked) {
   const double range = data_range(values);
-  if (range == 0) return {std::nullopt, 0, 0};
+  if (range == 0) return {std::nullopt, values[asked].value, 0};
   const auto [order, fit] = choose_expansion(values);
-  const double error = std::abs(fit.error_at_finest), residual = std::abs(fit.residual_at_finest);
+  const double error = std::abs(fit.error_at(asked));
+  const double residual = std::abs(values[asked].value - fit.fitted[asked]);
   const double uncertainty =
       fit.deviation < range
           ? safety_factor(order) * error + fit.deviation + residual
           : cautious_safety_factor * fit.deviation / range * (error + fit.deviation + residual);
-  const auto refitted = [&fit](const Values& moved) {
+  const auto refitted = [&fit, asked](const Values& moved) {
     return (fit.expansion == Expansion::power
                 ? fit_power_law(moved, fit.weighted, reliable_orders)
                 : fit_fixed_orders(moved, fit.weighted, fit.expansion))
-        .error_at_finest;
+        .error_at(asked);
   };
-  return {order, values[0].value - fit.extrapolated,
-          uncertainty + moved_by_noise(values, refitted)};
+  return {order, fit.extrapolated, uncertainty + moved_by_noise(values, refitted)};
 }
 
 // The uncertainty where no order can be relied on.
-double from_range(const Values& values) {
+double from_range(const Values& values, std::size_t asked) {
+  const std::size_t last = std::max<std::size_t>(2, asked);
   double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = i + 1; j < 3; ++j)
+  for (std::size_t i = 0; i <= last; ++i)
+    for (std::size_t j = i + 1; j <= last; ++j)
       largest = std::max({largest, std::abs(difference(values[i], values[j])),
                           noise_of_difference(values[i], values[j])});
-  return cautious_safety_factor * largest / std::min(1.0, values[2].step / values[0].step - 1);
+  return first_order_uncertainty(largest, values[asked].step, values[0].step, values[last].step);
 }
 
 std::string explanation_of(const DiscretisationUncertainty& result, const Values& values) {
@@ -190,23 +199,28 @@ std::string explanation_of(const DiscretisationUncertainty& result, const Values
 
 }  // namespace
 
-DiscretisationUncertainty discretisation_uncertainty(Values values) {
+double first_order_uncertainty(double difference, double step, double finest, double coarsest) {
+  return cautious_safety_factor * difference * std::max(1.0, step / (coarsest - finest));
+}
+
+DiscretisationUncertainty discretisation_uncertainty(Values values, std::optional<double> at_step) {
   std::sort(values.begin(), values.end(),
             [](const ValueAtStep& a, const ValueAtStep& b) { return a.step < b.step; });
   require_sound(values);
+  const std::size_t asked = at_step ? index_of_step(values, *at_step) : 0;
   const bool fitted = values.size() >= fewest_values_to_fit;
-  const ErrorEstimate estimate = fitted ? from_fit(values) : from_three(values);
+  const ErrorEstimate estimate = fitted ? from_fit(values, asked) : from_three(values, asked);
   DiscretisationUncertainty result{behaviour_of(values, estimate.order), std::nullopt,
-                                   values[0].value, estimate.uncertainty, ""};
+                                   values[asked].value, estimate.uncertainty, ""};
   const bool has_order = result.behaviour == StepBehaviour::monotone ||
                          result.behaviour == StepBehaviour::superconvergent;
   if (has_order) {
     result.order = estimate.order;
-    result.extrapolated = values[0].value - estimate.error;
+    result.extrapolated = estimate.extrapolated;
   } else if (!fitted) {
-    result.uncertainty = from_range(values);
+    result.uncertainty = from_range(values, asked);
   } else if (result.behaviour == StepBehaviour::floor) {
-    result.uncertainty = std::max(estimate.uncertainty, from_range(values));
+    result.uncertainty = std::max(estimate.uncertainty, from_range(values, asked));
   }
   result.explanation = explanation_of(result, values);
   return result;

@@ -101,8 +101,7 @@ ExpansionFit fit_power_law(const std::vector<ValueAtStep>& values, bool weighted
           weighted,
           p,
           fit.coefficients[0] - error,
-          error,
-          values.front().value - fit.fitted[0],
+          {fit.fitted.begin(), fit.fitted.end()},
           deviation(fit, 3)};
 }
 
@@ -120,8 +119,7 @@ ExpansionFit fit_fixed_orders(const std::vector<ValueAtStep>& values, bool weigh
           weighted,
           expansion == Expansion::second ? 2.0 : 1.0,
           fit.coefficients[0],
-          fit.fitted[0] - fit.coefficients[0],
-          values.front().value - fit.fitted[0],
+          {fit.fitted.begin(), fit.fitted.end()},
           deviation(fit, expansion == Expansion::mixed ? 3 : 2)};
 }
 

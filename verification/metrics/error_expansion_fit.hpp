@@ -10,6 +10,7 @@
 // formal order two.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -22,11 +23,12 @@ enum class Expansion { power, first, second, mixed };
 struct ExpansionFit {
   Expansion expansion;
   bool weighted;
-  double order;               // p of the power law; of the mixed expansion 1, its leading one
-  double extrapolated;        // f0
-  double error_at_finest;     // fit(h1) - f0
-  double residual_at_finest;  // f1 - fit(h1)
-  double deviation;           // sigma
+  double order;                // p of the power law; of the mixed expansion 1, its leading one
+  double extrapolated;         // f0
+  std::vector<double> fitted;  // fit(h_i), in the order of the values
+  double deviation;            // sigma
+
+  double error_at(std::size_t i) const { return fitted[i] - extrapolated; }
 };
 
 struct OrderRange {

@@ -116,6 +116,15 @@ TEST_F(CampaignParser, ReadsProblemsWithTheirGateRows) {
   EXPECT_EQ(gate[0].where.line, 7);
   EXPECT_EQ(gate[1].unit, "m/s");
   EXPECT_EQ(gate[2].between, std::pair(-1.2, -0.8));
+  EXPECT_EQ(gate[0].kind, RowKind::validation);
+}
+
+TEST_F(CampaignParser, TakesALimitThatWasMeasuredBeforeForARegressionRow) {
+  const auto campaign = read(head + eddy + order_row + "kind = \"regression\"\n");
+  EXPECT_EQ(campaign.problems.at(0).gate.at(0).kind, RowKind::regression);
+  expect_complaint(head + eddy + order_row + "kind = \"regresion\"\n",
+                   "trial.toml:14: problem.gate.kind = \"regresion\": expected what the limit "
+                   "comes from, one of validation, regression; nearest: regression");
 }
 
 TEST_F(CampaignParser, RefusesEachKindOfMistakeInAProblem) {

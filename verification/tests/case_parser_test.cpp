@@ -128,6 +128,48 @@ TEST(CaseParser, ReadsTheOtherBoundsOfAGateRow) {
   EXPECT_FALSE(improves.gate.at(0).limit);
 }
 
+TEST(CaseParser, TakesAGateRowForAValidationRowUnlessItIsToldOtherwise) {
+  EXPECT_EQ(read_text(valid_text).gate.at(0).kind, RowKind::validation);
+  EXPECT_EQ(read_text(valid_text + "kind = \"regression\"\n").gate.at(0).kind, RowKind::regression);
+  EXPECT_EQ(read_text(valid_text + "kind = \"validation\"\n").gate.at(0).kind, RowKind::validation);
+  const Workspace workspace;
+  EXPECT_EQ(complaint(workspace.write("trial.toml", valid_text + "kind = \"measured\"\n")),
+            "trial.toml:62: gate.kind = \"measured\": expected what the limit comes from, one of "
+            "validation, regression; nearest: regression");
+}
+
+const std::string uncertain_depth =
+    "[[input]]\nname = \"fill_depth\"\nhalf_width = 0.0005\nunit = \"m\"\nsource = \"a ruler\"\n";
+
+TEST(CaseParser, ReadsHowWellAnExperimentKnewItsInputs) {
+  const CaseDefinition definition = read_text(valid_text + uncertain_depth);
+  ASSERT_EQ(definition.inputs.size(), 1U);
+  EXPECT_EQ(definition.inputs[0].input, Input::fill_depth);
+  EXPECT_EQ(definition.inputs[0].half_width, 0.0005);
+  EXPECT_EQ(definition.inputs[0].source, "a ruler");
+}
+
+TEST(CaseParser, RefusesAnInputThatIsNoneOrIsThereTwice) {
+  const auto said = [](const std::string& from, const std::string& to) {
+    std::string text = uncertain_depth;
+    text.replace(text.find(from), from.size(), to);
+    const Workspace workspace;
+    return complaint(workspace.write("trial.toml", valid_text + text));
+  };
+  EXPECT_EQ(said("fill_depth", "depth")
+                .find("trial.toml:63: input.name = \"depth\": expected an "
+                      "input that this case has, one of fill_depth, period"),
+            0U);
+  EXPECT_EQ(said("\"m\"", "\"mm\""),
+            "trial.toml:65: input.unit = \"mm\": expected the unit of fill_depth, which is m");
+  EXPECT_EQ(said("0.0005", "0").find("trial.toml:64: input.half_width = 0: expected a number > 0"),
+            0U);
+  EXPECT_EQ(said("source", "sources").find("trial.toml:66: input.sources"), 0U);
+  EXPECT_EQ(said("a ruler\"\n", "a ruler\"\n" + uncertain_depth)
+                .find("trial.toml:68: input.name = \"fill_depth\": expected each input once"),
+            0U);
+}
+
 TEST(CaseParser, ReadsAGateRowOnARunsOwnSeries) {
   const auto definition = read_text(
       edited({"reference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\n"

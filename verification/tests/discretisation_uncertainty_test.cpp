@@ -171,9 +171,11 @@ struct Coverage {
 
 enum class Family { power, first, second, mixed };
 
-// Steps a factor of 1.25 to 2 apart; errors of the finest value 0.3 to 1.3; the mixed expansion's
+// About the finest value, or that at the coarser step of the index. Steps a factor of 1.25 to 2
+// apart; errors of the finest value 0.3 to 1.3; the mixed expansion's
 // second term up to 0.3 of the first at the coarsest step, of either sign.
-Coverage coverage_of(Family family, std::size_t count, double deviation, std::uint64_t seed) {
+Coverage coverage_of(Family family, std::size_t count, double deviation, std::uint64_t seed,
+                     std::size_t asked = 0) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal(0, 1);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -192,9 +194,9 @@ Coverage coverage_of(Family family, std::size_t count, double deviation, std::ui
       values.push_back(
           {h, 1 + leading * std::pow(h, order) + next * h * h + deviation * normal(generator),
            1.96 * deviation});
-    const double uncertainty = discretisation_uncertainty(values).uncertainty;
-    const double half_width = std::hypot(uncertainty, values[0].noise);
-    if (std::abs(values[0].value - 1) <= half_width + 1e-9) ++coverage.held;
+    const double uncertainty = discretisation_uncertainty(values, values[asked].step).uncertainty;
+    const double half_width = std::hypot(uncertainty, values[asked].noise);
+    if (std::abs(values[asked].value - 1) <= half_width + 1e-9) ++coverage.held;
   }
   return coverage;
 }
@@ -214,6 +216,31 @@ TEST(DiscretisationUncertainty, HoldsTheLimitInNineteenOfTwentyManufacturedDataS
     EXPECT_GE(all.share(), 0.95) << static_cast<int>(family);
     RecordProperty("coverage_of_family_" + std::to_string(static_cast<int>(family)),
                    std::to_string(all.share()));
+  }
+}
+
+TEST(DiscretisationUncertainty, OfACoarserStepIsItsWholeErrorByTheOrderOfAll) {
+  for (const std::size_t count : {3, 4, 6})
+    for (const double order : {0.6, 1.0, 1.5, 2.0})
+      for (std::size_t asked = 0; asked < count; ++asked) {
+        const Values values = of_order(order, count);
+        const auto result = discretisation_uncertainty(values, values[asked].step);
+        EXPECT_NEAR(result.extrapolated, 5, 1e-4);
+        EXPECT_NEAR(result.uncertainty, 1.25 * (values[asked].value - 5), 2e-3);
+      }
+  EXPECT_THROW(discretisation_uncertainty(of_order(1, 3), 1.1), ComparisonError);
+}
+
+TEST(DiscretisationUncertainty, HoldsTheLimitAboutTheCoarsestValueToo) {
+  for (const Family family : {Family::power, Family::first, Family::second, Family::mixed}) {
+    Coverage all;
+    for (const std::size_t count : {3, 4, 5})
+      for (const double deviation : {0.0, 0.01, 0.03, 0.1, 0.3}) {
+        const Coverage one = coverage_of(family, count, deviation, 17 + count, count - 1);
+        all.held += one.held;
+        all.tried += one.tried;
+      }
+    EXPECT_GE(all.share(), 0.95) << static_cast<int>(family);
   }
 }
 

@@ -27,8 +27,9 @@ TEST(PowerLawFit, FindsTheOrderLimitAndErrorOfExactData) {
     const ExpansionFit fit = fit_power_law(power_law(1.37), weighted, {-1, 8});
     EXPECT_NEAR(fit.order, 1.37, 1e-5);
     EXPECT_NEAR(fit.extrapolated, 3, 1e-5);
-    EXPECT_NEAR(fit.error_at_finest, -0.7 * std::pow(0.1, 1.37), 1e-5);
-    EXPECT_NEAR(fit.residual_at_finest, 0, 1e-6);
+    EXPECT_NEAR(fit.error_at(0), -0.7 * std::pow(0.1, 1.37), 1e-5);
+    EXPECT_NEAR(fit.fitted[0], power_law(1.37)[0].value, 1e-6);
+    EXPECT_NEAR(fit.error_at(4), -0.7 * std::pow(0.5, 1.37), 1e-5);
     EXPECT_NEAR(fit.deviation, 0, 1e-6);
   }
 }
@@ -44,7 +45,8 @@ TEST(PowerLawFit, GivesTheFinerStepsTheirWeight) {
   const ExpansionFit plain = fit_fixed_orders(values, false, Expansion::first);
   const ExpansionFit weighted = fit_fixed_orders(values, true, Expansion::first);
   EXPECT_LT(std::abs(weighted.extrapolated - 3), std::abs(plain.extrapolated - 3));
-  EXPECT_LT(std::abs(weighted.residual_at_finest), std::abs(plain.residual_at_finest));
+  const double finest = values.front().value;
+  EXPECT_LT(std::abs(finest - weighted.fitted[0]), std::abs(finest - plain.fitted[0]));
 }
 
 TEST(FixedOrderFits, FindTheirOwnExpansionExactly) {
@@ -54,7 +56,7 @@ TEST(FixedOrderFits, FindTheirOwnExpansionExactly) {
     EXPECT_NEAR(fit_fixed_orders(power_law(2), weighted, Expansion::second).extrapolated, 3, 1e-12);
     const ExpansionFit fit = fit_fixed_orders(mixed, weighted, Expansion::mixed);
     EXPECT_NEAR(fit.extrapolated, 3, 1e-12);
-    EXPECT_NEAR(fit.error_at_finest, 0.07 - 0.004, 1e-12);
+    EXPECT_NEAR(fit.error_at(0), 0.07 - 0.004, 1e-12);
     EXPECT_NEAR(fit.deviation, 0, 1e-12);
   }
 }
@@ -65,8 +67,8 @@ TEST(FixedOrderFits, StateTheStandardDeviationOfTheirResiduals) {
   const Values values{{1, 0}, {2, 1}, {3, 0}, {4, 1}};
   const ExpansionFit fit = fit_fixed_orders(values, false, Expansion::first);
   EXPECT_NEAR(fit.extrapolated, 0, 1e-12);
-  EXPECT_NEAR(fit.error_at_finest, 0.2, 1e-12);
-  EXPECT_NEAR(fit.residual_at_finest, -0.2, 1e-12);
+  EXPECT_NEAR(fit.error_at(0), 0.2, 1e-12);
+  EXPECT_NEAR(fit.fitted[0], 0.2, 1e-12);  // a residual of -0.2
   EXPECT_NEAR(fit.deviation, std::sqrt(0.8 / 2), 1e-12);
 }
 

@@ -126,6 +126,42 @@ TEST(Gate, CountsWhatElseIsUncertainBesideTheInterval) {
   EXPECT_EQ(with_reference(nan).verdict, Verdict::inconclusive);
 }
 
+GateOutcome judge_with(const GateRow& row, double value, const UncertaintyContributions& found) {
+  const Comparison comparison = comparison_of(value);
+  const FindComparison find = [&](const auto&, const auto&, const auto&) -> const Comparison& {
+    return comparison;
+  };
+  return evaluate(row, all_finished(),
+                  {find, no_series, {}, [&](const GateRow&) { return found; }});
+}
+
+TEST(Gate, DoesNotPassAValidationRowWhoseNumericalOrReferencesUncertaintyIsUnknown) {
+  const Contribution unknown = Contribution::unknown("nobody refined the mesh");
+  for (const UncertaintyContributions& found :
+       {UncertaintyContributions{.reference = unknown},
+        UncertaintyContributions{.discretisation = unknown}}) {
+    const GateOutcome outcome = judge_with(amplitude_row, 0.01, found);
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+    EXPECT_EQ(outcome.message, "1 % +- 0.1 % <= 5 %, as far as is known: nobody refined the mesh");
+    EXPECT_EQ(judge_with(amplitude_row, 0.08, found).verdict, Verdict::violated);
+    GateRow regression = amplitude_row;
+    regression.kind = RowKind::regression;
+    EXPECT_EQ(judge_with(regression, 0.01, found).verdict, Verdict::pass);
+    GateRow improvement = amplitude_row;
+    improvement.limit.reset();
+    improvement.improves_on = "sph_coarse";
+    EXPECT_NE(judge_with(improvement, 0.01, found).verdict, Verdict::pass);
+  }
+  EXPECT_EQ(judge_with(amplitude_row, 0.01, {}).verdict, Verdict::pass);
+}
+
+TEST(Gate, PassesAValidationRowWhoseInputsAreUnknownAndKeepsThat) {
+  const GateOutcome outcome =
+      judge_with(amplitude_row, 0.01, {.input = Contribution::unknown("the paper is silent")});
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+  EXPECT_FALSE(outcome.judgement.value().contributions.input.half_width.has_value());
+}
+
 TEST(Gate, SaysTheValueAndItsLimitInTheRowsUnit) {
   EXPECT_EQ(judge(amplitude_row, comparison_of(0.008)).message, "0.8 % +- 0.1 % <= 5 %");
   EXPECT_EQ(judge(amplitude_row, comparison_of(-0.08)).message, "|-8 % +- 0.1 %| is not <= 5 %");

@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "reports/check_report.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/results_json.hpp"
+#include "verification/case_file/campaign_parser.hpp"
 #include "verification/problems/problem.hpp"
 
 namespace slosh {
@@ -156,6 +158,25 @@ TEST(ProblemAssessment, IsInTheJsonWithItsErrorsAndVerdicts) {
   EXPECT_NEAR(problem.at("measures").at(0).at("order"), 2, 1e-12);
   EXPECT_EQ(problem.at("gate").at(0).at("verdict"), "pass");
   EXPECT_EQ(problem.at("gate").at(0).at("line"), 7);
+}
+
+// "measured" and nothing before it: what no theory, experiment or requirement gives.
+TEST(ProblemGate, CallsEachShippedRowOnAMeasuredLimitARegressionRow) {
+  const std::filesystem::path shipped = std::filesystem::path(SLOSH_SOURCE_DIR) / "verification";
+  int regressions = 0;
+  for (const char* name : {"verification", "stability"}) {
+    const auto campaign = read_campaign(find_campaign(name, shipped / "campaigns"),
+                                        shipped / "cases", known_problems());
+    for (const ProblemDefinition& problem : campaign.problems)
+      for (const ProblemGateRow& row : problem.gate) {
+        const bool measured = row.source.starts_with("measured") ||
+                              row.source.starts_with("the quick form's finest; measured");
+        EXPECT_EQ(row.kind == RowKind::regression, measured)
+            << problem.name << " " << row.measure << ": " << row.source;
+        regressions += measured;
+      }
+  }
+  EXPECT_EQ(regressions, 26);
 }
 
 }  // namespace

@@ -38,9 +38,41 @@ TEST(RowUncertainty, CountsThatOfAMeshThatIsTheReference) {
   // over sqrt(2) - 1.
   const GateOutcome outcome = OfMeshes(0.01, 0.005).judged();
   const double difference = 1 / 1.005 - 1 / 1.01;
-  EXPECT_NEAR(outcome.judgement.value().contributions.reference,
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference.known(),
               3 * difference / (std::sqrt(2.0) - 1), 1e-6);
   EXPECT_EQ(outcome.verdict, Verdict::pass);  // 0.5 % +- 3.6 % within 5 %
+}
+
+TEST(RowUncertainty, OfTheCoarserMeshCountsTheFinerOneToo) {
+  OfMeshes meshes(0.01, 0.005);
+  meshes.definition.gate[0].reference = "coarse_mesh";
+  // The whole error of first order at the coarser step: sqrt(2) times that of the finer one.
+  const double difference = 1 / 1.005 - 1 / 1.01;
+  const GateOutcome outcome = meshes.judged();
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference.half_width.value(),
+              3 * difference * std::sqrt(2.0) / (std::sqrt(2.0) - 1), 1e-6);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);  // 1 % +- 5.1 % of 5 %
+}
+
+TEST(RowUncertainty, OfAMeshWithoutAnotherIsUnknownAndDoesNotPass) {
+  OfMeshes meshes(0.01, 0.005);
+  ASSERT_EQ(meshes.judged().verdict, Verdict::pass);
+  OfMeshes alone = meshes;  // as where the quick form leaves the other mesh out
+  alone.runs.results.erase("coarse_mesh");
+  alone.runs.status["coarse_mesh"] = {RunState::not_selected, ""};
+  OfMeshes without_path = meshes;
+  without_path.definition.refinements.clear();
+  for (OfMeshes* unknown : {&alone, &without_path}) {
+    const GateOutcome outcome = unknown->judged();
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+    EXPECT_FALSE(outcome.judgement.value().contributions.reference.half_width.has_value());
+    EXPECT_NE(outcome.message.find("the numerical uncertainty of the reference fine_mesh is "
+                                   "unknown; a [[refinement]]"),
+              std::string::npos)
+        << outcome.message;
+    unknown->definition.gate[0].kind = RowKind::regression;
+    EXPECT_EQ(unknown->judged().verdict, Verdict::pass);
+  }
 }
 
 TEST(RowUncertainty, MakesARowInconclusiveAgainstAMeshThatHasNotConverged) {
@@ -69,7 +101,7 @@ TEST(RowUncertainty, OfAVerificationRowIsNotTheDiscretisationErrorThatItMeasures
   runs.results["coarse_particles"] = result_of("coarse_particles", scaled(elevation_of({}), 1.04));
   runs.status["coarse_particles"] = {RunState::finished, ""};
   const GateOutcome outcome = assess(definition, runs).gate.at(0);
-  EXPECT_EQ(outcome.judgement.value().contributions.discretisation, 0);
+  EXPECT_EQ(outcome.judgement.value().contributions.discretisation.known(), 0);
   EXPECT_EQ(outcome.verdict, Verdict::pass);
 }
 
@@ -84,7 +116,7 @@ TEST(RowUncertainty, OfPotentialFlowIsWhatItsCoarserRunChanges) {
   coarse.name += "/coarser";
   flow.series.push_back(coarse);
   const GateOutcome outcome = assess(definition, runs).gate.at(0);
-  EXPECT_NEAR(outcome.judgement.value().contributions.reference, 0.03, 1e-9);
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference.known(), 0.03, 1e-9);
   EXPECT_EQ(outcome.verdict, Verdict::pass);
   flow.series.pop_back();  // a run that does not tell it
   EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::not_compared);
@@ -109,7 +141,7 @@ TEST(RowUncertainty, OfAFlowThatDisturbancesDecideIsWhatItsRepeatsSpread) {
   }
   const GateOutcome outcome = assess(definition, runs).gate.at(0);
   // Standard deviation 0.02, Student's t of two degrees of freedom 4.3027 (tables).
-  EXPECT_NEAR(outcome.judgement.value().contributions.statistics,
+  EXPECT_NEAR(outcome.judgement.value().contributions.statistics.known(),
               4.3027 * 0.02 * std::sqrt(4.0 / 3), 1e-5);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
   definition.runs.pop_back();
@@ -134,10 +166,10 @@ TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
   }
   const CaseAssessment assessment = assess(definition, runs);
   const double amplitude = assessment.comparisons.at(0).modes.at(0).reference.amplitude.value;
-  EXPECT_NEAR(assessment.gate.at(0).judgement.value().contributions.reference, 0.0005 / amplitude,
-              1e-12);
+  EXPECT_NEAR(assessment.gate.at(0).judgement.value().contributions.reference.known(),
+              0.0005 / amplitude, 1e-12);
   // Scatter of the record only raises a residual.
-  EXPECT_EQ(assessment.gate.at(1).judgement.value().contributions.reference, 0);
+  EXPECT_EQ(assessment.gate.at(1).judgement.value().contributions.reference.known(), 0);
 }
 
 TEST(ValidityEnvelope, LetsASmallWaveFarFromResonanceGate) {
