@@ -100,6 +100,13 @@ std::vector<std::string> quantities_of(const CaseDefinition& definition, const C
 
 }  // namespace
 
+bool has_selected_runs(const CaseAssessment& assessment) {
+  const auto& status = assessment.runs.status;
+  return std::any_of(status.begin(), status.end(), [](const auto& of_run) {
+    return of_run.second.state != RunState::not_selected;
+  });
+}
+
 std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
   const std::string quantity = compared_quantities(assessment.definition).front();
   std::vector<const Comparison*> judging;

@@ -27,16 +27,6 @@ bool is_exact(const decltype(RunDefinition::solver)& solver) {
          !std::holds_alternative<ExternalRun>(solver);
 }
 
-// The case's, or what a record covers of it: a candidate must cover it all.
-TimeWindow window_of(const CaseDefinition& definition, const std::string& reference) {
-  TimeWindow window{definition.window_begin, definition.window_end};
-  if (const RecordRun* record = record_named(definition, reference)) {
-    window.begin = std::max(window.begin, record->time.front());
-    window.end = std::min(window.end, record->time.back());
-  }
-  return window;
-}
-
 // A record may be too short or too sparse for the modes: then the histories alone are compared.
 Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& record,
                                TimeWindow window, const std::vector<ToneRequest>& modes) {
@@ -60,7 +50,7 @@ Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs,
                         const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
   const TimeSeries& candidate = series_of(runs, candidate_name, quantity);
   const TimeSeries& reference = series_of(runs, reference_name, quantity);
-  const TimeWindow window = window_of(definition, reference_name);
+  const TimeWindow window = compared_window(definition, reference_name);
   const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
   Comparison comparison = record_named(definition, reference_name)
                               ? compare_with_record(candidate, reference, window, modes)
@@ -86,6 +76,15 @@ std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
 
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
   return modes_of(definition, definition.natural_modes);
+}
+
+TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference) {
+  TimeWindow window{definition.window_begin, definition.window_end};
+  if (const RecordRun* record = record_named(definition, reference)) {
+    window.begin = std::max(window.begin, record->time.front());
+    window.end = std::min(window.end, record->time.back());
+  }
+  return window;
 }
 
 CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,

@@ -8,7 +8,7 @@ namespace slosh {
 namespace {
 
 constexpr double period = 2;  // [s]
-constexpr MutationFrame frame{{0, 20}, period};
+const MutationFrame frame{{0, 20}, period, 0.35};
 const TimeSeries series =
     sampled([](double t) { return 0.02 * std::sin(two_pi / period * t); }, 0, 20);
 
@@ -77,6 +77,48 @@ TEST(GateClaims, OfAResidualAreWhatTheTriangleInequalityLeaves) {
   const GateRow largest = row_of(Metric::maximum_residual, 0.003, "whole");
   EXPECT_TRUE(claims(largest, 0.0005, MutationKind::louder, 0.2));  // 0.2 * 0.018 - 0.0005
   EXPECT_FALSE(claims(largest, 0.0005, MutationKind::louder, 0.1));
+}
+
+TEST(GateClaims, OfAMeanOffsetAreTheDatumAndADrift) {
+  const GateRow row = row_of(Metric::mean_offset, 0.003, "whole");  // metres
+  EXPECT_TRUE(claims(row, 0, MutationKind::raised, 0.01));
+  EXPECT_TRUE(claims(row, 0, MutationKind::lowered, 0.01));
+  EXPECT_FALSE(claims(row, 0, MutationKind::raised, 0.005));
+  EXPECT_FALSE(claims(row, -0.002, MutationKind::raised, 0.01));
+  EXPECT_TRUE(claims(row, -0.002, MutationKind::lowered, 0.01));
+  EXPECT_TRUE(claims(row, 0, MutationKind::drifting, 0.5));  // 0.9 / 2 of half of 14.1 mm
+  EXPECT_FALSE(claims(row, 0, MutationKind::drifting, 0.2));
+  EXPECT_FALSE(claims(row_of(Metric::amplitude_error, 0.003), 0, MutationKind::raised, 0.1));
+}
+
+TEST(GateClaims, OfASeriesThatIsAddedAreWhatTheTriangleInequalityLeaves) {
+  const GateRow rms = row_of(Metric::normalised_rms, 0.2, "whole");
+  EXPECT_TRUE(claims(rms, 0.04, MutationKind::raised, 0.02));  // 7 mm of 14.1 mm
+  EXPECT_FALSE(claims(rms, 0.04, MutationKind::raised, 0.005));
+  EXPECT_TRUE(claims(rms, 0.04, MutationKind::drifting, 1));
+  EXPECT_FALSE(claims(rms, 0.04, MutationKind::drifting, 0.1));
+  EXPECT_TRUE(claims(rms, 0.04, MutationKind::chirped, 0.2));
+  EXPECT_FALSE(claims(rms, 0.04, MutationKind::chirped, 0.02));
+  const GateRow largest = row_of(Metric::maximum_residual, 0.005, "whole");
+  EXPECT_TRUE(claims(largest, 0.0005, MutationKind::raised, 0.02));
+  EXPECT_FALSE(claims(largest, 0.0005, MutationKind::raised, 0.01));
+}
+
+TEST(GateClaims, OfASlowChangeOfFrequencyAreAThirdOfItsTurn) {
+  const GateRow row = row_of(Metric::phase_lag, 10);
+  EXPECT_TRUE(claims(row, 0, MutationKind::chirped, 0.1));  // 0.9 of 12 degrees
+  EXPECT_FALSE(claims(row, 0, MutationKind::chirped, 0.05));
+  EXPECT_FALSE(claims(row, 5, MutationKind::chirped, 0.1));
+}
+
+TEST(GateClaims, OfAGainedModeAreOfItsOwnAmplitude) {
+  const auto gained = [](const std::string& mode, double strength) {
+    return claims_to_detect(row_of(Metric::amplitude_error, 0.08, "natural_1"), {0, series},
+                            {MutationKind::mode_gained, strength, mode}, frame);
+  };
+  EXPECT_TRUE(gained("natural_1", 0.1));
+  EXPECT_FALSE(gained("natural_1", 0.05));
+  EXPECT_FALSE(gained("natural_2", 0.5));
 }
 
 TEST(GateClaims, HoldForBoundsOnBothSidesAndNotForComparedErrors) {
