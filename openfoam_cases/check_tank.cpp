@@ -92,6 +92,12 @@ void check_wave(const InitialWave& wave, const SloshingTank& tank) {
           "no wave on a column of liquid or over obstacles");
 }
 
+void check_disturbance(const InitialWave& wave, const SloshingTank& tank) {
+  require(!tank.initial_wave, "start_disturbance amplitude", wave.amplitude,
+          "none beside an initial wave");
+  check_wave(wave, tank);
+}
+
 void check_liquid(const SloshingTank& tank, const TankMesh& mesh) {
   if (tank.column_width) {
     require(*tank.column_width > 0 && *tank.column_width < tank.length, "column_width",
@@ -120,6 +126,7 @@ void check_tank(const SloshingTank& tank) {
   const TankMesh mesh(tank);
   if (tank.roll) check_roll(*tank.roll);
   if (tank.initial_wave) check_wave(*tank.initial_wave, tank);
+  if (tank.start_disturbance) check_disturbance(*tank.start_disturbance, tank);
   check_snapshots(tank);
   check_gauges(tank, mesh);
   check_pressure_gauges(tank, mesh);

@@ -62,7 +62,10 @@ struct SloshingTank {
   std::optional<double> column_width = {};
   std::vector<Obstacle> obstacles = {};
   std::optional<InitialWave> initial_wave = {};  // with neither a column nor obstacles
-  double gravity;                                // [m/s2], downward
+  // Of a level that would stand still: what sets repeats of a run apart (start_disturbance.hpp).
+  // With neither a column nor obstacles nor a wave.
+  std::optional<InitialWave> start_disturbance = {};
+  double gravity;  // [m/s2], downward
   Fluid liquid, gas;
   std::function<double(double)> velocity, acceleration;  // X'(t) [m/s], X''(t) [m/s2] of the surge,
                                                          // along the earth's horizontal

@@ -6,6 +6,8 @@
 
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_proposal.hpp"
+#include "verification/case_file/case_file_error.hpp"
+#include "verification/requested_campaign.hpp"
 #include "verification/runs/provenance.hpp"
 
 namespace slosh {
@@ -19,11 +21,26 @@ struct MovedRows {
   std::vector<RowMovement> moved;
 };
 
+// Before anything is judged.
+fs::path checked_ledger(const CampaignOptions& options, const Installation& installation) {
+  const fs::path ledger =
+      ledger_of(options, requested(options, installation).definition, installation);
+  if (options.new_ledger && holds_approvals(ledger))
+    throw CaseFileError(
+        fmt::format("--new: '{}' holds approvals; expected a ledger that is not there, or no --new",
+                    ledger.string()));
+  if (!options.new_ledger && !holds_approvals(ledger))
+    throw CaseFileError(
+        fmt::format("the baselines' ledger {} is not there; expected one, or --new to begin it",
+                    ledger.string()));
+  return ledger;
+}
+
 MovedRows moved_rows(CampaignOptions options, const Installation& installation) {
   options.solve = false;
+  const fs::path ledger = checked_ledger(options, installation);
   const std::atomic<bool> never{false};
   const AssessedCampaign assessed = assess_campaign(options, installation, never);
-  const fs::path ledger = ledger_of(options, assessed.definition, installation);
   return {assessed.definition.name + (options.selection.quick ? " (quick form)" : ""), ledger,
           assessed.output / "baseline_proposal.json",
           movements(baseline_of(read_ledger(ledger)), assessed.cases)};

@@ -11,6 +11,7 @@
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_figures.hpp"
 #include "verification/campaign/campaign_report.hpp"
+#include "verification/campaign/case_coverage.hpp"
 #include "verification/campaign/row_kinds.hpp"
 #include "verification/campaign_plan_text.hpp"
 #include "verification/campaign_standing.hpp"
@@ -105,9 +106,14 @@ AssessedCampaign assess_campaign(const CampaignOptions& options, const Installat
 
 fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
                    const Installation& installation) {
-  return options.ledger.empty()
-             ? installation.baselines / (campaign.name + form_of(options) + ".jsonl")
-             : options.ledger;
+  if (!options.ledger)
+    return installation.baselines / (campaign.name + form_of(options) + ".jsonl");
+  if (!options.new_ledger && !holds_approvals(*options.ledger))
+    throw CaseFileError(
+        fmt::format("--ledger: '{}' holds no approval; expected the path of a ledger, or `slosh "
+                    "baseline approve --new` to begin one there",
+                    options.ledger->string()));
+  return *options.ledger;
 }
 
 int run_campaign(const CampaignOptions& options, const Installation& installation,
@@ -139,8 +145,9 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
   const int status = exit_status(assessed.cases, assessed.problems);
   const std::string verdict = fmt::format(
-      "{}: {}\n{}\n{}", word_for(status), verdict_sentence(assessed.cases, assessed.problems),
-      kinds_sentence(assessed.cases, assessed.problems), report_lines(place, options));
+      "{}: {}{}\n{}\n{}", word_for(status), verdict_sentence(assessed.cases, assessed.problems),
+      coverage_sentence(assessed.cases), kinds_sentence(assessed.cases, assessed.problems),
+      report_lines(place, options));
   std::cout << verdict;
   if (const auto now = fingerprint(); now && is_settled(assessed))
     write_standing({*now, status, rows + verdict}, place);
@@ -149,19 +156,26 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
 
 int gate_campaign(const CampaignOptions& options, const Installation& installation,
                   const std::atomic<bool>& stop) {
-  const AssessedCampaign assessed = assess_campaign(options, installation, stop);
-  const std::vector<RowMovement> moved =
-      movements(baseline_of(read_ledger(ledger_of(options, assessed.definition, installation))),
-                assessed.cases);
+  RequestedCampaign campaign = requested(options, installation);
+  const fs::path ledger = ledger_of(options, campaign.definition, installation);
+  const Baseline baseline = baseline_of(read_ledger(ledger));
+  const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
   std::cerr << complaints(assessed.cases, assessed.problems);
   std::cout << gate_lines(assessed.cases, assessed.problems);
+  if (!holds_approvals(ledger))
+    std::cout << fmt::format(
+        "no baseline    {} is not there: nothing is compared with earlier figures; `slosh baseline "
+        "propose --new` and `approve --new` begin one\n",
+        ledger.string());
   for (const RowMovement& movement : moved)
     if (movement.before && movement.has_changed())
       std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
   const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, moved, installation.source), directory);
   std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
-            << verdict_sentence(assessed.cases, assessed.problems) << "\n"
+            << verdict_sentence(assessed.cases, assessed.problems)
+            << coverage_sentence(assessed.cases) << "\n"
             << kinds_sentence(assessed.cases, assessed.problems)
             << "\ngate: " << (directory / "gate.md").string() << ", junit.xml, gate.sarif\n";
   return ended(exit_status(assessed.cases, assessed.problems), options);

@@ -31,7 +31,9 @@ struct CampaignOptions {
   std::filesystem::path experiments;          // empty: none is named
   std::filesystem::path
       output;  // empty: <build>/campaigns/<name>, with "-quick" for the quick form
-  std::filesystem::path ledger = {};  // of baselines; empty: <baselines>/<name>.jsonl, likewise
+  // Of baselines; none: <baselines>/<name>.jsonl, likewise.
+  std::optional<std::filesystem::path> ledger = {};
+  bool new_ledger = false;  // begin a ledger that is not there
 };
 
 struct AssessedCampaign {
@@ -47,6 +49,8 @@ struct AssessedCampaign {
 AssessedCampaign assess_campaign(const CampaignOptions& options, const Installation& installation,
                                  const std::atomic<bool>& stop);
 
+// Throws CaseFileError where the user names a ledger that holds no approval, unless a new one is to
+// be begun.
 std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
                                 const Installation& installation);
 
@@ -55,8 +59,8 @@ std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDe
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop);
 
-// Prints each row and what has moved since the baseline, and leaves <output>/gate/junit.xml,
-// gate.md and gate.sarif.
+// Prints each row and what has moved since the baseline, or that there is none, and leaves
+// <output>/gate/junit.xml, gate.md and gate.sarif.
 int gate_campaign(const CampaignOptions& options, const Installation& installation,
                   const std::atomic<bool>& stop);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verification/campaign/campaign_report.hpp"
+#include "verification/campaign/case_coverage.hpp"
 #include "verification/campaign/row_kinds.hpp"
 #include "verification/campaign/uncertainty_table.hpp"
 #include "verification/case_file/problem_table.hpp"
@@ -92,7 +93,8 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
                                     const std::vector<RowMovement>& movements,
                                     const fs::path& source) {
   reports::GateDocument document{.title = assessed.definition.title,
-                                 .verdict = verdict_sentence(assessed.cases, assessed.problems),
+                                 .verdict = verdict_sentence(assessed.cases, assessed.problems) +
+                                            coverage_sentence(assessed.cases),
                                  .basis = kinds_sentence(assessed.cases, assessed.problems),
                                  .tool_version = provenance("").at("slosh_version"),
                                  .entries = {}};

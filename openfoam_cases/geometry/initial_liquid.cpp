@@ -27,7 +27,7 @@ double share_under_wave(const SloshingTank& tank, Cell cell) {
 }  // namespace
 
 double liquid_share(const SloshingTank& tank, Cell cell) {
-  if (tank.initial_wave) return share_under_wave(tank, cell);
+  if (has_wavy_level(tank)) return share_under_wave(tank, cell);
   return share_across(tank, cell.column) * share_up(tank, cell.row);
 }
 
@@ -44,7 +44,7 @@ double initial_volume(const SloshingTank& tank, const TankMesh& mesh) {
 }
 
 double initial_depth(const SloshingTank& tank, const TankMesh& mesh, int column) {
-  if (tank.initial_wave)
+  if (has_wavy_level(tank))
     return mean_height(tank, column * mesh.cell_width(), (column + 1) * mesh.cell_width());
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {

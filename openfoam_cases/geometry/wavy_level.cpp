@@ -9,11 +9,16 @@ namespace {
 
 using std::numbers::pi;
 
+const std::optional<InitialWave>& wave_of_level(const SloshingTank& tank) {
+  return tank.initial_wave ? tank.initial_wave : tank.start_disturbance;
+}
 double wave_number(const SloshingTank& tank) {
-  return tank.initial_wave ? tank.initial_wave->mode * pi / tank.length : 0;
+  const auto& wave = wave_of_level(tank);
+  return wave ? wave->mode * pi / tank.length : 0;
 }
 double amplitude(const SloshingTank& tank) {
-  return tank.initial_wave ? tank.initial_wave->amplitude : 0;
+  const auto& wave = wave_of_level(tank);
+  return wave ? wave->amplitude : 0;
 }
 
 // Where the level passes z inside the cell.
@@ -28,6 +33,8 @@ void add_crossings(const SloshingTank& tank, const CellBox& cell, double z,
 }
 
 }  // namespace
+
+bool has_wavy_level(const SloshingTank& tank) { return wave_of_level(tank).has_value(); }
 
 // sin(k to) - sin(k from) as a product, which does not cancel.
 double mean_height(const SloshingTank& tank, double from, double to) {

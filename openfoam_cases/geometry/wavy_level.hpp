@@ -10,6 +10,9 @@
 
 namespace slosh::openfoam {
 
+// Whether the level is not flat: an initial wave, or a disturbance of the start.
+bool has_wavy_level(const SloshingTank& tank);
+
 // Its mean over from < x < to [m].
 double mean_height(const SloshingTank& tank, double from, double to);
 

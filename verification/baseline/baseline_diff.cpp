@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -31,6 +32,26 @@ double uncertainties_between(const BaselineValue& before, const BaselineValue& a
   return moved == 0 ? 0 : moved / std::hypot(before.half_width, after.half_width);
 }
 
+// Of the metric or its tolerance, the larger: sums that compilers order differently differ by less
+// unless the flow itself magnifies it, which the intervals then tell.
+constexpr double rounding = 1e-6;
+
+double scale_of(const BaselineValue& one) {
+  double scale = std::abs(one.value);
+  for (const std::optional<double>& bound : {one.lower, one.upper})
+    if (bound && std::isfinite(*bound)) scale = std::max(scale, std::abs(*bound));
+  return scale;
+}
+
+bool has_moved(const BaselineValue& before, const BaselineValue& after) {
+  return std::abs(after.value - before.value) >
+             rounding * std::max(scale_of(before), scale_of(after)) &&
+         uncertainties_between(before, after) > 1;
+}
+
+// What a run costs is measured on one machine and tells nothing of another.
+bool is_timing(Metric metric) { return metric == Metric::cost_to_reach; }
+
 std::string signed_in_unit(double value, const std::string& unit) {
   return unit == "1" ? fmt::format("{:+.3g} %", 100 * value)
                      : fmt::format("{:+.3g} {}", value, unit);
@@ -52,6 +73,12 @@ bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
          after.upper.value_or(unbounded) > before.upper.value_or(unbounded);
 }
 
+bool RowMovement::has_changed() const {
+  if (!before || !after) return before.has_value() != after.has_value();
+  return before->lower != after->lower || before->upper != after->upper ||
+         has_moved(*before, *after);
+}
+
 std::string row_name(const std::string& case_name, const GateRow& row) {
   return case_name + ": " + row_name(row);
 }
@@ -67,7 +94,7 @@ std::vector<RowMovement> movements(const Baseline& baseline,
                            .before = {},
                            .after = value_of(outcome)};
       declared.insert(movement.row);
-      if (!is_judged_here(outcome)) continue;
+      if (!is_judged_here(outcome) || is_timing(outcome.row.metric)) continue;
       if (const auto known = baseline.find(movement.row); known != baseline.end())
         movement.before = known->second;
       if (movement.before && movement.after) {

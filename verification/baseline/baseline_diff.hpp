@@ -1,5 +1,7 @@
 // What has changed of a campaign's gate rows since their baseline: by how many uncertainties each
-// metric has moved, and whose tolerance was loosened.
+// metric has moved, and whose tolerance was loosened. A metric has moved where its change exceeds
+// both intervals together and what compilers and processors round differently; timings, which
+// belong to one machine, have no baseline.
 #pragma once
 
 #include <optional>
@@ -24,7 +26,8 @@ struct RowMovement {
   bool loosened = false;
   bool declared = true;  // by the campaign as it is now
 
-  bool has_changed() const { return before != after; }
+  // Appeared, lost, moved or held to another tolerance.
+  bool has_changed() const;
 };
 
 // Its name in the campaign: "CASE: " before its name in the case (gate.hpp).

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "verification/baseline/baseline_json.hpp"
+#include "verification/engine/file_lock.hpp"
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/content_hash.hpp"
 
@@ -29,7 +30,60 @@ Approval approval_from(const Json& line) {
           changes_from(line.at("changes"))};
 }
 
+// What the head records.
+struct Head {
+  std::size_t lines;
+  std::string hash;
+
+  bool operator==(const Head&) const = default;
+};
+
+fs::path beside(const fs::path& ledger, const char* suffix) {
+  return fs::path(ledger.native() + suffix);
+}
+
+Head recorded_head(const fs::path& file) {
+  try {
+    const Json content = Json::parse(read_bytes(file));
+    return {content.at("lines"), content.at("hash")};
+  } catch (const Json::exception& error) {
+    throw LedgerError(fmt::format("{}: not the head of a ledger: {}", file.string(), error.what()));
+  } catch (const fs::filesystem_error& error) {
+    throw LedgerError(error.what());
+  }
+}
+
+void require_recorded(const fs::path& ledger, const Head& found) {
+  const fs::path file = head_of(ledger);
+  if (!fs::exists(file)) {
+    if (found.lines == 0) return;
+    throw LedgerError(
+        fmt::format("{}: holds {} approvals, but its head {} is not there; restore "
+                    "both from version control",
+                    ledger.string(), found.lines, file.string()));
+  }
+  const Head recorded = recorded_head(file);
+  if (recorded != found)
+    throw LedgerError(fmt::format(
+        "{}: holds {} approvals with the hash {}, but its head {} records {} with the hash {}: the "
+        "last lines were altered, added or taken out by hand, or an approval was interrupted; "
+        "restore both from version control",
+        ledger.string(), found.lines, found.hash, file.string(), recorded.lines, recorded.hash));
+}
+
+void write_ledger(const fs::path& file, const std::string& text, std::size_t lines) {
+  const Json head{{"lines", lines}, {"hash", content_hash(text)}};
+  replace_file(file, text, Durability::power_loss);
+  replace_file(head_of(file), head.dump() + "\n", Durability::power_loss);
+}
+
 }  // namespace
+
+fs::path head_of(const fs::path& ledger) { return beside(ledger, ".head"); }
+
+bool holds_approvals(const fs::path& file) {
+  return fs::is_regular_file(file) && !fs::is_empty(file);
+}
 
 std::vector<Approval> read_ledger(const fs::path& file) {
   const std::string text = text_of(file);
@@ -49,6 +103,7 @@ std::vector<Approval> read_ledger(const fs::path& file) {
       throw LedgerError(fmt::format("{}: not an approval: {}", place, error.what()));
     }
   }
+  require_recorded(file, {approvals.size(), content_hash(text)});
   return approvals;
 }
 
@@ -73,15 +128,19 @@ Baseline baseline_of(const std::vector<Approval>& approvals) {
 }
 
 void append_approval(const Approval& approval, const fs::path& file) {
-  const std::string before = text_of(file);
-  const Json line{{"campaign", approval.campaign},
-                  {"when_utc", approval.when_utc},
-                  {"who", approval.who},
-                  {"reason", approval.reason},
-                  {"changes", json_of(approval.changes)},
-                  {"previous", content_hash(before)}};
   try {
-    replace_file(file, before + line.dump() + "\n", Durability::power_loss);
+    const FileLock alone(beside(file, ".lock"));
+    std::vector<Approval> approvals = read_ledger(file);
+    const std::string before = text_of(file);
+    approvals.push_back(approval);
+    baseline_of(approvals);
+    const Json line{{"campaign", approval.campaign},
+                    {"when_utc", approval.when_utc},
+                    {"who", approval.who},
+                    {"reason", approval.reason},
+                    {"changes", json_of(approval.changes)},
+                    {"previous", content_hash(before)}};
+    write_ledger(file, before + line.dump() + "\n", approvals.size());
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
   }

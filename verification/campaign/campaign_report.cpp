@@ -10,6 +10,7 @@
 #include "verification/campaign/case_tables.hpp"
 #include "verification/campaign/case_text.hpp"
 #include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ensemble_table.hpp"
 #include "verification/campaign/error_matrix.hpp"
 #include "verification/campaign/impact_table.hpp"
 #include "verification/campaign/li2010_paper.hpp"
@@ -100,11 +101,14 @@ Section case_section(const CaseAssessment& assessment) {
   if (auto uncertain = uncertainty_table(assessment))
     section.tables.push_back(std::move(*uncertain));
   if (!definition.gate.empty()) section.tables.push_back(strength_table(assessment, strengths));
+  section.tables.push_back(
+      coverage_table(definition.name + "-coverage", {case_coverage(assessment, strengths)}));
   if (auto remedies = remedy_table(assessment)) section.tables.push_back(std::move(*remedies));
   if (auto matrix = error_matrix(assessment)) section.tables.push_back(std::move(*matrix));
   if (auto refined = refinement_table(assessment)) section.tables.push_back(std::move(*refined));
   if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
   if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));
+  if (auto ensembles = ensemble_table(assessment)) section.tables.push_back(std::move(*ensembles));
   if (auto repeats = repeat_table(assessment)) section.tables.push_back(std::move(*repeats));
   if (auto choices = choice_table(assessment)) section.tables.push_back(std::move(*choices));
   if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
@@ -118,13 +122,6 @@ Section case_section(const CaseAssessment& assessment) {
   section.tables.push_back(terms_table(assessment));
   section.tables.push_back(provenance_table(assessment));
   return section;
-}
-
-bool has_selected_runs(const CaseAssessment& assessment) {
-  const auto& status = assessment.runs.status;
-  return std::any_of(status.begin(), status.end(), [](const auto& of_run) {
-    return of_run.second.state != RunState::not_selected;
-  });
 }
 
 bool has_selected(const std::vector<ProblemAssessment>& problems) {
@@ -203,7 +200,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   const auto origin = provenance("");
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
-  report.verdict = verdict_sentence(cases, problems);
+  report.verdict = verdict_sentence(cases, problems) + coverage_sentence(cases);
   report.outcome = outcome_of(exit_status(cases, problems));
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));

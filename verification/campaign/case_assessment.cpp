@@ -10,6 +10,7 @@
 #include "verification/campaign/filtered_pressure.hpp"
 #include "verification/campaign/input_uncertainty.hpp"
 #include "verification/campaign/validity_envelope.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
 
 namespace slosh {
@@ -63,7 +64,7 @@ std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRun
   const bool two_layers = has_two_layer_theory(definition);
   std::vector<Pair> pairs;
   for (const RunDefinition& candidate : definition.runs) {
-    if (!stands(runs, candidate.name) || is_theory(candidate) ||
+    if (!stands(runs, candidate.name) || is_theory(candidate) || is_later_member(candidate) ||
         std::holds_alternative<RecordRun>(candidate.solver))
       continue;
     const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
@@ -98,6 +99,13 @@ std::vector<std::string> quantities_of(const CaseDefinition& definition, const C
 }
 
 }  // namespace
+
+bool has_selected_runs(const CaseAssessment& assessment) {
+  const auto& status = assessment.runs.status;
+  return std::any_of(status.begin(), status.end(), [](const auto& of_run) {
+    return of_run.second.state != RunState::not_selected;
+  });
+}
 
 std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
   const std::string quantity = compared_quantities(assessment.definition).front();

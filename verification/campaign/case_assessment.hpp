@@ -30,6 +30,9 @@ struct CaseAssessment {
 // Marks references that have left their declared range, compares and gates.
 CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs);
 
+// Whether the user selected any of its runs.
+bool has_selected_runs(const CaseAssessment& assessment);
+
 // Of each candidate the comparison on the case's first quantity (quantities.hpp) with its first
 // reference that is in its range: theory or a record where there is one, else the finest interFoam.
 std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment);

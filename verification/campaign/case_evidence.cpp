@@ -6,6 +6,7 @@
 
 #include "verification/campaign/row_uncertainty.hpp"
 #include "verification/campaign/work_points.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -20,14 +21,10 @@ const RecordRun* record_named(const CaseDefinition& definition, const std::strin
   return std::get_if<RecordRun>(&run_named(definition, run).solver);
 }
 
-// The case's, or what a record covers of it: a candidate must cover it all.
-TimeWindow window_of(const CaseDefinition& definition, const std::string& reference) {
-  TimeWindow window{definition.window_begin, definition.window_end};
-  if (const RecordRun* record = record_named(definition, reference)) {
-    window.begin = std::max(window.begin, record->time.front());
-    window.end = std::min(window.end, record->time.back());
-  }
-  return window;
+// Whether no small disturbance decides what the run gives.
+bool is_exact(const decltype(RunDefinition::solver)& solver) {
+  return !std::holds_alternative<SphRun>(solver) && !std::holds_alternative<InterFoamRun>(solver) &&
+         !std::holds_alternative<ExternalRun>(solver);
 }
 
 // A record may be too short or too sparse for the modes: then the histories alone are compared.
@@ -40,12 +37,20 @@ Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& re
   }
 }
 
+// Of a member of an ensemble that failed or was not run there is none.
+const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
+                            const std::string& quantity) {
+  const auto found = runs.results.find(run);
+  if (found == runs.results.end()) throw ResultError("there is no result of " + run);
+  return found->second.at(quantity);
+}
+
 Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs,
                         const std::string& candidate_name, const std::string& reference_name,
                         const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
-  const TimeSeries& candidate = runs.results.at(candidate_name).at(quantity);
-  const TimeSeries& reference = runs.results.at(reference_name).at(quantity);
-  const TimeWindow window = window_of(definition, reference_name);
+  const TimeSeries& candidate = series_of(runs, candidate_name, quantity);
+  const TimeSeries& reference = series_of(runs, reference_name, quantity);
+  const TimeWindow window = compared_window(definition, reference_name);
   const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
   Comparison comparison = record_named(definition, reference_name)
                               ? compare_with_record(candidate, reference, window, modes)
@@ -73,6 +78,15 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
   return modes_of(definition, definition.natural_modes);
 }
 
+TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference) {
+  TimeWindow window{definition.window_begin, definition.window_end};
+  if (const RecordRun* record = record_named(definition, reference)) {
+    window.begin = std::max(window.begin, record->time.front());
+    window.end = std::min(window.end, record->time.back());
+  }
+  return window;
+}
+
 CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
                            const FittedComparisons* known)
     : definition_(definition), runs_(runs), known_(known), modes_(fitted_modes(definition)) {}
@@ -95,22 +109,26 @@ GateEvidence CaseEvidence::gate_evidence() {
     return comparison(candidate, reference, quantity);
   };
   const FindSeries find_series = [this](const std::string& run, const std::string& quantity) {
-    return cut_to_window(runs_.results.at(run).at(quantity),
+    return cut_to_window(series_of(runs_, run, quantity),
                          {definition_.window_begin, definition_.window_end});
   };
   const MeasureImpacts measure_impacts = [this](const std::string& run, const GateRow& of) {
-    return impact_metric(of.metric, of.mode, runs_.results.at(run).at(of.quantity),
+    return impact_metric(of.metric, of.mode, series_of(runs_, run, of.quantity),
                          series_of_record(definition_, runs_, of.quantity), definition_);
   };
   const MeasureCost cost = [this, find](const GateRow& row) {
     return cost_to_reach(definition_, runs_, row, find);
   };
-  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost};
+  const FindEnsemble ensemble = [this](const std::string& run) {
+    return EnsembleOfRun{members_of(definition_, run),
+                         is_exact(run_named(definition_, run).solver)};
+  };
+  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble};
   const FindUncertainty uncertainty = [this, evidence](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, evidence.comparison,
                            [&](const GateRow& other) { return measured(other, evidence); });
   };
-  return {find, find_series, measure_impacts, uncertainty, cost};
+  return {find, find_series, measure_impacts, uncertainty, cost, ensemble};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

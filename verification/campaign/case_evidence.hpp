@@ -21,6 +21,9 @@ std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 // Of these, the ones that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 
+// The case's, or what a record covers of it: a candidate must cover it all.
+TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference);
+
 // Comparisons by candidate, reference and quantity.
 using FittedComparisons = std::map<std::array<std::string, 3>, Comparison>;
 

@@ -9,6 +9,7 @@
 
 #include "verification/campaign/report_places.hpp"
 #include "verification/campaign/work_points.hpp"
+#include "verification/case_file/ensemble.hpp"
 
 namespace slosh {
 namespace {
@@ -209,7 +210,7 @@ Table terms_table(const CaseAssessment& assessment) {
       {}};
   for (const RunDefinition& run : assessment.definition.runs) {
     const auto found = assessment.runs.results.find(run.name);
-    if (found == assessment.runs.results.end()) continue;
+    if (is_later_member(run) || found == assessment.runs.results.end()) continue;
     std::vector<std::string> diagnostics;
     for (const auto& [name, value] : found->second.diagnostics)
       diagnostics.push_back(fmt::format("{} = {:.4g}", name, value));

@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "verification/case_file/ensemble.hpp"
+
 namespace slosh {
 namespace {
+
+// [particle spacings] What only sets repeats of a run apart changes nothing of its scheme.
+constexpr double unseen_disorder = 1e-4;
 
 struct ChoiceRun {
   const RunDefinition* run;
@@ -20,7 +25,7 @@ std::vector<ChoiceRun> choice_runs(const CaseAssessment& assessment) {
   std::vector<ChoiceRun> runs;
   for (const RunDefinition& run : assessment.definition.runs) {
     const SphRun* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph) continue;
+    if (!sph || is_later_member(run)) continue;
     const auto found = assessment.runs.results.find(run.name);
     runs.push_back({&run, sph, found == assessment.runs.results.end() ? nullptr : &found->second,
                     comparison_with_truth(assessment, run.name)});
@@ -81,7 +86,8 @@ std::string changed_terms(const ChoiceRun& one, const ChoiceRun* plain) {
     else if (!with.empty() || !without.empty())
       texts.push_back(with.empty() ? "without " + without : "with " + with);
   }
-  if (!one.sph->initial_state.empty() || one.sph->start_disorder > 0) texts.push_back("start");
+  if (!one.sph->initial_state.empty() || one.sph->start_disorder > unseen_disorder)
+    texts.push_back("start");
   for (std::size_t i = 0; i < std::size(sph_number_names); ++i)
     if (one.sph->numbers.*sph_number_names[i].second) texts.push_back(terms_of_numbers[i]);
   return fmt::format("{}", fmt::join(texts, "; "));
@@ -136,7 +142,7 @@ std::string changes_of(const SphRun& run) {
     if (const auto& value = run.numbers.*number)
       changes.push_back(fmt::format("{} = {:g}", name, *value));
   // Not the seed: repeats of one run change the same.
-  if (run.start_disorder > 0)
+  if (run.start_disorder > unseen_disorder)
     changes.push_back(fmt::format("start_disorder = {:g}", run.start_disorder));
   return fmt::format("{}", fmt::join(changes, ", "));
 }

@@ -32,7 +32,7 @@ bool repeat_one_another(const SphRun& one, const SphRun& other) {
 double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                      const MeasureRow& measure) {
   const auto* candidate = std::get_if<SphRun>(&run_named(definition, row.candidate).solver);
-  if (!candidate) return 0;
+  if (!candidate || !run_named(definition, row.candidate).ensemble.empty()) return 0;
   std::vector<double> values;
   for (const RunDefinition& run : definition.runs) {
     const auto* sph = std::get_if<SphRun>(&run.solver);

@@ -14,7 +14,8 @@ namespace slosh {
 
 bool repeat_one_another(const SphRun& one, const SphRun& other);
 
-// Zero of fewer than three repeats that have the metric.
+// Zero of fewer than three repeats that have the metric, and of an ensemble (repeats = N), whose
+// mean has its own interval.
 double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                      const MeasureRow& measure);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/case_file/ensemble.hpp"
+
 namespace slosh {
 namespace {
 
@@ -42,7 +44,7 @@ std::optional<reports::Table> rest_table(const CaseAssessment& assessment) {
   }
   for (const RunDefinition& run : definition.runs) {
     const auto result = assessment.runs.results.find(run.name);
-    if (result == assessment.runs.results.end() ||
+    if (is_later_member(run) || result == assessment.runs.results.end() ||
         !has_series(assessment.runs, run.name, rest_quantities[0]))
       continue;
     std::vector<std::string> row{run.name};

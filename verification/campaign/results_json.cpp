@@ -33,6 +33,7 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   const std::string& name = run.name;
   const RunStatus& status = runs.status.at(name);
   Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
+  if (!run.ensemble.empty()) entry["ensemble"] = run.ensemble;
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
   const auto found = runs.results.find(name);
   if (found == runs.results.end()) return entry;

@@ -7,21 +7,43 @@
 #include <atomic>
 #include <cmath>
 #include <future>
+#include <iterator>
+#include <map>
 #include <numbers>
 
 #include "verification/campaign/case_evidence.hpp"
+#include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/gate/impact_metrics.hpp"
 
 namespace slosh {
 namespace {
 
-MutationFrame frame_of(const CaseDefinition& definition, const GateRow& row) {
-  const TimeWindow window{definition.window_begin, definition.window_end};
+bool can_be_fitted(const TimeSeries& series, TimeWindow window,
+                   const std::vector<ToneRequest>& modes) {
+  try {
+    fit_harmonics(series, window, modes);
+    return true;
+  } catch (const ComparisonError&) {
+    return false;
+  }
+}
+
+MutationFrame frame_of(const CaseDefinition& definition, const GateRow& row,
+                       const TimeSeries& series) {
+  const bool has_reference = !row.reference.empty() && !is_of_impacts(row.metric);
+  const TimeWindow window = has_reference
+                                ? compared_window(definition, row.reference)
+                                : TimeWindow{definition.window_begin, definition.window_end};
+  MutationFrame frame{window, window.end - window.begin, datum_of(definition, row.quantity)};
   const std::vector<ToneRequest> modes = fitted_modes(definition);
-  if (modes.empty()) return {window, window.end - window.begin};
+  if (modes.empty()) return frame;
   const auto own = std::find_if(modes.begin(), modes.end(),
                                 [&](const ToneRequest& mode) { return mode.name == row.mode; });
   const ToneRequest& mode = own == modes.end() ? modes.front() : *own;
-  return {window, 2 * std::numbers::pi / mode.angular_frequency};
+  frame.period = 2 * std::numbers::pi / mode.angular_frequency;
+  if (has_modes(row.quantity) && can_be_fitted(series, window, modes)) frame.modes = modes;
+  return frame;
 }
 
 TimeSeries& series_of(RunResult& result, const std::string& quantity) {
@@ -29,27 +51,77 @@ TimeSeries& series_of(RunResult& result, const std::string& quantity) {
                        [&](const TimeSeries& one) { return one.name == quantity; });
 }
 
-GateStrength strength_of(const CaseAssessment& assessment, const GateOutcome& outcome) {
-  const GateRow& row = outcome.row;
-  CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings, assessment.runs.input_bounds};
-  for (const auto& [run, result] : assessment.runs.results)
-    runs.results[run] = judged_part(result, row.quantity);
-  TimeSeries& judged = series_of(runs.results.at(row.candidate), row.quantity);
-  const TimeSeries own = judged;
-  const PassesWith passes_with = [&](const TimeSeries& series) {
-    judged.time = series.time;
-    judged.value = series.value;
-    judged.unit = series.unit;
-    return CaseEvidence(assessment.definition, runs).judge(row).verdict == Verdict::pass;
+// What neither the candidate nor its mutants take part in.
+FittedComparisons without(const std::vector<std::string>& runs, FittedComparisons fitted) {
+  const auto is_left_out = [&](const std::string& run) {
+    return std::find(runs.begin(), runs.end(), run) != runs.end();
   };
-  return gate_strength(row, {outcome.value.value, own}, frame_of(assessment.definition, row),
-                       passes_with);
+  std::erase_if(fitted, [&](const auto& one) {
+    return is_left_out(one.first[0]) || is_left_out(one.first[1]);
+  });
+  return fitted;
+}
+
+// Rows that judge one series in one frame: each mutant is compared once for all of them.
+struct RowGroup {
+  MutationFrame frame;
+  std::vector<std::size_t> rows;  // of the case's gate
+};
+
+std::vector<GateStrength> strengths_of(const CaseAssessment& assessment, const RowGroup& group) {
+  std::vector<TriedRow> rows;
+  for (const std::size_t i : group.rows)
+    rows.push_back({assessment.gate[i].row, assessment.gate[i].value.value});
+  const std::string &candidate = rows.front().row.candidate, &quantity = rows.front().row.quantity;
+  CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings};
+  for (const auto& [run, result] : assessment.runs.results)
+    runs.results[run] = judged_part(result, quantity);
+  const std::vector<std::string> members = members_of(assessment.definition, candidate);
+  const FittedComparisons known = without(members, assessment.fitted);
+  const auto own = [&](const std::string& run) -> const TimeSeries& {
+    return assessment.runs.results.at(run).at(quantity);
+  };
+  const PassingRows passing = [&](const ChangeSeries& change) {
+    for (const std::string& run : members)
+      series_of(runs.results.at(run), quantity) = change(own(run));
+    CaseEvidence evidence(assessment.definition, runs, &known);
+    std::vector<bool> passes;
+    for (const TriedRow& one : rows)
+      passes.push_back(evidence.judge(one.row).verdict == Verdict::pass);
+    return passes;
+  };
+  return gate_strengths(rows, own(candidate), group.frame, passing);
 }
 
 bool is_judged(const CaseAssessment& assessment, const GateOutcome& outcome) {
   const bool judged = outcome.verdict == Verdict::pass || outcome.verdict == Verdict::violated ||
                       outcome.verdict == Verdict::inconclusive;
   return judged && has_series(assessment.runs, outcome.row.candidate, outcome.row.quantity);
+}
+
+bool have_one_frame(const MutationFrame& a, const MutationFrame& b) {
+  return a.window.begin == b.window.begin && a.window.end == b.window.end && a.period == b.period;
+}
+
+std::vector<RowGroup> groups_of(const CaseAssessment& assessment) {
+  std::vector<RowGroup> groups;
+  for (std::size_t i = 0; i < assessment.gate.size(); ++i) {
+    const GateOutcome& outcome = assessment.gate[i];
+    if (!is_judged(assessment, outcome)) continue;
+    const GateRow& row = outcome.row;
+    const MutationFrame frame = frame_of(
+        assessment.definition, row, assessment.runs.results.at(row.candidate).at(row.quantity));
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const RowGroup& group) {
+      const GateRow& first = assessment.gate[group.rows.front()].row;
+      return first.candidate == row.candidate && first.quantity == row.quantity &&
+             have_one_frame(group.frame, frame);
+    });
+    if (found == groups.end())
+      groups.push_back({frame, {i}});
+    else
+      found->rows.push_back(i);
+  }
+  return groups;
 }
 
 std::string row_text(const GateRow& row) {
@@ -60,6 +132,10 @@ constexpr std::pair<MutationKind, MutationKind> graded[] = {
     {MutationKind::louder, MutationKind::quieter},
     {MutationKind::late, MutationKind::early},
     {MutationKind::faster, MutationKind::slower},
+    {MutationKind::raised, MutationKind::lowered},
+    {MutationKind::drifting, MutationKind::drifting},
+    {MutationKind::chirped, MutationKind::chirped},
+    {MutationKind::mode_gained, MutationKind::mode_gained},
     {MutationKind::noisy, MutationKind::noisy}};
 
 constexpr MutationKind ungraded[] = {MutationKind::slipped,      MutationKind::truncated,
@@ -84,19 +160,33 @@ std::string unnoticed(const GateStrength& strength) {
 
 }  // namespace
 
+double datum_of(const CaseDefinition& definition, const std::string& quantity) {
+  const double depth = definition.liquid.fill_depth;
+  if (quantity.starts_with("wall_pressure@"))
+    return definition.liquid.density * definition.gravity * depth;
+  const bool is_a_length = quantity == "front_position" || quantity.starts_with("elevation@") ||
+                           quantity.starts_with("highest_surface@");
+  return is_a_length ? depth : 0;
+}
+
 std::vector<RowStrength> row_strengths(const CaseAssessment& assessment, int threads) {
-  std::vector<const GateOutcome*> judged;
-  for (const GateOutcome& outcome : assessment.gate)
-    if (is_judged(assessment, outcome)) judged.push_back(&outcome);
-  std::vector<RowStrength> strengths(judged.size());
+  const std::vector<RowGroup> groups = groups_of(assessment);
+  std::vector<std::vector<GateStrength>> found(groups.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < judged.size(); i = next++)
-      strengths[i] = {judged[i]->row, strength_of(assessment, *judged[i])};
+    for (std::size_t i = next++; i < groups.size(); i = next++)
+      found[i] = strengths_of(assessment, groups[i]);
   };
   std::vector<std::future<void>> workers;
   for (int i = 0; i < threads; ++i) workers.push_back(std::async(std::launch::async, work));
   for (std::future<void>& worker : workers) worker.get();
+  std::map<std::size_t, GateStrength> by_row;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (std::size_t k = 0; k < groups[g].rows.size(); ++k)
+      by_row[groups[g].rows[k]] = std::move(found[g][k]);
+  std::vector<RowStrength> strengths;
+  for (auto& [i, strength] : by_row)
+    strengths.push_back({assessment.gate[i].row, std::move(strength)});
   return strengths;
 }
 
@@ -107,15 +197,14 @@ reports::Table strength_table(const CaseAssessment& assessment,
       "What each gate row can detect",
       "The row's candidate made wrong on purpose, as far as the row passes with it as it is: the "
       "smallest change from which on every greater one that was tried is detected, of the "
-      "amplitude "
-      "(1 to 20 %), the lag (0.5 to 10 % of a period), the frequency (0.1 to 5 %) and noise (1 to "
-      "50 "
-      "% of the standard deviation), and what the row does not notice at all of a slip by a "
-      "period, "
-      "a series cut short, NaN, swapped columns, values or units off by a thousand, a flipped "
-      "sign.",
-      {"row", "amplitude [%]", "lag [% of a period]", "frequency [%]", "noise [%]",
-       "does not notice"},
+      "amplitude (1 to 20 %), the lag (0.5 to 10 % of a period), the frequency (0.1 to 5 %), the "
+      "datum (0.5 to 10 % of the fill depth, or of the pressure under it), a drift (10 to 100 % of "
+      "the standard deviation over the window), a slow change of frequency (2 to 20 % of a period "
+      "over the window), the gain of each natural mode (2 to 50 %) and noise (1 to 50 % of the "
+      "standard deviation), and what the row does not notice at all of a slip by a period, a "
+      "series cut short, NaN, swapped columns, values or units off by a thousand, a flipped sign.",
+      {"row", "amplitude [%]", "lag [% of a period]", "frequency [%]", "datum [%]", "drift [%]",
+       "chirp [% of a period]", "natural modes [%]", "noise [%]", "does not notice"},
       {}};
   for (const auto& [row, strength] : strengths) {
     std::vector<std::string> line{row_text(row)};
@@ -123,7 +212,8 @@ reports::Table strength_table(const CaseAssessment& assessment,
       for (const auto& ways : graded) line.push_back(detected_text(strength, ways));
       line.push_back(unnoticed(strength));
     } else {
-      line.insert(line.end(), {"", "", "", "", "does not pass as it is"});
+      line.resize(1 + std::size(graded));
+      line.push_back("does not pass as it is");
     }
     table.rows.push_back(std::move(line));
   }
@@ -132,10 +222,15 @@ reports::Table strength_table(const CaseAssessment& assessment,
 
 std::vector<std::string> broken_claims(const std::vector<RowStrength>& strengths) {
   std::vector<std::string> broken;
-  for (const auto& [row, strength] : strengths)
+  for (const auto& [row, strength] : strengths) {
+    if (detects_no_change(strength))
+      broken.push_back(row_text(row) + ": detects no change of its candidate's values");
     for (const Mutation& mutation : broken_claims(strength))
-      broken.push_back(fmt::format("{}: {} {:.3g} should be detected and is not", row_text(row),
-                                   mutation_name(mutation.kind), mutation.strength));
+      broken.push_back(fmt::format(
+          "{}: {} {:.3g} should be detected and is not", row_text(row),
+          mutation.mode.empty() ? mutation_name(mutation.kind) : mutation.mode + " gained",
+          mutation.strength));
+  }
   return broken;
 }
 

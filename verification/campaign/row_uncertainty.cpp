@@ -31,6 +31,9 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
   if (!paths.empty()) {
     std::vector<std::string> names;
     for (const RefinedMetric& path : paths) names.push_back(path.path);
+    // The limit of a regression row was measured against the same reference.
+    if (row.kind == RowKind::regression && role == Role::reference)
+      return {0, "as large as when the limit was measured, with the same step"};
     return {numerical_uncertainty(paths),
             fmt::format("refinement of the {}", fmt::join(names, ", "))};
   }

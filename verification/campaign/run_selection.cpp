@@ -52,17 +52,19 @@ bool are_repeats(const CaseDefinition& definition, const RunDefinition& run,
 
 // Whether the row's value, bounds or uncertainty (row_uncertainty.hpp) rest on the run.
 bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDefinition& run) {
-  if (row.reference == run.name || row.improves_on == run.name) return true;
+  // What stands for it in rows and refinements: of a later member the first.
+  const std::string& name = run.ensemble.empty() ? run.name : run.ensemble;
+  if (row.candidate == name || row.reference == name || row.improves_on == name) return true;
   if (row.metric == Metric::cost_to_reach)
     return work_family(run) == work_family(run_named(definition, row.candidate));
   if (are_repeats(definition, run, row.candidate)) return true;
   const bool is_record = std::holds_alternative<RecordRun>(run.solver);
   if (is_of_impacts(row.metric))
-    return is_record || refined_together(definition, row.candidate, run.name);
+    return is_record || refined_together(definition, row.candidate, name);
   if (row.reference.empty()) return false;
   const bool against_record =
       std::holds_alternative<RecordRun>(run_named(definition, row.reference).solver);
-  return refined_together(definition, against_record ? row.candidate : row.reference, run.name);
+  return refined_together(definition, against_record ? row.candidate : row.reference, name);
 }
 
 bool matches_any(const std::string& pattern, const std::set<std::string>& names) {

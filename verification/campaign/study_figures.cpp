@@ -13,6 +13,7 @@
 #include "verification/campaign/figure_kinds.hpp"
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/campaign/shown_quantity.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
 
 namespace slosh {
@@ -69,7 +70,7 @@ std::vector<Study> studies(const CaseAssessment& assessment, const std::string& 
   std::map<Common, std::size_t> places;
   for (const RunDefinition& run : assessment.definition.runs) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph || !assessment.runs.results.contains(run.name) ||
+    if (!sph || is_later_member(run) || !assessment.runs.results.contains(run.name) ||
         !has_series(assessment.runs, run.name, quantity))
       continue;
     const auto [place, is_new] = places.try_emplace(common(*sph, studied), found.size());

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "verification/campaign/claim_evidence.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/motion.hpp"
 
 namespace slosh {
@@ -108,7 +109,8 @@ reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseA
   for (const RunDefinition& run : smaller.definition.runs) {
     const bool solved = std::holds_alternative<SphRun>(run.solver) ||
                         std::holds_alternative<InterFoamRun>(run.solver);
-    if (solved && larger.runs.status.contains(run.name)) add_rows(smaller, larger, run.name, table);
+    if (solved && !is_later_member(run) && larger.runs.status.contains(run.name))
+      add_rows(smaller, larger, run.name, table);
   }
   return table;
 }

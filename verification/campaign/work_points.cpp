@@ -11,6 +11,7 @@
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/figure_runs.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/metrics/sample_moments.hpp"
 
@@ -66,7 +67,8 @@ WorkFamily family_of_row(const CaseDefinition& definition, const CaseRuns& runs,
   const std::string name = work_family(run_named(definition, row.candidate));
   WorkFamily family{name, row.reference, false, {}};
   for (const RunDefinition& run : definition.runs) {
-    if (work_family(run) != name || !runs.results.contains(run.name)) continue;
+    if (work_family(run) != name || is_later_member(run) || !runs.results.contains(run.name))
+      continue;
     try {
       family.runs.push_back(
           work_run(run, runs, comparison(run.name, row.reference, row.quantity).normalised_rms));

@@ -143,6 +143,10 @@ struct SphRun {
 struct InterFoamRun {
   int cells_x, cells_z;
   int processes = 1;  // above 1: decomposePar and mpirun
+  // The surface starts this far from its place at most [heights of a cell], as the seed decides:
+  // repeats of one run.
+  double start_disorder = 0;
+  int start_seed = 0;
 };
 
 // Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the
@@ -236,6 +240,9 @@ struct RunDefinition {
       solver;
   bool quick = false;  // part of the campaign's --quick form
   SourceLocation where;
+  // The first member's name, of each of the runs into which repeats = N makes one [[run]]; they
+  // differ in the seed of their disturbed start alone. Empty: a run for itself.
+  std::string ensemble = {};
 };
 
 enum class Metric {
@@ -249,6 +256,15 @@ enum class Metric {
   time_lag,           // s, whole window; of a quantity without modes, as the next
   aligned_rms,        // 1, whole window, free of that lag
   largest_magnitude,  // the quantity's unit, whole window; of the candidate alone
+  // Of waves whose single crests are chance (wave_statistics.hpp, spectrum.hpp), each a ratio less
+  // 1 but for the last two.
+  band_energy_error,    // 1, of one mode: energy within a fifth of its frequency to either side
+  spectral_peak_error,  // 1, whole window: frequency of the highest peak
+  rms_error,            // 1, whole window: deviation from the mean
+  crest_error,          // 1, whole window: mean over the periods of the highest value
+  trough_error,         // 1, whole window: mean over the periods of the lowest value
+  mean_offset,          // the quantity's unit, whole window: mean less the reference's
+  noise_share,          // 1, whole window: white noise over the deviation, of the candidate alone
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
   impact_time,        // s, one impact: that of its peak less the published one
   plateau_error,      // 1, "whole": mean over the plateau's time over the published one, less 1

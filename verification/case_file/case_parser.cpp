@@ -105,18 +105,20 @@ void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
                       "no such key where no motion is a table: a sine has its own");
 }
 
+template <class Definition>
+void add_named(const TomlTable& table, const char* key, Definition definition,
+               std::vector<Definition>& definitions) {
+  for (const Definition& other : definitions)
+    if (other.name == definition.name)
+      table.refuse("name", fmt::format("a name that no other {} has", key));
+  definitions.push_back(std::move(definition));
+}
+
 // Each [[key]] by `read`, no name twice.
 template <class Definition, class Read>
 std::vector<Definition> read_named(const TomlTable& root, const char* key, Read read) {
   std::vector<Definition> definitions;
-  for (const TomlTable& table : root.tables(key)) {
-    Definition definition = read(table);
-    for (const Definition& other : definitions) {
-      if (other.name == definition.name)
-        table.refuse("name", fmt::format("a name that no other {} has", key));
-    }
-    definitions.push_back(std::move(definition));
-  }
+  for (const TomlTable& table : root.tables(key)) add_named(table, key, read(table), definitions);
   return definitions;
 }
 
@@ -173,8 +175,9 @@ CaseDefinition read_case(const std::filesystem::path& file,
   if (root.has("initial_wave"))
     definition.initial_wave = read_initial_wave(root.table("initial_wave"), definition);
   read_comparison(root.table("comparison"), definition);
-  definition.runs = read_named<RunDefinition>(
-      root, "run", [&](const TomlTable& run) { return read_run(run, definition, experiments); });
+  for (const TomlTable& table : root.tables("run"))
+    for (const RunDefinition& run : read_runs(table, definition, experiments))
+      add_named(table, "run", run, definition.runs);
   if (definition.runs.empty()) root.refuse("run", "at least one [[run]]");
   definition.refinements = read_named<RefinementDefinition>(
       root, "refinement",

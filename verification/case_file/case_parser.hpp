@@ -45,9 +45,12 @@
 //                 the scheme's numbers: smoothing_length_ratio?, sound_speed_ratio?,
 //                 courant_number?, artificial_viscosity?, density_diffusion?; start_disorder?
 //                 (each particle's start is shifted by up to this many spacings, at most 0.2) and
-//                 then start_seed? (an integer >= 0: of runs that repeat one another);
+//                 then start_seed? (an integer >= 0: of runs that repeat one another) and repeats?
+//                 (an ensemble of so many, ensemble.hpp);
 //                 energy_budget? (records where the liquid's energy goes)
-//                 solver = "interfoam": cells_x, cells_z, processes?
+//                 solver = "interfoam": cells_x, cells_z, processes?; start_disorder? (the level is
+//                 waved by up to this many heights of a cell, at most 0.2) and then start_seed? and
+//                 repeats?
 //                 solver = "linear": modes (not of a still tank's initial wave), two_layer?,
 //                 valid_elevation_over_depth
 //                 solver = "viscous_wave": valid_elevation_over_depth

@@ -36,10 +36,11 @@ InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinit
 // [animation], of a case whose time has been read: its moments [s].
 std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition);
 
-// [[run]], of a case whose liquid, motion and gauges have been read; the files of records are
-// relative to the case file, those of experiments to that directory, which may be empty.
-RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
-                       const std::filesystem::path& experiments);
+// [[run]], of a case whose liquid, motion and gauges have been read: one run, or with repeats as
+// many (ensemble.hpp). The files of records are relative to the case file, those of experiments to
+// that directory, which may be empty.
+std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,
+                                     const std::filesystem::path& experiments);
 
 // The keys of [[run]] with solver = "external"; its files are relative to the case file.
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);

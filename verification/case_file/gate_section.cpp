@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -46,11 +47,12 @@ const RecordRun* as_record(const CaseDefinition& definition, const std::string& 
   return nullptr;
 }
 
-// A published record is a reference and never a candidate.
+// A published record is a reference and never a candidate; the first of an ensemble stands for all.
 std::vector<std::string> candidates(const CaseDefinition& definition) {
   std::vector<std::string> names;
   for (const RunDefinition& run : definition.runs)
-    if (!std::holds_alternative<RecordRun>(run.solver)) names.push_back(run.name);
+    if (!std::holds_alternative<RecordRun>(run.solver) && !is_later_member(run))
+      names.push_back(run.name);
   return names;
 }
 
@@ -58,7 +60,8 @@ std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
                                       const CaseDefinition& definition) {
   std::vector<std::string> names;
   for (const RunDefinition& run : definition.runs) {
-    if (std::find(excluded.begin(), excluded.end(), run.name) == excluded.end()) {
+    if (!is_later_member(run) &&
+        std::find(excluded.begin(), excluded.end(), run.name) == excluded.end()) {
       names.push_back(run.name);
     }
   }
@@ -163,10 +166,15 @@ void read_own_series(const TomlTable& row, const MetricEntry& metric,
   refuse_reference(row, metric, "the candidate alone");
   gate_row.quantity = row.get("quantity", any_text());
   const auto compared = compared_quantities(definition);
-  gate_row.unit = std::find(compared.begin(), compared.end(), gate_row.quantity) == compared.end()
-                      ? row.get("unit", any_text())
-                      : row.choice("unit", fmt::format("the unit of {}", gate_row.quantity),
-                                   {unit_of(gate_row.quantity)});
+  const bool known =
+      std::find(compared.begin(), compared.end(), gate_row.quantity) != compared.end();
+  if (*metric.unit) {
+    gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+  } else {
+    gate_row.unit = known ? row.choice("unit", fmt::format("the unit of {}", gate_row.quantity),
+                                       {unit_of(gate_row.quantity)})
+                          : row.get("unit", any_text());
+  }
 }
 
 // The pressure at the gauge of the case's impacts, as it is or filtered.

@@ -41,6 +41,14 @@ const std::vector<MetricEntry>& metric_table() {
       {Metric::aligned_rms, "aligned_rms", "1", run_away, 1, unit,
        "a candidate that stays at the reference's mean has 1"},
       {Metric::largest_magnitude, "largest_magnitude", "", own_series, 1e9, unit, of_any_size},
+      {Metric::band_energy_error, "band_energy_error", "1", any_mode, 1, unit, at_rest},
+      {Metric::spectral_peak_error, "spectral_peak_error", "1", wave, 1, unit, at_rest},
+      {Metric::rms_error, "rms_error", "1", whole_window, 1, unit, at_rest},
+      {Metric::crest_error, "crest_error", "1", wave, 1, unit, at_rest},
+      {Metric::trough_error, "trough_error", "1", wave, 1, unit, at_rest},
+      {Metric::mean_offset, "mean_offset", "", whole_window, 1e9, unit, of_any_size},
+      {Metric::noise_share, "noise_share", "1", own_series, 1, unit,
+       "a series of nothing but white noise has 1"},
       {Metric::impact_time, "impact_time", "s", impact, 0.25, impact_period,
        "an impact is sought within a quarter of the motion's period"},
       {Metric::plateau_error, "plateau_error", "1", plateau, 1, unit,
@@ -72,6 +80,7 @@ bool is_of_a_pair(const MetricEntry& metric) {
     case MeasuredOn::any_mode:
     case MeasuredOn::natural_mode:
     case MeasuredOn::whole_window:
+    case MeasuredOn::wave:
     case MeasuredOn::run_away:
       return true;
     case MeasuredOn::own_series:
@@ -100,6 +109,9 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
       return natural;
     case MeasuredOn::run_away:
       if (!runs_away) return {};
+      break;
+    case MeasuredOn::wave:
+      if (fitted.empty()) return {};
       break;
     case MeasuredOn::impact:
       return {};

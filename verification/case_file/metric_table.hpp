@@ -16,6 +16,7 @@ enum class MeasuredOn {
   natural_mode,  // not on a forced one, whose frequency is given and which does not decay: a row
                  // there would pass whatever the candidate did
   whole_window,
+  wave,        // the whole window of a quantity with modes: what counts periods or peaks
   run_away,    // the whole window of a quantity without modes: modes have lags of their own
   own_series,  // the candidate alone
   impact,

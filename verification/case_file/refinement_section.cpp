@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/ensemble.hpp"
 
 namespace slosh {
 namespace {
@@ -55,8 +56,8 @@ bool are_alike(const RunDefinition& one, const RunDefinition& other, RefinedNumb
 std::vector<std::string> runs_of(const CaseDefinition& definition, bool of_mesh) {
   std::vector<std::string> names;
   for (const RunDefinition& run : definition.runs)
-    if (of_mesh ? std::holds_alternative<InterFoamRun>(run.solver)
-                : std::holds_alternative<SphRun>(run.solver))
+    if (!is_later_member(run) && (of_mesh ? std::holds_alternative<InterFoamRun>(run.solver)
+                                          : std::holds_alternative<SphRun>(run.solver)))
       names.push_back(run.name);
   return names;
 }

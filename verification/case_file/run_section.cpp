@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/case_file/time_table.hpp"
 #include "verification/case_file/units.hpp"
@@ -39,6 +40,26 @@ const Rule<std::string> an_initial_state{
 const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
                               [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
 
+const Rule<double> a_disturbed_level{
+    "a number >= 0 and <= 0.2, in heights of a cell",
+    [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
+
+struct DisturbedStart {
+  double disorder;
+  int seed;
+};
+
+DisturbedStart read_start(const TomlTable& run, const Rule<double>& rule) {
+  const double disorder = run.find("start_disorder", rule).value_or(0);
+  for (const char* key : {"start_seed", "repeats"})
+    if (run.has(key) && !(disorder > 0))
+      run.refuse(key,
+                 fmt::format("no such key without start_disorder > 0: there is nothing to vary "
+                             "(1e-6 {} is enough in a chaotic flow)",
+                             &rule == &a_disorder ? "particle spacings" : "heights of a cell"));
+  return {disorder, run.find("start_seed", at_least(0)).value_or(0)};
+}
+
 SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
   const double spacing = run.get<double>(
       "particle_spacing_m",
@@ -48,28 +69,35 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
       run.find<double>("surface_particle_spacing_m",
                        {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m", spacing),
                         [spacing](double value) { return value > 0 && value <= spacing; }});
-  const double disorder = run.find("start_disorder", a_disorder).value_or(0);
-  const auto seed = run.find("start_seed", at_least(0));
-  if (seed && !(disorder > 0))
-    run.refuse("start_seed", "no such key without start_disorder > 0: there is nothing to vary");
+  const DisturbedStart start = read_start(run, a_disorder);
   return {.scheme = run.get("scheme", any_text()),
           .particle_spacing = spacing,
           .surface_particle_spacing = surface_spacing.value_or(spacing),
           .variant = run.find("variant", any_text()).value_or(""),
           .initial_state = run.find("initial_state", an_initial_state).value_or(""),
           .numbers = read_numbers(run),
-          .start_disorder = disorder,
-          .start_seed = seed.value_or(0),
+          .start_disorder = start.disorder,
+          .start_seed = start.seed,
           .energy_budget = run.flag("energy_budget")};
 }
 
-InterFoamRun read_interfoam(const TomlTable& run) {
+InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definition) {
   const int cells_x = run.get("cells_x", at_least(2));
   const int cells_z = run.get("cells_z", at_least(2));
   const auto processes =
       run.find<int>("processes", {fmt::format("an integer from 1 to cells_x ({})", cells_x),
                                   [cells_x](int value) { return value >= 1 && value <= cells_x; }});
-  return {.cells_x = cells_x, .cells_z = cells_z, .processes = processes.value_or(1)};
+  const DisturbedStart start = read_start(run, a_disturbed_level);
+  if (start.disorder > 0 &&
+      (definition.initial_wave || definition.liquid.column_width || !definition.obstacles.empty()))
+    run.refuse("start_disorder",
+               "no such key of interFoam with [initial_wave], column_width_m or an obstacle: only "
+               "a plain level is disturbed");
+  return {.cells_x = cells_x,
+          .cells_z = cells_z,
+          .processes = processes.value_or(1),
+          .start_disorder = start.disorder,
+          .start_seed = start.seed};
 }
 
 double read_valid_elevation(const TomlTable& run) {
@@ -161,13 +189,15 @@ const std::vector<SolverSection> solver_sections{
     {"sph",
      {"scheme", "particle_spacing_m", "surface_particle_spacing_m", "variant", "initial_state",
       "smoothing_length_ratio", "sound_speed_ratio", "courant_number", "artificial_viscosity",
-      "density_diffusion", "start_disorder", "start_seed", "energy_budget"},
+      "density_diffusion", "start_disorder", "start_seed", "repeats", "energy_budget"},
      [](const auto& run, const auto& definition, const auto&) {
        return read_sph(run, definition.liquid);
      }},
     {"interfoam",
-     {"cells_x", "cells_z", "processes"},
-     [](const auto& run, const auto&, const auto&) { return read_interfoam(run); }},
+     {"cells_x", "cells_z", "processes", "start_disorder", "start_seed", "repeats"},
+     [](const auto& run, const auto& definition, const auto&) {
+       return read_interfoam(run, definition);
+     }},
     {"linear",
      {"modes", "two_layer", "valid_elevation_over_depth"},
      [](const auto& run, const auto& definition, const auto&) {
@@ -218,8 +248,6 @@ const SolverSection& section_of(const TomlTable& run) {
   return *found;
 }
 
-}  // namespace
-
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments) {
   const SolverSection& section = section_of(run);
@@ -228,6 +256,17 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
           .solver = section.read(run, definition, experiments),
           .quick = run.flag("quick"),
           .where = run.where()};
+}
+
+}  // namespace
+
+std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,
+                                     const std::filesystem::path& experiments) {
+  const RunDefinition read = read_run(run, definition, experiments);
+  const auto repeats =
+      run.find<int>("repeats", {fmt::format("an integer from 2 to {}", most_repeats),
+                                [](int count) { return count >= 2 && count <= most_repeats; }});
+  return repeats ? ensemble_of(read, *repeats) : std::vector{read};
 }
 
 }  // namespace slosh

@@ -41,13 +41,14 @@ std::string run_name(const TomlTable& run) {
 
 void add_run(const TomlTable& run, const TomlTable& sweep, const std::filesystem::path& experiments,
              CaseDefinition& definition) {
-  RunDefinition read = read_run(run.with("name", run_name(run)), definition, experiments);
-  for (const RunDefinition& other : definition.runs)
-    if (other.name == read.name)
-      sweep.refuse("name", fmt::format("a pattern that names each run apart: {} has a run {}",
-                                       definition.name, read.name));
-  const std::string name = read.name;
-  definition.runs.push_back(std::move(read));
+  const std::string name = run_name(run);
+  for (const RunDefinition& read : read_runs(run.with("name", name), definition, experiments)) {
+    for (const RunDefinition& other : definition.runs)
+      if (other.name == read.name)
+        sweep.refuse("name", fmt::format("a pattern that names each run apart: {} has a run {}",
+                                         definition.name, read.name));
+    definition.runs.push_back(read);
+  }
   for (const TomlTable& row : sweep.tables("gate"))
     definition.gate.push_back(read_gate_row(row.with("candidate", name), definition));
 }

@@ -61,6 +61,10 @@ void add_ledger_option(CLI::App& command, CampaignOptions& options) {
       ->type_name(file_type);
 }
 
+void add_new_ledger_option(CLI::App& command, CampaignOptions& options) {
+  command.add_flag("--new", options.new_ledger, "Begin a ledger that is not there yet");
+}
+
 void add_launch_options(CLI::App& command, CampaignOptions& options) {
   add_jobs_option(command, options.at_once, "Runs side by side");
   command
@@ -143,16 +147,22 @@ void add_gate_and_selftest(const CommandTree& tree) {
   add_inconclusive_option(*gate, *gate_options);
   add_launch_options(*gate, *gate_options);
   add_ledger_option(*gate, *gate_options);
-  const auto [selftest, selftest_options] = add_command_on_campaign(
-      tree,
-      {"selftest",
-       "Whether the gate rows detect what they claim to, on the results that are there",
-       {"./slosh selftest " + one_run}},
-      [tree](const CampaignOptions& options) {
-        return selftest_campaign(options, tree.installation);
-      });
+  const auto record = std::make_shared<bool>(false);
+  const auto [selftest, selftest_options] =
+      add_command_on_campaign(tree,
+                              {"selftest",
+                               "Whether the gate rows detect what they claim to, and those of each "
+                               "case together what every "
+                               "case must detect, on the results that are there",
+                               {"./slosh selftest " + one_run}},
+                              [tree, record](const CampaignOptions& options) {
+                                return selftest_campaign({options, *record}, tree.installation);
+                              });
   add_selection_options(*selftest, selftest_options->selection);
   add_jobs_option(*selftest, selftest_options->at_once, "Rows tried side by side");
+  selftest->add_flag("--record", *record,
+                     "Leave what was found as verification/baselines/NAME.selftest.json, with "
+                     "-quick after the NAME of a quick form");
 }
 
 }  // namespace
@@ -168,7 +178,7 @@ void add_baseline_commands(const CommandTree& tree) {
   baseline.require_subcommand(1);
   const CommandTree below{baseline, tree.installation, tree.stop, tree.stop_on_signals,
                           tree.action};
-  const std::string example = " verification -o wave --ledger wave.jsonl";
+  const std::string example = " verification -o wave --ledger wave.jsonl --new";
   const Installation& installation = tree.installation;
   const auto [diff, diff_options] =
       add_command_on_campaign(below,
@@ -198,6 +208,9 @@ void add_baseline_commands(const CommandTree& tree) {
   add_ledger_option(*diff, *diff_options);
   add_ledger_option(*propose, *propose_options);
   add_ledger_option(*approve, *approve_options);
+  add_new_ledger_option(*diff, *diff_options);
+  add_new_ledger_option(*propose, *propose_options);
+  add_new_ledger_option(*approve, *approve_options);
   const CLI::Validator not_empty(
       [](const std::string& text) { return text.empty() ? "expected a text" : std::string(); }, "");
   approve->add_option("--who", approval->who, "Who approves it")->required()->check(not_empty);

@@ -9,6 +9,7 @@
 #include "reference/linear_surge.hpp"
 #include "verification/campaign/case_text.hpp"
 #include "verification/campaign/expected_cost.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/gate/gate.hpp"
@@ -116,7 +117,11 @@ std::string by_what(const CaseDefinition& definition,
   for (const RunDefinition& run : definition.runs) {
     const auto found = known.find(run.name);
     const KnownRun of_run = found == known.end() ? KnownRun{} : found->second;
-    text += fmt::format("  {}{}\n", run.name, run.quick ? "  (quick form too)" : "");
+    if (is_later_member(run)) continue;
+    const std::size_t repeats = members_of(definition, run.name).size();
+    text += fmt::format("  {}{}{}\n", run.name,
+                        repeats > 1 ? fmt::format("  (an ensemble of {}, each:)", repeats) : "",
+                        run.quick ? "  (quick form too)" : "");
     text +=
         wrapped(solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run), 6);
     if (!of_run.start) continue;
@@ -149,6 +154,20 @@ const char* words_for(Metric metric) {
       return "normalised rms of the difference without the time lag";
     case Metric::largest_magnitude:
       return "largest magnitude";
+    case Metric::band_energy_error:
+      return "error of the energy near the mode's frequency";
+    case Metric::spectral_peak_error:
+      return "error of the frequency of the highest spectral peak";
+    case Metric::rms_error:
+      return "error of the root mean square about the mean";
+    case Metric::crest_error:
+      return "error of the mean crest";
+    case Metric::trough_error:
+      return "error of the mean trough";
+    case Metric::mean_offset:
+      return "mean less the reference's";
+    case Metric::noise_share:
+      return "white noise over the standard deviation";
     case Metric::impact_time:
       return "time of the peak less the published one";
     case Metric::plateau_error:

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "verification/gate/impact_metrics.hpp"
+#include "verification/metrics/ensemble_mean.hpp"
 
 namespace slosh {
 namespace {
@@ -45,6 +46,25 @@ Estimate decay_error_of(const ModeComparison& mode) {
   return mode.decay_error;
 }
 
+// Of the declared window, as normalised_rms. Both series are finite, so that what is no number is
+// for want of periods.
+Estimate resolved_or_refused(Metric metric, double value) {
+  if (std::isnan(value))
+    throw ComparisonError(fmt::format(
+        "the window holds too few periods of the mode for {}; expected {}", metric_name(metric),
+        metric == Metric::band_energy_error ? "10 or more" : "1 or more"));
+  return {value, 0};
+}
+
+Estimate spectral_peak_error(const Comparison& comparison) {
+  if (comparison.candidate_peaks.empty() || comparison.reference_peaks.empty())
+    throw ComparisonError("a spectrum without a peak");
+  return {
+      comparison.candidate_peaks.front().frequency / comparison.reference_peaks.front().frequency -
+          1,
+      0};
+}
+
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
   switch (metric) {
     case Metric::amplitude_error:
@@ -66,7 +86,22 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       return {comparison.alignment.lag, 0};
     case Metric::aligned_rms:
       return {comparison.alignment.normalised_rms, 0};
+    case Metric::band_energy_error:
+      return resolved_or_refused(metric, mode_of(comparison, mode).band_energy_error);
+    case Metric::spectral_peak_error:
+      return spectral_peak_error(comparison);
+    case Metric::rms_error:
+      return {comparison.candidate_wave.deviation / comparison.reference_wave.deviation - 1, 0};
+    case Metric::crest_error:
+      return resolved_or_refused(
+          metric, comparison.candidate_wave.crest / comparison.reference_wave.crest - 1);
+    case Metric::trough_error:
+      return resolved_or_refused(
+          metric, comparison.candidate_wave.trough / comparison.reference_wave.trough - 1);
+    case Metric::mean_offset:
+      return {comparison.candidate_wave.mean - comparison.reference_wave.mean, 0};
     case Metric::largest_magnitude:
+    case Metric::noise_share:
     case Metric::impact_time:
     case Metric::plateau_error:
     case Metric::impact_percentile:
@@ -191,6 +226,24 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                      in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
 }
 
+EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) {
+  return evidence.ensemble ? evidence.ensemble(run) : EnsembleOfRun{{run}};
+}
+
+// Nothing but itself of a row that has none.
+EnsembleOfRun reference_of(const GateRow& row, const GateEvidence& evidence) {
+  return row.reference.empty() ? EnsembleOfRun{{""}, true} : ensemble_of(row.reference, evidence);
+}
+
+// "; mean over 4 x 3 repeats" of ensembles, nothing of single runs.
+std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
+  if (!is_of_ensembles(row, evidence)) return "";
+  const std::size_t candidates = ensemble_of(row.candidate, evidence).members.size();
+  return row.reference.empty() ? fmt::format("; mean over {} repeats", candidates)
+                               : fmt::format("; mean over {} x {} repeats", candidates,
+                                             reference_of(row, evidence).members.size());
+}
+
 GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
   UncertaintyContributions contributions = contributions_to(row, evidence);
   contributions.statistics.half_width =
@@ -198,27 +251,38 @@ GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvi
   const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
   const std::string missing = missing_for_validation(contributions);
   return {row, verdict_of_kind(row, verdict_of(judged.verdict), missing), value,
-          with_missing(bound_text(row, judged, evidence), missing), judged};
+          with_missing(bound_text(row, judged, evidence) + repeats_text(row, evidence), missing),
+          judged};
+}
+
+bool is_of_candidate_alone(Metric metric) {
+  return metric_entry(metric).measured_on == MeasuredOn::own_series;
 }
 
 bool needs_reference(Metric metric) {
-  return metric_entry(metric).measured_on != MeasuredOn::own_series && !is_of_impacts(metric);
+  return !is_of_candidate_alone(metric) && !is_of_impacts(metric);
 }
 
 struct RoleInRow {
   std::string role, run;
 };
 
-std::vector<RoleInRow> runs_of(const GateRow& row) {
-  std::vector<RoleInRow> runs{{"candidate", row.candidate}};
-  if (needs_reference(row.metric)) runs.push_back({"reference", row.reference});
-  if (row.improves_on) runs.push_back({"run to improve on", *row.improves_on});
+// Of an ensemble each member: a row on fewer than all would be a row on another ensemble.
+std::vector<RoleInRow> runs_of(const GateRow& row, const GateEvidence& evidence) {
+  std::vector<RoleInRow> runs;
+  const auto add = [&](const char* role, const std::string& named) {
+    for (const std::string& run : ensemble_of(named, evidence).members) runs.push_back({role, run});
+  };
+  add("candidate", row.candidate);
+  if (needs_reference(row.metric)) add("reference", row.reference);
+  if (row.improves_on) add("run to improve on", *row.improves_on);
   return runs;
 }
 
 // Why a row cannot be evaluated, most telling first; nothing where it can.
 std::optional<std::pair<Verdict, std::string>> obstacle(
-    const GateRow& row, const std::map<std::string, RunStatus>& runs) {
+    const GateRow& row, const std::map<std::string, RunStatus>& runs,
+    const GateEvidence& evidence) {
   struct Obstacle {
     RunState state;
     Verdict verdict;
@@ -231,12 +295,13 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
       {RunState::missing, Verdict::not_compared, "has no result"},
       {RunState::out_of_range, Verdict::not_compared, "is outside its declared range"},
   }};
-  for (const auto& [role, run] : runs_of(row)) {
+  const std::vector<RoleInRow> needed = runs_of(row, evidence);
+  for (const auto& [role, run] : needed) {
     if (!runs.contains(run))
       return {{Verdict::not_compared, fmt::format("the {} {} is missing", role, run)}};
   }
   for (const Obstacle& one : obstacles) {
-    for (const auto& [role, run] : runs_of(row)) {
+    for (const auto& [role, run] : needed) {
       const RunStatus& status = runs.at(run);
       if (status.state != one.state) continue;
       const std::string detail = status.message.empty() ? "" : ": " + status.message;
@@ -246,18 +311,11 @@ std::optional<std::pair<Verdict, std::string>> obstacle(
   return std::nullopt;
 }
 
-}  // namespace
-
-AllowedRange allowed_by(const GateRow& row) {
-  if (row.limit) return {-*row.limit, *row.limit};
-  return {row.between->first, row.between->second};
-}
-
-Estimate measured(const GateRow& row, const GateEvidence& evidence) {
-  if (row.metric == Metric::largest_magnitude) {
+Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
+  if (is_of_candidate_alone(row.metric)) {
     const TimeSeries series = evidence.series(row.candidate, row.quantity);
     require_unit(row, series.unit);
-    return {largest_magnitude(series), 0};
+    return {row.metric == Metric::noise_share ? noise_share(series) : largest_magnitude(series), 0};
   }
   if (is_of_impacts(row.metric)) {
     require_unit(row, "Pa");
@@ -272,9 +330,58 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence) {
   return metric_value(row.metric, row.mode, comparison);
 }
 
+}  // namespace
+
+AllowedRange allowed_by(const GateRow& row) {
+  if (row.limit) return {-*row.limit, *row.limit};
+  return {row.between->first, row.between->second};
+}
+
+std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row,
+                                                  const GateEvidence& evidence) {
+  std::vector<std::vector<Estimate>> pairs;
+  for (const std::string& candidate : ensemble_of(row.candidate, evidence).members) {
+    pairs.emplace_back();
+    for (const std::string& reference : reference_of(row, evidence).members) {
+      GateRow pair = row;
+      pair.candidate = candidate;
+      pair.reference = reference;
+      pairs.back().push_back(measured_once(pair, evidence));
+      // A lag is told within half a turn from the first: those about half a turn would else have a
+      // mean of none.
+      double& value = pairs.back().back().value;
+      constexpr double turn = 360;
+      if (row.metric == Metric::phase_lag)
+        value -= turn * std::round((value - pairs.front().front().value) / turn);
+    }
+  }
+  return pairs;
+}
+
+Estimate measured(const GateRow& row, const GateEvidence& evidence) {
+  if (!is_of_ensembles(row, evidence)) return measured_once(row, evidence);
+  const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
+  const EnsembleOfRun reference = reference_of(row, evidence);
+  const auto is_one_of_many = [](const EnsembleOfRun& side) {
+    return side.members.size() == 1 && !side.exact;
+  };
+  return ensemble_mean(measured_pairs(row, evidence),
+                       is_one_of_many(candidate) || is_one_of_many(reference)
+                           ? SingleSide::one_of_many
+                           : SingleSide::exact);
+}
+
+bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence) {
+  return row.metric != Metric::cost_to_reach &&
+         ensemble_of(row.candidate, evidence).members.size() *
+                 reference_of(row, evidence).members.size() >
+             1;
+}
+
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence) {
-  if (const auto found = obstacle(row, runs)) return {row, found->first, no_value, found->second};
+  if (const auto found = obstacle(row, runs, evidence))
+    return {row, found->first, no_value, found->second};
   try {
     const Estimate value = measured(row, evidence);
     GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)

@@ -5,9 +5,11 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "verification/case_file/metric_table.hpp"
 #include "verification/metrics/harmonic_fit.hpp"
+#include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -49,6 +51,16 @@ double wrap_degrees(double angle) {
   return wrap_angle(angle * std::numbers::pi / half_turn) * half_turn / std::numbers::pi;
 }
 
+// What sets the mutant apart from the candidate in the window.
+std::vector<double> change_in_window(const TimeSeries& candidate, const TimeSeries& mutant,
+                                     TimeWindow window) {
+  return minus(cut_to_window(mutant, window).value, cut_to_window(candidate, window).value);
+}
+
+double deviation_in_window(const TimeSeries& series, TimeWindow window) {
+  return rms(without_mean(cut_to_window(series, window).value));
+}
+
 // Counted part: the metric looks at the reference's times alone.
 double largest_in_window(const TimeSeries& series, TimeWindow window) {
   double largest = 0;
@@ -62,7 +74,14 @@ std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& ca
   const double e = candidate.measured;
   switch (row.metric) {
     case Metric::amplitude_error:
+    case Metric::rms_error:
       return Prediction{(1 + e) * std::abs(factor) - 1};
+    case Metric::band_energy_error:
+      return Prediction{(1 + e) * factor * factor - 1};
+    case Metric::crest_error:
+    case Metric::trough_error:  // a flipped sign makes troughs of crests
+      if (factor > 0) return Prediction{(1 + e) * factor - 1};
+      return std::nullopt;
     case Metric::largest_magnitude:
       return Prediction{std::abs(factor) * e};
     case Metric::normalised_rms:
@@ -84,6 +103,60 @@ std::optional<Prediction> of_shift(const GateRow& row, double e, double periods,
   return std::nullopt;
 }
 
+std::optional<Prediction> of_offset(const GateRow& row, double e, double offset) {
+  if (row.metric == Metric::mean_offset) return Prediction{e + offset};
+  if (row.metric == Metric::largest_magnitude) return Prediction{std::abs(offset) - e, true};
+  return std::nullopt;
+}
+
+// By the triangle inequality, of what adds something to the candidate.
+std::optional<Prediction> of_residual(const GateRow& row, const JudgedCandidate& candidate,
+                                      const Mutation& mutation, const MutationFrame& frame) {
+  const bool is_rms = row.metric == Metric::normalised_rms;
+  if (!is_rms && row.metric != Metric::maximum_residual) return std::nullopt;
+  const double e = candidate.measured;
+  const std::vector<double> change =
+      change_in_window(candidate.series, mutated(candidate.series, mutation, frame), frame.window);
+  if (is_rms)
+    return Prediction{
+        counted_part * rms(change) / deviation_in_window(candidate.series, frame.window) * (1 - e) -
+            e,
+        true};
+  double largest = 0;
+  for (const double one : change) largest = std::max(largest, std::abs(one));
+  return Prediction{counted_part * largest - e, true};
+}
+
+// Of the kinds that add something: a datum, a ramp, a part of a mode, a slow change of frequency.
+std::optional<Prediction> of_addition(const GateRow& row, const JudgedCandidate& candidate,
+                                      const Mutation& mutation, const MutationFrame& frame) {
+  const double e = candidate.measured, s = mutation.strength;
+  switch (mutation.kind) {
+    case MutationKind::raised:
+    case MutationKind::lowered:
+      if (const auto found =
+              of_offset(row, e, (mutation.kind == MutationKind::raised ? s : -s) * frame.datum))
+        return found;
+      break;
+    case MutationKind::drifting:
+      if (row.metric == Metric::mean_offset)
+        return Prediction{e + counted_part * s / 2 *
+                                  deviation_in_window(candidate.series, frame.window)};
+      break;
+    case MutationKind::chirped:
+      if (row.metric == Metric::phase_lag && row.mode == "forced")
+        return Prediction{wrap_degrees(e - counted_part * s / 3 * whole_turn)};
+      break;
+    case MutationKind::mode_gained:
+      if (row.metric == Metric::amplitude_error && row.mode == mutation.mode)
+        return Prediction{(1 + e) * (1 + counted_part * s) - 1};
+      break;
+    default:
+      return std::nullopt;
+  }
+  return of_residual(row, candidate, mutation, frame);
+}
+
 std::optional<Prediction> after(const GateRow& row, const JudgedCandidate& candidate,
                                 const Mutation& mutation, const MutationFrame& frame) {
   const double e = candidate.measured;
@@ -92,11 +165,14 @@ std::optional<Prediction> after(const GateRow& row, const JudgedCandidate& candi
   if (const auto periods = change_of(mutation, MutationKind::late, MutationKind::early))
     return of_shift(row, e, *periods, frame.period);
   if (const auto gain = change_of(mutation, MutationKind::faster, MutationKind::slower);
-      gain && row.metric == Metric::frequency_error && row.mode != "forced")
+      gain && ((row.metric == Metric::frequency_error && row.mode != "forced") ||
+               row.metric == Metric::spectral_peak_error))
     return Prediction{(1 + e) * (1 + *gain) - 1};
+  if (mutation.kind == MutationKind::noisy && row.metric == Metric::noise_share)
+    return Prediction{counted_part * mutation.strength / std::hypot(1, mutation.strength), true};
   if (mutation.kind == MutationKind::noisy && row.metric == Metric::normalised_rms)
     return Prediction{counted_part * mutation.strength * (1 - e) - e, true};
-  return std::nullopt;
+  return of_addition(row, candidate, mutation, frame);
 }
 
 bool outside_bounds(const GateRow& row, const Prediction& prediction) {
@@ -112,16 +188,9 @@ bool outside_bounds(const GateRow& row, const Prediction& prediction) {
 bool claims_to_detect(const GateRow& row, const JudgedCandidate& candidate,
                       const Mutation& mutation, const MutationFrame& frame) {
   if (is_of_impacts(row.metric)) return false;
-  switch (mutation.kind) {
-    case MutationKind::not_a_number:
-    case MutationKind::truncated:
-    case MutationKind::swapped_columns:
-    case MutationKind::other_unit:
-      return true;
-    default:
-      const auto prediction = after(row, candidate, mutation, frame);
-      return prediction && outside_bounds(row, *prediction);
-  }
+  if (!changes_values(mutation.kind)) return true;
+  const auto prediction = after(row, candidate, mutation, frame);
+  return prediction && outside_bounds(row, *prediction);
 }
 
 }  // namespace slosh

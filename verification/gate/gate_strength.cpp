@@ -1,5 +1,7 @@
 #include "verification/gate/gate_strength.hpp"
 
+#include <algorithm>
+
 namespace slosh {
 namespace {
 
@@ -9,45 +11,79 @@ struct Ladder {
 };
 
 std::vector<Ladder> ladders() {
-  const std::vector<double> scale{0.01, 0.02, 0.05, 0.1, 0.2}, shift{0.005, 0.01, 0.02, 0.05, 0.1},
-      frequency{0.001, 0.002, 0.005, 0.01, 0.02, 0.05}, noise{0.01, 0.02, 0.05, 0.1, 0.2, 0.5};
+  const std::vector<double> scale{0.01, 0.02, 0.05, 0.1, 0.2},
+      shift{0.005, 0.01, 0.02, ten_degrees, 0.05, 0.1},
+      frequency{0.001, 0.002, 0.005, 0.01, 0.02, 0.05}, offset{0.005, 0.01, 0.02, 0.05, 0.1},
+      drift{0.1, 0.2, 0.5, 1}, chirp{0.02, 0.05, 0.1, 0.2}, noise{0.01, 0.02, 0.05, 0.1, 0.2, 0.5};
   return {{MutationKind::louder, scale},        {MutationKind::quieter, scale},
           {MutationKind::late, shift},          {MutationKind::early, shift},
           {MutationKind::faster, frequency},    {MutationKind::slower, frequency},
+          {MutationKind::raised, offset},       {MutationKind::lowered, offset},
+          {MutationKind::drifting, drift},      {MutationKind::chirped, chirp},
           {MutationKind::noisy, noise},         {MutationKind::slipped, {1}},
           {MutationKind::truncated, {0.2}},     {MutationKind::not_a_number, {1}},
           {MutationKind::swapped_columns, {1}}, {MutationKind::thousandfold, {1}},
           {MutationKind::other_unit, {1}},      {MutationKind::sign_flipped, {1}}};
 }
 
+bool moves_the_datum(MutationKind kind) {
+  return kind == MutationKind::raised || kind == MutationKind::lowered;
+}
+
 }  // namespace
 
-std::vector<Mutation> mutations_tried() {
+std::vector<Mutation> mutations_tried(const MutationFrame& frame) {
   std::vector<Mutation> mutations;
-  for (const auto& [kind, strengths] : ladders())
+  for (const auto& [kind, strengths] : ladders()) {
+    if (moves_the_datum(kind) && frame.datum == 0) continue;
     for (const double strength : strengths) mutations.push_back({kind, strength});
+  }
+  for (const ToneRequest& mode : frame.modes)
+    if (mode.refine)
+      for (const double strength : {0.02, 0.05, 0.1, 0.2, 0.5})
+        mutations.push_back({MutationKind::mode_gained, strength, mode.name});
   return mutations;
 }
 
-GateStrength gate_strength(const GateRow& row, const JudgedCandidate& candidate,
-                           const MutationFrame& frame, const PassesWith& passes_with) {
-  GateStrength result{passes_with(candidate.series), {}};
-  if (!result.passes_as_it_is) return result;
-  for (const Mutation& mutation : mutations_tried())
-    result.outcomes.push_back({mutation, claims_to_detect(row, candidate, mutation, frame),
-                               !passes_with(mutated(candidate.series, mutation, frame))});
-  return result;
+std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
+                                         const TimeSeries& candidate, const MutationFrame& frame,
+                                         const PassingRows& passing_rows) {
+  std::vector<GateStrength> strengths;
+  const ChangeSeries unchanged = [](const TimeSeries& series) { return series; };
+  for (const bool passes : passing_rows(unchanged)) strengths.push_back({passes, {}});
+  const auto any_passes = std::any_of(strengths.begin(), strengths.end(),
+                                      [](const GateStrength& one) { return one.passes_as_it_is; });
+  if (!any_passes) return strengths;
+  for (const Mutation& mutation : mutations_tried(frame)) {
+    const std::vector<bool> passing =
+        passing_rows([&](const TimeSeries& series) { return mutated(series, mutation, frame); });
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (strengths[i].passes_as_it_is)
+        strengths[i].outcomes.push_back(
+            {mutation,
+             claims_to_detect(rows[i].row, {rows[i].measured, candidate}, mutation, frame),
+             !passing[i]});
+  }
+  return strengths;
+}
+
+bool detects(const GateStrength& strength, const Mutation& mutation) {
+  return std::any_of(
+      strength.outcomes.begin(), strength.outcomes.end(), [&](const MutationOutcome& one) {
+        return one.detected && one.mutation.kind == mutation.kind &&
+               one.mutation.strength == mutation.strength && one.mutation.mode == mutation.mode;
+      });
 }
 
 std::optional<double> detected_from(const GateStrength& strength, MutationKind kind) {
+  double missed = -1;
+  for (const MutationOutcome& one : strength.outcomes)
+    if (one.mutation.kind == kind && !one.detected)
+      missed = std::max(missed, one.mutation.strength);
   std::optional<double> from;
-  for (const MutationOutcome& outcome : strength.outcomes) {
-    if (outcome.mutation.kind != kind) continue;
-    if (!outcome.detected)
-      from.reset();
-    else if (!from)
-      from = outcome.mutation.strength;
-  }
+  for (const MutationOutcome& one : strength.outcomes)
+    if (one.mutation.kind == kind && one.mutation.strength > missed)
+      from = std::min(from.value_or(one.mutation.strength), one.mutation.strength);
   return from;
 }
 
@@ -56,6 +92,14 @@ std::vector<Mutation> broken_claims(const GateStrength& strength) {
   for (const auto& [mutation, claimed, detected] : strength.outcomes)
     if (claimed && !detected) broken.push_back(mutation);
   return broken;
+}
+
+bool detects_no_change(const GateStrength& strength) {
+  return strength.passes_as_it_is &&
+         std::none_of(strength.outcomes.begin(), strength.outcomes.end(),
+                      [](const MutationOutcome& one) {
+                        return one.detected && changes_values(one.mutation.kind);
+                      });
 }
 
 }  // namespace slosh

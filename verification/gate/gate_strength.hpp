@@ -12,9 +12,21 @@
 
 namespace slosh {
 
-// Whether the row passes with this candidate in place of its own; anything else than a pass
-// (violated, not compared) is false.
-using PassesWith = std::function<bool(const TimeSeries& candidate)>;
+// [periods]: the lag that a case's rows must detect together (case_coverage.hpp).
+inline constexpr double ten_degrees = 10.0 / 360;
+
+// A row and its metric of its candidate as it is, in the row's unit.
+struct TriedRow {
+  GateRow row;
+  double measured;
+};
+
+// What makes a series wrong, or leaves it as it is.
+using ChangeSeries = std::function<TimeSeries(const TimeSeries& series)>;
+
+// Whether each of the tried rows passes with its candidate changed so, every member of an ensemble
+// alike; anything else than a pass (violated, not compared) is false.
+using PassingRows = std::function<std::vector<bool>(const ChangeSeries& change)>;
 
 struct MutationOutcome {
   Mutation mutation;
@@ -29,18 +41,29 @@ struct GateStrength {
   std::vector<MutationOutcome> outcomes;
 };
 
-// All that are tried: scale 1 to 20 %, shift 0.5 to 10 % of a period, frequency 0.1 to 5 %, noise 1
-// to 50 % of the values' standard deviation.
-std::vector<Mutation> mutations_tried();
+// All that are tried: scale 1 to 20 %, shift 0.5 to 10 % of a period, frequency 0.1 to 5 %, an
+// offset of 0.5 to 10 % of the datum, a drift of 10 to 100 % of the values' standard deviation, a
+// chirp of 2 to 20 % of a period, each natural mode gained by 2 to 50 %, noise of 1 to 50 % of the
+// deviation.
+std::vector<Mutation> mutations_tried(const MutationFrame& frame);
 
-// Throws ComparisonError as cut_to_window() does of the candidate, and what passes_with throws.
-GateStrength gate_strength(const GateRow& row, const JudgedCandidate& candidate,
-                           const MutationFrame& frame, const PassesWith& passes_with);
+// Of rows that judge one candidate in one frame, in their order: each mutant is judged by all of
+// them together. Throws ComparisonError as mutated() does, and what passing_rows throws.
+std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
+                                         const TimeSeries& candidate, const MutationFrame& frame,
+                                         const PassingRows& passing_rows);
+
+// Whether the row does not pass with exactly this mutation; false where it was not tried.
+bool detects(const GateStrength& strength, const Mutation& mutation);
 
 // The smallest strength tried from which on every one is detected; none where the strongest is not.
 std::optional<double> detected_from(const GateStrength& strength, MutationKind kind);
 
 // Claimed, but not detected.
 std::vector<Mutation> broken_claims(const GateStrength& strength);
+
+// Whether the row passes as it is and with every change of its candidate's values that was tried:
+// it judges nothing, whatever its limit says.
+bool detects_no_change(const GateStrength& strength);
 
 }  // namespace slosh

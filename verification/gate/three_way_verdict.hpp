@@ -36,8 +36,8 @@ struct Contribution {
 struct UncertaintyContributions {
   Contribution discretisation = {};  // of step and spacing, discretisation_uncertainty.hpp
   Contribution statistics = {};      // of a finite record, as the metric's confidence interval
-  Contribution input = {};           // of what the simulation is told: motion, fill depth, properties
-  Contribution reference = {};       // of the data: an experiment's, or another method's own
+  Contribution input = {};      // of what the simulation is told: motion, fill depth, properties
+  Contribution reference = {};  // of the data: an experiment's, or another method's own
 };
 
 // U_val of the known ones; NaN where one is negative or no number.

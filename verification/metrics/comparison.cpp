@@ -108,6 +108,17 @@ void compare_whole_window(const CommonSamples& common, int blocks, Comparison& r
                      .value = std::move(residual)};
 }
 
+void compare_waves(const CommonSamples& common, const std::vector<ToneRequest>& modes,
+                   Comparison& result) {
+  const double period = modes.empty() ? std::numeric_limits<double>::infinity()
+                                      : 2 * pi / modes.front().angular_frequency;
+  const auto statistics = [&](const std::vector<double>& value) {
+    return wave_statistics({result.quantity, result.unit, common.time, value}, period);
+  };
+  result.candidate_wave = statistics(common.candidate);
+  result.reference_wave = statistics(common.reference);
+}
+
 // Of the slowest mode; none repeats without one.
 int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
   if (modes.empty()) return 1;
@@ -123,8 +134,17 @@ void add_modes(const TimeSeries& candidate, const TimeSeries& reference,
   result.cross_correlation_lag =
       cross_correlation_lag(candidate, reference, window, 2 * pi / modes.front().angular_frequency);
   const int peaks = static_cast<int>(modes.size()) + 1;
-  result.candidate_peaks = spectral_peaks(power_spectrum(candidate, window), peaks);
-  result.reference_peaks = spectral_peaks(power_spectrum(reference, window), peaks);
+  const Spectrum of_candidate = power_spectrum(candidate, window);
+  const Spectrum of_reference = power_spectrum(reference, window);
+  result.candidate_peaks = spectral_peaks(of_candidate, peaks);
+  result.reference_peaks = spectral_peaks(of_reference, peaks);
+  for (ModeComparison& mode : result.modes) {
+    const double frequency = mode.reference.angular_frequency.value / (2 * pi);
+    const auto energy = [frequency](const Spectrum& of) {
+      return band_energy(of, 0.8 * frequency, 1.2 * frequency);
+    };
+    mode.band_energy_error = energy(of_candidate) / energy(of_reference) - 1;
+  }
 }
 
 TimeSeries named(const std::string& role, TimeSeries series) {
@@ -162,7 +182,9 @@ Comparison compare(const TimeSeries& candidate_series, const TimeSeries& referen
   result.quantity = reference_series.name;
   result.unit = reference.unit;
   result.window = window;
-  compare_whole_window(common_samples(candidate, cut_reference), blocks_of(window, modes), result);
+  const CommonSamples common = common_samples(candidate, cut_reference);
+  compare_whole_window(common, blocks_of(window, modes), result);
+  compare_waves(common, modes, result);
   constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
   if (modes.empty()) {
     result.cross_correlation_lag = no_number;

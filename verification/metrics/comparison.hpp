@@ -9,6 +9,7 @@
 // of the two: fit_pair() of harmonic_fit.hpp.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "verification/metrics/spectrum.hpp"
 #include "verification/metrics/time_alignment.hpp"
 #include "verification/metrics/time_series.hpp"
+#include "verification/metrics/wave_statistics.hpp"
 
 namespace slosh {
 
@@ -31,6 +33,9 @@ struct ModeComparison {
                              // given)
   Estimate decay_rate;       // of the candidate [1/s]
   Estimate decay_error;      // g_c / g_r - 1; means something where the reference decays
+  // Of the energies within a fifth of the reference's frequency to either side (spectrum.hpp):
+  // E_c / E_r - 1; NaN where the window cannot resolve that band, and without a whole comparison.
+  double band_energy_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Comparison {
@@ -45,6 +50,8 @@ struct Comparison {
   double cross_correlation_lag;
   TimeAlignment alignment;  // NaN with modes, whose lags say it better
   Estimate sprague_geers_magnitude, sprague_geers_phase;
+  // Of both at the reference's times inside the window, by the first mode's period.
+  WaveStatistics candidate_wave, reference_wave;
   TimeSeries residual;  // c - r at the reference's times inside the window
   // One more than modes, highest first; none without modes.
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;

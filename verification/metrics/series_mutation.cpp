@@ -43,6 +43,45 @@ TimeSeries stretched(const TimeSeries& series, double speed) {
   return moved_in_time(series, [=](double t) { return begin + speed * (t - begin); });
 }
 
+TimeSeries shifted(TimeSeries series, double offset) {
+  for (double& value : series.value) value += offset;
+  return series;
+}
+
+// 0 before the window, 1 after it.
+double share_of_window(double t, TimeWindow window) {
+  return std::clamp((t - window.begin) / (window.end - window.begin), 0.0, 1.0);
+}
+
+TimeSeries drifting(TimeSeries series, TimeWindow window, double at_end) {
+  for (std::size_t i = 0; i < series.value.size(); ++i)
+    series.value[i] += at_end * share_of_window(series.time[i], window);
+  return series;
+}
+
+TimeSeries chirped(const TimeSeries& series, TimeWindow window, double lead) {
+  return moved_in_time(series, [=](double t) {
+    const double u = share_of_window(t, window);
+    return t + lead * u * u;
+  });
+}
+
+TimeSeries with_mode_gained(TimeSeries series, const Mutation& mutation,
+                            const MutationFrame& frame) {
+  const HarmonicFit fit = fit_harmonics(series, frame.window, frame.modes);
+  const auto tone = std::find_if(fit.tones.begin(), fit.tones.end(),
+                                 [&](const Tone& one) { return one.name == mutation.mode; });
+  if (tone == fit.tones.end())
+    throw ComparisonError("the mode " + mutation.mode + " is not fitted");
+  for (std::size_t i = 0; i < series.value.size(); ++i) {
+    const double t = series.time[i], since = std::max(0.0, t - frame.window.begin);
+    series.value[i] += mutation.strength * tone->amplitude.value *
+                       std::exp(-tone->decay_rate.value * since) *
+                       std::cos(tone->angular_frequency.value * t + tone->phase.value);
+  }
+  return series;
+}
+
 TimeSeries with_white_noise(TimeSeries series, double deviation) {
   std::mt19937_64 generator(noise_seed);
   std::normal_distribution<double> normal;
@@ -70,7 +109,7 @@ TimeSeries poisoned_at(TimeSeries series, double time) {
 }  // namespace
 
 TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const MutationFrame& frame) {
-  const auto& [window, period] = frame;
+  const auto& [window, period, datum, modes] = frame;
   const TimeSeries judged = cut_to_window(series, window);
   const double s = mutation.strength;
   TimeSeries result = series;
@@ -88,6 +127,16 @@ TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const Mut
       return stretched(series, 1 + s);
     case MutationKind::slower:
       return stretched(series, 1 - s);
+    case MutationKind::raised:
+      return shifted(series, s * datum);
+    case MutationKind::lowered:
+      return shifted(series, -s * datum);
+    case MutationKind::drifting:
+      return drifting(series, window, s * rms(without_mean(judged.value)));
+    case MutationKind::chirped:
+      return chirped(series, window, s * period);
+    case MutationKind::mode_gained:
+      return with_mode_gained(series, mutation, frame);
     case MutationKind::noisy:
       return with_white_noise(series, s * rms(without_mean(judged.value)));
     case MutationKind::truncated:
@@ -122,6 +171,16 @@ std::string mutation_name(MutationKind kind) {
       return "faster";
     case MutationKind::slower:
       return "slower";
+    case MutationKind::raised:
+      return "raised";
+    case MutationKind::lowered:
+      return "lowered";
+    case MutationKind::drifting:
+      return "drifting";
+    case MutationKind::chirped:
+      return "chirped";
+    case MutationKind::mode_gained:
+      return "mode gained";
     case MutationKind::noisy:
       return "noisy";
     case MutationKind::slipped:
@@ -140,6 +199,18 @@ std::string mutation_name(MutationKind kind) {
       return "sign flipped";
   }
   throw std::logic_error("a mutation without a name");
+}
+
+bool changes_values(MutationKind kind) {
+  switch (kind) {
+    case MutationKind::truncated:
+    case MutationKind::not_a_number:
+    case MutationKind::swapped_columns:
+    case MutationKind::other_unit:
+      return false;
+    default:
+      return true;
+  }
 }
 
 }  // namespace slosh

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "verification/metrics/harmonic_fit.hpp"
 #include "verification/metrics/time_series.hpp"
 
 namespace slosh {
@@ -18,6 +20,13 @@ enum class MutationKind {
   early,         // shifted by -s periods
   faster,        // time runs 1 + s times as fast, from the first sample on
   slower,        // time runs 1 - s times as fast
+  raised,        // values plus s times the datum
+  lowered,       // values less s times the datum
+  drifting,      // plus a ramp from zero at the window's begin to s standard deviations of the
+                 // values in the window at its end
+  chirped,       // runs ahead by s u^2 periods, u from 0 to 1 over the window: a frequency that
+                 // changes slowly
+  mode_gained,   // plus s times the part that the fit gives to one natural mode (`mode`)
   noisy,         // white normal noise, standard deviation s times that of the values in the
                  // window; the same at every call
   slipped,       // late by s whole periods
@@ -32,18 +41,27 @@ enum class MutationKind {
 struct Mutation {
   MutationKind kind;
   double strength;
+  std::string mode = {};  // of mode_gained alone
 };
 
-// What shifts and cuts are measured by.
+// What changes are measured by.
 struct MutationFrame {
   TimeWindow window;  // of the comparison
   double period;      // [s], of the mode that is judged; without modes the window's length
+  // In the series' unit: the fill depth, or the pressure under it; 0 where the quantity has none.
+  double datum = 0;
+  std::vector<ToneRequest> modes = {};  // that are fitted
 };
 
-// Throws ComparisonError as cut_to_window() does of the series before its mutation.
+// Throws ComparisonError as cut_to_window() does of the series before its mutation, and as
+// fit_harmonics() where a mode is gained.
 TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const MutationFrame& frame);
 
 // "louder", "not a number", ...
 std::string mutation_name(MutationKind kind);
+
+// Whether the kind leaves a sound series of other values: one that only a metric can tell, where
+// the others end in a series that is refused.
+bool changes_values(MutationKind kind);
 
 }  // namespace slosh

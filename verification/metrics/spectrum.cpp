@@ -16,6 +16,7 @@ namespace slosh {
 namespace {
 
 constexpr std::size_t padding = 4;
+constexpr double hann_noise_bandwidth = 1.5;  // [bins]
 
 std::vector<std::complex<double>> transform(std::vector<double>& samples) {
   std::vector<std::complex<double>> coefficients(samples.size() / 2 + 1);
@@ -93,6 +94,14 @@ std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, int count) {
     if (apart) peaks.push_back(maximum);
   }
   return peaks;
+}
+
+double band_energy(const Spectrum& spectrum, double low, double high) {
+  if (!(high - low >= 2 * spectrum.resolution)) return std::numeric_limits<double>::quiet_NaN();
+  double sum = 0;
+  for (std::size_t i = 0; i < spectrum.power.size(); ++i)
+    if (spectrum.frequency[i] >= low && spectrum.frequency[i] <= high) sum += spectrum.power[i];
+  return sum / (hann_noise_bandwidth * static_cast<double>(padding));
 }
 
 }  // namespace slosh

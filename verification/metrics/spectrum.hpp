@@ -36,4 +36,10 @@ Spectrum power_spectrum(const TimeSeries& series, TimeWindow window);
 // lobe of the window (-31.5 dB).
 std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, int count);
 
+// The series' variance within a band of frequencies [unit^2], from low to high [Hz]: the sum of the
+// spectrum's points there over the 1.5 bins (of 1 / window each) over which Hann's window spreads a
+// tone's power (Harris 1978, table 1: equivalent noise bandwidth); A^2 / 2 of a sine well inside.
+// NaN where the band is narrower than the spectrum's resolution to either side of its middle.
+double band_energy(const Spectrum& spectrum, double low, double high);
+
 }  // namespace slosh

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "openfoam_cases/check_tank.hpp"
+#include "openfoam_cases/geometry/start_disturbance.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/case_file/field_times.hpp"
 #include "verification/case_file/motion.hpp"
@@ -39,6 +40,10 @@ openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& de
       .processes = run.processes};
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
+  if (run.start_disorder > 0)
+    tank.start_disturbance =
+        openfoam::start_disturbance(run.start_disorder * definition.tank.height / run.cells_z,
+                                    static_cast<unsigned>(run.start_seed));
   if (const std::optional<RollMotion> roll = roll_motion(definition))
     tank.roll = openfoam::Roll{
         roll->angle,  roll->rate,   roll->acceleration,

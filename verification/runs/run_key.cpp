@@ -34,7 +34,9 @@ json description(const SphRun& run) {
   return asked;
 }
 json description(const InterFoamRun& run) {
-  return {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};
+  json asked = {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};
+  if (run.start_disorder > 0) asked["start"] = {run.start_disorder, run.start_seed};
+  return asked;
 }
 json description(const PotentialRun& run) { return {{"potential", {run.nodes_x, run.nodes_z}}}; }
 json description(const LinearRun& run) { return {{"linear", {run.modes, run.two_layer}}}; }

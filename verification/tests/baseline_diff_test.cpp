@@ -57,6 +57,24 @@ TEST(BaselineDiff, OfTheSameFiguresIsNone) {
   EXPECT_EQ(movement_text(moved), "unmoved");
 }
 
+TEST(BaselineDiff, OfAChangeWithinTheIntervalsIsNone) {
+  EXPECT_FALSE(movement(outcome(0.013, 0.003, 0.05)).has_changed());
+  EXPECT_TRUE(movement(outcome(0.015, 0.003, 0.05)).has_changed());
+  EXPECT_TRUE(proposed_changes({movement(outcome(0.013, 0.003, 0.05))}).empty());
+}
+
+TEST(BaselineDiff, OfWhatMachinesRoundDifferentlyIsNone) {
+  const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
+  EXPECT_FALSE(movements(exact, campaign(outcome(0.01 + 4e-8, 0, 0.05))).at(0).has_changed());
+  EXPECT_TRUE(movements(exact, campaign(outcome(0.01 + 6e-8, 0, 0.05))).at(0).has_changed());
+}
+
+TEST(BaselineDiff, LeavesTimingsOut) {
+  GateOutcome cost = outcome(3, 0.1, 5);
+  cost.row.metric = Metric::cost_to_reach;
+  EXPECT_TRUE(movements({}, campaign(cost)).empty());
+}
+
 TEST(BaselineDiff, TellsALoosenedToleranceEvenWhereNothingMoved) {
   const RowMovement moved = movement(outcome(0.01, 0.003, 0.06));
   EXPECT_TRUE(moved.loosened);

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <fstream>
+#include <future>
 #include <sstream>
 
+#include "verification/runs/content_hash.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh {
@@ -102,11 +105,96 @@ TEST_F(BaselineLedger, RefusesWhatIsNoApproval) {
   EXPECT_NE(refusal().find("a.jsonl:1: not an approval"), std::string::npos) << refusal();
 }
 
-TEST_F(BaselineLedger, RefusesAChangeOfWhatDidNotStand) {
+TEST_F(BaselineLedger, FindsAForgedLastLine) {
   approve({{"row", {}, first}}, "first figures");
-  approve({{"row", second, first}}, "of something else");
-  EXPECT_NE(refusal().find("row: the old value is not the one that stood"), std::string::npos)
-      << refusal();
+  approve({{"row", first, second}}, "a better kernel");
+  std::string forged = text();
+  forged.replace(forged.rfind("0.05}"), 5, "0.50}");  // a loosened tolerance
+  write(forged);
+  EXPECT_NE(refusal().find("its head"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("altered, added or taken out"), std::string::npos) << refusal();
+}
+
+TEST_F(BaselineLedger, FindsThatTheLastLineWasTakenOut) {
+  approve({{"row", {}, first}}, "first figures");
+  const std::string before = text();
+  approve({{"row", first, second}}, "a better kernel");
+  write(before);
+  EXPECT_NE(refusal().find("holds 1 approvals"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("records 2"), std::string::npos) << refusal();
+}
+
+TEST_F(BaselineLedger, FindsALineAddedByHand) {
+  approve({{"row", {}, first}}, "first figures");
+  const std::string head_before = read_bytes(head_of(file()));
+  approve({{"row", first, second}}, "by hand");
+  std::ofstream(head_of(file())) << head_before;
+  EXPECT_NE(refusal().find("records 1"), std::string::npos) << refusal();
+}
+
+TEST_F(BaselineLedger, FindsLinesInAnotherOrder) {
+  approve({{"row", {}, first}}, "first figures");
+  const std::string one = text();
+  approve({{"other", {}, second}}, "another row");
+  write(text().substr(one.size()) + one);
+  EXPECT_NE(refusal().find("a.jsonl:1: the lines before it"), std::string::npos) << refusal();
+}
+
+TEST_F(BaselineLedger, IsMissedWhereItsHeadIsThere) {
+  approve({{"row", {}, first}}, "first figures");
+  std::filesystem::remove(file());
+  EXPECT_NE(refusal().find("holds 0 approvals"), std::string::npos) << refusal();
+}
+
+TEST_F(BaselineLedger, MissesItsHead) {
+  approve({{"row", {}, first}}, "first figures");
+  std::filesystem::remove(head_of(file()));
+  EXPECT_NE(refusal().find("is not there"), std::string::npos) << refusal();
+  EXPECT_THROW(approve({{"row", first, second}}, "after"), LedgerError);
+}
+
+TEST_F(BaselineLedger, RefusesANewApprovalOfWhatDidNotStandAndStaysAsItWas) {
+  approve({{"row", {}, first}}, "first figures");
+  const std::string before = text();
+  EXPECT_THROW(approve({{"row", {}, second}}, "of something else"), LedgerError);
+  EXPECT_EQ(text(), before);
+  EXPECT_EQ(baseline_of(read_ledger(file())).at("row"), first);
+}
+
+TEST_F(BaselineLedger, KeepsSixApprovalsAtOnceOrRefusesThem) {
+  std::vector<std::future<void>> approvals;
+  for (int i = 0; i < 6; ++i)
+    approvals.push_back(std::async(std::launch::async, [this, i] {
+      approve({{"row " + std::to_string(i), {}, first}}, "one of six");
+    }));
+  for (std::future<void>& one : approvals) one.get();
+  EXPECT_EQ(read_ledger(file()).size(), 6U);
+  EXPECT_EQ(baseline_of(read_ledger(file())).size(), 6U);
+  std::atomic<int> refused{0};
+  std::vector<std::future<void>> of_one_row;
+  for (int i = 0; i < 6; ++i)
+    of_one_row.push_back(std::async(std::launch::async, [this, &refused] {
+      try {
+        approve({{"row 0", first, second}}, "the same six times");
+      } catch (const LedgerError&) {
+        ++refused;
+      }
+    }));
+  for (std::future<void>& one : of_one_row) one.get();
+  EXPECT_EQ(refused, 5);
+  EXPECT_EQ(read_ledger(file()).size(), 7U);
+}
+
+TEST_F(BaselineLedger, RefusesChangesThatDoNotFollowFromOneAnother) {
+  const Approval of_something_else{
+      "surges", "2026-01-01T00:00:00Z", "A. Engineer", "none", {{"row", second, first}}};
+  try {
+    baseline_of({of_something_else});
+    FAIL();
+  } catch (const LedgerError& error) {
+    EXPECT_NE(std::string(error.what()).find("row: the old value is not the one that stood"),
+              std::string::npos);
+  }
 }
 
 }  // namespace

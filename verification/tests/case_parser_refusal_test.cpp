@@ -377,7 +377,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
                 "amplitude_error, phase_lag, frequency_error, decay_rate, decay_error, "
                 "normalised_rms, "
-                "maximum_residual, time_lag, aligned_rms, largest_magnitude, impact_time, "
+                "maximum_residual, time_lag, aligned_rms, largest_magnitude, "
+                "band_energy_error, spectral_peak_error, rms_error, crest_error, trough_error, "
+                "mean_offset, noise_share, impact_time, "
                 "plateau_error, impact_percentile, cost_to_reach; nearest: "
                 "amplitude_error"},
         Mistake{

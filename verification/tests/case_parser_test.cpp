@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "verification/case_file/ensemble.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh {
@@ -161,7 +162,8 @@ TEST(CaseParser, RefusesAnInputThatIsNoneOrIsThereTwice) {
                       "input that this case has, one of fill_depth, period"),
             0U);
   EXPECT_EQ(said("\"m\"", "\"mm\""),
-            "trial.toml:65: input.unit = \"mm\": expected the unit of fill_depth, which is m");
+            "trial.toml:65: input.unit = \"mm\": expected the unit of fill_depth, which is m; "
+            "nearest: m");
   EXPECT_EQ(said("0.0005", "0").find("trial.toml:64: input.half_width = 0: expected a number > 0"),
             0U);
   EXPECT_EQ(said("source", "sources").find("trial.toml:66: input.sources"), 0U);
@@ -181,6 +183,33 @@ TEST(CaseParser, ReadsAGateRowOnARunsOwnSeries) {
   EXPECT_EQ(row.quantity, "liquid_volume");
   EXPECT_EQ(row.metric, Metric::largest_magnitude);
   EXPECT_EQ(row.unit, "m2");
+}
+
+TEST(CaseParser, ReadsGateRowsOnTheStatisticsOfAWave) {
+  const auto row_on = [](const std::string& metric, const std::string& mode,
+                         const std::string& unit) {
+    return read_text(edited({"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"",
+                             "mode = \"" + mode + "\"\nmetric = \"" + metric + "\"\nunit = \"" +
+                                 unit + "\""}))
+        .gate.at(0)
+        .metric;
+  };
+  EXPECT_EQ(row_on("band_energy_error", "forced", "1"), Metric::band_energy_error);
+  EXPECT_EQ(row_on("band_energy_error", "natural_1", "1"), Metric::band_energy_error);
+  EXPECT_EQ(row_on("crest_error", "whole", "1"), Metric::crest_error);
+  EXPECT_EQ(row_on("mean_offset", "whole", "m"), Metric::mean_offset);
+  EXPECT_THROW(row_on("crest_error", "forced", "1"), CaseFileError);
+  EXPECT_THROW(row_on("mean_offset", "whole", "1"), CaseFileError);
+  EXPECT_THROW(row_on("noise_share", "whole", "1"), CaseFileError);  // has a reference
+}
+
+TEST(CaseParser, ReadsAGateRowOnTheNoiseOfARun) {
+  const auto definition = read_text(
+      edited({"reference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\n"
+              "metric = \"amplitude_error\"",
+              "quantity = \"elevation@right\"\nmode = \"whole\"\nmetric = \"noise_share\""}));
+  EXPECT_EQ(definition.gate.at(0).metric, Metric::noise_share);
+  EXPECT_EQ(definition.gate.at(0).reference, "");
 }
 
 TEST(CaseParser, ReadsAGateRowOnWhatAnErrorCosts) {
@@ -298,6 +327,76 @@ TEST(StartOfARun, IsRefusedWhereItIsTooFarOrHasNothingToVary) {
     EXPECT_NE(complaint_of(keys).find("run.start_seed = 1: expected no such key without "
                                       "start_disorder > 0"),
               std::string::npos);
+}
+
+TEST(Ensemble, OfOneRunIsAsManyThatDifferInTheirSeedAlone) {
+  const CaseDefinition definition = read_text(edited(
+      {"quick = true\n", "start_disorder = 1e-6\nstart_seed = 5\nrepeats = 3\nquick = true\n"}));
+  ASSERT_EQ(definition.runs.size(), 5U);
+  const char* names[] = {"coarse", "coarse_2", "coarse_3"};
+  SphRun alike = std::get<SphRun>(definition.runs[1].solver);
+  for (int k = 0; k < 3; ++k) {
+    const RunDefinition& member = definition.runs[static_cast<std::size_t>(k) + 1];
+    EXPECT_EQ(member.name, names[k]);
+    EXPECT_EQ(member.ensemble, "coarse");
+    EXPECT_EQ(is_later_member(member), k > 0);
+    EXPECT_TRUE(member.quick);
+    alike.start_seed = 5 + k;
+    EXPECT_EQ(std::get<SphRun>(member.solver), alike);
+  }
+  const std::vector<std::string> all{"coarse", "coarse_2", "coarse_3"};
+  EXPECT_EQ(members_of(definition, "coarse"), all);
+  EXPECT_EQ(members_of(definition, "coarse_2"), std::vector<std::string>{"coarse_2"});
+  EXPECT_EQ(members_of(definition, "theory"), std::vector<std::string>{"theory"});
+}
+
+TEST(Ensemble, OfInterFoamStartsFromDisturbedLevels) {
+  const CaseDefinition definition =
+      read_text(edited({"cells_z = 40\n", "cells_z = 40\nstart_disorder = 1e-3\nrepeats = 2\n"}));
+  ASSERT_EQ(definition.runs.size(), 4U);
+  const auto& second = std::get<InterFoamRun>(definition.runs[3].solver);
+  EXPECT_EQ(definition.runs[3].name, "mesh_2");
+  EXPECT_EQ(second.start_disorder, 1e-3);
+  EXPECT_EQ(second.start_seed, 1);
+  EXPECT_EQ(std::get<InterFoamRun>(definition.runs[2].solver).start_seed, 0);
+}
+
+TEST(Ensemble, IsRefusedWhereItsMembersWouldBeOneRun) {
+  const auto complaint_of = [](const std::string& keys) {
+    return complaint_about({"quick = true\n", keys + "quick = true\n"});
+  };
+  for (const char* keys : {"repeats = 4\n", "start_disorder = 0\nrepeats = 4\n"})
+    EXPECT_NE(complaint_of(keys).find(
+                  "run.repeats = 4: expected no such key without start_disorder > 0: there is "
+                  "nothing to vary (1e-6 particle spacings is enough in a chaotic flow)"),
+              std::string::npos)
+        << complaint_of(keys);
+  for (const char* count : {"1", "0", "-2", "1001"})
+    EXPECT_NE(complaint_of(std::string("start_disorder = 1e-6\nrepeats = ") + count + "\n")
+                  .find("expected an integer from 2 to 1000"),
+              std::string::npos);
+}
+
+TEST(Ensemble, IsRefusedWhereAMemberHasTheNameOfAnotherRun) {
+  const std::string message = complaint_about(
+      {"cells_z = 40\n",
+       "cells_z = 40\nstart_disorder = 1e-3\nrepeats = 3\n[[run]]\nname = \"mesh_3\"\n"
+       "solver = \"potential\"\n"});
+  EXPECT_NE(message.find("run.name = \"mesh_3\": expected a name that no other run has"),
+            std::string::npos)
+      << message;
+}
+
+TEST(Ensemble, IsNamedInAGateRowByItsFirstMember) {
+  std::string text =
+      edited({"quick = true\n", "start_disorder = 1e-6\nrepeats = 3\nquick = true\n"});
+  const std::string named = "candidate = \"coarse\"";
+  text.replace(text.find(named), named.size(), "candidate = \"coarse_2\"");
+  const Workspace workspace;
+  const std::string message = complaint(workspace.write("trial.toml", text));
+  EXPECT_NE(message.find("gate.candidate = \"coarse_2\": expected a run, one of theory, coarse, mesh;"),
+            std::string::npos)
+      << message;
 }
 
 }  // namespace

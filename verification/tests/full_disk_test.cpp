@@ -83,7 +83,7 @@ TEST_F(FullDisk, KeepsAnEarlierGateDocumentAndEndsWithFour) {
   write("seed/gate/junit.xml", "earlier");
   write("seed/filling", std::string(61'000, 'x'));
   fs::create_symlink("../disk/gate", directory() / "out/gate");
-  RUN_ON_FULL_DISK({"gate", "./surges.toml", "--output", "out", "--ledger", "none.jsonl"});
+  RUN_ON_FULL_DISK({"gate", "./surges.toml", "--output", "out"});
   EXPECT_EQ(ran->status, 4) << ran->out;
   expect_in(ran->err, "cannot write: No space left on device");
   EXPECT_EQ(read("after/gate/junit.xml"), "earlier");

@@ -47,14 +47,19 @@ GateOutcome judge(const GateRow& row, const TimeSeries& series) {
                    {}});
 }
 
+constexpr double depth = 0.35;  // [m]
+
 MutationFrame frame_of(const GateRow& row) {
-  return {window, two_pi / (row.mode == "natural_1" ? natural : forced)};
+  return {window, two_pi / (row.mode == "natural_1" ? natural : forced), depth, modes};
 }
 
 GateStrength strength_of(const GateRow& row) {
-  return gate_strength(
-      row, {judge(row, candidate).value.value, candidate}, frame_of(row),
-      [&](const TimeSeries& series) { return judge(row, series).verdict == Verdict::pass; });
+  return gate_strengths(
+             {{row, judge(row, candidate).value.value}}, candidate, frame_of(row),
+             [&](const ChangeSeries& change) {
+               return std::vector<bool>{judge(row, change(candidate)).verdict == Verdict::pass};
+             })
+      .at(0);
 }
 
 bool detects(const GateStrength& strength, MutationKind kind) {
@@ -109,8 +114,10 @@ TEST(GateStrength, OfAResidualRowIsInAllOfThem) {
   ASSERT_TRUE(strength.passes_as_it_is);
   for (const MutationKind kind :
        {MutationKind::louder, MutationKind::quieter, MutationKind::late, MutationKind::early,
-        MutationKind::faster, MutationKind::slower, MutationKind::noisy, MutationKind::slipped,
-        MutationKind::thousandfold, MutationKind::sign_flipped})
+        MutationKind::faster, MutationKind::slower, MutationKind::raised, MutationKind::lowered,
+        MutationKind::drifting, MutationKind::chirped, MutationKind::mode_gained,
+        MutationKind::noisy, MutationKind::slipped, MutationKind::thousandfold,
+        MutationKind::sign_flipped})
     EXPECT_TRUE(detects(strength, kind)) << mutation_name(kind);
   expect_to_detect_what_is_unsound(strength);
   EXPECT_TRUE(broken_claims(strength).empty());
@@ -126,8 +133,11 @@ TEST(GateStrength, ShowsTheWeaknessOfAWideLimit) {
 }
 
 TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
-  const GateStrength strength = gate_strength(amplitude, {0.01, candidate}, frame_of(amplitude),
-                                              [](const auto&) { return true; });
+  const GateStrength strength =
+      gate_strengths({{amplitude, 0.01}}, candidate, frame_of(amplitude), [](const auto&) {
+        return std::vector<bool>{true};
+      }).at(0);
+  EXPECT_TRUE(detects_no_change(strength));
   for (const MutationOutcome& outcome : strength.outcomes) EXPECT_FALSE(outcome.detected);
   const std::vector<Mutation> broken = broken_claims(strength);
   for (const MutationKind kind : {MutationKind::louder, MutationKind::truncated,
@@ -137,16 +147,75 @@ TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
 }
 
 TEST(GateStrength, FindsOutAJudgeThatIgnoresNaN) {
-  const auto careless = [](const TimeSeries& series) {
-    TimeSeries cleaned = series;
+  const auto careless = [](const ChangeSeries& change) {
+    TimeSeries cleaned = change(candidate);
     for (double& value : cleaned.value)
       if (std::isnan(value)) value = 0;
-    return judge(amplitude, cleaned).verdict == Verdict::pass;
+    return std::vector<bool>{judge(amplitude, cleaned).verdict == Verdict::pass};
   };
-  const auto broken =
-      broken_claims(gate_strength(amplitude, {0.01, candidate}, frame_of(amplitude), careless));
+  const auto broken = broken_claims(
+      gate_strengths({{amplitude, 0.01}}, candidate, frame_of(amplitude), careless).at(0));
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_EQ(broken[0].kind, MutationKind::not_a_number);
+}
+
+TEST(GateStrength, OfARowThatAnythingPassesIsNone) {
+  const GateStrength strength = strength_of(row_of(Metric::amplitude_error, "forced", "1", 1e300));
+  ASSERT_TRUE(strength.passes_as_it_is);
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(detects_no_change(strength));
+  EXPECT_FALSE(detects_no_change(strength_of(amplitude)));
+}
+
+TEST(GateStrength, OfAnOffsetRowIsInTheDatum) {
+  const GateRow offset = row_of(Metric::mean_offset, "whole", "m", 0.003);
+  const GateStrength strength = strength_of(offset);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::raised), 0.01);  // of 0.35 m: 3.5 mm
+  EXPECT_EQ(detected_from(strength, MutationKind::lowered), 0.01);
+  EXPECT_TRUE(detects(strength, {MutationKind::raised, 0.02}));
+  EXPECT_FALSE(detects(strength, {MutationKind::raised, 0.005}));
+  EXPECT_FALSE(detects(strength, MutationKind::louder));
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfADriftIsThatOfItsMean) {
+  const GateStrength strength = strength_of(row_of(Metric::mean_offset, "whole", "m", 0.001));
+  ASSERT_TRUE(strength.passes_as_it_is);  // the deviation is 8.3 mm
+  EXPECT_EQ(detected_from(strength, MutationKind::drifting), 0.5);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfASlowChangeOfFrequencyIsItsMeanLag) {
+  const GateStrength strength = strength_of(lag);
+  EXPECT_EQ(detected_from(strength, MutationKind::chirped), 0.05);  // 1.7 less 6 degrees
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, TellsTheGainOfANaturalModeFromThatOfTheForcedOne) {
+  const GateRow natural_row = row_of(Metric::amplitude_error, "natural_1", "1", 0.04);
+  EXPECT_EQ(detected_from(strength_of(natural_row), MutationKind::mode_gained), 0.05);
+  EXPECT_TRUE(broken_claims(strength_of(natural_row)).empty());
+  EXPECT_FALSE(detected_from(strength_of(amplitude), MutationKind::mode_gained).has_value());
+}
+
+TEST(GateStrength, JudgesRowsTogetherAsEachAlone) {
+  const auto together =
+      gate_strengths({{amplitude, judge(amplitude, candidate).value.value},
+                      {rms, judge(rms, candidate).value.value}},
+                     candidate, frame_of(amplitude), [&](const ChangeSeries& change) {
+                       const TimeSeries series = change(candidate);
+                       return std::vector<bool>{judge(amplitude, series).verdict == Verdict::pass,
+                                                judge(rms, series).verdict == Verdict::pass};
+                     });
+  for (const auto& [one, alone] :
+       {std::pair{together[0], strength_of(amplitude)}, std::pair{together[1], strength_of(rms)}}) {
+    ASSERT_EQ(one.outcomes.size(), alone.outcomes.size());
+    for (std::size_t i = 0; i < one.outcomes.size(); ++i) {
+      EXPECT_EQ(one.outcomes[i].detected, alone.outcomes[i].detected) << i;
+      EXPECT_EQ(one.outcomes[i].claimed, alone.outcomes[i].claimed) << i;
+    }
+  }
 }
 
 TEST(GateStrength, IsNotAskedOfARowThatDoesNotPassAsItIs) {

@@ -66,6 +66,11 @@ Comparison comparison_of(double amplitude_error) {
   comparison.normalised_rms = {0.1, 0};
   comparison.maximum_residual = 0.0004;
   comparison.alignment = {-0.003, 0.05};
+  comparison.modes[0].band_energy_error = 0.07;
+  comparison.candidate_wave = {.mean = 0.003, .deviation = 3, .crest = 6, .trough = 4};
+  comparison.reference_wave = {.mean = 0.001, .deviation = 2, .crest = 5, .trough = 5};
+  comparison.candidate_peaks = {{0.9, 1}};
+  comparison.reference_peaks = {{1, 1}};
   return comparison;
 }
 
@@ -181,6 +186,12 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
   EXPECT_EQ(value(Metric::maximum_residual, "whole", "m"), 0.0004);
   EXPECT_EQ(value(Metric::time_lag, "whole", "s"), -0.003);
   EXPECT_EQ(value(Metric::aligned_rms, "whole", "1"), 0.05);
+  EXPECT_EQ(value(Metric::band_energy_error, "forced", "1"), 0.07);
+  EXPECT_DOUBLE_EQ(value(Metric::spectral_peak_error, "whole", "1"), -0.1);
+  EXPECT_DOUBLE_EQ(value(Metric::rms_error, "whole", "1"), 0.5);
+  EXPECT_DOUBLE_EQ(value(Metric::crest_error, "whole", "1"), 0.2);
+  EXPECT_DOUBLE_EQ(value(Metric::trough_error, "whole", "1"), -0.2);
+  EXPECT_DOUBLE_EQ(value(Metric::mean_offset, "whole", "m"), 0.002);
 }
 
 TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
@@ -402,6 +413,104 @@ TEST_F(GateOnSeries, DoesNotCompareATruncatedCandidateNorOneWithNaN) {
 }
 
 // A row on the candidate's own series, without any reference.
+// "sph" and "linear" stand for ensembles; the amplitude error of each pair is told, each with a
+// half width of its own that must not count.
+class GateOnEnsemble : public ::testing::Test {
+ protected:
+  using Pair = std::pair<std::string, std::string>;
+
+  GateOutcome judged(const std::map<Pair, double>& errors,
+                     const std::map<std::string, RunStatus>& runs) {
+    for (const auto& [pair, error] : errors) comparisons[pair] = comparison_of(error);
+    return evaluate(row, runs, evidence());
+  }
+  GateEvidence evidence() {
+    const FindComparison find = [this](const std::string& run, const std::string& reference,
+                                       const std::string&) -> const Comparison& {
+      return comparisons.at({run, reference});
+    };
+    const FindEnsemble ensemble = [this](const std::string& run) {
+      return run == "sph" ? EnsembleOfRun{candidates} : EnsembleOfRun{references, exact};
+    };
+    return {find, no_series, {}, {}, {}, ensemble};
+  }
+  std::map<std::string, RunStatus> finished() const {
+    std::map<std::string, RunStatus> runs;
+    for (const auto& names : {candidates, references})
+      for (const std::string& run : names) runs[run] = {RunState::finished, ""};
+    return runs;
+  }
+
+  std::vector<std::string> candidates{"sph", "sph_2", "sph_3"}, references{"linear"};
+  bool exact = true;
+  std::map<Pair, Comparison> comparisons;
+  GateRow row = amplitude_row;  // 5 %
+  const std::map<Pair, double> scattered{
+      {{"sph", "linear"}, 0.01}, {{"sph_2", "linear"}, 0.02}, {{"sph_3", "linear"}, 0.06}};
+};
+
+TEST_F(GateOnEnsemble, JudgesTheMeanByTheSpreadOfTheRepeatsAlone) {
+  const GateOutcome outcome = judged(scattered, finished());
+  EXPECT_NEAR(outcome.value.value, 0.03, 1e-12);
+  EXPECT_NEAR(outcome.value.half_width, 4.30265 * std::sqrt(7e-4 / 3), 1e-6);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+  EXPECT_EQ(outcome.message, "3 % +- 6.57 % cannot be told from 5 %; mean over 3 x 1 repeats");
+  row.limit = 0.1;
+  EXPECT_EQ(judged(scattered, finished()).verdict, Verdict::pass);
+  row.limit = 0.005;
+  const std::map<Pair, double> alike{
+      {{"sph", "linear"}, 0.03}, {{"sph_2", "linear"}, 0.0301}, {{"sph_3", "linear"}, 0.0299}};
+  EXPECT_EQ(judged(alike, finished()).verdict, Verdict::violated);
+}
+
+TEST_F(GateOnEnsemble, CountsTheSpreadOfASingleRunOnTheOtherSide) {
+  exact = false;
+  EXPECT_NEAR(judged(scattered, finished()).value.half_width,
+              std::hypot(4.30265 * std::sqrt(7e-4 * 4 / 3), 0.001), 1e-6);
+}
+
+TEST_F(GateOnEnsemble, TakesTheMeanOverAllPairs) {
+  candidates = {"sph", "sph_2"};
+  references = {"linear", "linear_2"};
+  const GateOutcome outcome = judged({{{"sph", "linear"}, 0.01},
+                                      {{"sph", "linear_2"}, 0.03},
+                                      {{"sph_2", "linear"}, 0.02},
+                                      {{"sph_2", "linear_2"}, 0.04}},
+                                     finished());
+  EXPECT_NEAR(outcome.value.value, 0.025, 1e-12);
+  EXPECT_NE(outcome.message.find("; mean over 2 x 2 repeats"), std::string::npos);
+}
+
+TEST_F(GateOnEnsemble, IsNotJudgedOnFewerThanAllMembers) {
+  auto runs = finished();
+  runs["sph_3"] = {RunState::missing, "it was not run"};
+  EXPECT_EQ(judged(scattered, runs).verdict, Verdict::not_compared);
+  EXPECT_EQ(judged(scattered, runs).message, "the candidate sph_3 has no result: it was not run");
+  runs["sph_3"] = {RunState::failed, "a particle left the tank"};
+  EXPECT_EQ(judged(scattered, runs).verdict, Verdict::solver_failed);
+  runs.erase("sph_3");
+  EXPECT_EQ(judged(scattered, runs).verdict, Verdict::not_compared);
+}
+
+TEST_F(GateOnEnsemble, IsViolatedByAMemberThatIsNoNumber) {
+  auto errors = scattered;
+  errors[{"sph_2", "linear"}] = nan;
+  EXPECT_EQ(judged(errors, finished()).verdict, Verdict::violated);
+}
+
+TEST_F(GateOnEnsemble, FindsALagOfHalfATurnWhereverItIsWrapped) {
+  row = row_of(Metric::phase_lag, "forced", "deg", 20);
+  const std::map<Pair, double> none{
+      {{"sph", "linear"}, 0}, {{"sph_2", "linear"}, 0}, {{"sph_3", "linear"}, 0}};
+  judged(none, finished());
+  comparisons[{"sph", "linear"}].modes[0].phase_lag_degrees.value = 178;
+  comparisons[{"sph_2", "linear"}].modes[0].phase_lag_degrees.value = -179;
+  comparisons[{"sph_3", "linear"}].modes[0].phase_lag_degrees.value = 179;
+  const GateOutcome outcome = evaluate(row, finished(), evidence());
+  EXPECT_NEAR(outcome.value.value, 179.333, 1e-3);
+  EXPECT_EQ(outcome.verdict, Verdict::violated);
+}
+
 class GateOnOwnSeries : public ::testing::Test {
  protected:
   static constexpr double duration = 10;  // [s]
@@ -480,6 +589,16 @@ TEST_F(GateOnOwnSeries, FailsWithItsSolver) {
   const GateOutcome outcome =
       evaluate(row, {{"sph", {RunState::failed, "a particle left the tank"}}}, {});
   EXPECT_EQ(outcome.verdict, Verdict::solver_failed);
+}
+
+TEST_F(GateOnOwnSeries, JudgesTheNoiseInASeriesInAShareOfItsDeviation) {
+  row = row_of(Metric::noise_share, "whole", "1", 0.05);
+  row.quantity = "wall_gap";
+  EXPECT_EQ(judge_series(gap()).verdict, Verdict::violated);  // its sign turns at each sample
+  TimeSeries smooth = gap();
+  smooth.unit = "m";
+  for (std::size_t i = 0; i < smooth.time.size(); ++i) smooth.value[i] = std::sin(smooth.time[i]);
+  EXPECT_EQ(judge_series(smooth).verdict, Verdict::pass);
 }
 
 class GateOnCost : public ::testing::Test {
@@ -573,6 +692,20 @@ TEST(GateMetrics, HaveNamesAndUnits) {
   EXPECT_EQ(metric_unit(Metric::aligned_rms, "m"), "1");
   EXPECT_EQ(metric_unit(Metric::decay_rate, "m"), "1/s");
   EXPECT_EQ(metric_unit(Metric::decay_error, "m"), "1");
+}
+
+TEST(Gate, RefusesWaveStatisticsOfTooFewPeriods) {
+  Comparison comparison = comparison_of(0);
+  comparison.modes[0].band_energy_error = nan;
+  comparison.candidate_wave.crest = nan;
+  const auto outcome = [&](Metric metric, const char* mode) {
+    return judge(row_of(metric, mode, "1", 0.2), comparison);
+  };
+  EXPECT_EQ(outcome(Metric::band_energy_error, "forced").verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome(Metric::crest_error, "whole").verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome(Metric::crest_error, "whole").message,
+            "the window holds too few periods of the mode for crest_error; expected 1 or more");
+  EXPECT_EQ(outcome(Metric::trough_error, "whole").verdict, Verdict::pass);
 }
 
 }  // namespace

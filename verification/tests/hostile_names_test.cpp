@@ -39,7 +39,15 @@ TEST_F(HostileNames, RunNothingFromTextsAndPathsOfACampaign) {
   const std::string campaign = hostile + "/surges.toml", out = hostile + "/out";
   const Ended run = tool({"campaign", campaign, "--output", out});
   EXPECT_EQ(run.status, 0) << run.err << run.out;
-  const Ended gate = tool({"gate", campaign, "--output", out, "--ledger", hostile + "/ledger"});
+  const std::string ledger = hostile + "/ledger";
+  const auto on_ledger = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {campaign, "--output", out, "--ledger", ledger});
+    return tool(words);
+  };
+  EXPECT_EQ(on_ledger({"baseline", "propose", "--new"}).status, 0);
+  EXPECT_EQ(
+      on_ledger({"baseline", "approve", "--new", "--who", hostile, "--reason", hostile}).status, 0);
+  const Ended gate = on_ledger({"gate"});
   EXPECT_EQ(gate.status, 0) << gate.err << gate.out;
   EXPECT_TRUE(fs::exists(place() / "out/report/index.html"));
   EXPECT_TRUE(fs::exists(place() / "out/gate/junit.xml"));
@@ -63,8 +71,7 @@ TEST_F(HostileNames, MayHoldBytesThatAreNoUtf8) {
   write(latin + "/surges.toml",
         "schema_version = 1\nname = \"surges\"\ntitle = \"Small\"\nsource = \"a test\"\n"
         "cases = [\"./small.toml\"]\n");
-  const Ended run = tool(
-      {"gate", latin + "/surges.toml", "--output", latin + "/out", "--ledger", latin + "/ledger"});
+  const Ended run = tool({"gate", latin + "/surges.toml", "--output", latin + "/out"});
   EXPECT_EQ(run.status, 0) << run.err << run.out;
 }
 

@@ -42,6 +42,25 @@ TEST(RowStrength, SaysOnlyThatARowDoesNotPassAsItIs) {
   EXPECT_EQ(strength_table(assessment, strengths).rows.at(0).back(), "does not pass as it is");
 }
 
+TEST(RowStrength, FindsOutARowThatJudgesNothing) {
+  const auto strengths =
+      row_strengths(surge_with({surge_row("forced", Metric::amplitude_error, "1", 1e300),
+                                surge_row("forced", Metric::phase_lag, "deg", 5)}),
+                    1);
+  EXPECT_EQ(
+      broken_claims(strengths),
+      std::vector<std::string>{"particles, forced amplitude_error of elevation@right: detects "
+                               "no change of its candidate's values"});
+}
+
+TEST(RowStrength, MeasuresTheDatumByTheFillDepthAndItsPressure) {
+  const CaseDefinition definition = surge_case();
+  EXPECT_DOUBLE_EQ(datum_of(definition, "elevation@right"), 0.35);
+  EXPECT_DOUBLE_EQ(datum_of(definition, "wall_pressure@side"), 1000 * 9.81 * 0.35);
+  EXPECT_DOUBLE_EQ(datum_of(definition, "wall_pressure@side/filtered"), 1000 * 9.81 * 0.35);
+  EXPECT_EQ(datum_of(definition, "force_x"), 0);
+}
+
 TEST(RowStrength, FindsOutARowThatLetsPassWhatItMustDetect) {
   RowStrength blind{surge_row("forced", Metric::amplitude_error, "1", 0.05),
                     {true, {{{MutationKind::louder, 0.2}, true, false}}}};

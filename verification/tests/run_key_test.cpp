@@ -164,6 +164,15 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
   }
 }
 
+TEST_F(RunKey, OfInterFoamChangesWithTheDisturbanceOfItsStartAndNotWithTheSeedOfNone) {
+  const auto key_of = [&](double disorder, int seed) {
+    return key(sample_case(), sample_run(InterFoamRun{50, 50, 1, disorder, seed}));
+  };
+  EXPECT_EQ(key_of(0, 0), key(sample_case(), interfoam));
+  const std::set<std::string> keys{key_of(0, 0), key_of(1e-3, 0), key_of(1e-3, 1), key_of(1e-4, 0)};
+  EXPECT_EQ(keys.size(), 4u);
+}
+
 TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
   CaseDefinition definition = sample_case();
   definition.title = "another title";

@@ -12,8 +12,9 @@
 namespace slosh {
 namespace {
 
-constexpr double period = 2;  // [s]
-constexpr MutationFrame frame{{4, 16}, period};
+constexpr double period = 2;    // [s]
+constexpr double depth = 0.35;  // [m]
+const MutationFrame frame{{4, 16}, period, depth, {{"natural_1", two_pi / period, true}}};
 
 double wave(double t) { return 0.02 * std::sin(two_pi / period * t + 0.3); }
 const TimeSeries series = sampled(wave, 0, 20);
@@ -69,6 +70,39 @@ TEST(SeriesMutation, ChangesTheFrequency) {
     EXPECT_NEAR(fast.modes[0].frequency_error.value, strength, 1e-6);
     EXPECT_NEAR(slow.modes[0].frequency_error.value, -strength, 1e-6);
   }
+}
+
+TEST(SeriesMutation, MovesTheDatum) {
+  const TimeSeries raised = with(MutationKind::raised, 0.02),
+                   lowered = with(MutationKind::lowered, 0.02);
+  EXPECT_LT(departure(raised, [](double t) { return wave(t) + 0.007; }), 1e-12);
+  EXPECT_LT(departure(lowered, [](double t) { return wave(t) - 0.007; }), 1e-12);
+}
+
+TEST(SeriesMutation, DriftsOverTheWindow) {
+  const double deviation = 0.02 / std::sqrt(2);
+  const TimeSeries drifting = with(MutationKind::drifting, 0.5);
+  EXPECT_LT(departure(drifting, [&](double t) { return wave(t) + 0.5 * deviation * (t - 4) / 12; }),
+            1e-5);
+  EXPECT_DOUBLE_EQ(drifting.value.front(), series.value.front());
+}
+
+TEST(SeriesMutation, ChangesTheFrequencySlowly) {
+  const TimeSeries chirped = with(MutationKind::chirped, 0.1);
+  EXPECT_LT(departure(chirped,
+                      [](double t) { return wave(t + 0.1 * period * std::pow((t - 4) / 12, 2)); }),
+            interpolated);
+}
+
+TEST(SeriesMutation, GainsTheFittedPartOfOneModeAlone) {
+  const auto other = [](double t) { return 0.005 * std::cos(two_pi / 0.7 * t); };
+  const TimeSeries both = sampled([&](double t) { return wave(t) + other(t); }, 0, 20);
+  MutationFrame two_modes = frame;
+  two_modes.modes.push_back({"natural_2", two_pi / 0.7, true});
+  const TimeSeries gained = mutated(both, {MutationKind::mode_gained, 0.2, "natural_2"}, two_modes);
+  EXPECT_LT(departure(gained, [&](double t) { return wave(t) + 1.2 * other(t); }), 1e-5);
+  EXPECT_THROW(mutated(both, {MutationKind::mode_gained, 0.2, "natural_3"}, two_modes),
+               ComparisonError);
 }
 
 TEST(SeriesMutation, AddsNoiseOfTheStatedSizeTheSameEachTime) {

@@ -6,6 +6,7 @@
 
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/tests/small_campaign.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -94,6 +95,14 @@ TEST_F(Sweep, RefusesWhatARunOrARowOfACaseWouldWithItsOwnLine) {
             std::string::npos);
   EXPECT_NE(refusal(sweep + with(row, "\"theory\"", "\"teory\"")).find("teory"), std::string::npos);
   EXPECT_NE(refusal(with(sweep, "[0.05, 0.025]", "[]")).find("at least one"), std::string::npos);
+}
+
+TEST_F(Sweep, MayRepeatEachOfItsRunsUnderOneRow) {
+  const CaseDefinition definition = swept(sweep + "start_disorder = 1e-6\nrepeats = 2\n" + row);
+  EXPECT_EQ(members_of(definition, "recommended_0p05"),
+            (std::vector<std::string>{"recommended_0p05", "recommended_0p05_2"}));
+  for (const GateRow& one : definition.gate)
+    EXPECT_FALSE(is_later_member(run_named(definition, one.candidate))) << one.candidate;
 }
 
 TEST_F(Sweep, RefusesNamesThatDoNotTellRunsApartAndCasesThatAreNone) {

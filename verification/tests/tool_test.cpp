@@ -205,11 +205,13 @@ TEST_F(Tool, GatesAChangeAgainstItsBaseline) {
     command.insert(command.end(), more.begin(), more.end());
     return tool(command);
   };
-  EXPECT_EQ(run({"baseline", "diff"}).status, 1);
-  EXPECT_EQ(run({"baseline", "approve"}, {"--who", "a tester", "--reason", "first"}).status, 4);
+  const std::vector<std::string> by_tester{"--who", "a tester", "--reason", "first", "--new"};
+  EXPECT_EQ(run({"baseline", "diff"}, {"--new"}).status, 1);
+  EXPECT_EQ(run({"baseline", "approve"}, by_tester).status, 4);
   EXPECT_FALSE(fs::exists(directory() / "ledger.jsonl"));
-  ASSERT_EQ(run({"baseline", "propose"}).status, 0);
-  ASSERT_EQ(run({"baseline", "approve"}, {"--who", "a tester", "--reason", "first"}).status, 0);
+  ASSERT_EQ(run({"baseline", "propose"}, {"--new"}).status, 0);
+  ASSERT_EQ(run({"baseline", "approve"}, by_tester).status, 0);
+  EXPECT_EQ(run({"baseline", "approve"}, by_tester).status, 2) << "it is not new any more";
   EXPECT_EQ(run({"baseline", "diff"}).status, 0);
   EXPECT_EQ(run({"baseline", "approve"}, {"--who", "", "--reason", "none"}).status, 2);
 
@@ -226,14 +228,67 @@ TEST_F(Tool, GatesAChangeAgainstItsBaseline) {
   EXPECT_TRUE(holds(read("out/gate/junit.xml"), "<failure"));
 }
 
+TEST_F(Tool, RefusesALedgerThatIsNotThereAndSaysWhereItComparesWithNone) {
+  write_campaign(particles_case);
+  ASSERT_EQ(campaign().status, 0);
+  write("empty.jsonl", "");
+  for (const char* ledger : {"mistyped.jsonl", "empty.jsonl", ".", ""}) {
+    for (const auto& command : std::vector<std::vector<std::string>>{
+             {"gate"}, {"baseline", "diff"}, {"baseline", "propose"}}) {
+      std::vector<std::string> words = command;
+      words.insert(words.end(), {"./surges.toml", "--output", "out", "--ledger", ledger});
+      const Ended ended = tool(words);
+      EXPECT_EQ(ended.status, 2) << command.back() << " " << ledger << ended.out;
+      EXPECT_TRUE(holds(ended.err, "--ledger")) << ended.err;
+    }
+  }
+  const Ended without = tool({"gate", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(without.status, 0) << without.err;
+  EXPECT_TRUE(holds(without.out, "no baseline    ")) << without.out;
+  const Ended diff = tool({"baseline", "diff", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(diff.status, 2);
+  EXPECT_TRUE(holds(diff.err, "--new to begin it")) << diff.err;
+}
+
+TEST_F(Tool, GatesNothingOnALedgerWhoseLastLineIsForged) {
+  write_campaign(particles_case);
+  ASSERT_EQ(campaign().status, 0);
+  const std::vector<std::string> place{"./surges.toml", "--output", "out", "--ledger", "a.jsonl"};
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.end(), place.begin(), place.end());
+    return tool(words);
+  };
+  ASSERT_EQ(run({"baseline", "propose", "--new"}).status, 0);
+  ASSERT_EQ(run({"baseline", "approve", "--new", "--who", "a tester", "--reason", "first"}).status,
+            0);
+  write("a.jsonl", with(read("a.jsonl"), "\"upper\":0.3", "\"upper\":0.9"));
+  const Ended forged = run({"gate"});
+  EXPECT_EQ(forged.status, 4) << forged.out;
+  EXPECT_TRUE(holds(forged.err, "altered, added or taken out by hand")) << forged.err;
+}
+
 TEST_F(Tool, TestsWhatItsOwnGateDetects) {
   write_campaign(particles_case);
   EXPECT_EQ(tool({"selftest", "./surges.toml", "--output", "out"}).status, 4);
   ASSERT_EQ(campaign().status, 0);
-  const Ended tested = tool({"selftest", "./surges.toml", "--output", "out"});
-  EXPECT_EQ(tested.status, 0) << tested.out << tested.err;
-  EXPECT_TRUE(holds(tested.out, "PASS: "));
-  EXPECT_TRUE(holds(tested.out, "0 that a row claims to detect passed"));
+  const Ended wide = tool({"selftest", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(wide.status, 1) << wide.out << wide.err;
+  EXPECT_TRUE(holds(wide.out, "0 claims are broken"));
+  EXPECT_TRUE(holds(wide.out, "amplitude: MISSED")) << wide.out;
+  EXPECT_TRUE(holds(wide.out, "truncation: detected")) << wide.out;
+  EXPECT_EQ(tool({"selftest", "./surges.toml", "--output", "out", "--only", "small"}).status, 0)
+      << "a part need not be complete";
+  EXPECT_EQ(
+      tool({"selftest", "./surges.toml", "--output", "out", "--only", "small", "--record"}).status,
+      2);
+}
+
+TEST_F(Tool, FindsARowThatJudgesNothing) {
+  write_campaign(with(particles_case, "limit = 0.3", "limit = 1e300"));
+  ASSERT_EQ(campaign().status, 0);
+  const Ended tested = tool({"selftest", "./surges.toml", "--output", "out", "--only", "small"});
+  EXPECT_EQ(tested.status, 1) << tested.out << tested.err;
+  EXPECT_TRUE(holds(tested.out, "detects no change of its candidate's values")) << tested.out;
 }
 
 // A record of the elevation that the user supplies: theory's own, read back from a table.

@@ -1,0 +1,67 @@
+#include "verification/metrics/ensemble_mean.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "verification/metrics/sample_moments.hpp"
+
+namespace slosh {
+namespace {
+
+// The variance of a side's mean and its degrees of freedom; none of a side of one.
+struct MeanVariance {
+  double variance = 0, freedom = 0;
+};
+
+MeanVariance variance_of_mean(const std::vector<double>& values) {
+  if (values.size() < 2) return {};
+  const double n = static_cast<double>(values.size());
+  const double deviation = rms(without_mean(values));
+  return {deviation * deviation / (n - 1), n - 1};
+}
+
+// A run of the other side has the variance of one of these n, n times that of their mean.
+MeanVariance with_one_of_many(const MeanVariance& mean) {
+  return {mean.variance * (mean.freedom + 2), mean.freedom};
+}
+
+double welch_freedom(const MeanVariance& a, const MeanVariance& b) {
+  const auto part = [](const MeanVariance& one) {
+    return one.freedom > 0 ? one.variance * one.variance / one.freedom : 0;
+  };
+  const double sum = a.variance + b.variance;
+  return sum * sum / (part(a) + part(b));
+}
+
+double half_width_of(double variance, double freedom) {
+  if (variance == 0) return 0;  // members that are all alike
+  if (!std::isfinite(variance)) return std::numeric_limits<double>::quiet_NaN();
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975) * std::sqrt(variance);
+}
+
+}  // namespace
+
+Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single) {
+  if (pairs.empty() || pairs.front().empty() || pairs.size() * pairs.front().size() < 2)
+    throw std::invalid_argument("an ensemble's mean needs two runs or more");
+  std::vector<double> of_candidates(pairs.size()), of_references(pairs.front().size()), own;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t j = 0; j < of_references.size(); ++j) {
+      of_candidates[i] += pairs[i][j].value / static_cast<double>(of_references.size());
+      of_references[j] += pairs[i][j].value / static_cast<double>(pairs.size());
+      own.push_back(pairs[i][j].half_width);
+    }
+  const MeanVariance a = variance_of_mean(of_candidates), b = variance_of_mean(of_references);
+  const double value = mean(of_candidates);
+  if (a.freedom > 0 && b.freedom > 0)
+    return {value, half_width_of(a.variance + b.variance, welch_freedom(a, b))};
+  const MeanVariance repeated = a.freedom > 0 ? a : b;
+  if (single == SingleSide::exact)
+    return {value, half_width_of(repeated.variance, repeated.freedom)};
+  const MeanVariance one_more = with_one_of_many(repeated);
+  return {value, std::hypot(half_width_of(one_more.variance, one_more.freedom), mean(own))};
+}
+
+}  // namespace slosh
