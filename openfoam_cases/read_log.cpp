@@ -13,7 +13,11 @@
 namespace slosh::openfoam {
 namespace {
 
-constexpr std::size_t kept_lines = 12;  // an OpenFOAM error with its place and reason fits in these
+constexpr std::size_t last_lines = 12;  // of a log that names no reason
+// Of an error: its place, its reason, and often a list of all the words that would have been valid.
+constexpr std::size_t failure_lines = 100;
+
+constexpr const char* warning = "a warning";
 
 // The number that the whole of `text` is.
 std::optional<double> whole_number(std::string_view text) {
@@ -39,24 +43,29 @@ bool is_blank(std::string_view line) {
 void LogReader::read_line(std::string_view line) {
   if (is_blank(line)) return;
   last_lines_.emplace_back(line);
-  if (last_lines_.size() > kept_lines) last_lines_.pop_front();
+  if (last_lines_.size() > last_lines) last_lines_.pop_front();
   read_failure(line);
   read_numbers(line);
   if (line == "End") ended_ = true;
 }
 
 void LogReader::read_failure(std::string_view line) {
+  const bool fatal = line.find("FOAM FATAL") != line.npos;
+  if (fatal && failure_ == warning) {  // what came of the warning, or has nothing to do with it
+    failure_.clear();
+    failure_lines_.clear();
+  }
   if (!failure_.empty()) {
-    if (failure_lines_.size() < kept_lines) failure_lines_.emplace_back(line);
+    if (failure_lines_.size() < failure_lines) failure_lines_.emplace_back(line);
     return;
   }
   if (line.find("Foam::sigFpe") != line.npos) {  // the banner names the trap in other words
     failure_ = "a floating-point exception: the solution diverged";
     failure_lines_ = last_lines_;  // the steps that led to it say more than the stack after it
-  } else if (line.find("FOAM FATAL") != line.npos) {
+  } else if (fatal) {
     failure_ = "a fatal error";
   } else if (line.find("FOAM Warning") != line.npos) {
-    failure_ = "a warning";
+    failure_ = warning;
   }
   if (!failure_.empty() && failure_lines_.empty()) failure_lines_.emplace_back(line);
 }

@@ -25,7 +25,8 @@ class LogReader {
 
   // Why the run that printed this log is no success; empty where it is one.
   std::string failure() const;
-  // The first error or warning with the lines after it, else the last lines; blank ones left out.
+  // The first error, or warning where there is no error, with the lines after it, else the last
+  // lines; blank ones left out.
   std::string meaningful_lines() const;
 
  private:

@@ -135,9 +135,9 @@ void run_stage(const Stage& stage, const fs::path& directory, const Progress& pr
     follower.read_on();
     if (child.wall_time() > stage.time_limit) {
       child.end();
-      throw RunError(fmt::format("{}: ended at its time limit of {:g} s ({})\n{}", stage.name,
-                                 stage.time_limit, log.string(),
-                                 follower.reader().meaningful_lines()));
+      throw RunError(
+          fmt::format("{}: ended at its time limit of {:g} s", stage.name, stage.time_limit), log,
+          follower.reader().meaningful_lines());
     }
     if (progress && follower.reader().steps() > 0 &&
         std::chrono::steady_clock::now() >= next_report) {
@@ -152,12 +152,23 @@ void run_stage(const Stage& stage, const fs::path& directory, const Progress& pr
     failure += (failure.empty() ? "" : ", ") + logged;
   }
   if (!failure.empty()) {
-    throw RunError(fmt::format("{}: {} ({})\n{}", stage.name, failure, log.string(),
-                               reader.meaningful_lines()));
+    throw RunError(fmt::format("{}: {}", stage.name, failure), log, reader.meaningful_lines());
   }
 }
 
+std::string text_of(const std::string& message, const fs::path& log, const std::string& lines) {
+  return message + (log.empty() ? "" : " (" + log.string() + ")") +
+         (lines.empty() ? "" : "\n" + lines);
+}
+
 }  // namespace
+
+RunError::RunError(const std::string& what_went_wrong, const fs::path& log_file,
+                   const std::string& lines)
+    : std::runtime_error(text_of(what_went_wrong, log_file, lines)),
+      message(what_went_wrong),
+      log(log_file),
+      words(lines) {}
 
 void run_case(const SloshingTank& tank, const fs::path& case_directory, const Progress& progress,
               const TimeLimits& limits) {

@@ -82,10 +82,15 @@ struct SloshingTank {
 };
 
 // A run that gave no usable result. what() names the stage (blockMesh, interFoam, ...), what went
-// wrong (missing binary, exit status, signal, incomplete, warning) and the log's last meaningful
-// lines.
+// wrong (missing binary, exit status, signal, incomplete, warning), the log and its meaningful
+// lines, each of which is told apart too.
 struct RunError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit RunError(const std::string& what_went_wrong, const std::filesystem::path& log_file = {},
+                    const std::string& lines = "");
+
+  std::string message;        // one line
+  std::filesystem::path log;  // of the program; empty where it left none
+  std::string words;          // the program's own, line by line
 };
 
 struct History {

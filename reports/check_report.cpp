@@ -185,6 +185,9 @@ void check_report(const Report& report) {
   const std::map<std::string, std::string> anchors = anchors_of(report);
   for (const Section& section : report.sections)
     for (const Table& table : section.tables) check_links(table, anchors);
+  if (!report.decided_by.text.empty() && !anchors.contains(report.decided_by.anchor))
+    throw ReportError(
+        fmt::format("decided by '{}', which the report has not", report.decided_by.anchor));
   try {
     [[maybe_unused]] const auto parsed = nlohmann::json::parse(report.results_json);
   } catch (const nlohmann::json::parse_error& error) {

@@ -8,8 +8,7 @@
 
 namespace slosh::reports {
 
-// failure: a tolerance is violated; error: nothing could be judged.
-enum class GateOutcomeKind { pass, inconclusive, failure, error, skipped };
+enum class GateOutcomeKind { pass, inconclusive, violated, not_compared, solver_failed, skipped };
 
 struct GateEntry {
   GateOutcomeKind outcome;
@@ -34,19 +33,21 @@ struct GateDocument {
   std::vector<GateEntry> entries;
 };
 
-// Worst first: errors, failures, inconclusive rows, loosened tolerances, the rest; in the order
-// given where alike.
+// Worst first: solver failed, violated, not compared, inconclusive, loosened tolerances, the rest;
+// in the order given where alike.
 std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
 // testsuites / testsuite (a group) / testcase, with value, uncertainty and tolerance as properties;
-// failure, error and skipped apart. An inconclusive row is a failure of the type "inconclusive".
+// failure, error and skipped apart: violated and inconclusive rows are failures of these types,
+// rows that were not compared or whose solver failed are errors of these types.
 std::string junit_xml(const GateDocument& document);
 
 // A table, worst first, of all that does not simply pass unmoved; the rest is counted.
 std::string gate_markdown(const GateDocument& document);
 
-// SARIF 2.1.0: a result for each row that fails, cannot be judged, is inconclusive (warning) or has
-// a loosened tolerance (warning), at the row's place in its case file.
+// SARIF 2.1.0: a result for each row that is violated, was not compared, whose solver failed, that
+// is inconclusive (warning) or has a loosened tolerance (warning), at the row's place in its case
+// file.
 std::string gate_sarif(const GateDocument& document);
 
 }  // namespace slosh::reports

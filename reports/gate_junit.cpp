@@ -45,12 +45,14 @@ Xml properties_of(const GateEntry& entry) {
 // The element that a row which does not pass has, and its type; none for one that passes.
 std::pair<const char*, const char*> element_of(GateOutcomeKind outcome) {
   switch (outcome) {
-    case GateOutcomeKind::failure:
+    case GateOutcomeKind::violated:
       return {"failure", "violated"};
     case GateOutcomeKind::inconclusive:
       return {"failure", "inconclusive"};
-    case GateOutcomeKind::error:
-      return {"error", "not judged"};
+    case GateOutcomeKind::not_compared:
+      return {"error", "not compared"};
+    case GateOutcomeKind::solver_failed:
+      return {"error", "solver failed"};
     case GateOutcomeKind::skipped:
       return {"skipped", nullptr};
     case GateOutcomeKind::pass:
@@ -79,8 +81,8 @@ struct Counts {
 
   void add(GateOutcomeKind outcome) {
     ++tests;
-    failures += outcome == GateOutcomeKind::failure || outcome == GateOutcomeKind::inconclusive;
-    errors += outcome == GateOutcomeKind::error;
+    failures += outcome == GateOutcomeKind::violated || outcome == GateOutcomeKind::inconclusive;
+    errors += outcome == GateOutcomeKind::not_compared || outcome == GateOutcomeKind::solver_failed;
     skipped += outcome == GateOutcomeKind::skipped;
   }
   void put_on(Xml& element) const {

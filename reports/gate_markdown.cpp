@@ -10,9 +10,11 @@ namespace {
 
 int badness(const GateEntry& entry) {
   switch (entry.outcome) {
-    case GateOutcomeKind::error:
+    case GateOutcomeKind::solver_failed:
+      return 5;
+    case GateOutcomeKind::violated:
       return 4;
-    case GateOutcomeKind::failure:
+    case GateOutcomeKind::not_compared:
       return 3;
     case GateOutcomeKind::inconclusive:
       return 2;
@@ -25,10 +27,12 @@ int badness(const GateEntry& entry) {
 
 const char* word(GateOutcomeKind outcome) {
   switch (outcome) {
-    case GateOutcomeKind::error:
-      return "**not judged**";
-    case GateOutcomeKind::failure:
+    case GateOutcomeKind::solver_failed:
+      return "**solver failed**";
+    case GateOutcomeKind::violated:
       return "**violated**";
+    case GateOutcomeKind::not_compared:
+      return "**not compared**";
     case GateOutcomeKind::inconclusive:
       return "**inconclusive**";
     case GateOutcomeKind::pass:

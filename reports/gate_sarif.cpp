@@ -13,7 +13,8 @@ struct Rule {
 };
 
 constexpr Rule violated{"tolerance-violated", "error", "A metric lies outside its tolerance."};
-constexpr Rule not_judged{"not-judged", "error", "There was nothing to judge."};
+constexpr Rule not_compared{"not-compared", "error", "There was nothing to compare."};
+constexpr Rule solver_failed{"solver-failed", "error", "A solver that the row rests on failed."};
 constexpr Rule inconclusive{"inconclusive", "warning",
                             "The uncertainty of a metric reaches across its tolerance."};
 constexpr Rule loosened{"tolerance-loosened", "warning",
@@ -44,11 +45,14 @@ Json result_json(const GateEntry& entry, const Rule& rule, const std::string& me
 
 void add_results(const GateEntry& entry, Json& results) {
   switch (entry.outcome) {
-    case GateOutcomeKind::failure:
+    case GateOutcomeKind::violated:
       results.push_back(result_json(entry, violated, entry.message));
       break;
-    case GateOutcomeKind::error:
-      results.push_back(result_json(entry, not_judged, entry.message));
+    case GateOutcomeKind::not_compared:
+      results.push_back(result_json(entry, not_compared, entry.message));
+      break;
+    case GateOutcomeKind::solver_failed:
+      results.push_back(result_json(entry, solver_failed, entry.message));
       break;
     case GateOutcomeKind::inconclusive:
       results.push_back(result_json(entry, inconclusive, entry.message));
@@ -64,7 +68,7 @@ void add_results(const GateEntry& entry, Json& results) {
 
 std::string gate_sarif(const GateDocument& document) {
   Json rules = Json::array(), results = Json::array();
-  for (const Rule& rule : {violated, not_judged, inconclusive, loosened})
+  for (const Rule& rule : {violated, not_compared, solver_failed, inconclusive, loosened})
     rules.push_back(rule_json(rule));
   for (const GateEntry* entry : worst_first(document)) add_results(*entry, results);
   const Json driver{{"name", "Slosh"}, {"version", document.tool_version}, {"rules", rules}};

@@ -110,7 +110,12 @@ struct Section {
   std::string page = {};                 // the id of the page it stands on; empty: the first
 };
 
-enum class Outcome { pass, inconclusive, fail };
+enum class Outcome { pass, inconclusive, not_compared, fail };
+
+// A text that leads to an anchor of the report.
+struct Link {
+  std::string text, anchor;
+};
 
 // A page beside the first.
 struct Page {
@@ -124,6 +129,7 @@ struct Report {
   std::string title;
   std::string verdict;  // one sentence, first of all
   Outcome outcome = Outcome::fail;
+  Link decided_by = {};  // the row that decides the outcome; without a text where none does
   std::string subtitle;  // date, version, machine
   std::vector<Section> sections;
   std::string

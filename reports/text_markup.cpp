@@ -125,6 +125,20 @@ std::string verdict_sign(CellVerdict verdict) {
   return "";
 }
 
+OutcomeSign outcome_sign(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::pass:
+      return {"✓", "Pass"};
+    case Outcome::inconclusive:
+      return {"?", "Inconclusive"};
+    case Outcome::not_compared:
+      return {"✗", "Not compared"};
+    case Outcome::fail:
+      break;
+  }
+  return {"✗", "Fail"};
+}
+
 bool is_numeric(const std::string& cell) {
   // -1.25e-3, +3.1 %, 12 ± 0.4 mm, -, nan: a number first, then at most a short unit or an
   // uncertainty.

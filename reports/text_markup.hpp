@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "reports/report_model.hpp"
+
 namespace slosh::reports {
 
 std::string html_text(const std::string& text);
@@ -24,5 +26,10 @@ std::string verdict_sign(CellVerdict verdict);
 
 // Whether the cell reads as a number, with or without sign, unit or uncertainty: aligned right.
 bool is_numeric(const std::string& cell);
+
+struct OutcomeSign {
+  std::string sign, word;  // "✗" and "Not compared"
+};
+OutcomeSign outcome_sign(Outcome outcome);
 
 }  // namespace slosh::reports

@@ -16,10 +16,12 @@ namespace mustache = kainjow::mustache;
 // The sign is hidden from screen readers, the word is not.
 mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
   mustache::data data;
-  const bool pass = outcome == Outcome::pass, fail = outcome == Outcome::fail;
-  data.set("class", pass ? "good" : fail ? "bad" : "unsure");
-  data.set("sign", pass ? "✓" : fail ? "✗" : "?");
-  data.set("word", pass ? "Pass" : fail ? "Fail" : "Inconclusive");
+  const auto [mark, word] = outcome_sign(outcome);
+  data.set("class", outcome == Outcome::pass           ? "good"
+                    : outcome == Outcome::inconclusive ? "unsure"
+                                                       : "bad");
+  data.set("sign", mark);
+  data.set("word", word);
   data.set("sentence", html_text(sentence));
   return data;
 }
@@ -56,12 +58,23 @@ mustache::data document_data(const Report& report) {
   return data;
 }
 
-mustache::data page_data(const Report& report, const Page& page,
+// The verdict that a page begins with; the first page's names the row that decides it.
+mustache::data banner_data(const Report& report, const Page& page, const PageLinks& links) {
+  mustache::data data = outcome_data(page.outcome, page.verdict);
+  if (!page.id.empty() || report.decided_by.text.empty()) return data;
+  mustache::data row;
+  row.set("text", html_text(report.decided_by.text));
+  row.set("address", links.to_anchor(report.decided_by.anchor, page.id));
+  data.set("decided_by", row);
+  return data;
+}
+
+mustache::data page_data(const Report& report, const Page& page, const PageLinks& links,
                          const std::vector<mustache::data>& written) {
   mustache::data data;
   data.set("id", page.id);
   data.set("title", page.title);
-  if (!page.verdict.empty()) data.set("outcome", outcome_data(page.outcome, page.verdict));
+  if (!page.verdict.empty()) data.set("outcome", banner_data(report, page, links));
   data.set("sections", sections_of(report, page.id, written));
   return data;
 }
@@ -99,7 +112,7 @@ std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings)
   std::vector<HtmlFile> files;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     mustache::data data = document_data(report);
-    data.set("page", page_data(report, pages[i], written));
+    data.set("page", page_data(report, pages[i], links, written));
     data.set("film", film_data(report, pages[i].id));
     data.set("is_first", i == 0);
     data.set("has_pages", i == 0 && pages.size() > 1);
@@ -117,8 +130,8 @@ std::string whole_document(const Report& report, const Drawings& drawings) {
   const PageLinks links(report, Layout::whole);
   const std::vector<mustache::data> written = sections_data(report, drawings, Layout::whole);
   mustache::data data = document_data(report), pages(mustache::data::type::list);
-  for (const Page& page : report.pages) pages << page_data(report, page, written);
-  data.set("first", page_data(report, first_page(report), written));
+  for (const Page& page : report.pages) pages << page_data(report, page, links, written);
+  data.set("first", page_data(report, first_page(report), links, written));
   data.set("contents", list_of(report.pages, links));
   data.set("pages", pages);
   mustache::mustache document(whole_template);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <kainjow/mustache.hpp>
 #include <vector>
 
@@ -79,10 +80,15 @@ mustache::data section_data(const Section& section, const char* marks, Numbers& 
 }
 
 std::string standing_text(Outcome outcome, const std::string& verdict) {
-  const char* word = outcome == Outcome::pass   ? "✓ PASS"
-                     : outcome == Outcome::fail ? "✗ FAIL"
-                                                : "? INCONCLUSIVE";
-  return verdict.empty() ? "" : fmt::format("**{}** {}", word, markdown_text(verdict));
+  if (verdict.empty()) return "";
+  const auto [mark, word] = outcome_sign(outcome);
+  return fmt::format("**{} {}** {}", mark, boost::to_upper_copy(word), markdown_text(verdict));
+}
+
+std::string decided_by_text(const Link& row) {
+  return row.text.empty()
+             ? ""
+             : fmt::format(" Decided by [{}](#{}).", markdown_text(row.text), row.anchor);
 }
 
 // The first page, then the others, each with its sections.
@@ -128,7 +134,8 @@ std::string markdown_page(const Report& report) {
   mustache::data data;
   data.set("title", markdown_text(report.title));
   data.set("subtitle", markdown_text(report.subtitle));
-  data.set("standing", standing_text(report.outcome, report.verdict));
+  data.set("standing",
+           standing_text(report.outcome, report.verdict) + decided_by_text(report.decided_by));
   data.set("contents", contents_data(report));
   data.set("pages", pages_data(report));
   return page.render(data);

@@ -2,9 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "verification/case_file/problem_table.hpp"
 
 namespace slosh {
+namespace {
+
+// The failed program's own words below what is told of it, and where all of them are.
+std::string words_of(const RunStatus& status) {
+  if (!status.failure) return "";
+  std::string text;
+  std::istringstream lines(status.failure->details);
+  for (std::string line; std::getline(lines, line);) text += "    " + line + "\n";
+  if (!status.failure->log.empty()) text += "    log: " + status.failure->log + "\n";
+  return text;
+}
+
+std::string complaint(const std::string& name, const RunStatus& status) {
+  return fmt::format("{}: {}: {}\n{}", name, state_name(status.state), status.message,
+                     words_of(status));
+}
+
+}  // namespace
 
 std::string complaints(const std::vector<CaseAssessment>& cases,
                        const std::vector<ProblemAssessment>& problems) {
@@ -13,12 +33,10 @@ std::string complaints(const std::vector<CaseAssessment>& cases,
     for (const auto& [run, status] : one.runs.status)
       if (status.state == RunState::failed || status.state == RunState::missing ||
           status.state == RunState::not_supplied)
-        text += fmt::format("{}/{}: {}: {}\n", one.definition.name, run, state_name(status.state),
-                            status.message);
+        text += complaint(one.definition.name + "/" + run, status);
   for (const ProblemAssessment& one : problems)
     if (!one.run.result && one.run.status.state != RunState::not_selected)
-      text += fmt::format("{}: {}: {}\n", one.definition.name, state_name(one.run.status.state),
-                          one.run.status.message);
+      text += complaint(one.definition.name, one.run.status);
   return text;
 }
 

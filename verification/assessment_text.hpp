@@ -9,7 +9,7 @@
 
 namespace slosh {
 
-// A line for each run and problem without a result: why.
+// A line for each run and problem without a result: why, and below it what the failed program said.
 std::string complaints(const std::vector<CaseAssessment>& cases,
                        const std::vector<ProblemAssessment>& problems);
 

@@ -88,10 +88,6 @@ AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& sto
   return assessed;
 }
 
-std::string word_for(int status) {
-  return status == exit_pass ? "PASS" : status == exit_inconclusive ? "INCONCLUSIVE" : "FAIL";
-}
-
 // As the user wants inconclusive rows to end.
 int ended(int status, const CampaignOptions& options) {
   return status == exit_inconclusive ? options.inconclusive_exit : status;
@@ -145,9 +141,9 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
   const int status = exit_status(assessed.cases, assessed.problems);
   const std::string verdict = fmt::format(
-      "{}: {}{}\n{}\n{}", word_for(status), verdict_sentence(assessed.cases, assessed.problems),
-      coverage_sentence(assessed.cases), kinds_sentence(assessed.cases, assessed.problems),
-      report_lines(place, options));
+      "{}: {}{}\n{}\n{}", headline_word(status),
+      verdict_sentence(assessed.cases, assessed.problems), coverage_sentence(assessed.cases),
+      kinds_sentence(assessed.cases, assessed.problems), report_lines(place, options));
   std::cout << verdict;
   if (const auto now = fingerprint(); now && is_settled(assessed))
     write_standing({*now, status, rows + verdict}, place);
@@ -173,7 +169,7 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
       std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
   const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, moved, installation.source), directory);
-  std::cout << word_for(exit_status(assessed.cases, assessed.problems)) << ": "
+  std::cout << headline_word(exit_status(assessed.cases, assessed.problems)) << ": "
             << verdict_sentence(assessed.cases, assessed.problems)
             << coverage_sentence(assessed.cases) << "\n"
             << kinds_sentence(assessed.cases, assessed.problems)

@@ -16,19 +16,18 @@ using nlohmann::json;
 
 constexpr const char* file_name = "standing.json";
 
-// Of a file as it is now, without reading it; of one that is absent, that.
-json stamp_of(const fs::path& file) {
-  std::error_code none;
-  const auto written = fs::last_write_time(file, none);
-  if (none) return nullptr;
-  return {file.string(), fs::file_size(file), written.time_since_epoch().count()};
+// Of a file as it is now, all of it read; null of one that is absent or cannot be read.
+json content_of(const fs::path& file) try {
+  return {file.string(), content_hash(read_bytes(file))};
+} catch (const fs::filesystem_error&) {
+  return nullptr;
 }
 
 }  // namespace
 
 std::string judges_of(const CampaignSettings& settings, const fs::path& ledger) {
-  return json{stamp_of(settings.executable), stamp_of(ledger)}.dump(-1, ' ', false,
-                                                                    json::error_handler_t::replace);
+  return json{content_of(settings.executable), content_of(ledger)}.dump(
+      -1, ' ', false, json::error_handler_t::replace);
 }
 
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
@@ -44,19 +43,21 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
            {"results", json::array()}};
   for (const CaseDefinition& one : cases) {
     all["cases"].push_back(one.text);
-    if (one.impacts) all["cases"].push_back(stamp_of(one.impacts->peak_table));
+    if (one.impacts) all["cases"].push_back(content_of(one.impacts->peak_table));
   }
   for (const PlannedRun& planned : plan_runs(cases, settings)) {
     if (is_pending(planned) || !timing_jobs(planned, settings).empty()) return std::nullopt;
     all["results"].push_back({static_cast<int>(planned.status.state), planned.status.message});
     if (planned.status.state != RunState::finished) continue;
-    all["results"].push_back(stamp_of(planned.file));
-    all["results"].push_back(stamp_of(settings.store.file(planned.key, ".timings.json")));
+    all["results"].push_back(content_of(planned.file));
+    all["results"].push_back(content_of(settings.store.file(planned.key, ".timings.json")));
   }
   for (const ProblemDefinition& problem : campaign.problems) {
     const ProblemRun run = standing_problem(problem, settings);
     if (run.status.state == RunState::missing) return std::nullopt;
-    all["results"].push_back({run.result ? run.result->key : "", run.status.message});
+    all["results"].push_back({static_cast<int>(run.status.state), run.status.message});
+    if (run.result)
+      all["results"].push_back(content_of(settings.store.file(run.result->key, ".json")));
   }
   return content_hash(all.dump(-1, ' ', false, json::error_handler_t::replace));
 }

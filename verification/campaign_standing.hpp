@@ -18,13 +18,13 @@ struct CampaignStanding {
   std::string out;          // what was told of it
 };
 
-// What judges beside the results: when the tool and the ledger of baselines were written. To be
-// asked for before a campaign, which takes hours in which either may be replaced.
+// What judges beside the results: the content of the tool and of the ledger of baselines. It is to
+// be asked for before a campaign, which takes hours in which either may be replaced.
 std::string judges_of(const CampaignSettings& settings, const std::filesystem::path& ledger);
 
-// Hashes the campaign's and the cases' files, the judges, and of each result, its timings and the
-// cases' tables of peaks when they were written; nothing where a result is missing, so that
-// something is left to do.
+// Hashes the campaign's and the cases' files, the judges, and the whole content of each result, of
+// its timings and of the cases' tables of peaks: a size and a time stamp tell nothing of what a
+// file holds. Nothing where a result is missing, so that something is left to do.
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
                                           const CampaignSettings& settings,

@@ -78,6 +78,29 @@ std::string command_of(const RunOptions& options, const Installation& installati
                                                     : "");
 }
 
+// Potential flow that leaves its range ends early: that is told, and it is no success.
+int told_end(const RunResult& result, const CaseDefinition& definition) {
+  const auto because = result.provenance.find("left_range_because");
+  if (because == result.provenance.end()) return exit_pass;
+  std::cerr << fmt::format("slosh: the run {} leaves its range at {:.4g} s of {:g} s: {}\n",
+                           result.run_name, result.diagnostics.at("valid_until_s"),
+                           definition.duration, because->second);
+  return exit_not_compared;
+}
+
+// In a file of its own, with what a run leaves beside it; the exit status.
+int leave_result(const RunResult& result, const fs::path& file, const RunSettings& settings,
+                 const CaseDefinition& definition) {
+  write_result(result, file);
+  std::cout << "result: " << file.string() << "\n";
+  if (settings.snapshot_interval != 0)
+    std::cout << "snapshots: " << snapshot_index(settings.work_directory, result.run_name).string()
+              << "\n";
+  if (settings.state_interval != 0)
+    std::cout << "state: " << state_file(settings.work_directory, result.run_name).string() << "\n";
+  return told_end(result, definition);
+}
+
 }  // namespace
 
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
@@ -106,19 +129,13 @@ int run_one(const RunOptions& options, const Installation& installation) {
     return execute(definition, run, settings,
                    progress_writer(options.progress_file, definition.duration));
   };
-  if (options.timing) {
+  // Of a run in the store the campaign judges whether it reaches its comparison window's end.
+  if (options.timing)
     time_run(store, key, options.longest, compute);
-  } else if (!options.store.empty()) {
+  else if (!options.store.empty())
     keep_run(store, key, compute);
-  } else {
-    write_result(compute(), file);
-    std::cout << "result: " << file.string() << "\n";
-  }
-  if (options.snapshot_interval != 0)
-    std::cout << "snapshots: " << snapshot_index(settings.work_directory, run.name).string()
-              << "\n";
-  if (options.state_interval != 0)
-    std::cout << "state: " << state_file(settings.work_directory, run.name).string() << "\n";
+  else
+    return leave_result(compute(), file, settings, definition);
   return exit_pass;
 }
 

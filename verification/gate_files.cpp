@@ -1,6 +1,7 @@
 #include "verification/gate_files.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/case_coverage.hpp"
@@ -22,17 +23,18 @@ GateOutcomeKind kind_of(Verdict verdict) {
     case Verdict::pass:
       return GateOutcomeKind::pass;
     case Verdict::violated:
-      return GateOutcomeKind::failure;
+      return GateOutcomeKind::violated;
     case Verdict::inconclusive:
       return GateOutcomeKind::inconclusive;
     case Verdict::solver_failed:
+      return GateOutcomeKind::solver_failed;
     case Verdict::not_compared:
-      return GateOutcomeKind::error;
+      return GateOutcomeKind::not_compared;
     case Verdict::not_selected:
     case Verdict::not_supplied:
       return GateOutcomeKind::skipped;
   }
-  return GateOutcomeKind::error;
+  throw std::logic_error("a verdict without a kind");
 }
 
 std::string relative_to(const fs::path& source, const fs::path& file) {
@@ -92,12 +94,14 @@ reports::GateEntry entry_of(const ProblemAssessment& assessment, const ProblemGa
 reports::GateDocument gate_document(const AssessedCampaign& assessed,
                                     const std::vector<RowMovement>& movements,
                                     const fs::path& source) {
-  reports::GateDocument document{.title = assessed.definition.title,
-                                 .verdict = verdict_sentence(assessed.cases, assessed.problems) +
-                                            coverage_sentence(assessed.cases),
-                                 .basis = kinds_sentence(assessed.cases, assessed.problems),
-                                 .tool_version = provenance("").at("slosh_version"),
-                                 .entries = {}};
+  reports::GateDocument document{
+      .title = assessed.definition.title,
+      .verdict = headline_word(exit_status(assessed.cases, assessed.problems)) + ": " +
+                 verdict_sentence(assessed.cases, assessed.problems) +
+                 coverage_sentence(assessed.cases),
+      .basis = kinds_sentence(assessed.cases, assessed.problems),
+      .tool_version = provenance("").at("slosh_version"),
+      .entries = {}};
   for (const CaseAssessment& one : assessed.cases)
     for (const GateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, movements, source));

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "verification/engine/timings.hpp"
+#include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
@@ -30,13 +31,30 @@ std::string difference(const RunResult& one, const RunResult& other) {
   return "";
 }
 
+// What `compute` gives. Where its solver fails, why is left in the file, which tells of the last
+// try alone.
+template <class Result>
+Result computed(const std::function<Result()>& compute, const fs::path& failure_file) {
+  fs::remove(failure_file);
+  try {
+    return compute();
+  } catch (const SolverError& error) {
+    try {
+      write_failure(error.failure, failure_file);
+    } catch (const ResultError&) {  // a full disk hides no failure
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 void keep_run(const ResultStore& store, const std::string& key,
               const std::function<RunResult()>& compute) {
   const StoreLock lock(store, key);
   const fs::path file = store.file(key, ".h5");
-  if (!stands(file, read_result)) write_result(compute(), file);
+  if (!stands(file, read_result))
+    write_result(computed(compute, store.file(key, failure_extension)), file);
   std::cout << "result: " << file.string() << "\n";
 }
 
@@ -44,7 +62,8 @@ void keep_problem(const ResultStore& store, const std::string& key,
                   const std::function<ProblemResult()>& compute) {
   const StoreLock lock(store, key);
   const fs::path file = store.file(key, ".json");
-  if (!stands(file, read_problem_result)) write_problem_result(compute(), file);
+  if (!stands(file, read_problem_result))
+    write_problem_result(computed(compute, store.file(key, failure_extension)), file);
   std::cout << "result: " << file.string() << "\n";
 }
 

@@ -10,7 +10,8 @@
 namespace slosh {
 
 // Keeps what `compute` gives under the key, unless a result that can be used is there once this
-// process holds the key. Throws what `compute` and write_result() throw.
+// process holds the key. Throws what `compute` and write_result() throw; a SolverError is left
+// beside where the result would lie (run_failure.hpp).
 void keep_run(const ResultStore& store, const std::string& key,
               const std::function<RunResult()>& compute);
 void keep_problem(const ResultStore& store, const std::string& key,

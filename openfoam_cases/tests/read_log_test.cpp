@@ -138,6 +138,15 @@ TEST(Log, WithAWarningIsAFailureThoughTheRunEndsAsUsual) {
   EXPECT_NE(log.meaningful_lines().find("Could not load"), std::string::npos);
 }
 
+TEST(Log, WithAFatalErrorAfterAWarningShowsTheErrorWithAllItsLines) {
+  std::string valid_words;
+  for (int i = 0; i < 40; ++i) valid_words += "scheme_" + std::to_string(i) + "\n";
+  const LogReader log = read(banner + warning + fatal_end + valid_words);
+  EXPECT_EQ(log.failure(), "a fatal error");
+  EXPECT_TRUE(log.meaningful_lines().starts_with("--> FOAM FATAL IO ERROR"));
+  EXPECT_TRUE(log.meaningful_lines().ends_with("scheme_39"));
+}
+
 TEST(Log, ThatIsMissingIsARunError) { EXPECT_THROW(read_log("/no/such/log.interFoam"), RunError); }
 
 }  // namespace

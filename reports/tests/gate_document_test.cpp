@@ -34,15 +34,16 @@ GateDocument document() {
   GateEntry loosened = entry(GateOutcomeKind::pass, "loosened");
   loosened.loosened = true;
   loosened.moved = "unmoved, tolerance loosened: -1 % .. +1 % -> -2 % .. +2 %";
-  GateEntry lost = entry(GateOutcomeKind::error, "lost");
+  GateEntry lost = entry(GateOutcomeKind::not_compared, "lost");
   lost.value = lost.uncertainty = nan;
+  GateEntry crashed = entry(GateOutcomeKind::solver_failed, "crashed");
   return {
       "Surges",
       "2 of 5 gate rows hold.",
       "0.1.0",
       {entry(GateOutcomeKind::pass, "fine"), loosened,
-       entry(GateOutcomeKind::inconclusive, "unsure"), entry(GateOutcomeKind::failure, "broken"),
-       lost, entry(GateOutcomeKind::skipped, "absent")}};
+       entry(GateOutcomeKind::inconclusive, "unsure"), entry(GateOutcomeKind::violated, "broken"),
+       lost, crashed, entry(GateOutcomeKind::skipped, "absent")}};
 }
 
 boost::property_tree::ptree parsed(const std::string& xml) {
@@ -56,15 +57,15 @@ TEST(GateDocument, OrdersTheWorstFirst) {
   const GateDocument gate = document();
   std::vector<std::string> names;
   for (const GateEntry* one : worst_first(gate)) names.push_back(one->name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"lost", "broken", "unsure", "loosened", "fine", "absent"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"crashed", "broken", "lost", "unsure", "loosened",
+                                             "fine", "absent"}));
 }
 
 TEST(GateDocument, CountsFailuresErrorsAndSkippedRowsApartInJUnit) {
   const auto suites = parsed(junit_xml(document())).get_child("testsuites");
-  EXPECT_EQ(suites.get<int>("<xmlattr>.tests"), 6);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.tests"), 7);
   EXPECT_EQ(suites.get<int>("<xmlattr>.failures"), 2);
-  EXPECT_EQ(suites.get<int>("<xmlattr>.errors"), 1);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.errors"), 2);
   EXPECT_EQ(suites.get<int>("<xmlattr>.skipped"), 1);
   EXPECT_EQ(suites.get<std::string>("testsuite.<xmlattr>.name"), "surge & roll");
 }
@@ -79,7 +80,8 @@ TEST(GateDocument, GivesValueToleranceAndUncertaintyAsJUnitProperties) {
     for (const auto& [kind, one] : test.get_child("properties"))
       properties[name][one.get<std::string>("<xmlattr>.name")] =
           one.get<std::string>("<xmlattr>.value");
-    type[name] = test.get<std::string>("failure.<xmlattr>.type", "none");
+    type[name] = test.get<std::string>("failure.<xmlattr>.type",
+                                       test.get<std::string>("error.<xmlattr>.type", "none"));
   }
   EXPECT_EQ(properties["broken"]["value"], "0.03");
   EXPECT_EQ(properties["broken"]["uncertainty_95"], "0.002");
@@ -88,14 +90,17 @@ TEST(GateDocument, GivesValueToleranceAndUncertaintyAsJUnitProperties) {
   EXPECT_EQ(properties["lost"]["value"], "nan");
   EXPECT_EQ(type["broken"], "violated");
   EXPECT_EQ(type["unsure"], "inconclusive");
+  EXPECT_EQ(type["lost"], "not compared");
+  EXPECT_EQ(type["crashed"], "solver failed");
   EXPECT_EQ(type["fine"], "none");
 }
 
 TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
   const std::string text = gate_markdown(document());
   const auto at = [&](const char* what) { return text.find(what); };
-  EXPECT_LT(at("lost"), at("broken"));
-  EXPECT_LT(at("broken"), at("unsure"));
+  EXPECT_LT(at("**solver failed**"), at("**violated**"));
+  EXPECT_LT(at("**violated**"), at("**not compared**"));
+  EXPECT_LT(at("**not compared**"), at("**inconclusive**"));
   EXPECT_LT(at("unsure"), at("tolerance loosened"));
   EXPECT_EQ(at("| fine"), text.npos);
   EXPECT_NE(at("2 more rows passed unmoved"), text.npos);
@@ -122,14 +127,15 @@ TEST(GateDocument, PointsInSarifAtTheRowInItsCaseFile) {
   const auto sarif = nlohmann::json::parse(gate_sarif(document()));
   EXPECT_EQ(sarif.at("version"), "2.1.0");
   const auto& results = sarif.at("runs").at(0).at("results");
-  ASSERT_EQ(results.size(), 4U);  // error, failure, inconclusive, loosened
-  EXPECT_EQ(results[0].at("ruleId"), "not-judged");
-  EXPECT_TRUE(results[0].at("properties").at("value").is_null());
+  ASSERT_EQ(results.size(), 5U);  // failed, violated, not compared, inconclusive, loosened
+  EXPECT_EQ(results[0].at("ruleId"), "solver-failed");
   EXPECT_EQ(results[1].at("ruleId"), "tolerance-violated");
   EXPECT_EQ(results[1].at("level"), "error");
-  EXPECT_EQ(results[2].at("ruleId"), "inconclusive");
-  EXPECT_EQ(results[2].at("level"), "warning");
-  EXPECT_EQ(results[3].at("ruleId"), "tolerance-loosened");
+  EXPECT_EQ(results[2].at("ruleId"), "not-compared");
+  EXPECT_TRUE(results[2].at("properties").at("value").is_null());
+  EXPECT_EQ(results[3].at("ruleId"), "inconclusive");
+  EXPECT_EQ(results[3].at("level"), "warning");
+  EXPECT_EQ(results[4].at("ruleId"), "tolerance-loosened");
   const auto& place = results[1].at("locations").at(0).at("physicalLocation");
   EXPECT_EQ(place.at("artifactLocation").at("uri"), "verification/cases/surge.toml");
   EXPECT_EQ(place.at("region").at("startLine"), 42);

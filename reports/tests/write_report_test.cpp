@@ -10,6 +10,7 @@
 #include <regex>
 #include <set>
 
+#include "reports/check_report.hpp"
 #include "reports/print_pdf.hpp"
 #include "reports/tests/path_variable.hpp"
 #include "reports/tests/sample_report.hpp"
@@ -75,6 +76,7 @@ TEST(WrittenReport, SaysItsVerdictFirstInBothForms) {
   const std::tuple<Outcome, const char*, const char*> outcomes[] = {
       {Outcome::pass, "</span> Pass</strong>", "✓ PASS"},
       {Outcome::inconclusive, "</span> Inconclusive</strong>", "? INCONCLUSIVE"},
+      {Outcome::not_compared, "</span> Not compared</strong>", "✗ NOT COMPARED"},
       {Outcome::fail, "</span> Fail</strong>", "✗ FAIL"}};
   for (const auto& [outcome, on_page, in_markdown] : outcomes) {
     report.outcome = outcome;
@@ -86,6 +88,23 @@ TEST(WrittenReport, SaysItsVerdictFirstInBothForms) {
     EXPECT_LT(markdown.find("1 of 5 checks"), markdown.find("## Contents"));
     EXPECT_NE(markdown.find(in_markdown), std::string::npos);
   }
+}
+
+TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
+  const ScratchDirectory scratch;
+  Report report = sample_report();
+  Section& section = report.sections.front();
+  report.decided_by = {"surge: 10 mm <coarse>", "section-" + section.id};
+  write_report(report, scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html"),
+                    markdown = read_text(scratch / "report/report.md");
+  EXPECT_NE(page.find("Decided by <a href=\"#section-" + section.id +
+                      "\">surge: 10 mm &lt;coarse&gt;</a>."),
+            std::string::npos);
+  EXPECT_NE(markdown.find("Decided by [surge: 10 mm \\<coarse\\>](#section-" + section.id + ")."),
+            std::string::npos);
+  report.decided_by.anchor = "row-nowhere";
+  EXPECT_THROW(check_report(report), ReportError);
 }
 
 TEST(WrittenReport, HasTablesOfEqualRowsAndLinkedFiguresInItsMarkdown) {

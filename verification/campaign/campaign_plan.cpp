@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "verification/campaign/job_failure.hpp"
 #include "verification/engine/timings.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -28,7 +29,10 @@ PlannedRun planned_run(const CaseDefinition& definition, const RunDefinition& ru
     planned.file = standing.file;
     planned.status = {RunState::finished, standing.message};
   } catch (const ResultError& error) {
-    planned.status = {RunState::missing, error.what()};
+    planned.status =
+        settings.solve
+            ? RunStatus{RunState::missing, error.what()}
+            : missing_status(error.what(), settings.store.file(planned.key, failure_extension));
   }
   return planned;
 }

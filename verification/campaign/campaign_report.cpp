@@ -26,6 +26,7 @@
 #include "verification/campaign/uncertainty_table.hpp"
 #include "verification/campaign/wall_treatments.hpp"
 #include "verification/campaign/work_precision_tables.hpp"
+#include "verification/campaign/worst_first.hpp"
 #include "verification/campaign/zhao2021_paper.hpp"
 #include "verification/case_file/motion_table.hpp"
 #include "verification/runs/provenance.hpp"
@@ -69,6 +70,8 @@ Section gate_section(const CaseAssessment& assessment) {
     section.paragraphs.push_back("No gate row judges this case.");
   else
     section.tables = {gate_table(assessment), limits_table(assessment)};
+  if (auto failures = failure_table(definition.name, assessment.runs.status))
+    section.tables.push_back(std::move(*failures));
   return section;
 }
 
@@ -131,9 +134,16 @@ bool has_selected(const std::vector<ProblemAssessment>& problems) {
 }
 
 reports::Outcome outcome_of(int status) {
-  return status == exit_pass           ? reports::Outcome::pass
-         : status == exit_inconclusive ? reports::Outcome::inconclusive
-                                       : reports::Outcome::fail;
+  switch (status) {
+    case exit_pass:
+      return reports::Outcome::pass;
+    case exit_inconclusive:
+      return reports::Outcome::inconclusive;
+    case exit_not_compared:
+      return reports::Outcome::not_compared;
+    default:
+      return reports::Outcome::fail;
+  }
 }
 
 // Without a verdict where nothing is judged and nothing is amiss.
@@ -202,6 +212,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   report.title = campaign.title + (quick ? " (quick form)" : "");
   report.verdict = verdict_sentence(cases, problems) + coverage_sentence(cases);
   report.outcome = outcome_of(exit_status(cases, problems));
+  report.decided_by = deciding_row(cases, problems);
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
   report.sections =

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "verification/campaign/campaign_plan.hpp"
-#include "verification/campaign/job_log.hpp"
+#include "verification/campaign/job_failure.hpp"
 #include "verification/campaign/problem_run.hpp"
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/engine/file_lock.hpp"
@@ -74,7 +74,7 @@ void take_over(const JobState& state, PlannedRun& planned, const CampaignSetting
     throw CaseFileError(complaint_in(state.job.log_file));
   RunStatus& status = runs.status[planned.run->name];
   if (!has_succeeded(state)) {
-    status = status_without_result(state);
+    status = status_without_result(state, settings.store.file(planned.key, failure_extension));
     return;
   }
   try {

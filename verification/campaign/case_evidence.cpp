@@ -27,14 +27,22 @@ bool is_exact(const decltype(RunDefinition::solver)& solver) {
          !std::holds_alternative<ExternalRun>(solver);
 }
 
-// A record may be too short or too sparse for the modes: then the histories alone are compared.
+// A record may be too short or too sparse for the modes.
+bool can_tell(const std::vector<ToneRequest>& modes, const TimeSeries& record,
+              TimeWindow window) try {
+  require_resolved(window, modes);
+  require_sampled(cut_to_window(record, window), modes);
+  return true;
+} catch (const ComparisonError&) {
+  return false;
+}
+
+// The histories alone are compared where the record cannot tell the modes. Where the candidate's
+// own series cannot, that is its fault and no reason to ask less of it.
 Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& record,
                                TimeWindow window, const std::vector<ToneRequest>& modes) {
-  try {
-    return compare(candidate, record, window, modes);
-  } catch (const ComparisonError&) {
-    return compare(candidate, record, window, {});
-  }
+  return compare(candidate, record, window,
+                 can_tell(modes, record, window) ? modes : std::vector<ToneRequest>{});
 }
 
 // Of a member of an ensemble that failed or was not run there is none.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "verification/campaign/report_places.hpp"
 #include "verification/campaign/work_points.hpp"
@@ -198,6 +199,24 @@ Table cost_table(const CaseAssessment& assessment) {
     row.push_back(status.message);
     table.rows.push_back(std::move(row));
   }
+  return table;
+}
+
+std::optional<Table> failure_table(const std::string& name,
+                                   const std::map<std::string, RunStatus>& runs) {
+  Table table{name + "-failures",
+              "Failures",
+              "How each run failed, and below that its program's own words.",
+              {"run", "kind", "words", "log"},
+              {}};
+  for (const auto& [run, status] : runs) {
+    if (!status.failure) continue;
+    const RunFailure& failure = *status.failure;
+    table.rows.push_back({run, failure.kind, failure.message, failure.log});
+    std::istringstream lines(failure.details);
+    for (std::string line; std::getline(lines, line);) table.rows.push_back({"", "", line, ""});
+  }
+  if (table.rows.empty()) return std::nullopt;
   return table;
 }
 

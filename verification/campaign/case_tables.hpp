@@ -33,4 +33,8 @@ reports::Table terms_table(const CaseAssessment& assessment);
 // Per run: versions, machine, date, and the command that repeats it.
 reports::Table provenance_table(const CaseAssessment& assessment);
 
+// What failed runs and their programs said of it; none where all went well.
+std::optional<reports::Table> failure_table(const std::string& name,
+                                            const std::map<std::string, RunStatus>& runs);
+
 }  // namespace slosh

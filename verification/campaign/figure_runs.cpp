@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <tuple>
 
 #include "verification/campaign/choice_table.hpp"
@@ -128,6 +129,9 @@ reports::Curve history_curve(const CaseAssessment& assessment, const std::string
 }
 
 void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths) {
+  if (half_widths.size() != curve.y.size())
+    throw std::invalid_argument(fmt::format("{}: {} half widths of {} samples", curve.label,
+                                            half_widths.size(), curve.y.size()));
   if (curve.style == reports::Curve::Style::points) {
     curve.y_error = half_widths;
     return;

@@ -41,8 +41,8 @@ struct AxisScales {
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
                              const std::string& quantity, const AxisScales& scales);
 
-// As bars of points and as a ribbon of anything else; half widths [the curve's unit], as many as it
-// has samples.
+// As bars of points and as a ribbon of anything else; half widths [the curve's unit]. Throws
+// std::invalid_argument unless there are as many as it has samples.
 void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths);
 
 // Of the finest run of each scheme and solver the judging comparison.

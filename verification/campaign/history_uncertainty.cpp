@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "verification/campaign/refinement.hpp"
 #include "verification/metrics/error_expansion_fit.hpp"
@@ -67,6 +68,15 @@ void add_in_quadrature(std::vector<double>& widths, const std::vector<double>& a
     widths[i] = std::hypot(widths[i], factor * apart[i]);
 }
 
+// What a run of fewer nodes is apart from the run at its samples. Potential flow ends where it
+// leaves its range: NaN where only one of the two goes on.
+std::vector<double> apart_from(const TimeSeries& coarse, const TimeSeries& series) {
+  std::vector<double> apart(series.value.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < std::min(apart.size(), coarse.value.size()); ++i)
+    if (coarse.time.at(i) == series.time.at(i)) apart[i] = coarse.value[i] - series.value[i];
+  return apart;
+}
+
 }  // namespace
 
 std::vector<double> numerical_half_widths(const CaseDefinition& definition, const CaseRuns& runs,
@@ -82,8 +92,7 @@ std::vector<double> numerical_half_widths(const CaseDefinition& definition, cons
     add_in_quadrature(widths, minus(found[1].value, found[0].value), factor_of(found));
   }
   if (has_series(runs, run, quantity + coarser))
-    add_in_quadrature(widths,
-                      minus(runs.results.at(run).at(quantity + coarser).value, series.value), 1);
+    add_in_quadrature(widths, apart_from(runs.results.at(run).at(quantity + coarser), series), 1);
   return widths;
 }
 

@@ -18,8 +18,8 @@
 
 namespace slosh {
 
-// Half widths of 95 % intervals [the series' unit] at the samples of the run's series; empty where
-// nothing tells them.
+// Half widths of 95 % intervals [the series' unit] at the samples of the run's series, NaN at those
+// that potential flow of fewer nodes does not reach; empty where nothing tells them.
 std::vector<double> numerical_half_widths(const CaseDefinition& definition, const CaseRuns& runs,
                                           const std::string& run, const std::string& quantity);
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "verification/campaign/campaign_plan.hpp"
-#include "verification/campaign/job_log.hpp"
+#include "verification/campaign/job_failure.hpp"
 #include "verification/problems/problem.hpp"
 
 namespace slosh {
@@ -20,7 +20,9 @@ ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSett
     show_result(standing.file, settings.output / "problems" / (problem.name + ".json"));
     return {{RunState::finished, standing.message}, std::move(result)};
   } catch (const ResultError& error) {
-    return {{RunState::missing, error.what()}, {}};
+    if (settings.solve) return {{RunState::missing, error.what()}, {}};
+    const std::string key = key_of(problem, settings);
+    return {missing_status(error.what(), settings.store.file(key, failure_extension)), {}};
   }
 }
 
@@ -39,7 +41,9 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
 
 ProblemRun ended_problem(const JobState& state, const ProblemDefinition& problem,
                          const CampaignSettings& settings) {
-  if (!has_succeeded(state)) return {status_without_result(state), {}};
+  if (!has_succeeded(state))
+    return {status_without_result(state, settings.store.file(key_of(problem, settings), failure_extension)),
+            {}};
   return standing_problem(problem, settings);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/campaign/case_tables.hpp"
 #include "verification/campaign/order_table.hpp"
 #include "verification/campaign/report_places.hpp"
 #include "verification/case_file/problem_table.hpp"
@@ -128,6 +129,8 @@ reports::Section problem_section(const ProblemAssessment& assessment) {
   if (!assessment.run.result) {
     section.paragraphs.push_back(state_name(assessment.run.status.state) + ": " +
                                  assessment.run.status.message);
+    if (auto failures = failure_table(section.id, {{problem.name, assessment.run.status}}))
+      section.tables.push_back(std::move(*failures));
     return section;
   }
   const ProblemResult& result = *assessment.run.result;

@@ -29,12 +29,20 @@ Json sph_entry(const SphRun& sph) {
           {"numbers", numbers}};
 }
 
+Json failure_entry(const RunFailure& failure) {
+  return {{"kind", failure.kind},
+          {"message", failure.message},
+          {"details", failure.details},
+          {"log", failure.log}};
+}
+
 Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   const std::string& name = run.name;
   const RunStatus& status = runs.status.at(name);
   Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
   if (!run.ensemble.empty()) entry["ensemble"] = run.ensemble;
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
+  if (status.failure) entry["failure"] = failure_entry(*status.failure);
   const auto found = runs.results.find(name);
   if (found == runs.results.end()) return entry;
   const RunResult& result = found->second;
@@ -177,6 +185,7 @@ Json problem_entry(const ProblemAssessment& one) {
              {"message", one.run.status.message},
              {"measures", Json::array()},
              {"gate", Json::array()}};
+  if (const auto& failure = one.run.status.failure) entry["failure"] = failure_entry(*failure);
   if (const auto& result = one.run.result) {
     entry.update({{"key", result->key},
                   {"user_time_s", result->cost.user_time},

@@ -26,12 +26,19 @@ bool counts(Verdict verdict) {
   return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
 }
 
-double rank(const Judged& row) {
+// How far the interval reaches, in shares of what the row allows.
+double reach(const Judged& row) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (row.share) return row.share->value;
+  if (row.share) return row.share->value + row.share->half_width;
   return row.verdict == Verdict::pass ? -1 : infinity;
 }
 
+bool is_worse(const Judged& one, const Judged& other) {
+  if (one.verdict != other.verdict) return severity(one.verdict) > severity(other.verdict);
+  return reach(one) > reach(other);
+}
+
+// Worst first.
 std::vector<Judged> judged_rows(const std::vector<CaseAssessment>& cases,
                                 const std::vector<ProblemAssessment>& problems) {
   std::vector<Judged> rows;
@@ -57,6 +64,7 @@ std::vector<Judged> judged_rows(const std::vector<CaseAssessment>& cases,
                          metric_name(outcome.row.metric), outcome.message},
                         problem_row_id(one.definition.name, i)});
     }
+  std::stable_sort(rows.begin(), rows.end(), is_worse);
   return rows;
 }
 
@@ -71,9 +79,7 @@ std::string share_text(const std::optional<ToleranceShare>& share) {
 reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
                                  const std::vector<ProblemAssessment>& problems,
                                  std::size_t fewest) {
-  std::vector<Judged> rows = judged_rows(cases, problems);
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const Judged& one, const Judged& other) { return rank(one) > rank(other); });
+  const std::vector<Judged> rows = judged_rows(cases, problems);
   reports::Table table{
       "worst",
       "Gate rows, worst first",
@@ -88,10 +94,21 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
     table.links.push_back({"row-" + row.row_id, "", "", "", "", "", ""});
   }
   table.caption = fmt::format(
-      "How much of what a row allows its error takes, with the 95 % interval that the verdict "
-      "rests on; above 100 the bound is left. {} of the {} rows that were judged.",
+      "By verdict, then by how much of what a row allows its error takes, to the end of the 95 % "
+      "interval that the verdict rests on; above 100 the bound is left. {} of the {} rows that "
+      "were judged.",
       table.rows.size() == rows.size() ? "All" : fmt::format("{}", table.rows.size()), rows.size());
   return table;
+}
+
+reports::Link deciding_row(const std::vector<CaseAssessment>& cases,
+                           const std::vector<ProblemAssessment>& problems) {
+  const std::vector<Judged> rows = judged_rows(cases, problems);
+  if (rows.empty() || rows.front().verdict == Verdict::pass ||
+      exit_status_of({rows.front().verdict}) != exit_status(cases, problems))
+    return {};
+  const std::vector<std::string>& cells = rows.front().cells;
+  return {fmt::format("{}: {}, {}", cells[0], cells[1], cells[3]), "row-" + rows.front().row_id};
 }
 
 }  // namespace slosh

@@ -2,6 +2,7 @@
 //   <root>/<question>/<answer>.h5            a run's result; .json: a problem's
 //   <root>/<question>/<answer>.work/         what its solver leaves beside it
 //   <root>/<question>/<answer>.timings.json  what repeats took (timings.hpp)
+//   <root>/<question>/<answer>.failure.json  why it failed when it was last tried (run_failure.hpp)
 //   <root>/<question>/<answer>.lock          held by whoever computes it
 // so that campaigns share what they have in common, and one that asks for what another computes
 // waits for that.

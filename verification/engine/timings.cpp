@@ -2,13 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/runs/sealed_json.hpp"
 
 namespace slosh {
 namespace {
 
 using nlohmann::json;
+
+constexpr const char* format = "slosh timings";
 
 json entry_of(const Timing& timing) {
   const RunCost& cost = timing.cost;
@@ -37,10 +38,12 @@ Timing timing_of(const json& entry) {
 
 std::vector<Timing> read_timings(const std::filesystem::path& file) {
   std::vector<Timing> timings;
-  if (!std::filesystem::exists(file)) return timings;
   try {
-    for (const json& entry : json::parse(read_bytes(file))) timings.push_back(timing_of(entry));
-  } catch (const json::exception&) {  // damaged: they are made again
+    for (const json& entry : read_sealed_json(format, file).at("timings"))
+      timings.push_back(timing_of(entry));
+  } catch (const ResultError&) {
+    timings.clear();
+  } catch (const json::exception&) {
     timings.clear();
   }
   return timings;
@@ -50,11 +53,7 @@ void add_timing(const Timing& timing, const std::filesystem::path& file) {
   json entries = json::array();
   for (const Timing& one : read_timings(file)) entries.push_back(entry_of(one));
   entries.push_back(entry_of(timing));
-  try {
-    replace_file(file, entries.dump(1), Durability::power_loss);
-  } catch (const std::filesystem::filesystem_error& error) {
-    throw ResultError(error.what());
-  }
+  write_sealed_json({{"format", format}, {"timings", entries}}, file);
 }
 
 std::vector<RunCost> comparable_costs(const std::vector<Timing>& timings) {

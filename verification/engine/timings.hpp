@@ -1,4 +1,5 @@
-// What repeats of a run took that had their core for themselves: a JSON file beside its result.
+// What repeats of a run took that had their core for themselves: a sealed JSON file
+// (sealed_json.hpp) beside its result.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,7 @@ struct Timing {
   std::string processor, date;  // as in a result's provenance
 };
 
-// None where the file is absent or no such file.
+// None where the file is absent, altered, or no such file: they are made again then.
 std::vector<Timing> read_timings(const std::filesystem::path& file);
 
 // Adds one; the file is replaced as a whole. Throws ResultError. The caller sees to it that no

@@ -199,7 +199,8 @@ bool is_lost(const GateRow& row, double value) {
 }
 
 std::string lost_text(const GateRow& row, const GateEvidence& evidence) {
-  return is_of_impacts(row.metric) ? "no impact" : not_reached_text(evidence.cost(row), row.unit);
+  return is_of_impacts(row.metric) ? "no impact in the candidate's " + row.quantity
+                                   : not_reached_text(evidence.cost(row), row.unit);
 }
 
 // "13.9 % +- 4 % <= 20 %", "|-1 %| <= 2 %", "3 % is not within 1 % .. 2 %".
@@ -433,6 +434,22 @@ std::string verdict_name(Verdict verdict) {
       return "not supplied";
   }
   throw std::logic_error("a verdict without a name");
+}
+
+std::string headline_word(int status) {
+  switch (status) {
+    case exit_pass:
+      return "PASS";
+    case exit_violated:
+    case exit_solver_failed:
+      return "FAIL";
+    case exit_not_compared:
+      return "NOT COMPARED";
+    case exit_inconclusive:
+      return "INCONCLUSIVE";
+    default:
+      throw std::logic_error(fmt::format("exit status {} is no verdict's", status));
+  }
 }
 
 std::string state_name(RunState state) {

@@ -13,6 +13,7 @@
 #include "verification/gate/three_way_verdict.hpp"
 #include "verification/metrics/comparison.hpp"
 #include "verification/metrics/work_precision.hpp"
+#include "verification/runs/run_failure.hpp"
 
 namespace slosh {
 
@@ -47,6 +48,11 @@ inline constexpr ExitMeaning exit_meanings[] = {
     {exit_build_failed, "the build failed"},
     {exit_interrupted, "interrupted"}};
 
+// The word that a headline begins with: "PASS", "FAIL" (a tolerance is violated or a solver
+// failed), "NOT COMPARED", "INCONCLUSIVE". Throws std::logic_error for a status that no verdict
+// has.
+std::string headline_word(int status);
+
 enum class RunState {
   finished,
   failed,        // the solver failed: message says how
@@ -59,6 +65,7 @@ enum class RunState {
 struct RunStatus {
   RunState state;
   std::string message;
+  std::optional<RunFailure> failure = {};  // of a run that failed
 };
 
 enum class Verdict {

@@ -19,14 +19,28 @@ std::size_t impact_number(const std::string& mode, const ImpactsDefinition& impa
   throw ComparisonError("the case has no " + mode);
 }
 
+ComparisonError not_in_record(const TimeSeries& record, std::size_t n,
+                              const CaseDefinition& definition) {
+  return ComparisonError(fmt::format(
+      "the record's own {} has no impact_{}: no peak above {:.4g} Pa, {:g} of the lowest mean peak "
+      "published",
+      record.name, n + 1, impact_threshold(published(definition).peak_means), impact_share));
+}
+
+// Not of a record that cannot be searched: that excuses no candidate.
+bool lacks_impact(const TimeSeries& record, std::size_t n, const CaseDefinition& definition) try {
+  return !impacts_in(record, definition).at(n);
+} catch (const ComparisonError&) {
+  return false;
+}
+
 }  // namespace
 
 std::vector<std::optional<ImpactPeak>> impacts_in(const TimeSeries& pressure,
                                                   const CaseDefinition& definition) {
   const ImpactsDefinition& impacts = published(definition);
   return impact_peaks(pressure, impact_windows(impacts.times, impacts.period),
-                      impact_threshold(definition.liquid.density, definition.gravity,
-                                       definition.liquid.fill_depth));
+                      impact_threshold(impacts.peak_means));
 }
 
 double plateau_error(const TimeSeries& pressure, const CaseDefinition& definition) {
@@ -55,7 +69,7 @@ double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries
         "the published times are those of the pressure as it is, and the record, to be filtered "
         "alike, is not supplied");
   const std::optional<ImpactPeak> peak = impacts_in(*record, definition).at(n);
-  if (!peak) throw ComparisonError(fmt::format("{}: impact {} does not come", record->name, n + 1));
+  if (!peak) throw not_in_record(*record, n, definition);
   return peak->time;
 }
 
@@ -65,6 +79,8 @@ double impact_metric(Metric metric, const std::string& mode, const TimeSeries& p
   const ImpactsDefinition& impacts = published(definition);
   const std::size_t n = impact_number(mode, impacts);
   const std::optional<ImpactPeak> peak = impacts_in(pressure, definition).at(n);
+  if (!peak && record && lacks_impact(*record, n, definition))
+    throw not_in_record(*record, n, definition);
   if (metric == Metric::impact_time)
     return peak ? peak->time - expected_time(n, pressure, record, definition)
                 : std::numeric_limits<double>::quiet_NaN();

@@ -42,7 +42,8 @@ Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n);
 double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries* record,
                      const CaseDefinition& definition);
 
-// In the metric's unit; NaN where the mode's impact does not come. Throws as those above.
+// In the metric's unit; NaN where the mode's impact does not come in the candidate's pressure.
+// Throws as those above, and ComparisonError where it does not come in the record's either.
 double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
                      const TimeSeries* record, const CaseDefinition& definition);
 

@@ -57,8 +57,11 @@ struct HarmonicFit {
 // needed.
 void require_resolved(TimeWindow window, const std::vector<ToneRequest>& requests);
 
-// Throws ComparisonError as require_resolved() and cut_to_window() do, and when a sample interval
-// inside it exceeds a tenth of the shortest period.
+// Throws ComparisonError when samples are too few for the tones or an interval between two of them
+// exceeds a tenth of the shortest period. `cut` lies in the window (cut_to_window()).
+void require_sampled(const TimeSeries& cut, const std::vector<ToneRequest>& requests);
+
+// Throws ComparisonError as require_resolved(), cut_to_window() and require_sampled() do.
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests);
 

@@ -49,8 +49,9 @@ std::vector<TimeWindow> impact_windows(const std::vector<double>& expected_times
   return windows;
 }
 
-double impact_threshold(double density, double gravity, double fill_depth) {
-  return density * gravity * fill_depth;
+double impact_threshold(const std::vector<double>& mean_peaks) {
+  if (mean_peaks.empty()) throw ComparisonError("an impact's threshold: expected published peaks");
+  return impact_share * *std::min_element(mean_peaks.begin(), mean_peaks.end());
 }
 
 std::vector<std::optional<ImpactPeak>> impact_peaks(const TimeSeries& pressure,

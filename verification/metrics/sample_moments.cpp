@@ -1,8 +1,11 @@
 #include "verification/metrics/sample_moments.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <stdexcept>
 
 namespace slosh {
 
@@ -23,6 +26,9 @@ std::vector<double> without_mean(std::vector<double> values) {
 }
 
 std::vector<double> minus(std::vector<double> values, const std::vector<double>& other) {
+  if (values.size() != other.size())
+    throw std::invalid_argument(
+        fmt::format("{} samples less {}; expected as many of both", values.size(), other.size()));
   for (std::size_t i = 0; i < values.size(); ++i) values[i] -= other[i];
   return values;
 }

@@ -13,7 +13,7 @@ double rms(const std::vector<double>& values);
 // Each less the mean of all: their rms is the samples' own standard deviation.
 std::vector<double> without_mean(std::vector<double> values);
 
-// Sample by sample; `other` has as many.
+// Sample by sample. Throws std::invalid_argument unless `other` has as many.
 std::vector<double> minus(std::vector<double> values, const std::vector<double>& other);
 
 }  // namespace slosh

@@ -13,25 +13,6 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using std::numbers::pi;
 
-void require_sampling(const TimeSeries& series, const std::vector<ToneRequest>& requests) {
-  double highest = 0;
-  for (const ToneRequest& request : requests)
-    highest = std::max(highest, request.angular_frequency);
-  // Ten samples per period: below, the cubic interpolation beside this fit errs by more than 1 %.
-  const double longest_interval = 2 * pi / (10 * highest);
-  for (std::size_t i = 1; i < series.time.size(); ++i) {
-    if (!(series.time[i] - series.time[i - 1] <= longest_interval)) {
-      throw ComparisonError(
-          fmt::format("{}: no sample between {} s and {} s; expected intervals up to {:.3g} s",
-                      series.name, series.time[i - 1], series.time[i], longest_interval));
-    }
-  }
-  if (series.time.size() < 2 * (2 + 4 * requests.size())) {
-    throw ComparisonError(fmt::format("{}: {} samples are too few to fit {} tones", series.name,
-                                      series.time.size(), requests.size()));
-  }
-}
-
 WindowSamples samples_of(const std::vector<double>& time, const std::vector<double>& value,
                          TimeWindow window) {
   WindowSamples samples{.elapsed = time, .value = value, .span = window.end - window.begin};
@@ -47,6 +28,25 @@ MatrixXd basis_of(const WindowSamples& samples, const std::vector<ToneShape>& sh
 }
 
 }  // namespace
+
+void require_sampled(const TimeSeries& cut, const std::vector<ToneRequest>& requests) {
+  double highest = 0;
+  for (const ToneRequest& request : requests)
+    highest = std::max(highest, request.angular_frequency);
+  // Ten samples per period: below, the cubic interpolation beside this fit errs by more than 1 %.
+  const double longest_interval = 2 * pi / (10 * highest);
+  for (std::size_t i = 1; i < cut.time.size(); ++i) {
+    if (!(cut.time[i] - cut.time[i - 1] <= longest_interval)) {
+      throw ComparisonError(
+          fmt::format("{}: no sample between {} s and {} s; expected intervals up to {:.3g} s",
+                      cut.name, cut.time[i - 1], cut.time[i], longest_interval));
+    }
+  }
+  if (cut.time.size() < 2 * (2 + 4 * requests.size())) {
+    throw ComparisonError(fmt::format("{}: {} samples are too few to fit {} tones", cut.name,
+                                      cut.time.size(), requests.size()));
+  }
+}
 
 MatrixXd WindowFit::jacobian(const std::vector<double>& time) const {
   const WindowSamples samples = samples_of(time, {}, window);
@@ -103,7 +103,7 @@ WindowFit::HalfWidths WindowFit::half_widths(std::size_t k, const FitCovariance&
 WindowFit fit_window(const TimeSeries& cut, TimeWindow window,
                      const std::vector<ToneRequest>& requests) {
   require_resolved(window, requests);
-  require_sampling(cut, requests);
+  require_sampled(cut, requests);
   const WindowSamples samples = samples_of(cut.time, cut.value, window);
   WindowFit fit{window, requests, tone_ranges(requests, samples.span), {}, {}};
   fit.shapes = search_tones(samples, fit.ranges);

@@ -3,8 +3,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "verification/runs/atomic_file.hpp"
 #include "verification/runs/content_hash.hpp"
+#include "verification/runs/sealed_json.hpp"
 
 namespace slosh {
 namespace {
@@ -130,28 +130,16 @@ std::string problem_key(const std::string& problem, bool quick,
 }
 
 void write_problem_result(const ProblemResult& result, const std::filesystem::path& file) {
-  const json body = body_of(result);
-  try {
-    replace_file(file, json{{"body", body}, {"hash", content_hash(body.dump())}}.dump(1),
-                 Durability::power_loss);
-  } catch (const std::filesystem::filesystem_error& error) {
-    throw ResultError(error.what());
-  }
+  write_sealed_json(body_of(result), file);
 }
 
 ProblemResult read_problem_result(const std::filesystem::path& file) try {
-  if (!std::filesystem::exists(file)) throw ResultError(file.string() + " is not there");
-  const json document = json::parse(read_bytes(file));
-  const json& body = document.at("body");
-  if (document.at("hash") != content_hash(body.dump()))
-    throw ResultError(file.string() + " has been altered");
-  if (body.at("format") != format || body.at("format_version") != format_version)
+  const json body = read_sealed_json(format, file);
+  if (body.at("format_version") != format_version)
     throw ResultError(file.string() + " is no problem's result of this version");
   return result_from(body);
 } catch (const json::exception& error) {
-  throw ResultError(file.string() + " is truncated or altered: " + error.what());
-} catch (const std::filesystem::filesystem_error& error) {
-  throw ResultError(error.what());
+  throw ResultError(file.string() + " is no problem's result: " + error.what());
 }
 
 }  // namespace slosh

@@ -1,9 +1,7 @@
-// What a problem leaves: one JSON file, written under a temporary name and renamed when complete,
-//   body: format ("slosh problem"), format_version, problem, quick, key, provenance, cost,
-//   measures[]
-//         (name, errors[]: step and error, null for no number), figures[] (id, title, caption,
-//         x_label, y_label, log_x, log_y, curves[]), tables[] (id, title, caption, header, rows[])
-//   hash: content_hash of the body's compact text
+// What a problem leaves: one sealed JSON file (sealed_json.hpp) whose body has
+//   format ("slosh problem"), format_version, problem, quick, key, provenance, cost, measures[]
+//   (name, errors[]: step and error, null for no number), figures[] (id, title, caption, x_label,
+//   y_label, log_x, log_y, curves[]), tables[] (id, title, caption, header, rows[])
 #pragma once
 
 #include <filesystem>

@@ -7,9 +7,13 @@
 #include <boost/process/extend.hpp>
 #include <cerrno>
 #include <cstdio>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <system_error>
+
+#include "verification/runs/adopted_processes.hpp"
 
 namespace slosh {
 namespace {
@@ -29,23 +33,54 @@ LogFile open_log(const std::filesystem::path& file) {
   return log;
 }
 
+// The children that this process has started here and still owns: none of them is adopted.
+class OwnChildren {
+ public:
+  void add(pid_t child) {
+    const std::lock_guard lock(mutex_);
+    living_.insert(child);
+  }
+  void remove(pid_t child) {
+    const std::lock_guard lock(mutex_);
+    living_.erase(child);
+  }
+  std::set<pid_t> all() const {
+    const std::lock_guard lock(mutex_);
+    return living_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::set<pid_t> living_;
+};
+
+OwnChildren& own_children() {
+  static OwnChildren children;
+  return children;
+}
+
 }  // namespace
 
 struct ChildProcess::State {
-  bp::group group;  // kills what is left of it when it goes
+  bp::group group;
   bp::child child;
   Clock::time_point begin = Clock::now();
   std::optional<Clock::time_point> terminated;
   std::chrono::seconds grace;
 
   void signal_group(int signal) const { ::kill(-group.native_handle(), signal); }
-  bool group_lives() const { return ::kill(-group.native_handle(), 0) == 0; }
+  bool group_lives() const {
+    adopted_processes(own_children().all());  // reaps those of the group that have ended
+    return ::kill(-group.native_handle(), 0) == 0;
+  }
 
   ~State() {
+    if (!child.valid()) return;  // it has never started
     std::error_code ignored;
-    if (!child.running(ignored)) return;
     signal_group(SIGKILL);
     child.wait(ignored);
+    own_children().remove(child.id());
+    end_adopted_processes(own_children().all());
   }
 };
 
@@ -58,11 +93,13 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildS
   for (const auto& [name, value] : settings.environment) environment[name] = value;
   const std::filesystem::path directory =
       settings.directory.empty() ? std::filesystem::current_path() : settings.directory;
+  adopt_orphans();
   const auto end_with_parent = [](auto&) { ::prctl(PR_SET_PDEATHSIG, SIGTERM); };
   state_->child = bp::child(bp::exe = command.front(), bp::args = arguments, environment,
                             bp::start_dir = directory.string(), state_->group,
                             bp::extend::on_exec_setup = end_with_parent,
                             bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.get());
+  own_children().add(state_->child.id());
 }
 
 ChildProcess::ChildProcess(ChildProcess&&) noexcept = default;

@@ -1,5 +1,6 @@
 // One child process in a process group of its own, so that what it starts in turn can be ended with
-// it. It gets SIGTERM where this process dies without a word.
+// it. What has left that group (setsid) is adopted and ended too (adopted_processes.hpp). The child
+// gets SIGTERM where this process dies without a word.
 #pragma once
 
 #include <chrono>
@@ -25,7 +26,7 @@ class ChildProcess {
   ChildProcess(const std::vector<std::string>& command, const ChildSettings& settings);
   ChildProcess(ChildProcess&&) noexcept;
   ChildProcess& operator=(ChildProcess&&) noexcept;
-  ~ChildProcess();  // ends with SIGKILL what still runs of the group
+  ~ChildProcess();  // ends with SIGKILL what still runs of the group, and what has left it
 
   // Once: SIGTERM to the group. After the grace is_over() follows it up with SIGKILL.
   void terminate();

@@ -5,7 +5,7 @@
 
 #include <cerrno>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <system_error>
 
 namespace slosh {
@@ -44,7 +44,9 @@ std::string read_bytes(const std::filesystem::path& file) {
                                      : std::error_code(errno, std::generic_category());
     throw std::filesystem::filesystem_error("cannot read", file, reason);
   }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return std::move(bytes).str();
 }
 
 }  // namespace slosh

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <boost/process/search_path.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -59,6 +60,14 @@ std::string filled_in(const std::string& argument, const Placeholders& known) {
   return filled;
 }
 
+// The argument, and what it sets where it has the form "--name=value".
+std::vector<std::string> texts_of(const std::string& argument) {
+  std::vector<std::string> texts{argument};
+  if (const std::size_t equals = argument.find('='); equals != argument.npos)
+    texts.push_back(argument.substr(equals + 1));
+  return texts;
+}
+
 }  // namespace
 
 fs::path external_program(const ExternalRun& external, const CaseDefinition& definition) {
@@ -78,6 +87,29 @@ std::vector<std::string> external_command(const ExternalRun& external,
     command.push_back(filled_in(argument, known));
   command.front() = external_program(external, definition).string();
   return command;
+}
+
+std::vector<fs::path> external_inputs(const ExternalRun& external,
+                                      const CaseDefinition& definition) {
+  const fs::path case_file = fs::absolute(definition.file).lexically_normal();
+  std::vector<fs::path> files;
+  const auto add = [&](const fs::path& file) {
+    const fs::path normal = file.lexically_normal();
+    if (std::find(files.begin(), files.end(), normal) == files.end()) files.push_back(normal);
+  };
+  const auto add_argument = [&](const fs::path& file) {
+    std::error_code none;
+    if (fs::is_regular_file(file, none) && file.lexically_normal() != case_file) add(file);
+  };
+  for (const fs::path& input : external.inputs) add(input);
+  // What lies in the work directory is made by the run; nothing lies below /dev/null.
+  const std::vector<std::string> command = external_command(external, definition, "/dev/null");
+  for (auto argument = command.begin() + 1; argument != command.end(); ++argument)
+    for (const std::string& text : texts_of(*argument)) {
+      add_argument(case_file.parent_path() / text);
+      if (!external.directory.empty()) add_argument(external.directory / text);
+    }
+  return files;
 }
 
 }  // namespace slosh

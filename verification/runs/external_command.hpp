@@ -19,4 +19,11 @@ std::vector<std::string> external_command(const ExternalRun& external,
                                           const CaseDefinition& definition,
                                           const std::filesystem::path& work_directory);
 
+// The files whose content counts as part of the run: the inputs that the case declares, and each
+// argument, or what stands behind an argument's "=", that names an existing file relative to the
+// case file or to the run's directory. Each file is named once. The case file itself is none of
+// them: of it only what the physics needs counts (run_key.hpp). Throws as external_command().
+std::vector<std::filesystem::path> external_inputs(const ExternalRun& external,
+                                                   const CaseDefinition& definition);
+
 }  // namespace slosh

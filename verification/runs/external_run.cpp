@@ -63,8 +63,8 @@ SolverError failure(const std::string& what, const fs::path& log) {
     if (lines.size() > shown) lines.pop_front();
   }
   const std::string last = lines.empty() ? "it said nothing" : "its last words: " + lines.back();
-  return SolverError(
-      fmt::format("{}; {} ({})\n{}", what, last, log.string(), fmt::join(lines, "\n")));
+  return SolverError({"solver failed", fmt::format("{}; {}", what, last),
+                      fmt::format("{}", fmt::join(lines, "\n")), log.string()});
 }
 
 // "" where it ended as it should.

@@ -82,6 +82,14 @@ void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
   if (definition.motion.roll) add("moment", "N", std::move(moment));
 }
 
+// Series of two runs stand beside one another: both end where the first of them has left its range.
+void cut_to(std::size_t samples, NonlinearRecord& record) {
+  record.times.resize(samples);
+  for (std::vector<double>& series : record.elevation) series.resize(samples);
+  for (std::vector<double>& series : record.pressure) series.resize(samples);
+  record.load.resize(samples);
+}
+
 }  // namespace
 
 void require_scene(const PotentialRun&, const CaseDefinition& definition,
@@ -99,14 +107,18 @@ RunResult run_potential(const PotentialRun& potential, const RunRequest& request
   require_scene(potential, request.definition, request.run);
   const CaseDefinition& definition = request.definition;
   const reference::Observation observation = observation_of(definition);
-  const NonlinearRecord record =
+  NonlinearRecord record =
       run_nonlinear_potential_flow(sloshing_of(potential, definition), observation);
   const PotentialRun coarse{potential.nodes_x * 3 / 4, potential.nodes_z * 3 / 4};
-  const NonlinearRecord coarse_record =
+  NonlinearRecord coarse_record =
       run_nonlinear_potential_flow(sloshing_of(coarse, definition), observation);
   request.progress(definition.duration, 0);
-  if (record.times.empty())
-    throw SolverError("potential flow leaves its range at once: " + record.left_range_because);
+  const std::string& because = record.valid_until <= coarse_record.valid_until
+                                   ? record.left_range_because
+                                   : coarse_record.left_range_because;
+  const std::size_t common = std::min(record.times.size(), coarse_record.times.size());
+  if (common == 0) throw SolverError("potential flow leaves its range at once: " + because);
+  for (NonlinearRecord* one : {&record, &coarse_record}) cut_to(common, *one);
 
   RunResult result;
   add_series(record, definition, "", result);
@@ -115,9 +127,6 @@ RunResult run_potential(const PotentialRun& potential, const RunRequest& request
                         {"largest_volume_error_m", largest_magnitude(record.volume_error)},
                         {"largest_energy_error", largest_magnitude(record.energy_error)},
                         {"largest_unresolved_share", largest_magnitude(record.unresolved)}};
-  const std::string& because = record.valid_until <= coarse_record.valid_until
-                                   ? record.left_range_because
-                                   : coarse_record.left_range_because;
   if (!because.empty()) result.provenance["left_range_because"] = because;
   result.active_terms = {"fully nonlinear potential flow"};
   result.cost.elements = 1.0 * potential.nodes_x * potential.nodes_z;

@@ -79,12 +79,19 @@ RunResult run_chosen_solver(const RunRequest& request) try {
 } catch (const sph::SimulationError& error) {
   throw SolverError(error.what());
 } catch (const openfoam::RunError& error) {
-  throw SolverError(error.what());
+  throw SolverError({"solver failed", error.message, error.words, error.log.string()});
 } catch (const std::filesystem::filesystem_error& error) {
   throw SolverError(error.what());
 }
 
+std::string text_of(const RunFailure& failure) {
+  return failure.message + (failure.log.empty() ? "" : " (" + failure.log + ")") +
+         (failure.details.empty() ? "" : "\n" + failure.details);
+}
+
 }  // namespace
+
+SolverError::SolverError(const RunFailure& why) : std::runtime_error(text_of(why)), failure(why) {}
 
 std::string solver_name(const RunDefinition& run) {
   return std::visit([](const auto& solver) -> std::string { return solver_name(solver); },

@@ -13,13 +13,19 @@
 
 #include "verification/case_file/case_definition.hpp"
 #include "verification/runs/result_file.hpp"
+#include "verification/runs/run_failure.hpp"
 
 namespace slosh {
 
 // The solver failed, could not use its directories, or left less than the whole duration or values
 // that are no numbers. what() says how.
 struct SolverError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit SolverError(const std::string& message)
+      : SolverError({"solver failed", message, "", ""}) {}
+  // what() is the message, the log in brackets, and the details below.
+  explicit SolverError(const RunFailure& why);
+
+  RunFailure failure;
 };
 
 inline constexpr const char* coarser = "/coarser";

@@ -49,13 +49,11 @@ json description(const RecordRun& run) {
 }
 
 json description(const ExternalRun& run) {
-  json inputs = json::array(), series = json::array();
-  for (const std::filesystem::path& input : run.inputs)
-    inputs.push_back({input.filename().string(), content_hash(read_bytes(input))});
+  json series = json::array();
   for (const SeriesSource& one : run.series)
     series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
                       one.time_column, one.time_unit, one.scale, one.offset});
-  return {{"external", {run.command, run.directory.filename().string(), inputs, series}}};
+  return {{"external", {run.command, run.directory.filename().string(), series}}};
 }
 
 template <class... Types>
@@ -109,6 +107,13 @@ json physics(const CaseDefinition& definition) {
           {"pressure_gauges", pressure_gauges}};
 }
 
+json contents(const std::vector<std::filesystem::path>& files) {
+  json all = json::array();
+  for (const std::filesystem::path& file : files)
+    all.push_back({file.filename().string(), content_hash(read_bytes(file))});
+  return all;
+}
+
 void add_directory(ContentHash& hash, const std::filesystem::path& directory) {
   std::set<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
@@ -129,6 +134,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   ContentHash question, answer;
   json asked{{"case", physics(definition)}, {"run", description(run.solver)}};
   if (leaves_fields(run)) asked["snapshot_times"] = field_times(definition);
+  const auto* external = std::get_if<ExternalRun>(&run.solver);
+  if (external) asked["inputs"] = contents(external_inputs(*external, definition));
   question.add(asked.dump());
   answer.add_file(solver_build);
   if (std::holds_alternative<InterFoamRun>(run.solver)) {
@@ -136,7 +143,7 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
     answer.add(version);
     add_directory(answer, openfoam_templates);
   }
-  if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
+  if (external) {
     const std::filesystem::path program = external_program(*external, definition);
     if (!program.empty()) answer.add_file(program);
   }

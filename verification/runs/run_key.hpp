@@ -14,7 +14,8 @@ namespace slosh {
 //
 // Hashes the physical part of the case (not its names, comparison and gate; the times of fields
 // only of a solver that leaves fields), the run's solver and its settings (not its name, nor the
-// range in which a reference may gate), a record's content and that of an external run's inputs;
+// range in which a reference may gate), a record's content and that of an external run's inputs,
+// its arguments that are files among them (external_command.hpp);
 // then the content of `solver_build` (a file that changes with the solvers' code, slosh.solver
 // beside the tool) and, for interFoam, its version and the templates' content, of an external run
 // the program's. Throws std::filesystem::filesystem_error where that file or the templates cannot

@@ -109,7 +109,7 @@ TEST(CampaignReport, TellsOnEachCasesPageItsOwnVerdict) {
   const reports::Report report = report_of(surge_campaign(), {good(), bad, unjudged});
   EXPECT_EQ(report.pages.at(0).outcome, reports::Outcome::pass);
   EXPECT_EQ(report.pages[0].verdict, "3 of 3 gate rows hold.");
-  EXPECT_EQ(report.pages.at(1).outcome, reports::Outcome::fail);
+  EXPECT_EQ(report.pages.at(1).outcome, reports::Outcome::not_compared);
   EXPECT_EQ(report.pages[1].verdict.find("0 of 3 gate rows hold"), 0u);
   EXPECT_EQ(report.pages.at(2).verdict, "") << "nothing judges it";
 }
@@ -150,7 +150,36 @@ TEST(CampaignReport, TellsTheVerdictAndTheCommandThatRepeatsIt) {
   EXPECT_EQ(report.outcome, reports::Outcome::pass);
   EXPECT_EQ(report.verdict, "3 of 3 gate rows hold.");
   EXPECT_NE(report.sections[0].paragraphs[0].find("`./slosh campaign surges`"), std::string::npos);
-  EXPECT_EQ(report_of(surge_campaign(), {not_comparable()}).outcome, reports::Outcome::fail);
+  EXPECT_EQ(report_of(surge_campaign(), {not_comparable()}).outcome,
+            reports::Outcome::not_compared);
+}
+
+TEST(CampaignReport, NamesInItsBannerTheRowThatDecidesAndLeadsThere) {
+  CaseAssessment second = not_comparable();
+  second.definition.name = "another_surge";
+  const reports::Report report = report_of(surge_campaign(), {good(), second});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(report.decided_by.text,
+            "another_surge: particles, forced amplitude error of elevation@right");
+  EXPECT_EQ(report.decided_by.anchor, "row-another_surge-1");
+  EXPECT_EQ(report_of(surge_campaign(), {good()}).decided_by.text, "");
+}
+
+TEST(CampaignReport, ShowsTheOwnWordsOfAProgramThatFailed) {
+  CaseRuns runs = surge_runs_without("fine_mesh", RunState::failed, "exit status 3: a fatal error");
+  runs.status.at("fine_mesh").failure = RunFailure{
+      "solver failed", "a fatal error", "--> FOAM FATAL ERROR :\n    Unknown word Eular", "log.x"};
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
+  EXPECT_NO_THROW(reports::check_report(report));
+  const reports::Table& table = section_of(report, "small_surge-gate").tables.back();
+  ASSERT_EQ(table.id, "small_surge-failures");
+  EXPECT_EQ(table.rows.at(0),
+            (std::vector<std::string>{"fine_mesh", "solver failed", "a fatal error", "log.x"}));
+  EXPECT_EQ(table.rows.at(1).at(2), "--> FOAM FATAL ERROR :");
+  EXPECT_EQ(table.rows.at(2).at(2), "    Unknown word Eular");
+  const nlohmann::json failure =
+      nlohmann::json::parse(report.results_json).at("cases")[0].at("runs")[4].at("failure");
+  EXPECT_EQ(failure.at("details"), "--> FOAM FATAL ERROR :\n    Unknown word Eular");
 }
 
 TEST(CampaignReport, HasARowWithAnAnchorForEveryGateRowAndLeadsThere) {

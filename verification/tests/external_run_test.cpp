@@ -1,6 +1,7 @@
 // A program of a user's own in a campaign: it is judged against the references as SPH is, and does
 // not pass where it is wrong, late, short, broken or endless.
 #include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "verification/tests/small_campaign.hpp"
 
@@ -73,6 +74,34 @@ TEST_F(ExternalRun, FailsWithItsLastWordsWhereItExitsWithAnError) {
       << ended.out;
 }
 
+// What it said is kept beside where its result would lie, told again by a later report, and gone
+// once the run has succeeded.
+TEST_F(ExternalRun, LeavesWhyItFailedAsDataUntilItSucceeds) {
+  write_campaign(with(own_case("\"scaled\", \"1.01\""), "[\"" STAND_IN_SOLVER "\"",
+                      "[\"sh\", \"{case_directory}/solve.sh\", \"{case_directory}\", "
+                      "\"" STAND_IN_SOLVER "\""));
+  write("solve.sh",
+        "if test -e \"$1/licence_expired\"; then echo one; echo two; exit 7; fi\nshift\n"
+        "exec \"$@\"\n");
+  write("licence_expired", "");
+  const Ended failed = campaign();
+  EXPECT_EQ(failed.status, 3);
+  EXPECT_TRUE(holds(failed.err, "    one\n    two\n    log: "));
+  const auto files = files_of_store(".failure.json");
+  ASSERT_EQ(files.size(), 1u);
+  const auto failure = nlohmann::json::parse(read(files[0])).at("body");
+  EXPECT_EQ(failure.at("kind"), "solver failed");
+  EXPECT_TRUE(holds(failure.at("message"), "exit status 7; its last words: two"));
+  EXPECT_EQ(failure.at("details"), "one\ntwo");
+  EXPECT_EQ(read(failure.at("log").get<std::string>()), "one\ntwo\n");
+  const Ended report = tool({"report", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(report.status, 3) << report.err;
+  EXPECT_TRUE(holds(report.err, "    one\n    two\n"));
+  std::filesystem::remove(directory() / "licence_expired");
+  EXPECT_EQ(campaign().status, 0);
+  EXPECT_TRUE(files_of_store(".failure.json").empty());
+}
+
 TEST_F(ExternalRun, IsEndedWhenItsTimeIsOver) {
   const Ended ended = campaign_of("\"sleeps\"", "time_limit_s = 0.3\n");
   EXPECT_EQ(ended.status, 3);
@@ -94,6 +123,22 @@ TEST_F(ExternalRun, IsKeptUntilItsProgramsInputsOrArgumentsChange) {
   EXPECT_GT(second, first);
   EXPECT_EQ(campaign_of("\"scaled\", \"1.02\"", inputs).status, 0);
   EXPECT_GT(std::filesystem::last_write_time(result("mine")), second);
+}
+
+TEST_F(ExternalRun, IsRepeatedWhereAnArgumentThatIsAFileHasChanged) {
+  const std::string script = "exec \"$@\"\n";
+  const std::string own = with(own_case("\"scaled\", \"1.01\""), "[\"" STAND_IN_SOLVER "\"",
+                               "[\"sh\", \"{case_directory}/solve.sh\", \"" STAND_IN_SOLVER "\"");
+  write("solve.sh", script);
+  write_campaign(own);
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  const auto first = std::filesystem::last_write_time(result("mine"));
+  write("solve.sh", "exit 9\n");
+  EXPECT_EQ(campaign().status, 3) << "the program that fails now must not pass";
+  write("solve.sh", script);
+  EXPECT_EQ(campaign().status, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(result("mine")), first) << "the old one is kept";
 }
 
 TEST_F(ExternalRun, IsRefusedBeforeAnythingRunsWhereItsCaseIsWrong) {
@@ -153,6 +198,23 @@ TEST_F(ExternalRun, EndsWithTheRunThatStartedIt) {
   // Gone, or dead and waiting for whoever adopts orphans.
   const std::string status = read("/proc/" + std::to_string(sleeper) + "/status");
   EXPECT_TRUE(::kill(sleeper, 0) != 0 || status.find("State:\tZ") != std::string::npos);
+}
+
+// A process in a session of its own hears no signal to the program's group.
+TEST_F(ExternalRun, LeavesNoDetachedProcessBehind) {
+  namespace fs = std::filesystem;
+  write_campaign(with(own_case("\"scaled\", \"1.01\""), "[\"" STAND_IN_SOLVER "\"",
+                      "[\"./detaches.sh\", \"" STAND_IN_SOLVER "\""));
+  write(
+      "detaches.sh",
+      "#!/bin/sh\nsetsid sh -c 'echo $$ > started; exec sleep 62' </dev/null &\n"
+      "while ! test -s started; do sleep 0.02; done\ncp started \"${0%/*}/child\"\nexec \"$@\"\n");
+  fs::permissions(directory() / "detaches.sh", fs::perms::owner_all);
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  const int sleeper = std::stoi(read("child"));
+  const std::string command = read("/proc/" + std::to_string(sleeper) + "/cmdline");
+  EXPECT_EQ(command.find("sleep"), std::string::npos) << "the detached process still runs";
 }
 
 }  // namespace

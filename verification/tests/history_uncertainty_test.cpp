@@ -85,6 +85,23 @@ TEST(HistoryUncertainty, OfPotentialFlowIsWhatItsCoarserRunDiffersBy) {
               1e-12);
 }
 
+// Potential flow ends where it leaves its range, and that of fewer nodes may do so earlier.
+TEST(HistoryUncertainty, OfPotentialFlowEndsWithTheShorterOfItsTwoRuns) {
+  Spacings spacings({}, second_order);
+  TimeSeries coarse = scaled(elevation_of({}), 1.03);
+  coarse.name += coarser;
+  coarse.time.resize(17);
+  coarse.value.resize(17);
+  spacings.runs.results.at("theory").series.push_back(coarse);
+  const std::vector<double> widths = spacings.widths("theory");
+  ASSERT_EQ(widths.size(), 1001u);
+  EXPECT_NEAR(widths[16], 0.03 * std::abs(elevation_of({}).value[16]), 1e-12);
+  for (std::size_t i = 17; i < widths.size(); ++i) EXPECT_TRUE(std::isnan(widths[i])) << i;
+  const reports::Figure figure = figure_of(assess(spacings.definition, spacings.runs), "history");
+  for (const double edge : figure.curves.at(0).upper)
+    EXPECT_FALSE(std::abs(edge) > 1000) << "[mm], of a wave of some 10 mm";
+}
+
 TEST(MainHistory, HasARibbonAboutTheRunThatHasCoarserOnesAndShadesWhatIsNotCompared) {
   const Spacings spacings({0.02, 0.04}, second_order);
   const reports::Figure figure = figure_of(assess(spacings.definition, spacings.runs), "history");

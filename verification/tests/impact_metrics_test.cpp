@@ -98,9 +98,44 @@ TEST(ImpactMetrics, AreViolatedByAnImpactThatDoesNotCome) {
       const GateOutcome outcome = judge(row_of(metric, mode), pressure);
       EXPECT_EQ(outcome.verdict, Verdict::violated);
       EXPECT_TRUE(std::isnan(outcome.value.value));
-      EXPECT_TRUE(outcome.message.starts_with("no impact is not ")) << outcome.message;
+      EXPECT_TRUE(
+          outcome.message.starts_with("no impact in the candidate's wall_pressure@B is not "))
+          << outcome.message;
     }
   }
+}
+
+// The peaks of a thick oil stay below the pressure of the whole depth, 821 Pa here.
+TEST(ImpactMetrics, FindTheImpactsOfALiquidWhosePeaksAreLow) {
+  CaseDefinition oil = impact_case();
+  oil.liquid.density = 900;
+  for (double& mean : oil.impacts->peak_means) mean *= 0.16;
+  for (auto& repeats : oil.impacts->repeats)
+    for (double& peak : repeats) peak *= 0.16;
+  const TimeSeries pressure = pressure_of({.scale = 0.16});
+  for (const char* mode : {"impact_1", "impact_2", "impact_3", "impact_4"})
+    for (const Metric metric : {Metric::impact_time, Metric::impact_percentile}) {
+      const GateOutcome outcome = judge(row_of(metric, mode), pressure, oil);
+      EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
+    }
+}
+
+TEST(ImpactMetrics, BlameNoCandidateForAnImpactThatTheRecordLacksToo) {
+  const TimeSeries candidate = pressure_of({.impacts = 2}), record = pressure_of({.impacts = 3});
+  const auto judged = [&](const char* mode) {
+    return evaluate(row_of(Metric::impact_time, mode), {{"particles", {RunState::finished, ""}}},
+                    {{}, {}, [&](const std::string&, const GateRow& row) {
+                       return impact_metric(row.metric, row.mode, candidate, &record,
+                                            impact_case());
+                     }});
+  };
+  EXPECT_EQ(judged("impact_2").verdict, Verdict::pass);
+  EXPECT_EQ(judged("impact_3").verdict, Verdict::violated) << "the record has it";
+  const GateOutcome lacking = judged("impact_4");
+  EXPECT_EQ(lacking.verdict, Verdict::not_compared);
+  EXPECT_EQ(lacking.message,
+            "the record's own wall_pressure@B has no impact_4: no peak above 927.5 Pa, 0.25 of the "
+            "lowest mean peak published");
 }
 
 TEST(ImpactMetrics, AreOfNoPressureThatEndsEarlyOrHoldsANumberThatIsNone) {

@@ -48,8 +48,9 @@ TEST(ImpactWindows, FollowOneAnotherByAPeriodOrLieAboutTheExpectedTimes) {
   EXPECT_DOUBLE_EQ(about[1].end, 4.073 + 0.409);
 }
 
-TEST(ImpactThreshold, IsThePressureOfTheWholeDepth) {
-  EXPECT_NEAR(impact_threshold(998, 9.81, 0.093), 910.505, 1e-3);
+TEST(ImpactThreshold, IsAQuarterOfTheLowestPublishedMeanPeak) {
+  EXPECT_DOUBLE_EQ(impact_threshold({3710, 4816, 4691, 4643}), 927.5);
+  EXPECT_THROW(impact_threshold({}), ComparisonError);
 }
 
 TEST(ImpactPeaks, AreTheHighestOfEachWindow) {
@@ -154,8 +155,8 @@ TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
     pressure.time.push_back(t);
     pressure.value.push_back(p);
   }
-  const auto peaks =
-      impact_peaks(pressure, impact_windows(1.6, period, 4), impact_threshold(998, 9.81, 0.093));
+  const auto peaks = impact_peaks(pressure, impact_windows(1.6, period, 4),
+                                  impact_threshold({3710, 4816, 4691, 4643}));
   const std::vector<double> published{2.375, 4.073, 5.718, 7.303};  // [s]
   for (std::size_t i = 0; i < 4; ++i) {
     ASSERT_TRUE(peaks[i]) << i;

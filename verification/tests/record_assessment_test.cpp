@@ -208,6 +208,35 @@ TEST(RecordAssessment, ComparesTheHistoriesAloneWhereTheRecordIsTooSparseForMode
   EXPECT_EQ(assessment.gate[1].message, "the mode forced was not fitted");
 }
 
+// A record that carries the modes, and a candidate with a hole of 1.5 s: that is the candidate's
+// fault, and no row may pass on what is left.
+TEST(RecordAssessment, TellsOfAHoleInTheCandidateAndDropsNoModeForIt) {
+  const TimeSeries truth = elevation_of({});
+  RecordRun dense{"elevation.csv", surge_quantity, "m", truth.time, truth.value, {}};
+  TimeSeries holed = truth;
+  const auto cut = [](std::vector<double>& of) { of.erase(of.begin() + 400, of.begin() + 550); };
+  cut(holed.time);
+  cut(holed.value);
+  CaseDefinition definition = surge_case();
+  RunDefinition published = sample_run(dense);
+  published.name = "published";
+  definition.runs = {definition.runs.at(2), published};
+  definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.5),
+                     surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  for (GateRow& row : definition.gate) row.reference = "published";
+  CaseRuns runs;
+  runs.results["particles"] = result_of("particles", holed);
+  runs.results["published"] = result_of("published", truth);
+  for (const char* run : {"published", "particles"}) runs.status[run] = {RunState::finished, ""};
+  const CaseAssessment assessment = assess(definition, runs);
+  for (const GateOutcome& outcome : assessment.gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+    EXPECT_NE(outcome.message.find("candidate elevation@right: no sample between"),
+              std::string::npos)
+        << outcome.message;
+  }
+}
+
 TEST(RecordReport, DrawsTheRecordAsPointsWithItsUncertainty) {
   const CampaignDefinition campaign{"dams", "Dams", "none", "", {}, "", "dams.toml"};
   const reports::Report report =

@@ -250,5 +250,34 @@ TEST_F(RunKey, OfAnExternalRunChangesWithItsProgramItsInputsAndWhatIsReadOfIt) {
   EXPECT_FALSE(asks_the_same(key_of(external), before));
 }
 
+TEST_F(RunKey, OfAnExternalRunChangesWithAnArgumentThatIsAFile) {
+  const std::filesystem::path elsewhere = directory.path() / "elsewhere";
+  std::filesystem::create_directories(elsewhere);
+  CaseDefinition definition = sample_case();
+  definition.file = directory.path() / "small.toml";
+  std::ofstream(definition.file) << "limit = 1";
+  ExternalRun external;
+  external.command = {"python3",
+                      "gen.py",
+                      "{case_directory}/table.csv",
+                      "--settings=fine.cfg",
+                      "{case_file}",
+                      "{work_directory}/out.csv"};
+  external.directory = elsewhere;
+  external.series = {{"elevation@right", "swl.csv", "csv", "eta"}};
+  const auto changes_with = [&](const std::filesystem::path& file) {
+    std::ofstream(file) << "first";
+    const std::string before = key(definition, sample_run(external));
+    std::ofstream(file) << "second";
+    return !asks_the_same(key(definition, sample_run(external)), before);
+  };
+  EXPECT_TRUE(changes_with(directory.path() / "gen.py")) << "relative to the case file";
+  EXPECT_TRUE(changes_with(elsewhere / "gen.py")) << "relative to the run's directory";
+  EXPECT_TRUE(changes_with(directory.path() / "table.csv"));
+  EXPECT_TRUE(changes_with(elsewhere / "fine.cfg"));
+  EXPECT_FALSE(changes_with(definition.file)) << "of it the physics counts";
+  EXPECT_FALSE(changes_with(directory.path() / "unnamed.cfg"));
+}
+
 }  // namespace
 }  // namespace slosh

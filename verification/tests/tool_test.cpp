@@ -58,8 +58,34 @@ TEST_F(Tool, EndsWithFourWhereNothingWasCompared) {
   write_campaign(particles_case);
   const Ended run = tool({"campaign", "./surges.toml", "--quick", "--output", "out"});
   EXPECT_EQ(run.status, 4) << run.err;
-  EXPECT_TRUE(holds(run.out, "FAIL: 0 of 0 gate rows hold, 1 not selected."));
+  EXPECT_TRUE(holds(run.out, "NOT COMPARED: 0 of 0 gate rows hold, 1 not selected."));
   EXPECT_FALSE(fs::exists(result("particles")));
+}
+
+// Nothing failed where a reference is out of its range: every output has the one word for that.
+TEST_F(Tool, SaysNotComparedInAllOutputsWhereAReferenceIsOutOfItsRange) {
+  write_campaign(with(particles_case, "valid_elevation_over_depth = 0.2",
+                      "valid_elevation_over_depth = 0.0001"));
+  const Ended run = campaign();
+  EXPECT_EQ(run.status, 4) << run.err;
+  EXPECT_TRUE(holds(run.out, "\nNOT COMPARED: 0 of 1 gate rows hold, 1 not compared"));
+  const Ended gate = tool({"gate", "./surges.toml", "--output", "out"});
+  EXPECT_EQ(gate.status, 4) << gate.err;
+  EXPECT_TRUE(holds(gate.out, "\nNOT COMPARED: "));
+  EXPECT_TRUE(holds(read("out/report/report.md"), "**✗ NOT COMPARED** 0 of 1"));
+  EXPECT_TRUE(
+      holds(read("out/report/report.md"), "Decided by [small: particles, forced amplitude"));
+  EXPECT_TRUE(holds(read("out/report/index.html"), "</span> Not compared</strong>"));
+  EXPECT_TRUE(
+      holds(read("out/report/index.html"), "Decided by <a href=\"small.html#row-small-1\">"));
+  EXPECT_TRUE(holds(read("out/report/results.json"), "\"verdict\": \"not compared\""));
+  EXPECT_TRUE(holds(read("out/gate/gate.md"), "NOT COMPARED: 0 of 1"));
+  EXPECT_TRUE(holds(read("out/gate/gate.md"), "| **not compared** | small |"));
+  EXPECT_TRUE(holds(read("out/gate/junit.xml"), "type=\"not compared\""));
+  EXPECT_TRUE(holds(read("out/gate/gate.sarif"), "\"ruleId\": \"not-compared\""));
+  for (const std::string& text :
+       {run.out, gate.out, read("out/report/report.md"), read("out/gate/gate.md")})
+    EXPECT_EQ(text.find("FAIL"), std::string::npos) << text;
 }
 
 TEST_F(Tool, EndsWithTwoAndAMessageWhereTheCommandLineIsWrong) {
@@ -162,7 +188,7 @@ TEST_F(Tool, NeverPassesATruncatedResultAndComputesItAgain) {
   const Ended report = tool({"report", "./surges.toml", "--output", "out"});
   EXPECT_EQ(report.status, 4);
   EXPECT_TRUE(holds(report.err, fs::read_symlink(result("particles")).string()));
-  EXPECT_TRUE(holds(report.out, "FAIL: 0 of 1 gate rows hold, 1 not compared"));
+  EXPECT_TRUE(holds(report.out, "NOT COMPARED: 0 of 1 gate rows hold, 1 not compared"));
   const Ended again = campaign();
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_TRUE(holds(again.err, "it is computed again"));
@@ -369,6 +395,21 @@ TEST_F(Tool, RefusesADirectoryOfRecordsOrARecordThatIsNotWhatItShouldBe) {
   EXPECT_TRUE(holds(malformed.err, "tests/probe.csv:3: eta = none: expected a number, in m"));
 }
 
+// The surface breaks before the end of the case: what is left of the series is no whole run.
+TEST_F(Tool, EndsWithFourWherePotentialFlowLeavesItsRange) {
+  const std::string violent = with(small_case, "amplitude_m = 0.02", "amplitude_m = 0.5");
+  write("small.toml", violent +
+                          "[[run]]\nname = \"waves\"\nsolver = \"potential\"\n"
+                          "nodes_x = 24\nnodes_z = 8\nquick = true\n");
+  const Ended ended = tool({"run", "./small.toml", "waves"});
+  EXPECT_EQ(ended.status, 4) << ended.err;
+  EXPECT_TRUE(holds(ended.err, "the run waves leaves its range at "));
+  EXPECT_TRUE(holds(ended.err, " s of 8 s: "));
+  const RunResult result = read_result(directory() / "waves.h5");
+  EXPECT_LT(result.at("elevation@right").time.back(), 8);
+  EXPECT_EQ(result.at("elevation@right").time, result.at("elevation@right/coarser").time);
+}
+
 TEST_F(Tool, LeavesSnapshotsForParaView) {
   write_campaign(particles_case);
   const Ended run = tool({"run", "./small.toml", "particles", "--snapshots", "2"});
@@ -409,6 +450,31 @@ TEST_F(Tool, EndsInterFoamAtItsTimeLimit) {
   EXPECT_TRUE(holds(ended.err, "interFoam: ended at its time limit of 0.5 s"));
   EXPECT_TRUE(holds(ended.err, "log.interFoam"));
   EXPECT_TRUE(fs::exists(directory() / "mesh.work/mesh.openfoam/log.interFoam"));
+}
+
+// Programs that stand in for OpenFOAM's: what theirs say of an error reaches the terminal, the
+// report and its data whole.
+TEST_F(Tool, TellsAnErrorOfOpenFoamInItsOwnWords) {
+  fs::create_directory(directory() / "bin");
+  write("bin/interFoam", "#!/bin/sh\necho 'Using: OpenFOAM- (1912) - visit www.openfoam.com'\n");
+  write("bin/blockMesh",
+        "#!/bin/sh\nprintf '%s\\n' '--> FOAM FATAL ERROR :' '    Unknown word Eular' '' "
+        "'    Valid words are:' 12 13 14 15 16 17 18 19 20 Euler '    at line 6.'\nexit 1\n");
+  for (const char* program : {"bin/interFoam", "bin/blockMesh"})
+    fs::permissions(directory() / program, fs::perms::owner_all);
+  write_campaign(mesh_case);
+  const Ended run =
+      tool({"campaign", "./surges.toml", "--output", "out"},
+           {{"PATH", (directory() / "bin").string() + ":" + std::string(std::getenv("PATH"))}});
+  EXPECT_EQ(run.status, 3) << run.err;
+  const std::string markdown = read("out/report/report.md"), data = read("out/report/results.json");
+  for (const char* words : {"FOAM FATAL ERROR", "Unknown word Eular", "Euler", "at line 6."}) {
+    EXPECT_TRUE(holds(run.err, words));
+    EXPECT_TRUE(holds(markdown, words));
+    EXPECT_TRUE(holds(data, words));
+  }
+  EXPECT_TRUE(holds(run.err, "log.blockMesh"));
+  EXPECT_TRUE(holds(data, "log.blockMesh"));
 }
 
 TEST_F(Tool, ListsTheCasesWithTheirTags) {

@@ -118,7 +118,20 @@ TEST(VerdictMatrix, ShowsARowThatCouldNotBeJudgedAndCountsWhatTheQuickFormLeaves
   EXPECT_NE(table.caption.find("Without 1 pairs"), std::string::npos);
 }
 
-TEST(WorstFirst, PutsWhatFailsWithoutANumberBeforeWhatIsFurthestBeyondItsBound) {
+TEST(WorstFirst, IsByVerdictAndThenByHowFarTheIntervalReaches) {
+  const reports::Table table = worst_first_table(
+      {with_gate({outcome(Verdict::pass, 0.048), outcome(Verdict::inconclusive, 0.01, 0.06),
+                  outcome(Verdict::inconclusive, 0.045, 0.01), outcome(Verdict::solver_failed, nan),
+                  outcome(Verdict::pass, 0.044, 0.005)})},
+      {});
+  std::vector<std::string> links;
+  for (const auto& row : table.links) links.push_back(row[0]);
+  EXPECT_EQ(links,
+            (std::vector<std::string>{"row-small_surge-4", "row-small_surge-2", "row-small_surge-3",
+                                      "row-small_surge-5", "row-small_surge-1"}));
+}
+
+TEST(WorstFirst, PutsAViolatedRowBeforeOneThatWasNotCompared) {
   const reports::Table table = worst_first_table(
       {with_gate({outcome(Verdict::pass, 0.01), outcome(Verdict::violated, 0.2, 0.01),
                   outcome(Verdict::not_compared, nan), outcome(Verdict::violated, 0.06),
@@ -129,9 +142,9 @@ TEST(WorstFirst, PutsWhatFailsWithoutANumberBeforeWhatIsFurthestBeyondItsBound) 
     shares.push_back(table.rows[i][1]);
     links.push_back(table.links[i][0]);
   }
-  EXPECT_EQ(shares, (std::vector<std::string>{"", "400 ± 20", "120", "20"}));
-  EXPECT_EQ(links, (std::vector<std::string>{"row-small_surge-3", "row-small_surge-2",
-                                             "row-small_surge-4", "row-small_surge-1"}));
+  EXPECT_EQ(shares, (std::vector<std::string>{"400 ± 20", "120", "", "20"}));
+  EXPECT_EQ(links, (std::vector<std::string>{"row-small_surge-2", "row-small_surge-4",
+                                             "row-small_surge-3", "row-small_surge-1"}));
 }
 
 TEST(WorstFirst, LeavesOutOnlyRowsThatPassAndSaysHowManyThereAre) {

@@ -1,0 +1,90 @@
+#include "verification/campaign/job_failure.hpp"
+
+#include <fstream>
+#include <string_view>
+
+#include "verification/runs/result_file.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr std::string_view mark = "slosh: ";  // main.cpp puts it before every error
+
+// More of a log than a person reads in a report.
+constexpr std::size_t most_lines = 100;
+
+// The tool's message from its first line on; nothing where the log has none.
+struct Complaint {
+  std::string message, details;
+};
+
+Complaint read_complaint(const std::filesystem::path& log) {
+  std::ifstream stream(log);
+  Complaint found;
+  std::string last;
+  std::size_t lines = 0;
+  for (std::string line; std::getline(stream, line);) {
+    if (!found.message.empty() && lines < most_lines) {
+      found.details += (lines++ > 0 ? "\n" : "") + line;
+    } else if (line.starts_with(mark)) {
+      found.message = line.substr(mark.size());
+    } else if (!line.empty()) {
+      last = line;
+    }
+  }
+  if (found.message.empty())
+    found.message = last.empty() ? "nothing is in its log " + log.string() : last;
+  return found;
+}
+
+std::string kind_of(JobPhase phase) {
+  switch (phase) {
+    case JobPhase::signalled:
+      return "killed";
+    case JobPhase::timed_out:
+      return "time limit";
+    case JobPhase::interrupted:
+      return "interrupted";
+    case JobPhase::not_started:
+      return "not started";
+    case JobPhase::lost:
+      return "lost";
+    case JobPhase::exited:
+    case JobPhase::waiting:
+    case JobPhase::running:
+      break;
+  }
+  return "error";
+}
+
+RunFailure failure_of(const JobState& state) {
+  const Complaint complaint = read_complaint(state.job.log_file);
+  return {kind_of(state.phase), complaint.message, complaint.details, state.job.log_file.string()};
+}
+
+}  // namespace
+
+std::string complaint_in(const std::filesystem::path& log) { return read_complaint(log).message; }
+
+RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file) {
+  if (state.phase == JobPhase::exited && state.status == exit_not_compared)
+    return {RunState::missing, description(state) + ": " + complaint_in(state.job.log_file)};
+  const bool has_told = state.phase == JobPhase::exited && state.status == exit_solver_failed;
+  std::optional<RunFailure> failure = has_told ? read_failure(failure_file) : std::nullopt;
+  if (!failure) {
+    failure = failure_of(state);
+    try {
+      write_failure(*failure, failure_file);
+    } catch (const ResultError&) {  // a full disk hides no failure
+    }
+  }
+  return {RunState::failed, description(state) + ": " + failure->message, failure};
+}
+
+RunStatus missing_status(const std::string& message, const std::filesystem::path& failure_file) {
+  if (const auto failure = read_failure(failure_file))
+    return {RunState::failed, failure->kind + ": " + failure->message, failure};
+  return {RunState::missing, message};
+}
+
+}  // namespace slosh

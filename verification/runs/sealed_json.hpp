@@ -1,0 +1,20 @@
+// A small file of ours as JSON, for those that a person may want to read:
+//   body: its content, with the member "format" that names its kind
+//   hash: content_hash of the body's compact text
+// It is written under a temporary name and renamed when complete. The hash is checked before the
+// body is given out, so that an altered or truncated file is refused.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+namespace slosh {
+
+// Bytes that are no UTF-8 are replaced. Throws ResultError (result_file.hpp) with the file's name.
+void write_sealed_json(const nlohmann::json& body, const std::filesystem::path& file);
+
+// The body. Throws ResultError with the file's name where it is absent, truncated, altered, or of
+// another format than `format`.
+nlohmann::json read_sealed_json(const char* format, const std::filesystem::path& file);
+
+}  // namespace slosh
