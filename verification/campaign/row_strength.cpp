@@ -72,12 +72,10 @@ std::vector<GateStrength> strengths_of(const CaseAssessment& assessment, const R
   for (const auto& [run, result] : assessment.runs.results)
     runs.results[run] = judged_part(result, quantity);
   const FittedComparisons known = without(candidate, assessment.fitted);
-  TimeSeries& judged = series_of(runs.results.at(candidate), quantity);
-  const TimeSeries own = judged;
-  const PassingRows passing = [&](const TimeSeries& series) {
-    judged.time = series.time;
-    judged.value = series.value;
-    judged.unit = series.unit;
+  const TimeSeries& own = assessment.runs.results.at(candidate).at(quantity);
+  const PassingRows passing = [&](const Mutation* mutation) {
+    series_of(runs.results.at(candidate), quantity) =
+        mutation ? mutated(own, *mutation, group.frame) : own;
     CaseEvidence evidence(assessment.definition, runs, &known);
     std::vector<bool> passes;
     for (const TriedRow& one : rows)

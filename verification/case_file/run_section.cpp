@@ -32,7 +32,7 @@ const std::vector<std::string> keys_of_linear{"modes", "two_layer", "valid_eleva
 const std::vector<std::string> keys_of_potential{"nodes_x", "nodes_z"};
 const std::vector<std::string> keys_of_viscous_wave{"valid_elevation_over_depth"};
 const std::vector<std::string> keys_of_any_record{"uncertainty"};
-const std::vector<std::string> keys_of_shipped_record{"file"};
+const std::vector<std::string> keys_of_shipped_record{"file", "earlier_run"};
 const std::vector<std::string> keys_of_experiment{"experiment", "time_column", "value_column",
                                                   "quantity", "unit"};
 
@@ -142,7 +142,8 @@ RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& defini
           .unit = unit_of(quantity),
           .time = std::move(table.time),
           .value = std::move(table.value),
-          .uncertainty = run.find("uncertainty", positive(unit_of(quantity)))};
+          .uncertainty = run.find("uncertainty", positive(unit_of(quantity))),
+          .earlier_run = run.flag("earlier_run")};
 }
 
 // All that the case says is checked, be the record there or not.

@@ -49,12 +49,12 @@ std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
                                          const TimeSeries& candidate, const MutationFrame& frame,
                                          const PassingRows& passing_rows) {
   std::vector<GateStrength> strengths;
-  for (const bool passes : passing_rows(candidate)) strengths.push_back({passes, {}});
+  for (const bool passes : passing_rows(nullptr)) strengths.push_back({passes, {}});
   const auto any_passes = std::any_of(strengths.begin(), strengths.end(),
                                       [](const GateStrength& one) { return one.passes_as_it_is; });
   if (!any_passes) return strengths;
   for (const Mutation& mutation : mutations_tried(frame)) {
-    const std::vector<bool> passing = passing_rows(mutated(candidate, mutation, frame));
+    const std::vector<bool> passing = passing_rows(&mutation);
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (strengths[i].passes_as_it_is)
         strengths[i].outcomes.push_back(

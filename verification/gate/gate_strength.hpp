@@ -21,9 +21,9 @@ struct TriedRow {
   double measured;
 };
 
-// Whether each of the tried rows passes with this candidate in place of its own; anything else than
-// a pass (violated, not compared) is false.
-using PassingRows = std::function<std::vector<bool>(const TimeSeries& candidate)>;
+// Whether each of the tried rows passes with its candidate as it is (null) or mutated; anything
+// else than a pass (violated, not compared) is false.
+using PassingRows = std::function<std::vector<bool>(const Mutation*)>;
 
 struct MutationOutcome {
   Mutation mutation;
@@ -45,7 +45,7 @@ struct GateStrength {
 std::vector<Mutation> mutations_tried(const MutationFrame& frame);
 
 // Of rows that judge one candidate in one frame, in their order: each mutant is judged by all of
-// them together. Throws ComparisonError as mutated() does, and what passing_rows throws.
+// them together. Throws as mutated() does of the candidate, and what passing_rows throws.
 std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
                                          const TimeSeries& candidate, const MutationFrame& frame,
                                          const PassingRows& passing_rows);

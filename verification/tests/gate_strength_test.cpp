@@ -53,9 +53,14 @@ MutationFrame frame_of(const GateRow& row) {
   return {window, two_pi / (row.mode == "natural_1" ? natural : forced), depth, modes};
 }
 
+TimeSeries candidate_with(const Mutation* mutation, const MutationFrame& frame) {
+  return mutation ? mutated(candidate, *mutation, frame) : candidate;
+}
+
 GateStrength strength_of(const GateRow& row) {
   return gate_strengths({{row, judge(row, candidate).value.value}}, candidate, frame_of(row),
-                        [&](const TimeSeries& series) {
+                        [&](const Mutation* mutation) {
+                          const TimeSeries series = candidate_with(mutation, frame_of(row));
                           return std::vector<bool>{judge(row, series).verdict == Verdict::pass};
                         })
       .at(0);
@@ -146,8 +151,8 @@ TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
 }
 
 TEST(GateStrength, FindsOutAJudgeThatIgnoresNaN) {
-  const auto careless = [](const TimeSeries& series) {
-    TimeSeries cleaned = series;
+  const auto careless = [](const Mutation* mutation) {
+    TimeSeries cleaned = candidate_with(mutation, frame_of(amplitude));
     for (double& value : cleaned.value)
       if (std::isnan(value)) value = 0;
     return std::vector<bool>{judge(amplitude, cleaned).verdict == Verdict::pass};
@@ -202,7 +207,8 @@ TEST(GateStrength, JudgesRowsTogetherAsEachAlone) {
   const auto together =
       gate_strengths({{amplitude, judge(amplitude, candidate).value.value},
                       {rms, judge(rms, candidate).value.value}},
-                     candidate, frame_of(amplitude), [&](const TimeSeries& series) {
+                     candidate, frame_of(amplitude), [&](const Mutation* mutation) {
+                       const TimeSeries series = candidate_with(mutation, frame_of(amplitude));
                        return std::vector<bool>{judge(amplitude, series).verdict == Verdict::pass,
                                                 judge(rms, series).verdict == Verdict::pass};
                      });
