@@ -25,10 +25,12 @@ RunResult judged_part(const RunResult& result, const std::string& quantity) {
 
 const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,
                                    const std::string& quantity) {
-  for (const RunDefinition& run : definition.runs)
-    if (std::holds_alternative<RecordRun>(run.solver) && runs.results.contains(run.name) &&
+  for (const RunDefinition& run : definition.runs) {
+    const RecordRun* record = std::get_if<RecordRun>(&run.solver);
+    if (record && !record->earlier_run && runs.results.contains(run.name) &&
         has_series(runs, run.name, quantity))
       return &runs.results.at(run.name).at(quantity);
+  }
   return nullptr;
 }
 

@@ -56,8 +56,8 @@ std::string text_of(const ExternalRun& external) {
 }
 
 std::string text_of(const RecordRun& record) {
-  return fmt::format("published record of {}{}", record.quantity,
-                     record.supplied ? "" : ", which you would have to supply");
+  return fmt::format("{} of {}{}", record.earlier_run ? "earlier run's record" : "published record",
+                     record.quantity, record.supplied ? "" : ", which you would have to supply");
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ std::string kind_of(const PotentialRun& potential) {
 std::string kind_of(const ViscousWaveRun&) { return "linear theory of the viscous wave"; }
 
 std::string kind_of(const RecordRun& record) {
-  return "published record " + record.file.filename().string();
+  return (record.earlier_run ? "earlier run's record " : "published record ") +
+         record.file.filename().string();
 }
 
 std::string kind_of(const ExternalRun& external) {

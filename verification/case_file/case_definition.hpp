@@ -177,6 +177,9 @@ struct RecordRun {
   std::vector<double> time, value;    // [s], unit; none where it is not supplied
   std::optional<double> uncertainty;  // half width of the values' 95 % interval, in the unit
   bool supplied = true;
+  // What a run of this harness gave earlier: it tells what has moved and not what is right, so that
+  // rows of regression alone may rest on it and nothing else is compared with it.
+  bool earlier_run = false;
 };
 
 // Where a quantity stands in a file of another program (verification/import/), and how it becomes

@@ -56,7 +56,9 @@
 //                 solver = "viscous_wave": valid_elevation_over_depth
 //                 solver = "record": a published series, with uncertainty? (half width of its 95 %
 //                 interval, in the record's unit), either shipped: file (CSV: time_s and a compared
-//                 quantity with its unit, as in front_position_m; relative to the case file), or
+//                 quantity with its unit, as in front_position_m; relative to the case file; with
+//                 earlier_run = true what a run of this harness gave earlier, for rows with kind =
+//                 "regression" alone), or
 //                 supplied by the user: experiment (a CSV file's path below a directory that the
 //                 user names), time_column (in s) and value_column (their names in the file's first
 //                 line), quantity, unit (one of units.hpp's for it)

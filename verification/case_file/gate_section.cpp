@@ -216,6 +216,9 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
     row.refuse_table("a row on impact_percentile",
                      "lower with upper: neither end of the repeats is the better one");
   gate_row.kind = read_row_kind(row);
+  const RecordRun* record = as_record(definition, gate_row.reference);
+  if (record && record->earlier_run && gate_row.kind != RowKind::regression)
+    row.refuse("kind", "regression: the reference is an earlier run of this harness");
   gate_row.reason = row.get("reason", any_text());
   gate_row.source = row.get("source", any_text());
   gate_row.where = row.where();

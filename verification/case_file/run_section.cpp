@@ -141,7 +141,8 @@ RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& defini
           .unit = unit_of(quantity),
           .time = std::move(table.time),
           .value = std::move(table.value),
-          .uncertainty = run.find("uncertainty", positive(unit_of(quantity)))};
+          .uncertainty = run.find("uncertainty", positive(unit_of(quantity))),
+          .earlier_run = run.flag("earlier_run")};
 }
 
 // All that the case says is checked, be the record there or not.
@@ -210,7 +211,7 @@ const std::vector<SolverSection> solver_sections{
      {"nodes_x", "nodes_z"},
      [](const auto& run, const auto&, const auto&) { return read_potential(run); }},
     {"record",
-     {"file", "uncertainty"},
+     {"file", "earlier_run", "uncertainty"},
      [](const auto& run, const auto& definition, const auto&) {
        return read_shipped_record(run, definition);
      }},

@@ -48,7 +48,7 @@ struct GateStrength {
 std::vector<Mutation> mutations_tried(const MutationFrame& frame);
 
 // Of rows that judge one candidate in one frame, in their order: each mutant is judged by all of
-// them together. Throws ComparisonError as mutated() does, and what passing_rows throws.
+// them together. Throws as mutated() does of the candidate, and what passing_rows throws.
 std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
                                          const TimeSeries& candidate, const MutationFrame& frame,
                                          const PassingRows& passing_rows);

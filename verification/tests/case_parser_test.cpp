@@ -6,9 +6,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "verification/case_file/ensemble.hpp"
+#include "verification/tests/temporary_directory.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh {
@@ -69,6 +71,27 @@ TEST(CaseParser, ReadsTheBreakingDamWithItsRecord) {
   EXPECT_NEAR(record.time[2] * per_second, 1.19, 1e-5 * per_second);
   EXPECT_NEAR(record.value[2] / base, 1.44, 1e-5 / base);
   EXPECT_LT(record.time.back(), definition.window_end);
+}
+
+TEST(CaseParser, LetsRowsOfRegressionAloneRestOnAnEarlierRun) {
+  const fs::path shipped = cases / "extreme_zero_gravity.toml";
+  const CaseDefinition definition = read_case(shipped);
+  EXPECT_TRUE(std::get<RecordRun>(run_named(definition, "earlier").solver).earlier_run);
+  const TemporaryDirectory temporary;
+  fs::create_directory(temporary.path() / "records");
+  fs::copy_file(cases / "records/extreme_zero_gravity.csv",
+                temporary.path() / "records/extreme_zero_gravity.csv");
+  std::string text = definition.text;
+  const std::string kind = "kind = \"regression\"";
+  text.replace(text.find(kind), kind.size(), "kind = \"validation\"");
+  std::ofstream(temporary.path() / "case.toml") << text;
+  try {
+    read_case(temporary.path() / "case.toml");
+    FAIL();
+  } catch (const CaseFileError& error) {
+    EXPECT_NE(std::string(error.what()).find("an earlier run of this harness"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(CaseParser, FillsInTheWholeDefinition) {

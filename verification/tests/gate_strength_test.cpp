@@ -53,6 +53,10 @@ MutationFrame frame_of(const GateRow& row) {
   return {window, two_pi / (row.mode == "natural_1" ? natural : forced), depth, modes};
 }
 
+TimeSeries candidate_with(const Mutation* mutation, const MutationFrame& frame) {
+  return mutation ? mutated(candidate, *mutation, frame) : candidate;
+}
+
 GateStrength strength_of(const GateRow& row) {
   return gate_strengths(
              {{row, judge(row, candidate).value.value}}, candidate, frame_of(row),

@@ -115,6 +115,18 @@ TEST(RecordAssessment, IsInconclusiveWhereTheRecordDoesNotKnowItsOwnLimit) {
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
 }
 
+TEST(RecordAssessment, OfAnEarlierRunIsForTheRowsThatAskForItAlone) {
+  CaseDefinition definition = dam_case();
+  std::get<RecordRun>(definition.runs[0].solver).earlier_run = true;
+  for (GateRow& row : definition.gate) row.kind = RowKind::regression;
+  const CaseAssessment assessment = assess(definition, dam_runs(front_series(0.01)));
+  EXPECT_TRUE(assessment.comparisons.empty());
+  EXPECT_EQ(series_of_record(assessment, "front_position"), nullptr);
+  EXPECT_EQ(exit_status({assessment}), exit_pass);
+  const CaseAssessment scaled = assess(definition, dam_runs(front_series(0.01, 1.05)));
+  EXPECT_EQ(exit_status({scaled}), exit_violated);
+}
+
 TEST(RecordAssessment, StaysWithinTheCasesWindow) {
   CaseDefinition definition = dam_case();
   definition.window_begin = 0.3;

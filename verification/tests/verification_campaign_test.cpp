@@ -37,6 +37,19 @@ TEST_F(VerificationCampaign, HoldsInItsQuickFormAndComputesNothingTwice) {
   EXPECT_EQ(fs::last_write_time(kept), written);
 }
 
+// Shipped cases that take seconds, run and tested by the tool itself.
+TEST_F(VerificationCampaign, DetectsTogetherWhatEveryCaseMust) {
+  write("extremes.toml",
+        "schema_version = 1\nname = \"extremes\"\ntitle = \"Extremes\"\nsource = \"a test\"\n"
+        "cases = [\"extreme_zero_gravity\", \"extreme_impulsive_stop\", "
+        "\"extreme_million_particles\"]\n");
+  const Ended run = tool({"campaign", "./extremes.toml", "--quick", "--output", "out"});
+  ASSERT_EQ(run.status, 0) << run.err << run.out;
+  const Ended tested = tool({"selftest", "./extremes.toml", "--quick", "--output", "out"});
+  EXPECT_EQ(tested.status, 0) << tested.out;
+  EXPECT_NE(tested.out.find("the rows of 0 of 3 cases miss"), std::string::npos) << tested.out;
+}
+
 const std::string small_suite = R"(schema_version = 1
 name = "suite"
 title = "One problem"
