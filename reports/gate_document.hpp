@@ -29,9 +29,9 @@ struct GateEntry {
 
 struct GateDocument {
   std::string title, verdict;
-  std::string basis = {};  // what the rows rest on; empty: nothing is told of it
   std::string tool_version;
   std::vector<GateEntry> entries;
+  std::string basis = {};  // what the rows rest on; empty: nothing is told of it
 };
 
 // Worst first: errors, failures, inconclusive rows, loosened tolerances, the rest; in the order

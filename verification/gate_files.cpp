@@ -93,9 +93,9 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
                                     const fs::path& source) {
   reports::GateDocument document{.title = assessed.definition.title,
                                  .verdict = verdict_sentence(assessed.cases, assessed.problems),
-                                 .basis = kinds_sentence(assessed.cases, assessed.problems),
                                  .tool_version = provenance("").at("slosh_version"),
-                                 .entries = {}};
+                                 .entries = {},
+                                 .basis = kinds_sentence(assessed.cases, assessed.problems)};
   for (const CaseAssessment& one : assessed.cases)
     for (const GateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, movements, source));

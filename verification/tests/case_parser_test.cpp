@@ -29,6 +29,19 @@ TEST(CaseParser, ReadsEveryShippedCase) {
   EXPECT_GE(count, 7);
 }
 
+TEST(CaseParser, CallsEachShippedRowOnAMeasuredLimitARegressionRow) {
+  int regressions = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(cases)) {
+    if (entry.path().extension() != ".toml") continue;
+    for (const GateRow& row : read_case(entry.path()).gate) {
+      EXPECT_EQ(row.kind == RowKind::regression, row.source.starts_with("measured"))
+          << entry.path().stem() << ", line " << row.where.line << ": " << row.source;
+      regressions += row.kind == RowKind::regression;
+    }
+  }
+  EXPECT_GE(regressions, 23);
+}
+
 TEST(CaseParser, ReadsThePapersSmallAmplitudeCase) {
   const CaseDefinition definition = read_case(cases / "li2010_small_amplitude.toml");
   EXPECT_EQ(definition.tank.length, 1.0);
@@ -161,7 +174,8 @@ TEST(CaseParser, RefusesAnInputThatIsNoneOrIsThereTwice) {
                       "input that this case has, one of fill_depth, period"),
             0U);
   EXPECT_EQ(said("\"m\"", "\"mm\""),
-            "trial.toml:65: input.unit = \"mm\": expected the unit of fill_depth, which is m");
+            "trial.toml:65: input.unit = \"mm\": expected the unit of fill_depth, which is m; "
+            "nearest: m");
   EXPECT_EQ(said("0.0005", "0").find("trial.toml:64: input.half_width = 0: expected a number > 0"),
             0U);
   EXPECT_EQ(said("source", "sources").find("trial.toml:66: input.sources"), 0U);
