@@ -28,9 +28,9 @@ struct GateEntry {
 
 struct GateDocument {
   std::string title, verdict;
-  std::string basis = {};  // what the rows rest on; empty: nothing is told of it
   std::string tool_version;
   std::vector<GateEntry> entries;
+  std::string basis = {};  // what the rows rest on; empty: nothing is told of it
 };
 
 // Worst first: solver failed, violated, not compared, inconclusive, loosened tolerances, the rest;

@@ -99,9 +99,9 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
       .verdict = headline_word(exit_status(assessed.cases, assessed.problems)) + ": " +
                  verdict_sentence(assessed.cases, assessed.problems) +
                  coverage_sentence(assessed.cases),
-      .basis = kinds_sentence(assessed.cases, assessed.problems),
       .tool_version = provenance("").at("slosh_version"),
-      .entries = {}};
+      .entries = {},
+      .basis = kinds_sentence(assessed.cases, assessed.problems)};
   for (const CaseAssessment& one : assessed.cases)
     for (const GateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, movements, source));

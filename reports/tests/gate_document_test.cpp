@@ -123,6 +123,19 @@ TEST(GateDocument, HoldsNoTagOfANameInItsMarkdown) {
   EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 6) << line;
 }
 
+TEST(GateDocument, TellsInMarkdownEachRowsKindAndUncertaintiesAndWhatTheRowsRestOn) {
+  GateDocument gate = document();
+  gate.basis = "Validation rows: 1 of 4 pass; regression rows: 1 of 2.";
+  for (GateEntry& one : gate.entries) {
+    one.kind = "validation";
+    one.uncertainties = "u_num 1 %, u_input unknown, u_reference 2 %";
+  }
+  const std::string text = gate_markdown(gate);
+  EXPECT_NE(text.find("2 of 5 gate rows hold.\n\nValidation rows: 1 of 4 pass"), text.npos) << text;
+  EXPECT_NE(text.find("| **violated** | validation | surge & roll | broken |"), text.npos) << text;
+  EXPECT_NE(text.find("| u_num 1 %, u_input unknown, u_reference 2 % |"), text.npos) << text;
+}
+
 TEST(GateDocument, PointsInSarifAtTheRowInItsCaseFile) {
   const auto sarif = nlohmann::json::parse(gate_sarif(document()));
   EXPECT_EQ(sarif.at("version"), "2.1.0");

@@ -166,6 +166,7 @@ TEST(CaseAssessment, ComparesAForceWhereBothRunsLeftOne) {
   GateRow row = surge_row("whole", Metric::maximum_residual, "N/m", 0.1);
   row.quantity = "force_x";
   row.reference = "fine_mesh";
+  row.kind = RowKind::regression;  // of a mesh that nobody refined
   definition.gate = {row};
   const CaseAssessment assessment = assess(definition, runs);
   EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass}) << assessment.gate[0].message;

@@ -32,6 +32,19 @@ TEST(CaseParser, ReadsEveryShippedCase) {
   EXPECT_GE(count, 7);
 }
 
+TEST(CaseParser, CallsEachShippedRowOnAMeasuredLimitARegressionRow) {
+  int regressions = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(cases)) {
+    if (entry.path().extension() != ".toml") continue;
+    for (const GateRow& row : read_case(entry.path()).gate) {
+      EXPECT_EQ(row.kind == RowKind::regression, row.source.starts_with("measured"))
+          << entry.path().stem() << ", line " << row.where.line << ": " << row.source;
+      regressions += row.kind == RowKind::regression;
+    }
+  }
+  EXPECT_GE(regressions, 23);
+}
+
 TEST(CaseParser, ReadsThePapersSmallAmplitudeCase) {
   const CaseDefinition definition = read_case(cases / "li2010_small_amplitude.toml");
   EXPECT_EQ(definition.tank.length, 1.0);

@@ -14,8 +14,9 @@ TEST(RowKinds, AreCountedApartWithWhatTheirRowsRestOn) {
   of_mesh.reference = "coarse_mesh";
   GateRow earlier = definition.gate.at(1);
   earlier.kind = RowKind::regression;
-  GateRow worse = earlier;
-  worse.limit = 1e-12;
+  GateRow worse = definition.gate.at(0);
+  worse.kind = RowKind::regression;
+  worse.limit = 1e-5;
   definition.gate = {definition.gate.at(0), of_mesh, earlier, worse};
   CaseRuns runs = surge_runs();
   for (double& value : runs.results.at("particles").series.at(0).value) value *= 1.001;
