@@ -44,6 +44,16 @@ TEST(MetricTable, OnlyWhatHasNoModesHasALagOfTheWholeWindow) {
   EXPECT_EQ(measured_modes(lag, {}, true), Modes{"whole"});
 }
 
+TEST(MetricTable, OnlyWhatSwingsHasCrestsAndASpectralPeak) {
+  for (const Metric metric :
+       {Metric::crest_error, Metric::trough_error, Metric::spectral_peak_error}) {
+    EXPECT_EQ(measured_modes(metric_entry(metric), fitted, false), Modes{"whole"});
+    EXPECT_EQ(measured_modes(metric_entry(metric), {}, true), Modes{}) << metric_name(metric);
+  }
+  EXPECT_EQ(measured_modes(metric_entry(Metric::mean_offset), {}, true), Modes{"whole"});
+  EXPECT_EQ(measured_modes(metric_entry(Metric::band_energy_error), fitted, false), fitted);
+}
+
 TEST(MetricTable, NoLimitIsSoWideThatNothingViolatesIt) {
   const BoundScales scales{.window = 8, .impact_period = 2};
   for (const MetricEntry& entry : metric_table()) {
