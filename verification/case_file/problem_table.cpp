@@ -42,6 +42,17 @@ bool is_order(ProblemMetric metric) {
   return metric == ProblemMetric::order_at_least || metric == ProblemMetric::order_within;
 }
 
+constexpr double widest_order_range = 2;
+
+// An order may be as high as one likes; an error without unit is a share of the exact solution.
+Rule<double> limit_rule(const ProblemGateRow& row) {
+  if (is_order(row.metric)) return positive(row.unit);
+  const double widest = row.unit == "1" ? 1 : 1e9;
+  return {fmt::format("a number > 0 and below {:g}, {}: a wider limit holds any error", widest,
+                      in(row.unit)),
+          [widest](double value) { return value > 0 && value < widest; }};
+}
+
 void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
   const bool within = gate_row.metric == ProblemMetric::order_within;
   for (const char* key : {"limit", "lower", "upper"})
@@ -50,12 +61,15 @@ void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
                              : "limit alone, neither lower nor upper");
   if (!within) {
     // A method that does not converge is no reason for a gate that any order passes.
-    gate_row.limit = row.get("limit", positive(gate_row.unit));
+    gate_row.limit = row.get("limit", limit_rule(gate_row));
     return;
   }
   const double lower = row.get("lower", any_number(gate_row.unit));
-  const Rule<double> above_lower{fmt::format("a number above lower ({})", lower),
-                                 [lower](double value) { return value > lower; }};
+  const double widest = lower + widest_order_range;
+  const Rule<double> above_lower{
+      fmt::format("a number above lower ({}) and below {:.4g}: a wider range holds any order",
+                  lower, widest),
+      [lower, widest](double value) { return value > lower && value < widest; }};
   gate_row.between = {lower, row.get("upper", above_lower)};
 }
 
@@ -78,6 +92,17 @@ ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
   return gate_row;
 }
 
+// Of two bounds on the same nobody could tell which one the campaign means.
+void add_row(const TomlTable& table, const KnownProblem& known, ProblemDefinition& problem) {
+  ProblemGateRow row = read_row(table, known);
+  for (const ProblemGateRow& other : problem.gate)
+    if (other.measure == row.measure && other.metric == row.metric)
+      table.refuse_table(
+          fmt::format("a second bound on {} of {}", metric_name(row.metric), row.measure),
+          fmt::format("each metric of a measure once; the first is on line {}", other.where.line));
+  problem.gate.push_back(std::move(row));
+}
+
 }  // namespace
 
 ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownProblem>& known,
@@ -88,7 +113,7 @@ ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownPr
   for (const ProblemDefinition& other : others)
     if (other.name == problem.name) table.refuse("name", "each problem once");
   for (const TomlTable& row : table.tables("gate"))
-    problem.gate.push_back(read_row(row, named(known, problem.name)));
+    add_row(row, named(known, problem.name), problem);
   if (problem.gate.empty()) table.refuse("gate", "at least one gate row, [[problem.gate]]");
   return problem;
 }

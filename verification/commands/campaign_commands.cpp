@@ -1,6 +1,5 @@
 // The options of campaign, report, gate, selftest and baseline.
 
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -45,7 +44,8 @@ void add_inconclusive_option(CLI::App& command, CampaignOptions& options) {
       .add_option("--inconclusive-exit", options.inconclusive_exit,
                   "Exit status where rows are inconclusive and nothing is worse (default: 5)")
       ->type_name("N")
-      ->check(unnamed(CLI::Range(0, 125)));
+      ->check(keeps<int>(
+          {"an integer from 0 to 125", [](int status) { return status >= 0 && status <= 125; }}));
 }
 
 void add_pdf_option(CLI::App& command, CampaignOptions& options) {
@@ -68,10 +68,13 @@ void add_new_ledger_option(CLI::App& command, CampaignOptions& options) {
 void add_launch_options(CLI::App& command, CampaignOptions& options) {
   add_jobs_option(command, options.at_once, "Runs side by side");
   command
-      .add_option("--launcher", options.engine,
-                  "What runs them: ninja, on this machine (default), or slurm, on a cluster")
-      ->transform(unnamed(CLI::CheckedTransformer(
-          std::map<std::string, Engine>{{"ninja", Engine::ninja}, {"slurm", Engine::slurm}})))
+      .add_option_function<std::string>(
+          "--launcher",
+          [&options](const std::string& name) {
+            options.engine = name == "slurm" ? Engine::slurm : Engine::ninja;
+          },
+          "What runs them: ninja, on this machine (default), or slurm, on a cluster")
+      ->check(unnamed(one_of("an engine", {"ninja", "slurm"})))
       ->type_name("ENGINE");
   command
       .add_option("--timings", options.timings,

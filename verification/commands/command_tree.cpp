@@ -27,8 +27,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-std::string nearest_text(const std::string& wrong, const std::vector<std::string>& known,
-                         const char* what) {
+std::string not_known_text(const std::string& wrong, const std::vector<std::string>& known,
+                           const char* what) {
   constexpr std::size_t suggestions = 2;
   return fmt::format("{} '{}' is not known; nearest: {}", what, wrong,
                      fmt::join(nearest_names(wrong, known, suggestions), ", "));
@@ -49,6 +49,16 @@ void give_examples(CLI::App& command, const std::vector<std::string>& examples) 
 }
 
 CLI::Validator unnamed(CLI::Validator validator) { return validator.description(""); }
+
+CLI::Validator one_of(const std::string& expected, const std::vector<std::string>& names) {
+  return {[=](const std::string& text) {
+            const bool is_known = std::find(names.begin(), names.end(), text) != names.end();
+            return is_known ? ""
+                            : fmt::format("{}: expected {}{}", text, one_of_text(expected, names),
+                                          nearest_text(text, names));
+          },
+          fmt::format("{{{}}}", fmt::join(names, ","))};
+}
 
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
   command
@@ -120,9 +130,9 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& word
     const auto is_in = [&](const std::vector<std::string>& known) {
       return std::find(known.begin(), known.end(), name) != known.end();
     };
-    if (name.starts_with("--") && !is_in(options)) return nearest_text(name, options, "option");
+    if (name.starts_with("--") && !is_in(options)) return not_known_text(name, options, "option");
     if (name.starts_with("-") || commands.empty()) continue;
-    if (!is_in(commands)) return nearest_text(name, commands, "command");
+    if (!is_in(commands)) return not_known_text(name, commands, "command");
     return suggestion(*app.get_subcommand(name),
                       {words.begin() + static_cast<long>(i) + 1, words.end()});
   }

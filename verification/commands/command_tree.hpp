@@ -66,6 +66,8 @@ CLI::Validator keeps(const Rule<T>& rule) {
       },
       ""));
 }
+// One of these names, which --help lists; `expected` says what they name: "a shell".
+CLI::Validator one_of(const std::string& expected, const std::vector<std::string>& names);
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments);
 // Of the results that campaigns share: build/store unless the option or SLOSH_STORE says otherwise.
 void add_shared_store_option(CLI::App& command, std::filesystem::path& store,

@@ -107,7 +107,7 @@ void add_completion_commands(const CommandTree& tree) {
   script.add_option("shell", *shell, "The shell: its start-up file evaluates the script")
       ->type_name("SHELL")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+      ->check(one_of("a shell", {"bash", "zsh", "fish"}));
   auto words = std::make_shared<std::vector<std::string>>();
   CLI::App& asked = add_command(tree, {"complete", "What may come next on a command line", {}},
                                 [words, &app = tree.app, &installation = tree.installation] {

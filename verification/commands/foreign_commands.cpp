@@ -16,7 +16,7 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
       ->required();
   command.add_option("--format", options.format, "What wrote it")
       ->required()
-      ->check(CLI::IsMember(import_formats()));
+      ->check(one_of("a format", import_formats()));
   command
       .add_option("--series", options.series,
                   "QUANTITY=COLUMN, as in elevation@right=swlz; may be given again")

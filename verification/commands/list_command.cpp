@@ -172,7 +172,7 @@ void add_list_command(const CommandTree& tree) {
   CLI::Option* json = command.add_flag("--json", options->as_json, "As JSON");
   command.add_option("--names", options->names, "Bare names of one kind, one a line")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"campaigns", "cases", "runs", "problems", "tags"}))
+      ->check(one_of("a kind", {"campaigns", "cases", "runs", "problems", "tags"}))
       ->excludes(json);
 }
 

@@ -153,6 +153,15 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeInAProblem) {
                    "which is m/s");
   expect_complaint(head + eddy + with(error_row, "0.1", "0"),
                    "trial.toml:11: problem.gate.limit = 0: expected a number > 0");
+  expect_complaint(head + eddy + with(error_row, "limit = 0.1", "limit = 1e300"),
+                   "trial.toml:11: problem.gate.limit = 1e+300: expected a number > 0 and below "
+                   "1e+09, in m/s: a wider limit holds any error");
+  expect_complaint(head + eddy + with(within_row, "upper = -0.8", "upper = 1e300"),
+                   "trial.toml:12: problem.gate.upper = 1e+300: expected a number above lower "
+                   "(-1.2) and below 0.8: a wider range holds any order");
+  expect_complaint(head + eddy + order_row + with(order_row, "limit = 1.9", "limit = 0.1"),
+                   "trial.toml:14: problem.gate = a second bound on order_at_least of velocity: "
+                   "expected each metric of a measure once; the first is on line 7");
   expect_complaint(head + eddy + with(order_row, "limit = 1.9", "lower = 1.9"),
                    "trial.toml:7: problem.gate.limit is missing: expected limit alone");
   expect_complaint(head + eddy + with(within_row, "lower = -1.2", "limit = 1"),

@@ -118,6 +118,16 @@ TEST_F(Tool, TellsWhatANumberOnTheCommandLineMustBe) {
             "--timings: -1: expected an integer >= 0");
   EXPECT_EQ(first_line(tool({"run", "./small.toml", "particles", "--snapshots", "nan"})),
             "--snapshots: nan: expected a number > 0, in s");
+  EXPECT_EQ(first_line(tool({"campaign", "./surges.toml", "--inconclusive-exit", "300"})),
+            "--inconclusive-exit: 300: expected an integer from 0 to 125");
+}
+
+TEST_F(Tool, TellsWhatANameOnTheCommandLineMayBe) {
+  EXPECT_EQ(
+      tool({"list", "--names", "case"}).err.substr(0, 86),
+      "--names: case: expected a kind, one of campaigns, cases, runs, problems, tags; nearest");
+  EXPECT_TRUE(holds(tool({"campaign", "verification", "--launcher", "slrum"}).err,
+                    "--launcher: slrum: expected an engine, one of ninja, slurm; nearest: slurm"));
 }
 
 TEST_F(Tool, JudgesAgainWhereWhatItLeftOfItsVerdictIsNone) {
