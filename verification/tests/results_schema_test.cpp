@@ -56,12 +56,14 @@ json whole_document() {
   ProblemRun run{{RunState::finished, ""}, ProblemResult{}};
   run.result->outcome.measures = {{"gradient", {{0.1, 0.01}, {0.05, 0.0025}}}, {"none", {}}};
   run.result->provenance = {{"command", "./slosh problem"}};
-  const ProblemRun failed{{RunState::failed, "killed"}, {}};
+  const RunFailure failure{"killed", "out of memory", "step 7", "fine_mesh.log"};
+  const ProblemRun failed{{RunState::failed, "killed", failure}, {}};
+  CaseRuns diverged = surge_runs_without("fine_mesh", RunState::failed, "diverged");
+  diverged.status.at("fine_mesh").failure = failure;
   return json::parse(results_json(
       "surges", true,
       {assess(surge_case(), surge_runs()), assess(bounded, surge_runs()),
-       assess(surge_case(), surge_runs_with("particles", broken)),
-       assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "diverged")),
+       assess(surge_case(), surge_runs_with("particles", broken)), assess(surge_case(), diverged),
        assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "nowhere"))},
       {assess(ProblemDefinition{"manufactured_operators", {order}}, run),
        assess(ProblemDefinition{"taylor_green", {order}}, failed)}));
