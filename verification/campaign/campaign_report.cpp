@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "verification/campaign/case_coverage.hpp"
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
 #include "verification/campaign/case_text.hpp"
