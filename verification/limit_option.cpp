@@ -49,6 +49,11 @@ const MetricEntry& metric_of(const LimitText& limit) {
       one_of_text("a metric of two results", names), nearest_text(limit.metric, names)));
 }
 
+std::string where_modes_are_named(const MetricEntry& metric) {
+  if (metric.measured_on == MeasuredOn::any_mode) return "; --case or --frequency names the modes";
+  return metric.measured_on == MeasuredOn::natural_mode ? "; --case names the natural modes" : "";
+}
+
 // Without a mode the forced one, where the metric can be measured on that, or the whole window.
 std::string mode_of(const LimitText& limit, const MetricEntry& metric,
                     const Comparison& comparison) {
@@ -62,10 +67,9 @@ std::string mode_of(const LimitText& limit, const MetricEntry& metric,
   for (const char* usual : {"forced", "whole"})
     if (!limit.mode && is_known(usual)) return usual;
   const std::string expected = one_of_text(measured_on_text(metric), known);
-  const std::string how =
-      fitted.empty() && known.empty() ? "; --case or --frequency names the modes to fit" : "";
+  if (known.empty()) refuse(limit, "mode", limit.mode, expected + where_modes_are_named(metric));
   refuse(limit, "mode", limit.mode,
-         expected + (limit.mode ? nearest_text(*limit.mode, known) : "") + how);
+         expected + (limit.mode ? nearest_text(*limit.mode, known) : ""));
 }
 
 double value_of(const LimitText& limit, const Rule<double>& rule) {

@@ -179,6 +179,9 @@ TEST_F(ForeignResults, AForcedModeIsNotJudgedOnAFrequencyOrADecayThatItIsGiven) 
     }
     const Ended tone = compare({"--frequency", "0.8", "--limit", metric + std::string("=0.1")});
     EXPECT_EQ(tone.status, 2) << tone.out;
+    EXPECT_NE(tone.err.find("of which there is none; --case names the natural modes"),
+              std::string::npos)
+        << tone.err;
   }
 }
 
