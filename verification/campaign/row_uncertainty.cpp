@@ -83,6 +83,8 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
     return of_impacts(definition.impacts.value(), row, measure(row).value);
   if (row.reference.empty())
     return {0, "no reference: what is measured is zero where all is right"};
+  if (row.metric == Metric::decay_rate)
+    return {0, "the decay is the candidate's own: the reference only tells its frequency"};
   const auto& solver = run_named(definition, row.reference).solver;
   if (const auto* record = std::get_if<RecordRun>(&solver))
     return of_record(definition, runs, row, *record, comparison);

@@ -79,6 +79,13 @@ TEST(RowUncertainty, OfAMeshWithoutAnotherIsUnknownAndDoesNotPass) {
   }
 }
 
+TEST(RowUncertainty, OfTheCandidatesOwnDecayHasNothingOfTheReference) {
+  OfMeshes meshes(0.03, 0.01);
+  meshes.definition.gate = {surge_row("natural_1", Metric::decay_rate, "1/s", 0.05)};
+  meshes.definition.gate[0].reference = "coarse_mesh";
+  EXPECT_EQ(meshes.judged().judgement.value().contributions.reference.half_width.value(), 0);
+}
+
 TEST(RowUncertainty, MakesARowInconclusiveAgainstAMeshThatHasNotConverged) {
   const OfMeshes meshes(0.03, 0.01);
   EXPECT_EQ(meshes.judged().verdict, Verdict::inconclusive);
