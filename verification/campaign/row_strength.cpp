@@ -73,16 +73,15 @@ std::vector<GateStrength> strengths_of(const CaseAssessment& assessment, const R
     runs.results[run] = judged_part(result, quantity);
   const FittedComparisons known = without(candidate, assessment.fitted);
   const TimeSeries& own = assessment.runs.results.at(candidate).at(quantity);
-  const PassingRows passing = [&](const Mutation* mutation) {
+  const JudgeRows judge = [&](const Mutation* mutation) {
     series_of(runs.results.at(candidate), quantity) =
         mutation ? mutated(own, *mutation, group.frame) : own;
     CaseEvidence evidence(assessment.definition, runs, &known);
-    std::vector<bool> passes;
-    for (const TriedRow& one : rows)
-      passes.push_back(evidence.judge(one.row).verdict == Verdict::pass);
-    return passes;
+    std::vector<Verdict> verdicts;
+    for (const TriedRow& one : rows) verdicts.push_back(evidence.judge(one.row).verdict);
+    return verdicts;
   };
-  return gate_strengths(rows, own, group.frame, passing);
+  return gate_strengths(rows, own, group.frame, judge);
 }
 
 bool is_judged(const CaseAssessment& assessment, const GateOutcome& outcome) {
