@@ -81,16 +81,16 @@ std::vector<GateStrength> strengths_of(const CaseAssessment& assessment, const R
   const auto own = [&](const std::string& run) -> const TimeSeries& {
     return assessment.runs.results.at(run).at(quantity);
   };
-  const PassingRows passing = [&](const ChangeSeries& change) {
+  const JudgeRows judge = [&](const Mutation* mutation) {
     for (const std::string& run : members)
-      series_of(runs.results.at(run), quantity) = change(own(run));
+      series_of(runs.results.at(run), quantity) =
+          mutation ? mutated(own(run), *mutation, group.frame) : own(run);
     CaseEvidence evidence(assessment.definition, runs, &known);
-    std::vector<bool> passes;
-    for (const TriedRow& one : rows)
-      passes.push_back(evidence.judge(one.row).verdict == Verdict::pass);
-    return passes;
+    std::vector<Verdict> verdicts;
+    for (const TriedRow& one : rows) verdicts.push_back(evidence.judge(one.row).verdict);
+    return verdicts;
   };
-  return gate_strengths(rows, own(candidate), group.frame, passing);
+  return gate_strengths(rows, own(candidate), group.frame, judge);
 }
 
 bool is_judged(const CaseAssessment& assessment, const GateOutcome& outcome) {

@@ -30,6 +30,10 @@ bool moves_the_datum(MutationKind kind) {
   return kind == MutationKind::raised || kind == MutationKind::lowered;
 }
 
+bool is_of_a_bound(Verdict verdict) {
+  return verdict == Verdict::violated || verdict == Verdict::inconclusive;
+}
+
 }  // namespace
 
 std::vector<Mutation> mutations_tried(const MutationFrame& frame) {
@@ -47,22 +51,21 @@ std::vector<Mutation> mutations_tried(const MutationFrame& frame) {
 
 std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
                                          const TimeSeries& candidate, const MutationFrame& frame,
-                                         const PassingRows& passing_rows) {
+                                         const JudgeRows& judge_rows) {
   std::vector<GateStrength> strengths;
-  const ChangeSeries unchanged = [](const TimeSeries& series) { return series; };
-  for (const bool passes : passing_rows(unchanged)) strengths.push_back({passes, {}});
+  for (const Verdict verdict : judge_rows(nullptr))
+    strengths.push_back({verdict == Verdict::pass, {}});
   const auto any_passes = std::any_of(strengths.begin(), strengths.end(),
                                       [](const GateStrength& one) { return one.passes_as_it_is; });
   if (!any_passes) return strengths;
   for (const Mutation& mutation : mutations_tried(frame)) {
-    const std::vector<bool> passing =
-        passing_rows([&](const TimeSeries& series) { return mutated(series, mutation, frame); });
+    const std::vector<Verdict> verdicts = judge_rows(&mutation);
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (strengths[i].passes_as_it_is)
         strengths[i].outcomes.push_back(
             {mutation,
              claims_to_detect(rows[i].row, {rows[i].measured, candidate}, mutation, frame),
-             !passing[i]});
+             verdicts[i] != Verdict::pass, is_of_a_bound(verdicts[i])});
   }
   return strengths;
 }
@@ -89,8 +92,8 @@ std::optional<double> detected_from(const GateStrength& strength, MutationKind k
 
 std::vector<Mutation> broken_claims(const GateStrength& strength) {
   std::vector<Mutation> broken;
-  for (const auto& [mutation, claimed, detected] : strength.outcomes)
-    if (claimed && !detected) broken.push_back(mutation);
+  for (const MutationOutcome& one : strength.outcomes)
+    if (one.claimed && !one.detected) broken.push_back(one.mutation);
   return broken;
 }
 
@@ -98,7 +101,7 @@ bool detects_no_change(const GateStrength& strength) {
   return strength.passes_as_it_is &&
          std::none_of(strength.outcomes.begin(), strength.outcomes.end(),
                       [](const MutationOutcome& one) {
-                        return one.detected && changes_values(one.mutation.kind);
+                        return one.judged && changes_values(one.mutation.kind);
                       });
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "verification/gate/gate.hpp"
 #include "verification/gate/gate_claims.hpp"
 
 namespace slosh {
@@ -21,17 +22,15 @@ struct TriedRow {
   double measured;
 };
 
-// What makes a series wrong, or leaves it as it is.
-using ChangeSeries = std::function<TimeSeries(const TimeSeries& series)>;
-
-// Whether each of the tried rows passes with its candidate changed so, every member of an ensemble
-// alike; anything else than a pass (violated, not compared) is false.
-using PassingRows = std::function<std::vector<bool>(const ChangeSeries& change)>;
+// The verdict of each of the tried rows with its candidate as it is (null) or mutated, every member
+// of an ensemble alike.
+using JudgeRows = std::function<std::vector<Verdict>(const Mutation*)>;
 
 struct MutationOutcome {
   Mutation mutation;
-  bool claimed;   // the row must not pass
-  bool detected;  // the row does not pass
+  bool claimed;            // the row must not pass
+  bool detected;           // the row does not pass
+  bool judged = detected;  // by its own bound, not for want of something to compare
 };
 
 struct GateStrength {
@@ -48,10 +47,10 @@ struct GateStrength {
 std::vector<Mutation> mutations_tried(const MutationFrame& frame);
 
 // Of rows that judge one candidate in one frame, in their order: each mutant is judged by all of
-// them together. Throws as mutated() does of the candidate, and what passing_rows throws.
+// them together. Throws as mutated() does of the candidate, and what judge_rows throws.
 std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
                                          const TimeSeries& candidate, const MutationFrame& frame,
-                                         const PassingRows& passing_rows);
+                                         const JudgeRows& judge_rows);
 
 // Whether the row does not pass with exactly this mutation; false where it was not tried.
 bool detects(const GateStrength& strength, const Mutation& mutation);
@@ -62,8 +61,8 @@ std::optional<double> detected_from(const GateStrength& strength, MutationKind k
 // Claimed, but not detected.
 std::vector<Mutation> broken_claims(const GateStrength& strength);
 
-// Whether the row passes as it is and with every change of its candidate's values that was tried:
-// it judges nothing, whatever its limit says.
+// Whether the row passes as it is and its bound is kept by every change of its candidate's values
+// that was tried: it judges nothing, whatever its limit says.
 bool detects_no_change(const GateStrength& strength);
 
 }  // namespace slosh

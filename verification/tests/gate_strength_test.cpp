@@ -58,11 +58,11 @@ TimeSeries candidate_with(const Mutation* mutation, const MutationFrame& frame) 
 }
 
 GateStrength strength_of(const GateRow& row) {
-  return gate_strengths(
-             {{row, judge(row, candidate).value.value}}, candidate, frame_of(row),
-             [&](const ChangeSeries& change) {
-               return std::vector<bool>{judge(row, change(candidate)).verdict == Verdict::pass};
-             })
+  return gate_strengths({{row, judge(row, candidate).value.value}}, candidate, frame_of(row),
+                        [&](const Mutation* mutation) {
+                          const TimeSeries series = candidate_with(mutation, frame_of(row));
+                          return std::vector<Verdict>{judge(row, series).verdict};
+                        })
       .at(0);
 }
 
@@ -139,7 +139,7 @@ TEST(GateStrength, ShowsTheWeaknessOfAWideLimit) {
 TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
   const GateStrength strength =
       gate_strengths({{amplitude, 0.01}}, candidate, frame_of(amplitude), [](const auto&) {
-        return std::vector<bool>{true};
+        return std::vector<Verdict>{Verdict::pass};
       }).at(0);
   EXPECT_TRUE(detects_no_change(strength));
   for (const MutationOutcome& outcome : strength.outcomes) EXPECT_FALSE(outcome.detected);
@@ -151,11 +151,11 @@ TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
 }
 
 TEST(GateStrength, FindsOutAJudgeThatIgnoresNaN) {
-  const auto careless = [](const ChangeSeries& change) {
-    TimeSeries cleaned = change(candidate);
+  const auto careless = [](const Mutation* mutation) {
+    TimeSeries cleaned = candidate_with(mutation, frame_of(amplitude));
     for (double& value : cleaned.value)
       if (std::isnan(value)) value = 0;
-    return std::vector<bool>{judge(amplitude, cleaned).verdict == Verdict::pass};
+    return std::vector<Verdict>{judge(amplitude, cleaned).verdict};
   };
   const auto broken = broken_claims(
       gate_strengths({{amplitude, 0.01}}, candidate, frame_of(amplitude), careless).at(0));
@@ -204,14 +204,13 @@ TEST(GateStrength, TellsTheGainOfANaturalModeFromThatOfTheForcedOne) {
 }
 
 TEST(GateStrength, JudgesRowsTogetherAsEachAlone) {
-  const auto together =
-      gate_strengths({{amplitude, judge(amplitude, candidate).value.value},
-                      {rms, judge(rms, candidate).value.value}},
-                     candidate, frame_of(amplitude), [&](const ChangeSeries& change) {
-                       const TimeSeries series = change(candidate);
-                       return std::vector<bool>{judge(amplitude, series).verdict == Verdict::pass,
-                                                judge(rms, series).verdict == Verdict::pass};
-                     });
+  const auto together = gate_strengths(
+      {{amplitude, judge(amplitude, candidate).value.value},
+       {rms, judge(rms, candidate).value.value}},
+      candidate, frame_of(amplitude), [&](const Mutation* mutation) {
+        const TimeSeries series = candidate_with(mutation, frame_of(amplitude));
+        return std::vector<Verdict>{judge(amplitude, series).verdict, judge(rms, series).verdict};
+      });
   for (const auto& [one, alone] :
        {std::pair{together[0], strength_of(amplitude)}, std::pair{together[1], strength_of(rms)}}) {
     ASSERT_EQ(one.outcomes.size(), alone.outcomes.size());

@@ -62,8 +62,10 @@ TEST(RowStrength, MeasuresTheDatumByTheFillDepthAndItsPressure) {
 }
 
 TEST(RowStrength, FindsOutARowThatLetsPassWhatItMustDetect) {
-  RowStrength blind{surge_row("forced", Metric::amplitude_error, "1", 0.05),
-                    {true, {{{MutationKind::louder, 0.2}, true, false}}}};
+  RowStrength blind{
+      surge_row("forced", Metric::amplitude_error, "1", 0.05),
+      {true,
+       {{{MutationKind::louder, 0.2}, true, false}, {{MutationKind::quieter, 0.2}, true, true}}}};
   ASSERT_EQ(broken_claims({blind}).size(), 1U);
   EXPECT_EQ(broken_claims({blind})[0],
             "particles, forced amplitude_error of elevation@right: louder 0.2 should be detected "
