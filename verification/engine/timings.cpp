@@ -39,8 +39,8 @@ Timing timing_of(const json& entry) {
 std::vector<Timing> read_timings(const std::filesystem::path& file) {
   std::vector<Timing> timings;
   try {
-    for (const json& entry : read_sealed_json(format, file).at("timings"))
-      timings.push_back(timing_of(entry));
+    const json body = read_sealed_json(format, file);
+    for (const json& entry : body.at("timings")) timings.push_back(timing_of(entry));
   } catch (const ResultError&) {
     timings.clear();
   } catch (const json::exception&) {

@@ -410,7 +410,7 @@ TEST_F(Tool, EndsWithFourWherePotentialFlowLeavesItsRange) {
   const std::string violent = with(small_case, "amplitude_m = 0.02", "amplitude_m = 0.5");
   write("small.toml", violent +
                           "[[run]]\nname = \"waves\"\nsolver = \"potential\"\n"
-                          "nodes_x = 24\nnodes_z = 8\nquick = true\n");
+                          "nodes_x = 32\nnodes_z = 16\nquick = true\n");
   const Ended ended = tool({"run", "./small.toml", "waves"});
   EXPECT_EQ(ended.status, 4) << ended.err;
   EXPECT_TRUE(holds(ended.err, "the run waves leaves its range at "));
