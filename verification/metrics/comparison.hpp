@@ -25,7 +25,7 @@ struct ModeComparison {
   std::string mode;  // "forced", "natural_1", ...
   Tone candidate, reference;
   // [rad/s], of what the window cannot tell from the difference of the two.
-  std::optional<double> beside;
+  std::optional<double> beside = {};
   bool resolved() const { return candidate.resolved && reference.resolved && !beside; }
   Estimate amplitude_error;  // A_c / A_r - 1
   Estimate phase_lag;        // [s], positive when the candidate is late; wrapped to half a period

@@ -48,7 +48,7 @@ struct Tone {
   Estimate phase_at_middle;
   // [rad/s], of something that the window cannot tell from the tone, which no request names: the
   // half widths are then those of a tone that is not resolved.
-  std::optional<double> beside;
+  std::optional<double> beside = {};
 };
 
 struct HarmonicFit {
@@ -76,7 +76,7 @@ struct PairedDifference {
   Estimate decay_rate;         // [1/s]
   // [rad/s], of something in the difference alone that the window cannot tell from the tone: the
   // intervals are then of no meaning.
-  std::optional<double> beside;
+  std::optional<double> beside = {};
 };
 
 struct PairedFit {

@@ -195,15 +195,14 @@ std::vector<ToneShape> refine_tones(const VectorXd& elapsed, const VectorXd& val
         1e-12 * normal.matrix.diagonal().maxCoeff() + std::numeric_limits<double>::min());
     normal.matrix.diagonal() += damping * scale;
     const VectorXd change = normal.matrix.ldlt().solve(normal.gradient);
-    if (!(change.norm() > 1e-10 * (1 + angles.norm()))) break;
+    // Below round-off of the sum of squares nothing is to be gained.
+    if (!(change.dot(normal.gradient) > 1e-14 * fit.residual.squaredNorm())) break;
     ToneFit next = fit_tones(elapsed, value, fixed, shapes_of(ranges, angles + change));
     const double gain = fit.residual.squaredNorm() - next.residual.squaredNorm();
     if (gain > 0) {
-      const bool done = gain < 1e-10 * fit.residual.squaredNorm() && damping <= 1e-3;
       angles += change;
       fit = std::move(next);
       damping *= 0.1;
-      if (done) break;
     } else {
       damping *= 10;
     }

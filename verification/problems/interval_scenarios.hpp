@@ -27,16 +27,18 @@ struct Modulation {
 
 struct IntervalScenario {
   std::string name, meaning;
-  double forcing;         // w [rad/s]
-  double natural;         // n [rad/s]; 0: no natural mode
-  double natural_height;  // B / A
-  TimeWindow window;
-  bool natural_requested;
-  Noise candidate_noise, reference_noise = {};
+  double forcing = 0;         // w [rad/s]
+  double natural = 0;         // n [rad/s]
+  double natural_height = 0;  // B / A
+  TimeWindow window = {0, 0};
+  bool natural_requested = false;
+  Noise candidate_noise = {}, reference_noise = {};
   Modulation of_forced = {}, of_natural = {};
   double beat_height = 0;       // of the further tone, as a share of A
   double beats_per_window = 0;  // (its frequency - that of the forcing) times the window's length
-  bool quick = false;
+  bool deterministic_leftovers = false;
+  bool to_be_refused = false;  // no window of this length tells the tones apart
+  bool quick = false;          // drawn in the quick form too
 };
 
 const std::vector<IntervalScenario>& interval_scenarios();
@@ -50,7 +52,8 @@ SyntheticPair draw_pair(const IntervalScenario& scenario, std::uint64_t seed);
 
 std::vector<ToneRequest> requests_of(const IntervalScenario& scenario);
 
-// How often each interval held the truth.
+// How often each interval held the truth, of the draws that were not refused: those where
+// compare_modes() neither threw nor left a mode unresolved.
 struct IntervalCoverage {
   struct Quantity {
     std::string name;  // "forced amplitude", ...
@@ -58,7 +61,7 @@ struct IntervalCoverage {
     double mean_half_width = 0, rms_error = 0;
   };
   std::vector<Quantity> quantities;
-  int drawn = 0, refused = 0;  // those where compare_modes() threw, or resolved no tone
+  int judged = 0, refused = 0;
 };
 
 IntervalCoverage interval_coverage(const IntervalScenario& scenario, int draws);
