@@ -29,10 +29,10 @@ bool detected(const Estimate& amplitude) {
   return amplitude.value > detection_level / normal_quantile * amplitude.half_width;
 }
 
-bool at_edge(const Tone& tone, const ToneRange& range) {
+bool at_edge(const ToneShape& shape, const ToneRange& range) {
   const auto& [low, high] = range;
-  return at_edge(tone.decay_rate.value, low.decay_rate, high.decay_rate) ||
-         at_edge(tone.angular_frequency.value, low.angular_frequency, high.angular_frequency);
+  return at_edge(shape.decay_rate, low.decay_rate, high.decay_rate) ||
+         at_edge(shape.angular_frequency, low.angular_frequency, high.angular_frequency);
 }
 
 void widen(Tone& tone, const ToneRange& range) {
@@ -53,7 +53,7 @@ Tone tone_of(const WindowFit& fit, std::size_t k, const LeftoverModel& leftovers
             .phase = found.phase,
             .phase_at_middle = found.phase_at_middle,
             .beside = fit.beside(k, leftovers)};
-  if (fit.requests[k].refine && at_edge(tone, fit.ranges[k])) tone.resolved = false;
+  if (fit.requests[k].refine && at_edge(fit.shapes[k], fit.ranges[k])) tone.resolved = false;
   if (tone.beside || (fit.requests[k].refine && !tone.resolved)) widen(tone, fit.ranges[k]);
   return tone;
 }

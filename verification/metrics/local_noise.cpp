@@ -87,6 +87,7 @@ MatrixXd band_about(const VectorXd& elapsed, double angular_frequency, double sp
 }
 
 std::vector<LikelyNoise> likely_noises(const FittedSamples& fit) {
+  if (fit.residual.squaredNorm() == 0) return {{0, 1}};
   // Correlation times of 0, then doubling from half a sample to twice the window.
   std::vector<LikelyNoise> noises{{0, restricted_log_likelihood(fit, 0)}};
   for (double samples = 0.5; samples < 2.0 * static_cast<double>(fit.elapsed.size()); samples *= 2)
