@@ -2,12 +2,12 @@
 // (a beat, the sidebands of a modulation, a higher mode, a harmonic) are neither noise, which would
 // widen every interval, nor nothing, which would bias the fitted tones. To the first order in the
 // parameters' changes, the residual is fitted by the Jacobian's columns and up to three further
-// tones, one after the other, all refined together. A further tone, or two of them, is taken where
-// the energy in seven spectral bins about a requested tone falls by more than chance has it in 1 of
-// 100000 cases (F test: of noise alone the search takes the best of some 100 places). Its
-// parameters' uncertainty is in the intervals. One too near to tell from a requested tone (nearer
-// than a spectral bin and its own line's width g / pi) may be part of that: its correction is added
-// to the half widths, and above largest_shift the requested tone is unknown.
+// tones, one after the other, all refined together. One or more of them are taken where the energy
+// in fourteen spectral bins about a requested tone, the noise made white, falls by more than chance
+// has it in 1 of 100000 cases (F test: of noise alone the search takes the best of some 100
+// places). Their parameters' uncertainty is in the intervals. One too near to tell from a requested
+// tone (nearer than a spectral bin and its own line's width g / pi) may be part of that: its
+// correction is added to the half widths, and above largest_shift the requested tone is unknown.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,15 +2,15 @@
 // with e the noise and c a weight that is as narrow in frequency as the window allows: the noise's
 // level about the tone's frequency counts, and neither the level elsewhere nor an autocovariance,
 // of which a window of two periods tells nothing. The level is the mean square of the residual's
-// projections on K directions, the tone times cos(j pi s / span), j up to half_band, less what the
-// fit takes of them; the interval has Student's quantile of K degrees of freedom (Mueller 2007, J.
-// Econometrics 141:1331; Sun 2013, Econometrics J. 16:1; five bins wide as Lazarus, Lewis, Stock &
-// Watson 2018, J. Bus. Econ. Stat. 36:541 advise a few directions over many). A spectrum that
-// slopes within the band gives the weight another level than the directions, and the directions
-// different ones. First-order autoregressive noises stand for it: for each one that the residual's
-// restricted likelihood (Patterson & Thompson 1971, Biometrika 58:545) does not reject at 95 %,
-// variances are scaled by c^T R c over the directions' mean, with Satterthwaite's degrees of
-// freedom (1946, Biometrics Bull. 2:110), and the widest interval stands.
+// projections on K directions: the tone times cos(j pi s / span), j = 0 to 5, less what the fit
+// takes of them. The interval has Student's quantile of K degrees of freedom (Mueller 2007, J.
+// Econometrics 141:1331; Sun 2013, Econometrics J. 16:1; few directions rather than many: Lazarus,
+// Lewis, Stock & Watson 2018, J. Bus. Econ. Stat. 36:541). A spectrum that slopes within the band
+// gives the weight another level than the directions, and the directions different ones.
+// First-order autoregressive noises stand for it: for each of them the variance is scaled by c^T R
+// c over the directions' mean, with Satterthwaite's degrees of freedom (1946, Biometrics Bull.
+// 2:110); the half widths are averaged with the weights of the noises' restricted likelihoods
+// (Patterson & Thompson 1971, Biometrika 58:545).
 #pragma once
 
 #include <Eigen/Core>
