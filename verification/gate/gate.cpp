@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -35,6 +36,11 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
       throw ComparisonError(fmt::format("the {}'s mode {} cannot be told from the rest",
                                         tone == &found->candidate ? "candidate" : "reference",
                                         mode));
+  if (found->beside)
+    throw ComparisonError(fmt::format(
+        "the window of {:.4g} s cannot tell the mode {} from what the difference has at {:.4g} Hz",
+        comparison.window.end - comparison.window.begin, mode,
+        *found->beside / (2 * std::numbers::pi)));
   return *found;
 }
 

@@ -27,11 +27,12 @@ Estimate scaled(const Estimate& estimate, double factor) {
   return {.value = estimate.value * factor, .half_width = estimate.half_width * factor};
 }
 
-// A mode that one of the two does not resolve has no difference: the intervals are then those of
-// two things that know nothing of one another.
-double either(const ModeComparison& mode, double of_difference, const Estimate& candidate,
+// A mode that one of the two does not resolve, or their difference, has no difference: the
+// intervals are then those of two things that know nothing of one another.
+double either(const ModeComparison& mode, const Estimate& difference, const Estimate& candidate,
               const Estimate& reference) {
-  return mode.resolved() ? of_difference : std::hypot(candidate.half_width, reference.half_width);
+  return mode.resolved() ? difference.half_width
+                         : std::hypot(candidate.half_width, reference.half_width);
 }
 
 ModeComparison compare_tones(const Tone& candidate, const Tone& reference,
@@ -40,26 +41,26 @@ ModeComparison compare_tones(const Tone& candidate, const Tone& reference,
   mode.mode = reference.name;
   mode.candidate = candidate;
   mode.reference = reference;
+  mode.beside = difference.beside;
   const double ratio = candidate.amplitude.value / reference.amplitude.value;
   const Estimate lag_angle{
-      .value = wrap_angle(reference.phase_at_middle.value - candidate.phase_at_middle.value),
+      .value = -difference.phase_at_middle.value,
       .half_width = std::min(pi, either(mode, difference.phase_at_middle, candidate.phase_at_middle,
                                         reference.phase_at_middle))};
-  mode.amplitude_error = {ratio - 1,
-                          either(mode, difference.amplitude_ratio.half_width,
+  mode.amplitude_error = {difference.amplitude_ratio.value - 1,
+                          either(mode, difference.amplitude_ratio,
                                  scaled(candidate.amplitude, 1 / reference.amplitude.value),
                                  scaled(reference.amplitude, ratio / reference.amplitude.value))};
   mode.phase_lag = scaled(lag_angle, 1 / reference.angular_frequency.value);
   mode.phase_lag_degrees = scaled(lag_angle, 180 / pi);
   mode.phase_lag_periods = scaled(lag_angle, 1 / (2 * pi));
-  mode.frequency_error =
-      scaled({candidate.angular_frequency.value - reference.angular_frequency.value,
-              either(mode, difference.angular_frequency, candidate.angular_frequency,
-                     reference.angular_frequency)},
-             1 / reference.angular_frequency.value);
+  mode.frequency_error = scaled({difference.angular_frequency.value,
+                                 either(mode, difference.angular_frequency,
+                                        candidate.angular_frequency, reference.angular_frequency)},
+                                1 / reference.angular_frequency.value);
   mode.decay_rate = candidate.decay_rate;
   mode.decay_error =
-      scaled({candidate.decay_rate.value - reference.decay_rate.value,
+      scaled({difference.decay_rate.value,
               either(mode, difference.decay_rate, candidate.decay_rate, reference.decay_rate)},
              1 / reference.decay_rate.value);
   return mode;

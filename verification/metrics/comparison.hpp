@@ -5,11 +5,13 @@
 // candidate, r the reference:
 //   amplitude error = A_c / A_r - 1,   lag = wrap(phi_r - phi_c) / w, phases at the window's middle
 //   M = sqrt(I_cc / I_rr) - 1,   P = acos(I_rc / sqrt(I_rr I_cc)) / pi
-// (Sprague & Geers 2004 after Schwer 2007; P has no sign). Intervals of modes are of the difference
-// of the two: fit_pair() of harmonic_fit.hpp.
+// (Sprague & Geers 2004 after Schwer 2007; P has no sign). Errors and
+// lags of modes, and their intervals, are of the difference of the two: fit_pair() of
+// harmonic_fit.hpp.
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,9 @@ namespace slosh {
 struct ModeComparison {
   std::string mode;  // "forced", "natural_1", ...
   Tone candidate, reference;
-  bool resolved() const { return candidate.resolved && reference.resolved; }
+  // [rad/s], of what the window cannot tell from the difference of the two.
+  std::optional<double> beside = {};
+  bool resolved() const { return candidate.resolved && reference.resolved && !beside; }
   Estimate amplitude_error;  // A_c / A_r - 1
   Estimate phase_lag;        // [s], positive when the candidate is late; wrapped to half a period
   Estimate phase_lag_degrees;

@@ -16,7 +16,8 @@ using std::numbers::pi;
 
 // sqrt(13.28), the 99 % point of chi-square with the four parameters of a refined tone: what the
 // search finds in noise alone stays below this many standard errors.
-constexpr double detection_level = 3.644;
+constexpr double detection_level = 3.644, normal_quantile = 1.959964;
+
 // Whether the search ended at an end of its range, so that the data would have it outside.
 bool at_edge(double value, double low, double high) {
   const double edge =
@@ -25,62 +26,55 @@ bool at_edge(double value, double low, double high) {
 }
 
 bool detected(const Estimate& amplitude) {
-  return amplitude.value * normal_quantile > detection_level * amplitude.half_width;
+  return amplitude.value > detection_level / normal_quantile * amplitude.half_width;
 }
 
-void widen_if_unresolved(Tone& tone, const ToneRange& range) {
+bool at_edge(const ToneShape& shape, const ToneRange& range) {
   const auto& [low, high] = range;
-  tone.resolved =
-      tone.resolved && !at_edge(tone.decay_rate.value, low.decay_rate, high.decay_rate) &&
-      !at_edge(tone.angular_frequency.value, low.angular_frequency, high.angular_frequency);
-  if (tone.resolved) return;
+  return at_edge(shape.decay_rate, low.decay_rate, high.decay_rate) ||
+         at_edge(shape.angular_frequency, low.angular_frequency, high.angular_frequency);
+}
+
+void widen(Tone& tone, const ToneRange& range) {
+  const auto& [low, high] = range;
   tone.amplitude.half_width = std::max(tone.amplitude.half_width, tone.amplitude.value);
   tone.angular_frequency.half_width = high.angular_frequency - low.angular_frequency;
   tone.decay_rate.half_width = high.decay_rate - low.decay_rate;
   tone.phase.half_width = tone.phase_at_middle.half_width = pi;
 }
 
-Tone tone_of(const WindowFit& fit, std::size_t k, const FitCovariance& spread) {
-  const ToneRequest& request = fit.requests[k];
-  const ToneShape& shape = fit.shapes[k];
-  const auto column = static_cast<Eigen::Index>(2 + 2 * k);
-  const double a = fit.coefficients[column], b = fit.coefficients[column + 1];
-  const WindowFit::HalfWidths widths = fit.half_widths(k, spread);
-  const auto phase_after = [&](double time) {
-    return wrap_angle(std::atan2(-b, a) + shape.angular_frequency * time);
-  };
-  const TimeWindow& window = fit.window;
-  Tone tone{
-      .name = request.name,
-      .resolved = false,
-      .angular_frequency = {shape.angular_frequency, widths.angular_frequency},
-      .decay_rate = {shape.decay_rate, widths.decay_rate},
-      .amplitude = {std::hypot(a, b), widths.amplitude},
-      .phase = {phase_after(-window.begin), widths.phase},
-      .phase_at_middle = {phase_after(0.5 * (window.end - window.begin)), widths.phase_at_middle}};
-  tone.resolved = detected(tone.amplitude);
-  if (request.refine) widen_if_unresolved(tone, fit.ranges[k]);
+Tone tone_of(const WindowFit& fit, std::size_t k, const LeftoverModel& leftovers) {
+  const WindowFit::ToneEstimates found = fit.estimates(k, leftovers);
+  Tone tone{.name = fit.requests[k].name,
+            .resolved = detected(found.amplitude),
+            .angular_frequency = found.angular_frequency,
+            .decay_rate = found.decay_rate,
+            .amplitude = found.amplitude,
+            .phase = found.phase,
+            .phase_at_middle = found.phase_at_middle,
+            .beside = fit.beside(k, leftovers)};
+  if (fit.requests[k].refine && at_edge(fit.shapes[k], fit.ranges[k])) tone.resolved = false;
+  if (tone.beside || (fit.requests[k].refine && !tone.resolved)) widen(tone, fit.ranges[k]);
   return tone;
 }
 
 // c0 and c1 are those of 1 and 2 s / span - 1.
 HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
   const Eigen::VectorXd residual = fit.residual(cut.time, cut.value);
-  const FitCovariance spread = fit_covariance(fit.jacobian(cut.time), residual);
+  const LeftoverModel leftovers = fit.leftovers(cut.time, residual);
   HarmonicFit found{
       .mean = fit.coefficients[0],
       .trend = 2 * fit.coefficients[1] / (fit.window.end - fit.window.begin),
       .tones = {},
       .residual_rms = std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size()))};
   for (std::size_t k = 0; k < fit.requests.size(); ++k)
-    found.tones.push_back(tone_of(fit, k, spread));
+    found.tones.push_back(tone_of(fit, k, leftovers));
   return found;
 }
 
 // Tone by tone.
 std::vector<PairedDifference> differences(const WindowFit& candidate, const WindowFit& reference,
                                           const CommonSamples& common) {
-  const Eigen::MatrixXd jacobian = candidate.jacobian(common.time);
   const Eigen::VectorXd of_candidate = candidate.residual(common.time, common.candidate),
                         of_reference = reference.residual(common.time, common.reference);
   std::vector<PairedDifference> found;
@@ -89,12 +83,22 @@ std::vector<PairedDifference> differences(const WindowFit& candidate, const Wind
       return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
     };
     const double ratio = amplitude(candidate) / amplitude(reference);
-    const WindowFit::HalfWidths widths =
-        candidate.half_widths(k, fit_covariance(jacobian, of_candidate - ratio * of_reference));
-    found.push_back({.amplitude_ratio = {ratio, widths.amplitude / amplitude(reference)},
-                     .phase_at_middle = widths.phase_at_middle,
-                     .angular_frequency = widths.angular_frequency,
-                     .decay_rate = widths.decay_rate});
+    const LeftoverModel leftovers =
+        candidate.leftovers(common.time, of_candidate - ratio * of_reference);
+    const auto of_c = candidate.estimates(k, leftovers);
+    const auto of_r = reference.estimates(k, leftovers.without_corrections());
+    const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
+      return {c.value - r.value, c.half_width};
+    };
+    Estimate phase = difference(of_c.phase_at_middle, of_r.phase_at_middle);
+    phase.value = wrap_angle(phase.value);
+    found.push_back(
+        {.amplitude_ratio = {of_c.amplitude.value / of_r.amplitude.value,
+                             of_c.amplitude.half_width / of_r.amplitude.value},
+         .phase_at_middle = phase,
+         .angular_frequency = difference(of_c.angular_frequency, of_r.angular_frequency),
+         .decay_rate = difference(of_c.decay_rate, of_r.decay_rate),
+         .beside = candidate.beside(k, leftovers)});
   }
   return found;
 }

@@ -2,12 +2,13 @@
 //   y = c0 + c1 t + sum_k exp(-g_k (t - t0)) (a_k cos w_k t + b_k sin w_k t),
 // t0 the window's begin. The primary metric of the harness: fit the forcing and the natural modes
 // together, because one tone fitted to a beating signal mis-states both amplitude and lag (a lag of
-// 0.100 T comes out as 0.063 T). Intervals: covariance s^2 (J^T J)^-1 of the full nonlinear model,
-// inflated for correlated residuals by (J^T J)^-1 J^T R J (J^T J)^-1, R the residuals'
-// autocovariance tapered by Parzen's window (Priestley 1981; Newey & West 1987). Valid where the
+// 0.100 T comes out as 0.063 T). What the requested tones leave is modelled as far as it is
+// deterministic and its noise is measured about each tone: leftover_model.hpp and local_noise.hpp,
+// whose first-order corrections the estimates hold and whose intervals they have. Valid where the
 // window resolves the tones from one another and from its mean: length > 1 / |f1 - f2| and > 1 / f.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ struct ToneRequest {
   bool refine;
 };
 
-// A tone that cannot be told from noise (amplitude below 3.64 of its standard errors), or a refined
-// one whose search ended at an end of its range, is no error but not resolved. A refined one's
+// A tone that cannot be told from noise (the interval of its amplitude, at 3.64 in place of 1.96
+// standard errors, reaches zero), or a refined one whose search ended at an end of its range, is no
+// error but not resolved. A refined one's
 // amplitude has an interval that then reaches down to zero, and its frequency, decay rate and phase
 // have the whole range that was searched (phase: pi) as half width.
 struct Tone {
@@ -44,6 +46,9 @@ struct Tone {
   // [rad], w t + phase at the window's middle, wrapped to [-pi, pi]: free of the uncertainty that a
   // refined w carries to a phase at a far t = 0.
   Estimate phase_at_middle;
+  // [rad/s], of something that the window cannot tell from the tone, which no request names: the
+  // half widths are then those of a tone that is not resolved.
+  std::optional<double> beside = {};
 };
 
 struct HarmonicFit {
@@ -65,13 +70,16 @@ void require_sampled(const TimeSeries& cut, const std::vector<ToneRequest>& requ
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests);
 
-// What sets the candidate's tone apart from the reference's: half widths of 95 % intervals of the
-// candidate's less the reference's, and the ratio of the amplitudes.
+// What sets the candidate's tone apart from the reference's: 95 % intervals of the candidate's less
+// the reference's, and the ratio of the amplitudes.
 struct PairedDifference {
   Estimate amplitude_ratio;
-  double phase_at_middle;    // [rad]
-  double angular_frequency;  // [rad/s]
-  double decay_rate;         // [1/s]
+  Estimate phase_at_middle;    // [rad], wrapped to [-pi, pi]
+  Estimate angular_frequency;  // [rad/s]
+  Estimate decay_rate;         // [1/s]
+  // [rad/s], of something in the difference alone that the window cannot tell from the tone: the
+  // intervals are then of no meaning.
+  std::optional<double> beside = {};
 };
 
 struct PairedFit {
@@ -79,10 +87,11 @@ struct PairedFit {
   std::vector<PairedDifference> differences;  // in the order of the requests
 };
 
-// Both series fitted, and their differences' intervals from what the fits leave of the one less
+// Both series fitted, and their differences with intervals from what the fits leave of the one less
 // what they leave of the other, scaled by the ratio of the tone's amplitudes: what both show alike
-// and neither fit takes (higher modes, harmonics, beats) makes neither difference uncertain. To the
-// first order, for tones that are near one another. Throws as fit_harmonics() does.
+// and neither fit takes (higher modes, harmonics, beats) makes neither difference uncertain, nor
+// corrects it, as it may correct the tones themselves. To the first order, for tones that are near
+// one another. Throws as fit_harmonics() does.
 PairedFit fit_pair(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
                    const std::vector<ToneRequest>& requests);
 

@@ -3,16 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
-#include <unsupported/Eigen/LevenbergMarquardt>
 
 namespace slosh {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
-
-bool refined(const ToneRange& range) { return range.high.decay_rate > range.low.decay_rate; }
 
 // low at u = -pi/2, high at pi/2.
 double inside(double low, double high, double u) {
@@ -23,107 +21,67 @@ double angle_of(double low, double high, double value) {
   return std::asin(std::clamp((2 * value - low - high) / (high - low), -1.0, 1.0));
 }
 
-struct Projection {
-  MatrixXd basis;
-  Eigen::HouseholderQR<MatrixXd> factors;
-  VectorXd coefficients, residual;
-};
-
-Projection project(const WindowSamples& samples, const std::vector<ToneShape>& shapes) {
-  const auto columns = harmonic_basis(samples, shapes);
-  const auto rows = static_cast<Index>(samples.value.size());
-  const Eigen::Map<const VectorXd> values(samples.value.data(), rows);
-  Projection p;
-  p.basis =
-      Eigen::Map<const MatrixXd>(columns.data(), rows, static_cast<Index>(columns.size()) / rows);
-  p.factors.compute(p.basis);
-  p.coefficients = p.factors.solve(values);
-  p.residual = values - p.basis * p.coefficients;
-  return p;
+// The refined tones' shapes as two angles each.
+std::vector<ToneShape> shapes_of(const std::vector<ToneRange>& ranges, const VectorXd& angles) {
+  std::vector<ToneShape> shapes;
+  Index next = 0;
+  for (const ToneRange& range : ranges) {
+    const auto& [low, high] = range;
+    if (!range.refined()) {
+      shapes.push_back(low);
+      continue;
+    }
+    shapes.push_back({inside(low.angular_frequency, high.angular_frequency, angles[next]),
+                      inside(low.decay_rate, high.decay_rate, angles[next + 1])});
+    next += 2;
+  }
+  return shapes;
 }
 
-// Residuals of the projected problem over two angles per refined tone.
-class ProjectedResiduals : public Eigen::DenseFunctor<double> {
- public:
-  ProjectedResiduals(const WindowSamples& samples, const std::vector<ToneRange>& ranges)
-      : DenseFunctor(2 * static_cast<int>(std::count_if(ranges.begin(), ranges.end(), refined)),
-                     static_cast<int>(samples.value.size())),
-        samples_(samples),
-        ranges_(ranges) {}
-
-  std::vector<ToneShape> shapes(const VectorXd& angles) const {
-    std::vector<ToneShape> result;
-    Index next = 0;
-    for (const auto& [low, high] : ranges_) {
-      if (!refined({low, high})) {
-        result.push_back(low);
-        continue;
-      }
-      result.push_back({inside(low.angular_frequency, high.angular_frequency, angles[next]),
-                        inside(low.decay_rate, high.decay_rate, angles[next + 1])});
-      next += 2;
-    }
-    return result;
+VectorXd angles_of(const std::vector<ToneRange>& ranges, const std::vector<ToneShape>& shapes) {
+  std::vector<double> angles;
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    const auto& [low, high] = ranges[k];
+    if (!ranges[k].refined()) continue;
+    angles.push_back(
+        angle_of(low.angular_frequency, high.angular_frequency, shapes[k].angular_frequency));
+    angles.push_back(angle_of(low.decay_rate, high.decay_rate, shapes[k].decay_rate));
   }
+  return Eigen::Map<const VectorXd>(angles.data(), static_cast<Index>(angles.size()));
+}
 
-  VectorXd angles(const std::vector<ToneShape>& shapes) const {
-    VectorXd result(inputs());
-    Index next = 0;
-    for (std::size_t k = 0; k < ranges_.size(); ++k) {
-      const auto& [low, high] = ranges_[k];
-      if (!refined(ranges_[k])) continue;
-      result[next++] =
-          angle_of(low.angular_frequency, high.angular_frequency, shapes[k].angular_frequency);
-      result[next++] = angle_of(low.decay_rate, high.decay_rate, shapes[k].decay_rate);
-    }
-    return result;
+// d model / d angles, one column each.
+MatrixXd slopes(const VectorXd& elapsed, const ToneFit& fit, const std::vector<ToneRange>& ranges,
+                const VectorXd& angles) {
+  MatrixXd columns(elapsed.size(), angles.size());
+  const Index first = fit.basis.cols() - 2 * static_cast<Index>(ranges.size());
+  Index next = 0;
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    const auto& [low, high] = ranges[k];
+    if (!ranges[k].refined()) continue;
+    const Index column = first + 2 * static_cast<Index>(k);
+    const auto cosine = fit.basis.col(column), sine = fit.basis.col(column + 1);
+    const double a = fit.coefficients[column], b = fit.coefficients[column + 1];
+    const double by_frequency =
+        0.5 * (high.angular_frequency - low.angular_frequency) * std::cos(angles[next]);
+    const double by_decay = 0.5 * (high.decay_rate - low.decay_rate) * std::cos(angles[next + 1]);
+    columns.col(next++) = by_frequency * elapsed.cwiseProduct(b * cosine - a * sine);
+    columns.col(next++) = -by_decay * elapsed.cwiseProduct(a * cosine + b * sine);
   }
+  return columns;
+}
 
-  int operator()(const VectorXd& angles, VectorXd& residual) const {
-    residual = project(samples_, shapes(angles)).residual;
-    return 0;
-  }
-
-  int df(const VectorXd& angles, MatrixXd& jacobian) const {
-    const Projection p = project(samples_, shapes(angles));
-    const Eigen::Map<const Eigen::ArrayXd> s(samples_.elapsed.data(), p.basis.rows());
-    Index next = 0;
-    for (std::size_t k = 0; k < ranges_.size(); ++k) {
-      if (!refined(ranges_[k])) continue;
-      const auto& [low, high] = ranges_[k];
-      const auto column = static_cast<Index>(2 + 2 * k);
-      const auto cosine = p.basis.col(column).array(), sine = p.basis.col(column + 1).array();
-      const double a = p.coefficients[column], b = p.coefficients[column + 1];
-      const double frequency_slope =
-          0.5 * (high.angular_frequency - low.angular_frequency) * std::cos(angles[next]);
-      const double decay_slope =
-          0.5 * (high.decay_rate - low.decay_rate) * std::cos(angles[next + 1]);
-      jacobian.col(next++) = -frequency_slope * s * (b * cosine - a * sine);
-      jacobian.col(next++) = decay_slope * s * (a * cosine + b * sine);
-    }
-    jacobian -= p.basis * p.factors.solve(jacobian);
-    return 0;
-  }
-
- private:
-  const WindowSamples& samples_;
-  const std::vector<ToneRange>& ranges_;
+// The slopes' normal equations with the linear coefficients eliminated.
+struct ReducedNormal {
+  MatrixXd matrix;
+  VectorXd gradient;
 };
 
-// Frequencies half a spectral bin apart, so that one of them starts inside the main lobe, times
-// decay rates from none to one that ends within a twentieth of the window.
-std::vector<ToneShape> trial_shapes(const ToneRange& range, double span) {
-  const double width = range.high.angular_frequency - range.low.angular_frequency;
-  const int cells = 1 + static_cast<int>(width * span / std::numbers::pi);
-  std::vector<ToneShape> trials;
-  for (int i = 0; i < cells; ++i) {
-    for (const double decays_per_span : {0.0, 0.2, 2.0, 20.0}) {
-      const double decay_rate = decays_per_span / span;
-      if (decay_rate >= range.high.decay_rate) continue;
-      trials.push_back({range.low.angular_frequency + width * (i + 0.5) / cells, decay_rate});
-    }
-  }
-  return trials;
+ReducedNormal reduced_normal(const ToneFit& fit, const MatrixXd& slope) {
+  const MatrixXd cross = fit.basis.transpose() * slope;
+  const MatrixXd normal = fit.basis.transpose() * fit.basis;
+  return {slope.transpose() * slope - cross.transpose() * normal.ldlt().solve(cross),
+          slope.transpose() * fit.residual};
 }
 
 }  // namespace
@@ -146,60 +104,126 @@ std::vector<ToneRange> tone_ranges(const std::vector<ToneRequest>& requests, dou
   return ranges;
 }
 
-std::vector<double> harmonic_basis(const WindowSamples& samples,
-                                   const std::vector<ToneShape>& shapes) {
-  const std::size_t rows = samples.elapsed.size();
-  std::vector<double> columns(rows * (2 + 2 * shapes.size()), 1.0);
-  for (std::size_t i = 0; i < rows; ++i) {
-    columns[rows + i] = 2 * samples.elapsed[i] / samples.span - 1;
-  }
-  auto cosine = columns.begin() + static_cast<std::ptrdiff_t>(2 * rows);
-  for (const auto& [w, g] : shapes) {
-    const auto sine = cosine + static_cast<std::ptrdiff_t>(rows);
-    for (std::size_t i = 0; i < rows; ++i) {
-      const double s = samples.elapsed[i], envelope = std::exp(-g * s);
-      cosine[static_cast<std::ptrdiff_t>(i)] = envelope * std::cos(w * s);
-      sine[static_cast<std::ptrdiff_t>(i)] = envelope * std::sin(w * s);
-    }
-    cosine = sine + static_cast<std::ptrdiff_t>(rows);
+MatrixXd tone_columns(const VectorXd& elapsed, const ToneShape& shape) {
+  const std::complex<double> rate(-shape.decay_rate, shape.angular_frequency);
+  const Index count = elapsed.size();
+  // Equal steps turn by the same factor; afresh every so often, before round-off adds up.
+  constexpr Index turns = 32;
+  const double step = count > 1 ? (elapsed[count - 1] - elapsed[0]) / double(count - 1) : 0;
+  const std::complex<double> turn = std::exp(rate * step);
+  const double rounding = 1e-12 * (1 + std::abs(elapsed[count - 1]));
+  MatrixXd columns(count, 2);
+  std::complex<double> now;
+  double expected = std::numeric_limits<double>::quiet_NaN();
+  for (Index i = 0; i < count; ++i) {
+    now = i % turns != 0 && std::abs(elapsed[i] - expected) < rounding
+              ? now * turn
+              : std::exp(rate * elapsed[i]);
+    expected = elapsed[i] + step;
+    columns(i, 0) = now.real();
+    columns(i, 1) = now.imag();
   }
   return columns;
 }
 
-std::vector<ToneShape> search_tones(const WindowSamples& samples,
-                                    const std::vector<ToneRange>& ranges) {
-  // The known tones first, then one refined tone after the other, each where it explains most.
-  std::vector<ToneShape> shapes, known;
-  for (const ToneRange& range : ranges) {
-    if (!refined(range)) known.push_back(range.low);
+ToneFit fit_tones(const VectorXd& elapsed, const VectorXd& value, const MatrixXd& fixed,
+                  const std::vector<ToneShape>& shapes) {
+  ToneFit fit;
+  fit.basis.resize(fixed.rows(), fixed.cols() + 2 * static_cast<Index>(shapes.size()));
+  fit.basis.leftCols(fixed.cols()) = fixed;
+  Index next = fixed.cols();
+  for (const ToneShape& shape : shapes) {
+    fit.basis.middleCols<2>(next) = tone_columns(elapsed, shape);
+    next += 2;
   }
-  for (const ToneRange& range : ranges) {
-    ToneShape best = range.low;
-    if (refined(range)) {
-      double least = std::numeric_limits<double>::infinity();
-      for (const ToneShape& trial : trial_shapes(range, samples.span)) {
-        known.push_back(trial);
-        const double misfit = project(samples, known).residual.squaredNorm();
-        known.pop_back();
-        if (misfit < least) {
-          least = misfit;
-          best = trial;
-        }
-      }
-      known.push_back(best);
-    }
-    shapes.push_back(best);
-  }
+  const Eigen::LDLT<MatrixXd> normal((fit.basis.transpose() * fit.basis).eval());
+  fit.coefficients = normal.solve(fit.basis.transpose() * value);
+  // Once more, of what the squared condition number has left.
+  fit.residual = value - fit.basis * fit.coefficients;
+  fit.coefficients += normal.solve(fit.basis.transpose() * fit.residual);
+  fit.residual = value - fit.basis * fit.coefficients;
+  return fit;
+}
 
-  ProjectedResiduals residuals(samples, ranges);
-  if (residuals.inputs() == 0) return shapes;
-  VectorXd angles = residuals.angles(shapes);
-  Eigen::LevenbergMarquardt<ProjectedResiduals> solver(residuals);
-  solver.setXtol(1e-10);
-  solver.setFtol(1e-10);
-  solver.setMaxfev(200);
-  solver.minimize(angles);
-  return residuals.shapes(angles);
+std::vector<ToneShape> trial_shapes(const ToneRange& range, double span,
+                                    const std::vector<double>& decays_per_span) {
+  const double width = range.high.angular_frequency - range.low.angular_frequency;
+  const int cells = 1 + static_cast<int>(width * span / std::numbers::pi);
+  std::vector<ToneShape> trials;
+  for (int i = 0; i < cells; ++i) {
+    for (const double decays : decays_per_span) {
+      const double decay_rate = decays / span;
+      if (decay_rate >= range.high.decay_rate) continue;
+      trials.push_back({range.low.angular_frequency + width * (i + 0.5) / cells, decay_rate});
+    }
+  }
+  return trials;
+}
+
+ToneShape best_trial(const VectorXd& elapsed, const VectorXd& value, const MatrixXd& columns,
+                     const std::vector<ToneShape>& trials) {
+  const Eigen::LDLT<MatrixXd> normal((columns.transpose() * columns).eval());
+  const VectorXd left = value - columns * normal.solve(columns.transpose() * value);
+  double most = -1;
+  ToneShape best = trials.front();
+  for (const ToneShape& trial : trials) {
+    const MatrixXd tone = tone_columns(elapsed, trial);
+    const MatrixXd cross = columns.transpose() * tone;
+    const Eigen::Matrix2d square =
+        tone.transpose() * tone - cross.transpose() * normal.solve(cross);
+    const Eigen::Vector2d product = tone.transpose() * left;
+    const double explained = product.dot(square.ldlt().solve(product));
+    if (explained > most) {
+      most = explained;
+      best = trial;
+    }
+  }
+  return best;
+}
+
+std::vector<ToneShape> refine_tones(const VectorXd& elapsed, const VectorXd& value,
+                                    const MatrixXd& fixed, const std::vector<ToneRange>& ranges,
+                                    const std::vector<ToneShape>& start) {
+  VectorXd angles = angles_of(ranges, start);
+  if (angles.size() == 0) return start;
+  ToneFit fit = fit_tones(elapsed, value, fixed, shapes_of(ranges, angles));
+  double damping = 1e-3;
+  constexpr int most_steps = 100;
+  for (int step = 0; step < most_steps && damping < 1e8; ++step) {
+    ReducedNormal normal = reduced_normal(fit, slopes(elapsed, fit, ranges, angles));
+    const VectorXd scale = normal.matrix.diagonal().cwiseMax(
+        1e-12 * normal.matrix.diagonal().maxCoeff() + std::numeric_limits<double>::min());
+    normal.matrix.diagonal() += damping * scale;
+    const VectorXd change = normal.matrix.ldlt().solve(normal.gradient);
+    // Below round-off of the sum of squares nothing is to be gained.
+    if (!(change.dot(normal.gradient) > 1e-14 * fit.residual.squaredNorm())) break;
+    ToneFit next = fit_tones(elapsed, value, fixed, shapes_of(ranges, angles + change));
+    const double gain = fit.residual.squaredNorm() - next.residual.squaredNorm();
+    if (gain > 0) {
+      angles += change;
+      fit = std::move(next);
+      damping *= 0.1;
+    } else {
+      damping *= 10;
+    }
+  }
+  return shapes_of(ranges, angles);
+}
+
+std::vector<ToneShape> search_tones(const VectorXd& elapsed, const VectorXd& value,
+                                    const MatrixXd& fixed, const std::vector<ToneRange>& ranges,
+                                    double span) {
+  std::vector<ToneShape> shapes, found;
+  for (const ToneRange& range : ranges)
+    if (!range.refined()) found.push_back(range.low);
+  for (const ToneRange& range : ranges) {
+    shapes.push_back(range.low);
+    if (!range.refined()) continue;
+    shapes.back() = best_trial(elapsed, value, fit_tones(elapsed, value, fixed, found).basis,
+                               trial_shapes(range, span, {0.0, 0.2, 2.0, 20.0}));
+    found.push_back(shapes.back());
+  }
+  return refine_tones(elapsed, value, fixed, ranges, shapes);
 }
 
 }  // namespace slosh

@@ -1,10 +1,11 @@
 // The nonlinear part of the harmonic fit: frequencies and decay rates of the refined tones by
 // variable projection (Golub & Pereyra 1973): the linear coefficients are eliminated by least
-// squares, the rest is minimised by Levenberg-Marquardt (Eigen) with Kaufman's Jacobian (1975),
-// from the best point of a grid. Each refined tone is kept inside a range, by w = centre +
+// squares, the rest is minimised by Levenberg and Marquardt's method with Kaufman's Jacobian
+// (1975), from the best point of a grid. Each refined tone is kept inside a range, by w = centre +
 // half_range sin(u), so that no tone runs away.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "verification/metrics/harmonic_fit.hpp"
@@ -18,12 +19,7 @@ struct ToneShape {
 
 struct ToneRange {
   ToneShape low, high;
-};
-
-// Times are elapsed since the window's begin; span is the window's length [s].
-struct WindowSamples {
-  std::vector<double> elapsed, value;
-  double span;
+  bool refined() const { return high.decay_rate > low.decay_rate; }
 };
 
 // Where a tone may lie. A refined tone: within 10 % of the request and nearer to it than half-way
@@ -31,13 +27,39 @@ struct WindowSamples {
 // critical damping. Another tone: its request, undamped.
 std::vector<ToneRange> tone_ranges(const std::vector<ToneRequest>& requests, double span);
 
-// Columns of the linear problem, each as long as `elapsed` s, one after the other: 1, 2 s / span -
-// 1, then per tone exp(-g s) cos(w s), exp(-g s) sin(w s).
-std::vector<double> harmonic_basis(const WindowSamples& samples,
-                                   const std::vector<ToneShape>& shapes);
+// exp(-g s) cos(w s) and exp(-g s) sin(w s), one column each, at the elapsed times s [s].
+Eigen::MatrixXd tone_columns(const Eigen::VectorXd& elapsed, const ToneShape& shape);
 
-// Least-squares shapes within the ranges.
-std::vector<ToneShape> search_tones(const WindowSamples& samples,
-                                    const std::vector<ToneRange>& ranges);
+// Least squares of the values by fixed columns and tones.
+struct ToneFit {
+  Eigen::MatrixXd basis;         // the fixed columns, then two of each tone
+  Eigen::VectorXd coefficients;  // of the basis
+  Eigen::VectorXd residual;
+};
+
+ToneFit fit_tones(const Eigen::VectorXd& elapsed, const Eigen::VectorXd& value,
+                  const Eigen::MatrixXd& fixed, const std::vector<ToneShape>& shapes);
+
+// Frequencies half a spectral bin apart, so that one of them starts inside the main lobe, times
+// these decay rates that lie in the range.
+std::vector<ToneShape> trial_shapes(const ToneRange& range, double span,
+                                    const std::vector<double>& decays_per_span);
+
+// The one of the trials that explains most of what the columns leave of the values.
+ToneShape best_trial(const Eigen::VectorXd& elapsed, const Eigen::VectorXd& value,
+                     const Eigen::MatrixXd& columns, const std::vector<ToneShape>& trials);
+
+// Least-squares shapes within the ranges, from these ones.
+std::vector<ToneShape> refine_tones(const Eigen::VectorXd& elapsed, const Eigen::VectorXd& value,
+                                    const Eigen::MatrixXd& fixed,
+                                    const std::vector<ToneRange>& ranges,
+                                    const std::vector<ToneShape>& start);
+
+// Least-squares shapes within the ranges: the known tones first, then one refined tone after the
+// other where it explains most, then all of them refined together. `span` is the window's length
+// [s].
+std::vector<ToneShape> search_tones(const Eigen::VectorXd& elapsed, const Eigen::VectorXd& value,
+                                    const Eigen::MatrixXd& fixed,
+                                    const std::vector<ToneRange>& ranges, double span);
 
 }  // namespace slosh

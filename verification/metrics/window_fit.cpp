@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,18 +13,33 @@ namespace {
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using std::numbers::pi;
 
-WindowSamples samples_of(const std::vector<double>& time, const std::vector<double>& value,
-                         TimeWindow window) {
-  WindowSamples samples{.elapsed = time, .value = value, .span = window.end - window.begin};
-  for (double& s : samples.elapsed) s -= window.begin;
-  return samples;
+VectorXd elapsed_of(const std::vector<double>& time, TimeWindow window) {
+  return Eigen::Map<const VectorXd>(time.data(), static_cast<Index>(time.size())).array() -
+         window.begin;
 }
 
-MatrixXd basis_of(const WindowSamples& samples, const std::vector<ToneShape>& shapes) {
-  const auto rows = static_cast<Index>(samples.elapsed.size());
-  const auto columns = harmonic_basis(samples, shapes);
-  return Eigen::Map<const MatrixXd>(columns.data(), rows,
-                                    static_cast<Index>(columns.size()) / rows);
+Eigen::Map<const VectorXd> vector_of(const std::vector<double>& values) {
+  return {values.data(), static_cast<Index>(values.size())};
+}
+
+// 1 and 2 s / span - 1.
+MatrixXd mean_and_trend(const VectorXd& elapsed, TimeWindow window) {
+  MatrixXd columns(elapsed.size(), 2);
+  columns.col(0).setOnes();
+  columns.col(1) = 2 * elapsed.array() / (window.end - window.begin) - 1;
+  return columns;
+}
+
+MatrixXd basis_of(const VectorXd& elapsed, TimeWindow window,
+                  const std::vector<ToneShape>& shapes) {
+  MatrixXd basis(elapsed.size(), 2 + 2 * static_cast<Index>(shapes.size()));
+  basis.leftCols<2>() = mean_and_trend(elapsed, window);
+  Index next = 2;
+  for (const ToneShape& shape : shapes) {
+    basis.middleCols<2>(next) = tone_columns(elapsed, shape);
+    next += 2;
+  }
+  return basis;
 }
 
 }  // namespace
@@ -49,9 +64,8 @@ void require_sampled(const TimeSeries& cut, const std::vector<ToneRequest>& requ
 }
 
 MatrixXd WindowFit::jacobian(const std::vector<double>& time) const {
-  const WindowSamples samples = samples_of(time, {}, window);
-  const MatrixXd basis = basis_of(samples, shapes);
-  const Eigen::Map<const VectorXd> elapsed(samples.elapsed.data(), basis.rows());
+  const VectorXd elapsed = elapsed_of(time, window);
+  const MatrixXd basis = basis_of(elapsed, window, shapes);
   const auto refined =
       std::count_if(requests.begin(), requests.end(), [](const auto& r) { return r.refine; });
   MatrixXd all(basis.rows(), basis.cols() + 2 * refined);
@@ -70,46 +84,73 @@ MatrixXd WindowFit::jacobian(const std::vector<double>& time) const {
 
 VectorXd WindowFit::residual(const std::vector<double>& time,
                              const std::vector<double>& value) const {
-  const MatrixXd basis = basis_of(samples_of(time, {}, window), shapes);
-  return Eigen::Map<const VectorXd>(value.data(), basis.rows()) - basis * coefficients;
+  return vector_of(value) - basis_of(elapsed_of(time, window), window, shapes) * coefficients;
 }
 
-WindowFit::HalfWidths WindowFit::half_widths(std::size_t k, const FitCovariance& spread) const {
+LeftoverModel WindowFit::leftovers(const std::vector<double>& time, const VectorXd& left) const {
+  return model_leftovers(elapsed_of(time, window), jacobian(time), left, shapes,
+                         window.end - window.begin);
+}
+
+WindowFit::ToneEstimates WindowFit::estimates(std::size_t k, const LeftoverModel& leftovers) const {
   const auto cosine = static_cast<Index>(2 + 2 * k);
   const auto refined_before =
       std::count_if(requests.begin(), requests.begin() + static_cast<std::ptrdiff_t>(k),
                     [](const auto& r) { return r.refine; });
   const auto shape = static_cast<Index>(2 + 2 * requests.size()) + 2 * refined_before;
-  const double a = coefficients[cosine], b = coefficients[cosine + 1];
+  const bool refine = requests[k].refine;
+  const double a = coefficients[cosine] + leftovers.correction[cosine],
+               b = coefficients[cosine + 1] + leftovers.correction[cosine + 1];
+  const double w = shapes[k].angular_frequency + (refine ? leftovers.correction[shape] : 0),
+               g = shapes[k].decay_rate + (refine ? leftovers.correction[shape + 1] : 0);
   const double amplitude = std::hypot(a, b), square = amplitude * amplitude;
   const auto half_width = [&](double by_a, double by_b, double by_w, double by_g) {
-    VectorXd gradient = VectorXd::Zero(spread.white.rows());
+    VectorXd gradient = VectorXd::Zero(leftovers.correction.size());
     gradient[cosine] = by_a;
     gradient[cosine + 1] = by_b;
-    if (requests[k].refine) gradient.segment<2>(shape) << by_w, by_g;
-    return spread.half_width(gradient);
+    if (refine) gradient.segment<2>(shape) << by_w, by_g;
+    return leftovers.noise[k].half_width(gradient);
   };
-  // Of the phase this long after the window's begin.
-  const auto of_phase = [&](double time) {
-    return std::min(pi, half_width(b / square, -a / square, time, 0));
+  // Where the correction may as well be the tone's own, it is uncertain by all of it.
+  const auto corrected = [&](double value, double uncorrected, double half) -> Estimate {
+    return {value, half + (leftovers.beside[k] ? std::abs(value - uncorrected) : 0)};
   };
-  return {.amplitude = half_width(a / amplitude, b / amplitude, 0, 0),
-          .angular_frequency = half_width(0, 0, 1, 0),
-          .decay_rate = half_width(0, 0, 0, 1),
-          .phase = of_phase(-window.begin),
-          .phase_at_middle = of_phase(0.5 * (window.end - window.begin))};
+  const double a0 = coefficients[cosine], b0 = coefficients[cosine + 1];
+  const double w0 = shapes[k].angular_frequency, g0 = shapes[k].decay_rate;
+  // This long after the window's begin.
+  const auto phase_after = [&](double time) {
+    const double angle = std::atan2(-b, a) + w * time,
+                 change = angle - std::atan2(-b0, a0) - w0 * time;
+    const Estimate phase =
+        corrected(angle, angle - wrap_angle(change), half_width(b / square, -a / square, time, 0));
+    return Estimate{wrap_angle(angle), std::min(pi, phase.half_width)};
+  };
+  return {.amplitude = corrected(amplitude, std::hypot(a0, b0),
+                                 half_width(a / amplitude, b / amplitude, 0, 0)),
+          .angular_frequency = corrected(w, w0, half_width(0, 0, 1, 0)),
+          .decay_rate = corrected(g, g0, half_width(0, 0, 0, 1)),
+          .phase = phase_after(-window.begin),
+          .phase_at_middle = phase_after(0.5 * (window.end - window.begin))};
+}
+
+std::optional<double> WindowFit::beside(std::size_t k, const LeftoverModel& leftovers) const {
+  const auto cosine = static_cast<Index>(2 + 2 * k);
+  const double shift = leftovers.correction.segment<2>(cosine).norm();
+  if (leftovers.noise[k].known() && shift < largest_shift * coefficients.segment<2>(cosine).norm())
+    return std::nullopt;
+  return leftovers.beside[k];
 }
 
 WindowFit fit_window(const TimeSeries& cut, TimeWindow window,
                      const std::vector<ToneRequest>& requests) {
   require_resolved(window, requests);
   require_sampled(cut, requests);
-  const WindowSamples samples = samples_of(cut.time, cut.value, window);
-  WindowFit fit{window, requests, tone_ranges(requests, samples.span), {}, {}};
-  fit.shapes = search_tones(samples, fit.ranges);
-  const MatrixXd basis = basis_of(samples, fit.shapes);
-  fit.coefficients =
-      basis.colPivHouseholderQr().solve(Eigen::Map<const VectorXd>(cut.value.data(), basis.rows()));
+  const double span = window.end - window.begin;
+  const VectorXd elapsed = elapsed_of(cut.time, window), value = vector_of(cut.value);
+  const MatrixXd fixed = mean_and_trend(elapsed, window);
+  WindowFit fit{window, requests, tone_ranges(requests, span), {}, {}};
+  fit.shapes = search_tones(elapsed, value, fixed, fit.ranges, span);
+  fit.coefficients = fit_tones(elapsed, value, fixed, fit.shapes).coefficients;
   return fit;
 }
 

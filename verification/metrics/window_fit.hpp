@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "verification/metrics/fit_covariance.hpp"
 #include "verification/metrics/harmonic_fit.hpp"
+#include "verification/metrics/leftover_model.hpp"
 #include "verification/metrics/tone_search.hpp"
 
 namespace slosh {
@@ -22,12 +22,18 @@ struct WindowFit {
   Eigen::MatrixXd jacobian(const std::vector<double>& time) const;
   // Values less the model.
   Eigen::VectorXd residual(const std::vector<double>& time, const std::vector<double>& value) const;
+  // What is left of values at these times, such as residual() gives, and what it says of the tones.
+  LeftoverModel leftovers(const std::vector<double>& time, const Eigen::VectorXd& left) const;
 
-  // Half widths of the k-th tone's 95 % intervals, were the fit's residuals of that covariance.
-  struct HalfWidths {
-    double amplitude, angular_frequency, decay_rate, phase, phase_at_middle;
+  // The k-th tone's parameters with the corrections that a model of the leftovers makes to them,
+  // and their 95 % intervals.
+  struct ToneEstimates {
+    Estimate amplitude, angular_frequency, decay_rate, phase, phase_at_middle;
   };
-  HalfWidths half_widths(std::size_t k, const FitCovariance& spread) const;
+  ToneEstimates estimates(std::size_t k, const LeftoverModel& leftovers) const;
+
+  // What the window cannot tell from the k-th tone and what moves it too far [rad/s].
+  std::optional<double> beside(std::size_t k, const LeftoverModel& leftovers) const;
 };
 
 // Throws as fit_harmonics() does. `cut` lies in the window.

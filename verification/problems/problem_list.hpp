@@ -17,5 +17,6 @@ Problem courant_map_problem();
 Problem viscosity_map_problem();
 Problem gamma_map_problem();
 Problem diffusion_map_problem();
+Problem interval_coverage_problem();
 
 }  // namespace slosh

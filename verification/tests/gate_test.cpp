@@ -203,6 +203,13 @@ TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
             "the candidate's mode forced cannot be told from the rest");
   EXPECT_EQ(judge(amplitude_row, lost_reference).verdict, Verdict::not_compared);
   EXPECT_EQ(judge(row_of(Metric::normalised_rms, "whole", "1", 0.2), lost).verdict, Verdict::pass);
+  Comparison beating = comparison_of(0.01);
+  beating.modes[0].beside = 2 * std::numbers::pi * 0.25;
+  EXPECT_EQ(judge(amplitude_row, beating).verdict, Verdict::not_compared);
+  EXPECT_NE(
+      judge(amplitude_row, beating)
+          .message.find("cannot tell the mode forced from what the difference has at 0.25 Hz"),
+      std::string::npos);
 }
 
 TEST(Gate, TakesNoDecayErrorAgainstAReferenceWhoseDecayIsWithinItsInterval) {

@@ -1,0 +1,161 @@
+#include "verification/metrics/leftover_model.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace slosh {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+using std::numbers::pi;
+
+constexpr int most_further_tones = 3;
+constexpr double chance_level = 1e-5;
+constexpr int tested_half_band = 14;
+// Of the highest requested frequency: what is further off is nothing to a requested tone.
+constexpr double highest_searched = 3;
+constexpr double samples_per_period = 8;  // of the highest that is searched
+
+// Means of so many samples one after the other.
+MatrixXd thinned(const MatrixXd& columns, Index stride) {
+  MatrixXd means(columns.rows() / stride, columns.cols());
+  for (Index k = 0; k < means.cols(); ++k)
+    for (Index i = 0; i < means.rows(); ++i)
+      means(i, k) = columns.col(k).segment(i * stride, stride).mean();
+  return means;
+}
+
+struct ExtendedFit {
+  std::vector<ToneShape> further;
+  VectorXd coefficients;  // of the Jacobian's columns, then of the further tones
+  FittedSamples samples;
+};
+
+// With the further tones' slopes by frequency and decay rate as columns of their own.
+ExtendedFit extended(const FittedSamples& fit, std::vector<ToneShape> further) {
+  const ToneFit tones = fit_tones(fit.elapsed, fit.residual, fit.jacobian, further);
+  const Index linear = tones.basis.cols(), first = fit.jacobian.cols();
+  MatrixXd jacobian(linear == 0 ? 0 : fit.elapsed.size(), 2 * linear - first);
+  jacobian.leftCols(linear) = tones.basis;
+  for (Index column = first; column < linear; column += 2) {
+    const double a = tones.coefficients[column], b = tones.coefficients[column + 1];
+    const auto cosine = tones.basis.col(column), sine = tones.basis.col(column + 1);
+    const Index slope = linear + column - first;
+    jacobian.col(slope) = fit.elapsed.cwiseProduct(b * cosine - a * sine);
+    jacobian.col(slope + 1) = -fit.elapsed.cwiseProduct(a * cosine + b * sine);
+  }
+  const MatrixXd basis = orthonormal(unit_columns(jacobian), 1e-8);
+  return {std::move(further), tones.coefficients, {fit.elapsed, jacobian, basis, tones.residual}};
+}
+
+std::vector<ToneRange> ranges_about(const std::vector<ToneShape>& tones, double span) {
+  const double bin = 2 * pi / span;
+  std::vector<ToneRange> ranges;
+  for (const ToneShape& tone : tones) {
+    const double w = tone.angular_frequency;
+    ranges.push_back({{std::max(w - bin, 0.1 * bin), -2 / span}, {w + bin, 10 / span}});
+  }
+  return ranges;
+}
+
+// The fit with one more tone than `now` has, all of them refined.
+ExtendedFit with_one_more(const FittedSamples& fit, const ExtendedFit& now, double highest,
+                          double span) {
+  const ToneRange range{{pi / span, -2 / span}, {highest, 10 / span}};
+  std::vector<ToneShape> tones = now.further;
+  tones.push_back(best_trial(fit.elapsed, now.samples.residual, now.samples.basis,
+                             trial_shapes(range, span, {0.0, 2.0})));
+  return extended(
+      fit, refine_tones(fit.elapsed, fit.residual, fit.jacobian, ranges_about(tones, span), tones));
+}
+
+struct BandEnergy {
+  double energy, freedom;
+};
+
+// With the noise of this correlation made white, so that a sloping spectrum is no tone.
+BandEnergy left_in(const MatrixXd& band, const FittedSamples& fit, double correlation) {
+  const MatrixXd basis = orthonormal(whitened(fit.basis, correlation), 1e-10);
+  VectorXd residual = whitened(fit.residual, correlation);
+  residual -= basis * (basis.transpose() * residual);
+  return {(band.transpose() * residual).squaredNorm(),
+          static_cast<double>(band.cols()) - (basis.transpose() * band).squaredNorm()};
+}
+
+// That noise alone loses as much of its energy.
+double chance(const BandEnergy& before, const BandEnergy& after) {
+  if (after.freedom < 4 || !(before.energy > after.energy)) return 1;
+  const double spent = std::max(before.freedom - after.freedom, 1.0);
+  const double ratio = (before.energy - after.energy) / spent / (after.energy / after.freedom);
+  const boost::math::fisher_f distribution(spent, after.freedom);
+  return std::isfinite(ratio) ? cdf(complement(distribution, ratio)) : 0;
+}
+
+double likeliest_correlation(const FittedSamples& fit) {
+  const std::vector<LikelyNoise> noises = likely_noises(fit);
+  return std::max_element(noises.begin(), noises.end(),
+                          [](const auto& a, const auto& b) { return a.weight < b.weight; })
+      ->correlation;
+}
+
+ExtendedFit choose(const FittedSamples& fit, const std::vector<ToneShape>& requested,
+                   double highest, double span) {
+  std::vector<MatrixXd> bands;
+  for (const ToneShape& tone : requested)
+    bands.push_back(band_about(fit.elapsed, tone.angular_frequency, span, tested_half_band));
+  ExtendedFit chosen = extended(fit, {}), longest = chosen;
+  const double correlation = likeliest_correlation(chosen.samples);
+  for (int count = 1; count <= most_further_tones; ++count) {
+    longest = with_one_more(fit, longest, highest, span);
+    const bool better = std::any_of(bands.begin(), bands.end(), [&](const MatrixXd& band) {
+      return chance(left_in(band, chosen.samples, correlation),
+                    left_in(band, longest.samples, correlation)) < chance_level;
+    });
+    if (better) chosen = longest;
+  }
+  return chosen;
+}
+
+std::optional<double> nearest_beside(const ToneShape& tone, const std::vector<ToneShape>& further,
+                                     double span) {
+  std::optional<double> nearest;
+  for (const ToneShape& one : further) {
+    const double distance = std::abs(one.angular_frequency - tone.angular_frequency);
+    if (distance < 2 * pi / span + 2 * std::abs(one.decay_rate) &&
+        !(nearest && distance >= std::abs(*nearest - tone.angular_frequency)))
+      nearest = one.angular_frequency;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+LeftoverModel model_leftovers(const VectorXd& elapsed, const MatrixXd& jacobian,
+                              const VectorXd& residual, const std::vector<ToneShape>& requested,
+                              double span) {
+  double highest = 0;
+  for (const ToneShape& tone : requested)
+    highest = std::max(highest, highest_searched * tone.angular_frequency);
+  const double fewest = samples_per_period * highest * span / (2 * pi);
+  const auto stride =
+      std::max<Index>(1, static_cast<Index>(static_cast<double>(elapsed.size()) / fewest));
+  const FittedSamples fit{
+      thinned(elapsed, stride), thinned(jacobian, stride), {}, thinned(residual, stride)};
+  const ExtendedFit model = choose(fit, requested, highest, span);
+
+  LeftoverModel found{.correction = VectorXd::Zero(jacobian.cols()), .noise = {}, .beside = {}};
+  // Means of samples are not quite orthogonal to means of columns.
+  if (!model.further.empty()) found.correction = model.coefficients.head(jacobian.cols());
+  const std::vector<LikelyNoise> noises = likely_noises(model.samples);
+  for (const ToneShape& tone : requested) {
+    found.noise.emplace_back(model.samples, tone.angular_frequency, span, noises);
+    found.beside.push_back(nearest_beside(tone, model.further, span));
+    if (!found.noise.back().known() && !found.beside.back())
+      found.beside.back() = tone.angular_frequency;
+  }
+  return found;
+}
+
+}  // namespace slosh

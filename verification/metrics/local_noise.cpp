@@ -1,0 +1,138 @@
+#include "verification/metrics/local_noise.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace slosh {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+// 2.5 spectral bins to either side: up to 10 degrees of freedom.
+constexpr int half_band = 5;
+
+// Columns of unit length: those of a frequency carry seconds and those of a weak tone vanish.
+VectorXd inverse_lengths(const MatrixXd& columns) {
+  return columns.colwise()
+      .norm()
+      .transpose()
+      .cwiseMax(std::numeric_limits<double>::min())
+      .cwiseInverse();
+}
+
+// R x with R_ij = correlation^|i - j|.
+MatrixXd correlated(const MatrixXd& columns, double correlation) {
+  MatrixXd ahead = columns, behind = columns;
+  const Index last = columns.rows() - 1;
+  for (Index k = 0; k < columns.cols(); ++k) {
+    for (Index i = 1; i <= last; ++i) {
+      ahead(i, k) += correlation * ahead(i - 1, k);
+      behind(last - i, k) += correlation * behind(last - i + 1, k);
+    }
+  }
+  return ahead + behind - columns;
+}
+
+double log_determinant(const MatrixXd& positive) {
+  return positive.llt().matrixLLT().diagonal().array().log().sum() * 2;
+}
+
+// The level eliminated.
+double restricted_log_likelihood(const FittedSamples& fit, double correlation) {
+  const MatrixXd basis = whitened(fit.basis, correlation);
+  const VectorXd residual = whitened(fit.residual, correlation);
+  const MatrixXd normal = basis.transpose() * basis;
+  const VectorXd product = basis.transpose() * residual;
+  const double squares = residual.squaredNorm() - product.dot(normal.ldlt().solve(product));
+  const auto count = static_cast<double>(residual.size());
+  return -0.5 * ((count - 1) * std::log1p(-correlation * correlation) + log_determinant(normal) +
+                 (count - static_cast<double>(basis.cols())) * std::log(squares));
+}
+
+}  // namespace
+
+MatrixXd orthonormal(const MatrixXd& columns, double least) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen((columns.transpose() * columns).eval());
+  // Ascending: those to keep are the last.
+  const Index kept = (eigen.eigenvalues().array() > least).count();
+  const VectorXd lengths = eigen.eigenvalues().tail(kept).cwiseSqrt();
+  return columns * (eigen.eigenvectors().rightCols(kept) * lengths.cwiseInverse().asDiagonal());
+}
+
+MatrixXd whitened(const MatrixXd& columns, double correlation) {
+  const Index after_first = columns.rows() - 1;
+  MatrixXd white = columns;
+  white.bottomRows(after_first) =
+      (columns.bottomRows(after_first) - correlation * columns.topRows(after_first)) /
+      std::sqrt(1 - correlation * correlation);
+  return white;
+}
+
+MatrixXd unit_columns(const MatrixXd& columns) {
+  return columns * inverse_lengths(columns).asDiagonal();
+}
+
+MatrixXd band_about(const VectorXd& elapsed, double angular_frequency, double span, int half_band) {
+  const MatrixXd tone = tone_columns(elapsed, {angular_frequency, 0});
+  MatrixXd columns(elapsed.size(), 2 * (half_band + 1));
+  for (int j = 0; j <= half_band; ++j) {
+    const VectorXd envelope = tone_columns(elapsed, {j * std::numbers::pi / span, 0}).col(0);
+    columns.middleCols<2>(2 * j) = envelope.asDiagonal() * tone;
+  }
+  return orthonormal(unit_columns(columns), 0.05);
+}
+
+std::vector<LikelyNoise> likely_noises(const FittedSamples& fit) {
+  if (fit.residual.squaredNorm() == 0) return {{0, 1}};
+  // Correlation times of 0, then doubling from half a sample to twice the window.
+  std::vector<LikelyNoise> noises{{0, restricted_log_likelihood(fit, 0)}};
+  for (double samples = 0.5; samples < 2.0 * static_cast<double>(fit.elapsed.size()); samples *= 2)
+    noises.push_back(
+        {std::exp(-1 / samples), restricted_log_likelihood(fit, std::exp(-1 / samples))});
+  double best = noises.front().weight, sum = 0;
+  for (const LikelyNoise& noise : noises) best = std::max(best, noise.weight);
+  for (LikelyNoise& noise : noises) sum += noise.weight = std::exp(noise.weight - best);
+  for (LikelyNoise& noise : noises) noise.weight /= sum;
+  std::erase_if(noises, [](const LikelyNoise& noise) { return !(noise.weight > 1e-3); });
+  return noises;
+}
+
+LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, double span,
+                       const std::vector<LikelyNoise>& noises) {
+  const MatrixXd band = band_about(fit.elapsed, angular_frequency, span, half_band);
+  const MatrixXd outside = band - fit.basis * (fit.basis.transpose() * band);
+  // Directions that the fit takes more than half of tell of the fit.
+  const MatrixXd directions = orthonormal(outside, 0.5);
+  if (directions.cols() == 0) return;
+  const auto count = static_cast<double>(directions.cols());
+  level_ = (directions.transpose() * fit.residual).norm() / std::sqrt(count);
+  const VectorXd scale = inverse_lengths(fit.jacobian);
+  const MatrixXd scaled = fit.jacobian * scale.asDiagonal();
+  const MatrixXd inverse =
+      scale.asDiagonal() *
+      (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse();
+  const MatrixXd weights = scaled * inverse.transpose();  // one column per parameter
+  for (const auto& [correlation, weight] : noises) {
+    const MatrixXd variance = directions.transpose() * correlated(directions, correlation);
+    const double trace = variance.trace();
+    const double freedom = trace * trace / variance.squaredNorm();
+    shapes_.push_back({weight * boost::math::quantile(boost::math::students_t(freedom), 0.975),
+                       count / trace * weights.transpose() * correlated(weights, correlation)});
+  }
+}
+
+double LocalNoise::half_width(const VectorXd& gradient) const {
+  if (!known()) return std::numeric_limits<double>::infinity();
+  double factor = 0;
+  for (const Shape& shape : shapes_) {
+    const auto of_gradient = shape.covariance.topLeftCorner(gradient.size(), gradient.size());
+    factor += shape.weighted_quantile * std::sqrt(gradient.dot(of_gradient * gradient));
+  }
+  return level_ * factor;
+}
+
+}  // namespace slosh
