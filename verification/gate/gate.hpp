@@ -81,7 +81,7 @@ enum class Verdict {
 struct GateOutcome {
   GateRow row;
   Verdict verdict;
-  Estimate value{};     // the metric, NaN where there is none
+  Estimate value{};  // the metric, NaN where there is none
   // "0.8 % <= 1.5 %", of a regression row with " (regression)", or why nothing could be compared
   std::string message;
   // What the verdict on a limit or a range rests on; none of other rows.

@@ -48,7 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes; nearest known key: "},
+                "cells_x, cells_z, processes, start_disorder, start_seed, repeats; nearest known "
+                "key: "},
         Mistake{
             "OfAnotherMotion",
             {"amplitude_m", "amplitude_deg"},

@@ -430,8 +430,9 @@ TEST(Ensemble, IsNamedInAGateRowByItsFirstMember) {
   text.replace(text.find(named), named.size(), "candidate = \"coarse_2\"");
   const Workspace workspace;
   const std::string message = complaint(workspace.write("trial.toml", text));
-  EXPECT_NE(message.find("gate.candidate = \"coarse_2\": expected a run, one of theory, coarse, mesh;"),
-            std::string::npos)
+  EXPECT_NE(
+      message.find("gate.candidate = \"coarse_2\": expected a run, one of theory, coarse, mesh;"),
+      std::string::npos)
       << message;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "verification/campaign/ensemble_table.hpp"
 #include "verification/campaign/row_strength.hpp"
