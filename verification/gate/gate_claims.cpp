@@ -188,6 +188,7 @@ bool outside_bounds(const GateRow& row, const Prediction& prediction) {
 bool claims_to_detect(const GateRow& row, const JudgedCandidate& candidate,
                       const Mutation& mutation, const MutationFrame& frame) {
   if (is_of_impacts(row.metric)) return false;
+  if (mutation.kind == MutationKind::other_unit && row.metric == Metric::noise_share) return false;
   if (!changes_values(mutation.kind)) return true;
   const auto prediction = after(row, candidate, mutation, frame);
   return prediction && outside_bounds(row, *prediction);

@@ -18,9 +18,10 @@
 // a stretch, a noise, an added series and max |candidate| nine tenths are counted, as the ends of
 // the window, filled with held values, and the times between samples take their part. NaN in the
 // window, a series that ends in it, swapped columns and another unit are claimed by every row that
-// looks at a series over the window. What a metric is blind to (a phase to the amplitude, every
-// mode to a slip by whole periods), rows that compare two errors (improves_on) and the metrics of
-// impacts claim nothing more.
+// looks at a series over the window (another unit not by noise_share, which is a share of the
+// series itself). What a metric is blind to (a phase to the amplitude, every mode to a slip by
+// whole periods), rows that compare two errors (improves_on) and the metrics of impacts claim
+// nothing more.
 #pragma once
 
 #include "verification/case_file/case_definition.hpp"

@@ -139,6 +139,7 @@ TEST(GateClaims, HoldEveryRowButThoseOfImpactsToASoundSeries) {
                                 Metric::aligned_rms, Metric::largest_magnitude})
       EXPECT_TRUE(claims(row_of(metric, 1e9), 0, kind));
     EXPECT_FALSE(claims(row_of(Metric::impact_time, 1e9), 0, kind));
+    EXPECT_EQ(claims(row_of(Metric::noise_share, 1e9), 0, kind), kind != MutationKind::other_unit);
   }
 }
 
