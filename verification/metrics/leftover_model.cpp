@@ -60,13 +60,31 @@ std::vector<ToneRange> ranges_about(const std::vector<ToneShape>& tones, double 
   return ranges;
 }
 
-// The fit with one more tone than `now` has, all of them refined.
-ExtendedFit with_one_more(const FittedSamples& fit, const ExtendedFit& now, double highest,
-                          double span) {
-  const ToneRange range{{pi / span, -2 / span}, {highest, 10 / span}};
+// Nearer than a spectral bin and the line's width g / pi.
+bool near(const ToneShape& tone, const ToneShape& other, double span) {
+  return std::abs(tone.angular_frequency - other.angular_frequency) <
+         2 * pi / span + 2 * std::abs(tone.decay_rate);
+}
+
+struct Search {
+  double highest, span;            // [rad/s], [s]
+  std::vector<ToneShape> refined;  // the requested tones that are
+
+  bool admits(const ToneShape& tone) const {
+    return std::none_of(refined.begin(), refined.end(),
+                        [&](const ToneShape& other) { return near(tone, other, span); });
+  }
+};
+
+// The fit with one more tone than `now` has, all of them refined; the same where none is left.
+ExtendedFit with_one_more(const FittedSamples& fit, const ExtendedFit& now, const Search& search) {
+  const double span = search.span;
+  std::vector<ToneShape> trials =
+      trial_shapes({{pi / span, -2 / span}, {search.highest, 10 / span}}, span, {0.0, 2.0});
+  std::erase_if(trials, [&](const ToneShape& trial) { return !search.admits(trial); });
+  if (trials.empty()) return now;
   std::vector<ToneShape> tones = now.further;
-  tones.push_back(best_trial(fit.elapsed, now.samples.residual, now.samples.basis,
-                             trial_shapes(range, span, {0.0, 2.0})));
+  tones.push_back(best_trial(fit.elapsed, now.samples.residual, now.samples.basis, trials));
   return extended(
       fit, refine_tones(fit.elapsed, fit.residual, fit.jacobian, ranges_about(tones, span), tones));
 }
@@ -101,19 +119,23 @@ double likeliest_correlation(const FittedSamples& fit) {
 }
 
 ExtendedFit choose(const FittedSamples& fit, const std::vector<ToneShape>& requested,
-                   double highest, double span) {
+                   const Search& search) {
   std::vector<MatrixXd> bands;
   for (const ToneShape& tone : requested)
-    bands.push_back(band_about(fit.elapsed, tone.angular_frequency, span, tested_half_band));
+    bands.push_back(band_about(fit.elapsed, tone.angular_frequency, search.span, tested_half_band));
   ExtendedFit chosen = extended(fit, {}), longest = chosen;
   const double correlation = likeliest_correlation(chosen.samples);
+  const auto better_in = [&](const MatrixXd& band) {
+    return chance(left_in(band, chosen.samples, correlation),
+                  left_in(band, longest.samples, correlation)) < chance_level;
+  };
   for (int count = 1; count <= most_further_tones; ++count) {
-    longest = with_one_more(fit, longest, highest, span);
-    const bool better = std::any_of(bands.begin(), bands.end(), [&](const MatrixXd& band) {
-      return chance(left_in(band, chosen.samples, correlation),
-                    left_in(band, longest.samples, correlation)) < chance_level;
-    });
-    if (better) chosen = longest;
+    longest = with_one_more(fit, longest, search);
+    const auto& tones = longest.further;
+    if (std::all_of(tones.begin(), tones.end(),
+                    [&](const auto& one) { return search.admits(one); }) &&
+        std::any_of(bands.begin(), bands.end(), better_in))
+      chosen = longest;
   }
   return chosen;
 }
@@ -123,7 +145,7 @@ std::optional<double> nearest_beside(const ToneShape& tone, const std::vector<To
   std::optional<double> nearest;
   for (const ToneShape& one : further) {
     const double distance = std::abs(one.angular_frequency - tone.angular_frequency);
-    if (distance < 2 * pi / span + 2 * std::abs(one.decay_rate) &&
+    if (near(one, tone, span) &&
         !(nearest && distance >= std::abs(*nearest - tone.angular_frequency)))
       nearest = one.angular_frequency;
   }
@@ -134,16 +156,18 @@ std::optional<double> nearest_beside(const ToneShape& tone, const std::vector<To
 
 LeftoverModel model_leftovers(const VectorXd& elapsed, const MatrixXd& jacobian,
                               const VectorXd& residual, const std::vector<ToneShape>& requested,
-                              double span) {
-  double highest = 0;
-  for (const ToneShape& tone : requested)
-    highest = std::max(highest, highest_searched * tone.angular_frequency);
-  const double fewest = samples_per_period * highest * span / (2 * pi);
+                              const std::vector<ToneRange>& ranges, double span) {
+  Search search{0, span, {}};
+  for (std::size_t k = 0; k < requested.size(); ++k) {
+    search.highest = std::max(search.highest, highest_searched * requested[k].angular_frequency);
+    if (ranges[k].refined()) search.refined.push_back(requested[k]);
+  }
+  const double fewest = samples_per_period * search.highest * span / (2 * pi);
   const auto stride =
       std::max<Index>(1, static_cast<Index>(static_cast<double>(elapsed.size()) / fewest));
   const FittedSamples fit{
       thinned(elapsed, stride), thinned(jacobian, stride), {}, thinned(residual, stride)};
-  const ExtendedFit model = choose(fit, requested, highest, span);
+  const ExtendedFit model = choose(fit, requested, search);
 
   LeftoverModel found{.correction = VectorXd::Zero(jacobian.cols()), .noise = {}, .beside = {}};
   // Means of samples are not quite orthogonal to means of columns.

@@ -35,9 +35,11 @@ struct LeftoverModel {
 };
 
 // Of a fit with this Jacobian and these residuals at equally spaced times [s] of a window that is
-// `span` long.
+// `span` long. No further tone is taken beside a refined one, whose slopes by frequency and decay
+// rate fill the bins about it already.
 LeftoverModel model_leftovers(const Eigen::VectorXd& elapsed, const Eigen::MatrixXd& jacobian,
                               const Eigen::VectorXd& residual,
-                              const std::vector<ToneShape>& requested, double span);
+                              const std::vector<ToneShape>& requested,
+                              const std::vector<ToneRange>& ranges, double span);
 
 }  // namespace slosh

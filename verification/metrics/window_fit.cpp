@@ -88,7 +88,7 @@ VectorXd WindowFit::residual(const std::vector<double>& time,
 }
 
 LeftoverModel WindowFit::leftovers(const std::vector<double>& time, const VectorXd& left) const {
-  return model_leftovers(elapsed_of(time, window), jacobian(time), left, shapes,
+  return model_leftovers(elapsed_of(time, window), jacobian(time), left, shapes, ranges,
                          window.end - window.begin);
 }
 
