@@ -101,7 +101,7 @@ TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
   EXPECT_NE(page.find("Decided by <a href=\"#section-" + section.id +
                       "\">surge: 10 mm &lt;coarse&gt;</a>."),
             std::string::npos);
-  EXPECT_NE(markdown.find("Decided by [surge: 10 mm \\<coarse\\>](#section-" + section.id + ")."),
+  EXPECT_NE(markdown.find("Decided by [surge: 10 mm &lt;coarse&gt;](#section-" + section.id + ")."),
             std::string::npos);
   report.decided_by.anchor = "row-nowhere";
   EXPECT_THROW(check_report(report), ReportError);

@@ -240,9 +240,18 @@ Keys keys_of_any_solver() {
   return all;
 }
 
+// Of all forms of its runs: a misspelt key may be what tells the form.
+Keys keys_of_solver(const std::string& name) {
+  Keys all = keys_of_all;
+  for (const SolverSection& section : solver_sections)
+    if (section.name == name) all = together(all, section.keys);
+  return all;
+}
+
 const SolverSection& section_of(const TomlTable& run) {
   if (!run.has("solver")) run.allow_only(keys_of_any_solver());  // it may be misspelt
   const std::string name = run.choice("solver", "a solver", solver_names());
+  run.allow_only(keys_of_solver(name));
   const SolverSection* found = nullptr;
   for (const SolverSection& section : solver_sections)
     if (section.name == name && (section.form.empty() || run.has(section.form))) found = &section;

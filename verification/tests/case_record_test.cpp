@@ -89,7 +89,7 @@ TEST(RecordOfACase, HasAFileAndAPositiveUncertainty) {
        "dam.toml:45: run.uncertainty = 0: expected a number > 0, in m"},
       {"file = \"front.csv\"\nscheme = \"any\"\n",
        "dam.toml:45: run.scheme = \"any\": expected only these keys here: name, solver, quick, "
-       "uncertainty, file"}};
+       "file, earlier_run, uncertainty"}};
   for (const auto& [record, wanted] : keys) {
     const std::string message = complaint_about(dam_text(record), front);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;

@@ -133,7 +133,7 @@ TEST(ExperimentRecord, HasKeysThatMakeSenseEvenWhereItIsNotSupplied) {
        "trial.toml:64: run.uncertainty = 0: expected a number > 0, in Pa"},
       {file + quantity + unit + columns + "file = \"a.csv\"\n",
        "trial.toml:64: run.file = \"a.csv\": expected only these keys here: name, solver, quick, "
-       "uncertainty, experiment"},
+       "experiment, time_column"},
       {quantity + unit + columns + "experiment = \"../none.csv\"\n",
        "trial.toml:63: run.experiment = \"../none.csv\": expected a CSV file's path below the "
        "directory of the experiments"},
