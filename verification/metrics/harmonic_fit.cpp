@@ -52,7 +52,7 @@ Tone tone_of(const WindowFit& fit, std::size_t k, const LeftoverModel& leftovers
             .amplitude = found.amplitude,
             .phase = found.phase,
             .phase_at_middle = found.phase_at_middle,
-            .beside = leftovers.beside[k]};
+            .beside = fit.beside(k, leftovers)};
   if (fit.requests[k].refine && at_edge(fit.shapes[k], fit.ranges[k])) tone.resolved = false;
   if (tone.beside || (fit.requests[k].refine && !tone.resolved)) widen(tone, fit.ranges[k]);
   return tone;
@@ -98,7 +98,7 @@ std::vector<PairedDifference> differences(const WindowFit& candidate, const Wind
          .phase_at_middle = phase,
          .angular_frequency = difference(of_c.angular_frequency, of_r.angular_frequency),
          .decay_rate = difference(of_c.decay_rate, of_r.decay_rate),
-         .beside = leftovers.beside[k]});
+         .beside = candidate.beside(k, leftovers)});
   }
   return found;
 }

@@ -6,7 +6,8 @@
 // in fourteen spectral bins about a requested tone, the noise made white, falls by more than chance
 // has it in 1 of 100000 cases (F test: of noise alone the search takes the best of some 100
 // places). Their parameters' uncertainty is in the intervals. One too near to tell from a requested
-// tone (nearer than a spectral bin and its own line's width g / pi) leaves that one unknown.
+// tone (nearer than a spectral bin and its own line's width g / pi) may be part of that: its
+// correction is added to the half widths, and above largest_shift the requested tone is unknown.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,6 +18,10 @@
 #include "verification/metrics/tone_search.hpp"
 
 namespace slosh {
+
+// Of a tone's amplitude: what moves it by less widens its interval by as much; a convention, as the
+// tolerances of amplitudes in use are a twentieth.
+inline constexpr double largest_shift = 0.05;
 
 struct LeftoverModel {
   Eigen::VectorXd correction;     // of the parameters, one per column of the Jacobian

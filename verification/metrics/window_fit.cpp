@@ -111,16 +111,34 @@ WindowFit::ToneEstimates WindowFit::estimates(std::size_t k, const LeftoverModel
     if (refine) gradient.segment<2>(shape) << by_w, by_g;
     return leftovers.noise[k].half_width(gradient);
   };
-  // This long after the window's begin.
-  const auto phase_after = [&](double time) -> Estimate {
-    return {wrap_angle(std::atan2(-b, a) + w * time),
-            std::min(pi, half_width(b / square, -a / square, time, 0))};
+  // Where the correction may as well be the tone's own, it is uncertain by all of it.
+  const auto corrected = [&](double value, double uncorrected, double half) -> Estimate {
+    return {value, half + (leftovers.beside[k] ? std::abs(value - uncorrected) : 0)};
   };
-  return {.amplitude = {amplitude, half_width(a / amplitude, b / amplitude, 0, 0)},
-          .angular_frequency = {w, half_width(0, 0, 1, 0)},
-          .decay_rate = {g, half_width(0, 0, 0, 1)},
+  const double a0 = coefficients[cosine], b0 = coefficients[cosine + 1];
+  const double w0 = shapes[k].angular_frequency, g0 = shapes[k].decay_rate;
+  // This long after the window's begin.
+  const auto phase_after = [&](double time) {
+    const double angle = std::atan2(-b, a) + w * time,
+                 change = angle - std::atan2(-b0, a0) - w0 * time;
+    const Estimate phase =
+        corrected(angle, angle - wrap_angle(change), half_width(b / square, -a / square, time, 0));
+    return Estimate{wrap_angle(angle), std::min(pi, phase.half_width)};
+  };
+  return {.amplitude = corrected(amplitude, std::hypot(a0, b0),
+                                 half_width(a / amplitude, b / amplitude, 0, 0)),
+          .angular_frequency = corrected(w, w0, half_width(0, 0, 1, 0)),
+          .decay_rate = corrected(g, g0, half_width(0, 0, 0, 1)),
           .phase = phase_after(-window.begin),
           .phase_at_middle = phase_after(0.5 * (window.end - window.begin))};
+}
+
+std::optional<double> WindowFit::beside(std::size_t k, const LeftoverModel& leftovers) const {
+  const auto cosine = static_cast<Index>(2 + 2 * k);
+  const double shift = leftovers.correction.segment<2>(cosine).norm();
+  if (leftovers.noise[k].known() && shift < largest_shift * coefficients.segment<2>(cosine).norm())
+    return std::nullopt;
+  return leftovers.beside[k];
 }
 
 WindowFit fit_window(const TimeSeries& cut, TimeWindow window,

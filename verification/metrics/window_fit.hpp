@@ -31,6 +31,9 @@ struct WindowFit {
     Estimate amplitude, angular_frequency, decay_rate, phase, phase_at_middle;
   };
   ToneEstimates estimates(std::size_t k, const LeftoverModel& leftovers) const;
+
+  // What the window cannot tell from the k-th tone and what moves it too far [rad/s].
+  std::optional<double> beside(std::size_t k, const LeftoverModel& leftovers) const;
 };
 
 // Throws as fit_harmonics() does. `cut` lies in the window.

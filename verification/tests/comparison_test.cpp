@@ -110,9 +110,8 @@ TEST(Comparison, KeepsDriftAndOffsetOutOfTheModesButInTheResidual) {
 double higher_mode(double t) { return 0.002 * std::sin(9.1 * t + 0.3); }
 
 TEST(Comparison, IsNotMadeUncertainByWhatBothSeriesShowAlike) {
-  const auto both = with_noise(reference, 3e-4, 0.9, 1);
-  auto high = both;
-  for (double& value : high.value) value *= 1.05;
+  const auto both = sampled([](double t) { return wave(t) + higher_mode(t); }, 0, 20);
+  const auto high = sampled([](double t) { return 1.05 * (wave(t) + higher_mode(t)); }, 0, 20);
   const auto result = compare(high, both, window, modes);
   for (const auto& mode : result.modes) {
     EXPECT_GT(mode.candidate.amplitude.half_width, 1e-5);
