@@ -43,8 +43,14 @@ void widen(Tone& tone, const ToneRange& range) {
   tone.phase.half_width = tone.phase_at_middle.half_width = pi;
 }
 
+// What the window cannot tell from the tone corrects nothing of it: the estimate stays the fit's.
+LeftoverModel correcting(const LeftoverModel& leftovers, const std::optional<double>& beside) {
+  return beside ? leftovers.without_corrections() : leftovers;
+}
+
 Tone tone_of(const WindowFit& fit, std::size_t k, const LeftoverModel& leftovers) {
-  const WindowFit::ToneEstimates found = fit.estimates(k, leftovers);
+  const auto beside = fit.beside(k, leftovers);
+  const WindowFit::ToneEstimates found = fit.estimates(k, correcting(leftovers, beside));
   Tone tone{.name = fit.requests[k].name,
             .resolved = detected(found.amplitude),
             .angular_frequency = found.angular_frequency,
@@ -52,7 +58,7 @@ Tone tone_of(const WindowFit& fit, std::size_t k, const LeftoverModel& leftovers
             .amplitude = found.amplitude,
             .phase = found.phase,
             .phase_at_middle = found.phase_at_middle,
-            .beside = fit.beside(k, leftovers)};
+            .beside = beside};
   if (fit.requests[k].refine && at_edge(fit.shapes[k], fit.ranges[k])) tone.resolved = false;
   if (tone.beside || (fit.requests[k].refine && !tone.resolved)) widen(tone, fit.ranges[k]);
   return tone;
@@ -85,7 +91,8 @@ std::vector<PairedDifference> differences(const WindowFit& candidate, const Wind
     const double ratio = amplitude(candidate) / amplitude(reference);
     const LeftoverModel leftovers =
         candidate.leftovers(common.time, of_candidate - ratio * of_reference);
-    const auto of_c = candidate.estimates(k, leftovers);
+    const auto beside = candidate.beside(k, leftovers);
+    const auto of_c = candidate.estimates(k, correcting(leftovers, beside));
     const auto of_r = reference.estimates(k, leftovers.without_corrections());
     const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
       return {c.value - r.value, c.half_width};
@@ -98,7 +105,7 @@ std::vector<PairedDifference> differences(const WindowFit& candidate, const Wind
          .phase_at_middle = phase,
          .angular_frequency = difference(of_c.angular_frequency, of_r.angular_frequency),
          .decay_rate = difference(of_c.decay_rate, of_r.decay_rate),
-         .beside = candidate.beside(k, leftovers)});
+         .beside = beside});
   }
   return found;
 }
