@@ -127,10 +127,10 @@ BrowserRun open_in_browser(const fs::path& directory, const std::string& page, b
   process::child browser(process::search_path("chromium"), process::args(arguments),
                          process::std_in<process::null, process::std_out> output.string(),
                          process::std_err > log.string(), group);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (browser.running()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    if (std::chrono::steady_clock::now() < end) continue;
+    if (std::chrono::steady_clock::now() < deadline) continue;
     group.terminate();
     throw std::runtime_error("chromium did not answer within 60 s: " + read_text(log));
   }
