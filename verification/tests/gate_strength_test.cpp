@@ -192,7 +192,8 @@ TEST(GateStrength, OfADriftIsThatOfItsMean) {
 
 TEST(GateStrength, OfASlowChangeOfFrequencyIsItsMeanLag) {
   const GateStrength strength = strength_of(lag);
-  EXPECT_EQ(detected_from(strength, MutationKind::chirped), 0.05);  // 1.7 less 6 degrees
+  // 6 degrees less 1.7; a smaller one is told where the fit refuses what lies beside the forcing.
+  EXPECT_LE(detected_from(strength, MutationKind::chirped).value(), 0.05);
   EXPECT_TRUE(broken_claims(strength).empty());
 }
 

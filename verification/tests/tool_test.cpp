@@ -80,7 +80,7 @@ TEST_F(Tool, SaysNotComparedInAllOutputsWhereAReferenceIsOutOfItsRange) {
       holds(read("out/report/index.html"), "Decided by <a href=\"small.html#row-small-1\">"));
   EXPECT_TRUE(holds(read("out/report/results.json"), "\"verdict\": \"not compared\""));
   EXPECT_TRUE(holds(read("out/gate/gate.md"), "NOT COMPARED: 0 of 1"));
-  EXPECT_TRUE(holds(read("out/gate/gate.md"), "| **not compared** | small |"));
+  EXPECT_TRUE(holds(read("out/gate/gate.md"), "| **not compared** | validation | small |"));
   EXPECT_TRUE(holds(read("out/gate/junit.xml"), "type=\"not compared\""));
   EXPECT_TRUE(holds(read("out/gate/gate.sarif"), "\"ruleId\": \"not-compared\""));
   for (const std::string& text :
@@ -320,7 +320,11 @@ TEST_F(Tool, TestsWhatItsOwnGateDetects) {
 }
 
 TEST_F(Tool, FindsARowThatJudgesNothing) {
-  write_campaign(with(particles_case, "limit = 0.3", "limit = 1e300"));
+  std::string text = with(particles_case, "limit = 0.3", "limit = 1e8");
+  text = with(text, "metric = \"amplitude_error\"", "metric = \"maximum_residual\"");
+  text = with(text, "mode = \"forced\"", "mode = \"whole\"");
+  text = with(text, "unit = \"1\"", "unit = \"m\"");
+  write_campaign(text);
   ASSERT_EQ(campaign().status, 0);
   const Ended tested = tool({"selftest", "./surges.toml", "--output", "out", "--only", "small"});
   EXPECT_EQ(tested.status, 1) << tested.out << tested.err;
@@ -342,6 +346,7 @@ reference = "probe"
 quantity = "elevation@right"
 mode = "whole"
 metric = "normalised_rms"
+kind = "regression"
 unit = "1"
 limit = 0.5
 reason = "The runs are coarse."

@@ -83,7 +83,8 @@ TEST(WaveAssessment, RejectsACandidateThatDecaysATenthTooFast) {
 TEST(WaveAssessment, RejectsAnInviscidCandidate) {
   const CaseAssessment assessment = assess_wave(inviscid_wave());
   EXPECT_EQ(assessment.gate[0].verdict, Verdict::violated);
-  EXPECT_NEAR(assessment.gate[0].value.value, -1, 1e-6);
+  // What the fits leave of the viscous wave corrects its decay by 3e-4.
+  EXPECT_NEAR(assessment.gate[0].value.value, -1, 1e-3);
 }
 
 TEST(WaveAssessment, RejectsTheViscosityOfAnotherReynoldsNumber) {
