@@ -32,7 +32,10 @@ toml::table run_table(const toml::array& runs, const char* role, const std::stri
   std::vector<std::string> known;
   for (const toml::node& run : runs) {
     known.push_back(run.as_table()->at("name").value_or(std::string()));
-    if (known.back() == name) return *run.as_table();
+    if (known.back() != name) continue;
+    toml::table found = *run.as_table();
+    found.erase("repeats");  // a study is of single runs
+    return found;
   }
   constexpr std::size_t suggestions = 3;
   throw CaseFileError(fmt::format("{}: {} = {}: expected a run of the case; nearest: {}",

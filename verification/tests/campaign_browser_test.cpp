@@ -18,8 +18,9 @@ std::size_t files_in(const std::filesystem::path& directory) {
 
 TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
   if (!reports::browser_is_installed()) GTEST_SKIP() << "chromium is not installed";
-  write_campaign(particles_case +
-                 with(gate_on("particles"), "limit = 0.3", "lower = 0.5\nupper = 0.6"));
+  std::string second = with(gate_on("particles"), "limit = 0.3", "lower = 0.5\nupper = 0.6");
+  second = with(with(second, "amplitude_error", "rms_error"), "\"forced\"", "\"whole\"");
+  write_campaign(particles_case + second);
   ASSERT_EQ(campaign().status, 1);
   const nlohmann::json results = nlohmann::json::parse(read(report() / "results.json"));
   const reports::BrowserRun first =

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -65,8 +67,11 @@ TEST_F(SpacingStudies, AskTheSameOfTheReferenceAndOfARunAtItsOwnSpacingInEverySh
   for (const auto& entry : fs::directory_iterator(SLOSH_SOURCE_DIR "/verification/cases")) {
     if (entry.path().extension() != ".toml") continue;
     const CaseDefinition definition = read_case(entry.path());
-    const RunDefinition &reference = definition.runs.front(), &last = definition.runs.back();
+    const RunDefinition& reference = definition.runs.front();
+    const RunDefinition& last =
+        *std::find_if_not(definition.runs.rbegin(), definition.runs.rend(), is_later_member);
     for (const RunDefinition& run : definition.runs) {
+      if (is_later_member(run)) continue;  // of an ensemble that the file names once
       const auto* sph = std::get_if<SphRun>(&run.solver);
       if (!sph || sph->particle_spacing != sph->surface_particle_spacing) continue;
       const double spacing = sph->particle_spacing;

@@ -96,6 +96,7 @@ CaseAssessment assessed(const TimeSeries& pressure, bool with_record = true) {
     row.metric = Metric::impact_time;
     row.unit = "s";
     row.limit = 0.05;
+    row.kind = RowKind::regression;  // neither side declares its uncertainty
     definition.gate.push_back(row);
   }
   CaseAssessment made = one_run(pressure, definition);
