@@ -42,7 +42,8 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
 ProblemRun ended_problem(const JobState& state, const ProblemDefinition& problem,
                          const CampaignSettings& settings) {
   if (!has_succeeded(state))
-    return {status_without_result(state, settings.store.file(key_of(problem, settings), failure_extension)),
+    return {status_without_result(
+                state, settings.store.file(key_of(problem, settings), failure_extension)),
             {}};
   return standing_problem(problem, settings);
 }
