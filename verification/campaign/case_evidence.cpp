@@ -37,35 +37,12 @@ bool can_tell(const std::vector<ToneRequest>& modes, const TimeSeries& record,
   return false;
 }
 
-// The histories alone are compared where the record cannot tell the modes. Where the candidate's
-// own series cannot, that is its fault and no reason to ask less of it.
-Comparison compare_with_record(const TimeSeries& candidate, const TimeSeries& record,
-                               TimeWindow window, const std::vector<ToneRequest>& modes) {
-  return compare(candidate, record, window,
-                 can_tell(modes, record, window) ? modes : std::vector<ToneRequest>{});
-}
-
 // Of a member of an ensemble that failed or was not run there is none.
 const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
                             const std::string& quantity) {
   const auto found = runs.results.find(run);
   if (found == runs.results.end()) throw ResultError("there is no result of " + run);
   return found->second.at(quantity);
-}
-
-Comparison compare_runs(const CaseDefinition& definition, const CaseRuns& runs,
-                        const std::string& candidate_name, const std::string& reference_name,
-                        const std::string& quantity, const std::vector<ToneRequest>& all_modes) {
-  const TimeSeries& candidate = series_of(runs, candidate_name, quantity);
-  const TimeSeries& reference = series_of(runs, reference_name, quantity);
-  const TimeWindow window = compared_window(definition, reference_name);
-  const auto modes = has_modes(quantity) ? all_modes : std::vector<ToneRequest>{};
-  Comparison comparison = record_named(definition, reference_name)
-                              ? compare_with_record(candidate, reference, window, modes)
-                              : compare(candidate, reference, window, modes);
-  comparison.candidate = candidate_name;
-  comparison.reference = reference_name;
-  return comparison;
 }
 
 }  // namespace
@@ -96,19 +73,52 @@ TimeWindow compared_window(const CaseDefinition& definition, const std::string& 
 }
 
 CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
-                           const FittedComparisons* known)
-    : definition_(definition), runs_(runs), known_(known), modes_(fitted_modes(definition)) {}
+                           const FittedComparisons* known, Detail detail)
+    : definition_(definition),
+      runs_(runs),
+      known_(known),
+      detail_(detail),
+      modes_(fitted_modes(definition)) {}
+
+const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std::string& run,
+                                             const std::string& quantity, TimeWindow window,
+                                             const std::vector<ToneRequest>& modes) {
+  const PreparedKey key{role, run, quantity, window.begin, window.end, modes.size()};
+  if (known_)
+    if (const auto known = known_->series.find(key); known != known_->series.end())
+      return *known->second;
+  std::shared_ptr<const PreparedSeries>& here = fitted_.series[key];
+  if (!here)
+    here = std::make_shared<PreparedSeries>(role, series_of(runs_, run, quantity), window, modes,
+                                            detail_);
+  return *here;
+}
+
+// The histories alone are compared where a record cannot tell the modes. Where the candidate's own
+// series cannot, that is its fault and no reason to ask less of it.
+Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
+                                  const std::string& quantity) {
+  const TimeWindow window = compared_window(definition_, reference);
+  std::vector<ToneRequest> modes;
+  if (has_modes(quantity)) modes = modes_;
+  if (record_named(definition_, reference) &&
+      !can_tell(modes, series_of(runs_, reference, quantity), window))
+    modes.clear();
+  Comparison comparison = compare(prepared("candidate", candidate, quantity, window, modes),
+                                  prepared("reference", reference, quantity, window, modes));
+  comparison.candidate = candidate;
+  comparison.reference = reference;
+  return comparison;
+}
 
 const Comparison& CaseEvidence::comparison(const std::string& candidate,
                                            const std::string& reference,
                                            const std::string& quantity) {
-  const FittedComparisons::key_type key{candidate, reference, quantity};
+  const std::array<std::string, 3> key{candidate, reference, quantity};
   if (known_)
-    if (const auto known = known_->find(key); known != known_->end()) return known->second;
-  if (const auto fitted = fitted_.find(key); fitted != fitted_.end()) return fitted->second;
-  return fitted_
-      .emplace(key, compare_runs(definition_, runs_, candidate, reference, quantity, modes_))
-      .first->second;
+    if (const auto known = known_->of.find(key); known != known_->of.end()) return known->second;
+  if (const auto fitted = fitted_.of.find(key); fitted != fitted_.of.end()) return fitted->second;
+  return fitted_.of.emplace(key, compared(candidate, reference, quantity)).first->second;
 }
 
 GateEvidence CaseEvidence::gate_evidence() {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,14 +26,21 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 // The case's, or what a record covers of it: a candidate must cover it all.
 TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference);
 
-// Comparisons by candidate, reference and quantity.
-using FittedComparisons = std::map<std::array<std::string, 3>, Comparison>;
+// By role, run, quantity, window and number of modes: a series is prepared once for all that it is
+// compared with.
+using PreparedKey = std::tuple<std::string, std::string, std::string, double, double, std::size_t>;
+
+struct FittedComparisons {
+  std::map<std::array<std::string, 3>, Comparison> of;  // by candidate, reference and quantity
+  std::map<PreparedKey, std::shared_ptr<const PreparedSeries>> series;
+};
 
 class CaseEvidence {
  public:
   // All stay the caller's and outlive this; `known` are comparisons of these runs, null for none.
+  // Of spectra alone where no row that will be judged is measured on a mode.
   CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
-               const FittedComparisons* known = nullptr);
+               const FittedComparisons* known = nullptr, Detail detail = Detail::fitted_tones);
 
   // Throws ComparisonError or ResultError where there is none.
   const Comparison& comparison(const std::string& candidate, const std::string& reference,
@@ -49,8 +58,15 @@ class CaseEvidence {
   const CaseDefinition& definition_;
   const CaseRuns& runs_;
   const FittedComparisons* known_;
+  Detail detail_;
   std::vector<ToneRequest> modes_;
   FittedComparisons fitted_;
+
+  Comparison compared(const std::string& candidate, const std::string& reference,
+                      const std::string& quantity);
+  const PreparedSeries& prepared(const std::string& role, const std::string& run,
+                                 const std::string& quantity, TimeWindow window,
+                                 const std::vector<ToneRequest>& modes);
 };
 
 }  // namespace slosh

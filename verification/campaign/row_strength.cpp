@@ -13,6 +13,7 @@
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 
@@ -56,10 +57,18 @@ FittedComparisons without(const std::vector<std::string>& runs, FittedComparison
   const auto is_left_out = [&](const std::string& run) {
     return std::find(runs.begin(), runs.end(), run) != runs.end();
   };
-  std::erase_if(fitted, [&](const auto& one) {
+  std::erase_if(fitted.of, [&](const auto& one) {
     return is_left_out(one.first[0]) || is_left_out(one.first[1]);
   });
+  std::erase_if(fitted.series,
+                [&](const auto& one) { return is_left_out(std::get<1>(one.first)); });
   return fitted;
+}
+
+bool needs_fitted_tones(const TriedRow& one) {
+  const MeasuredOn on = metric_entry(one.row.metric).measured_on;
+  const bool is_of_a_mode = on == MeasuredOn::any_mode || on == MeasuredOn::natural_mode;
+  return on == MeasuredOn::cost || (is_of_a_mode && one.row.metric != Metric::band_energy_error);
 }
 
 // Rows that judge one series in one frame: each mutant is compared once for all of them.
@@ -81,11 +90,14 @@ std::vector<GateStrength> strengths_of(const CaseAssessment& assessment, const R
   const auto own = [&](const std::string& run) -> const TimeSeries& {
     return assessment.runs.results.at(run).at(quantity);
   };
+  const Detail detail = std::any_of(rows.begin(), rows.end(), needs_fitted_tones)
+                            ? Detail::fitted_tones
+                            : Detail::spectrum_alone;
   const JudgeRows judge = [&](const Mutation* mutation) {
     for (const std::string& run : members)
       series_of(runs.results.at(run), quantity) =
           mutation ? mutated(own(run), *mutation, group.frame) : own(run);
-    CaseEvidence evidence(assessment.definition, runs, &known);
+    CaseEvidence evidence(assessment.definition, runs, &known, detail);
     std::vector<Verdict> verdicts;
     for (const TriedRow& one : rows) verdicts.push_back(evidence.judge(one.row).verdict);
     return verdicts;

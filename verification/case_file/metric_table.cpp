@@ -42,6 +42,8 @@ const std::vector<MetricEntry>& metric_table() {
        "a candidate that stays at the reference's mean has 1"},
       {Metric::largest_magnitude, "largest_magnitude", "", own_series, 1e9, unit, of_any_size},
       {Metric::band_energy_error, "band_energy_error", "1", any_mode, 1, unit, at_rest},
+      {Metric::cross_correlation_lag, "cross_correlation_lag", "deg", wave, 180, unit,
+       "the lag is sought within half a period of the first mode"},
       {Metric::spectral_peak_error, "spectral_peak_error", "1", wave, 1, unit, at_rest},
       {Metric::rms_error, "rms_error", "1", whole_window, 1, unit, at_rest},
       {Metric::crest_error, "crest_error", "1", wave, 1, unit, at_rest},

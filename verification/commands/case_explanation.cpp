@@ -156,6 +156,8 @@ const char* words_for(Metric metric) {
       return "largest magnitude";
     case Metric::band_energy_error:
       return "error of the energy near the mode's frequency";
+    case Metric::cross_correlation_lag:
+      return "lag of the highest cross-correlation";
     case Metric::spectral_peak_error:
       return "error of the frequency of the highest spectral peak";
     case Metric::rms_error:

@@ -93,7 +93,9 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::aligned_rms:
       return {comparison.alignment.normalised_rms, 0};
     case Metric::band_energy_error:
-      return resolved_or_refused(metric, mode_of(comparison, mode).band_energy_error);
+      return resolved_or_refused(metric, comparison.band_energy_error.at(mode));
+    case Metric::cross_correlation_lag:
+      return {comparison.cross_correlation_lag_degrees, 0};
     case Metric::spectral_peak_error:
       return spectral_peak_error(comparison);
     case Metric::rms_error:
@@ -358,7 +360,7 @@ std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row,
       // mean of none.
       double& value = pairs.back().back().value;
       constexpr double turn = 360;
-      if (row.metric == Metric::phase_lag)
+      if (row.metric == Metric::phase_lag || row.metric == Metric::cross_correlation_lag)
         value -= turn * std::round((value - pairs.front().front().value) / turn);
     }
   }

@@ -98,7 +98,8 @@ std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& ca
 }
 
 std::optional<Prediction> of_shift(const GateRow& row, double e, double periods, double period) {
-  if (row.metric == Metric::phase_lag) return Prediction{wrap_degrees(e + whole_turn * periods)};
+  if (row.metric == Metric::phase_lag || row.metric == Metric::cross_correlation_lag)
+    return Prediction{wrap_degrees(e + whole_turn * periods)};
   if (row.metric == Metric::time_lag) return Prediction{e + periods * period};
   return std::nullopt;
 }

@@ -11,7 +11,7 @@
 // Of what adds a series x to the candidate c (an offset, a drift, a gained mode, a chirp):
 //   normalised_rms     is at least rms(x) / rms(c - mean c) (1 - E) - E
 //   maximum_residual   is at least max |x| - E
-// by the triangle inequality. phase_lag, time_lag and frequency_error move by the shift or stretch,
+// by the triangle inequality. phase_lag, cross_correlation_lag, time_lag and frequency_error move by the shift or stretch,
 // the phase by half a turn of a flipped sign, and that of the forced mode by a third of a turn
 // times a chirp's strength (the mean of u^2); the amplitude error of a gained mode becomes
 // (1 + E) (1 + s) - 1. The row claims the mutation where that lies outside its bounds. Of a shift,

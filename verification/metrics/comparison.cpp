@@ -27,14 +27,6 @@ Estimate scaled(const Estimate& estimate, double factor) {
   return {.value = estimate.value * factor, .half_width = estimate.half_width * factor};
 }
 
-// A mode that one of the two does not resolve, or their difference, has no difference: the
-// intervals are then those of two things that know nothing of one another.
-double either(const ModeComparison& mode, const Estimate& difference, const Estimate& candidate,
-              const Estimate& reference) {
-  return mode.resolved() ? difference.half_width
-                         : std::hypot(candidate.half_width, reference.half_width);
-}
-
 ModeComparison compare_tones(const Tone& candidate, const Tone& reference,
                              const PairedDifference& difference) {
   ModeComparison mode{};
@@ -42,28 +34,27 @@ ModeComparison compare_tones(const Tone& candidate, const Tone& reference,
   mode.candidate = candidate;
   mode.reference = reference;
   mode.beside = difference.beside;
-  const double ratio = candidate.amplitude.value / reference.amplitude.value;
-  const Estimate lag_angle{
-      .value = -difference.phase_at_middle.value,
-      .half_width = std::min(pi, either(mode, difference.phase_at_middle, candidate.phase_at_middle,
-                                        reference.phase_at_middle))};
+  const Estimate lag_angle{-difference.phase_at_middle.value,
+                           std::min(pi, difference.phase_at_middle.half_width)};
   mode.amplitude_error = {difference.amplitude_ratio.value - 1,
-                          either(mode, difference.amplitude_ratio,
-                                 scaled(candidate.amplitude, 1 / reference.amplitude.value),
-                                 scaled(reference.amplitude, ratio / reference.amplitude.value))};
+                          difference.amplitude_ratio.half_width};
   mode.phase_lag = scaled(lag_angle, 1 / reference.angular_frequency.value);
   mode.phase_lag_degrees = scaled(lag_angle, 180 / pi);
   mode.phase_lag_periods = scaled(lag_angle, 1 / (2 * pi));
-  mode.frequency_error = scaled({difference.angular_frequency.value,
-                                 either(mode, difference.angular_frequency,
-                                        candidate.angular_frequency, reference.angular_frequency)},
-                                1 / reference.angular_frequency.value);
+  mode.frequency_error =
+      scaled(difference.angular_frequency, 1 / reference.angular_frequency.value);
   mode.decay_rate = candidate.decay_rate;
-  mode.decay_error =
-      scaled({difference.decay_rate.value,
-              either(mode, difference.decay_rate, candidate.decay_rate, reference.decay_rate)},
-             1 / reference.decay_rate.value);
+  mode.decay_error = scaled(difference.decay_rate, 1 / reference.decay_rate.value);
   return mode;
+}
+
+std::vector<ModeComparison> compare_fits(const SeriesFit& candidate, const SeriesFit& reference) {
+  const std::vector<PairedDifference> differences = paired_differences(candidate, reference);
+  std::vector<ModeComparison> compared;
+  for (std::size_t k = 0; k < differences.size(); ++k)
+    compared.push_back(compare_tones(candidate.harmonics().tones[k], reference.harmonics().tones[k],
+                                     differences[k]));
+  return compared;
 }
 
 // By the trapezoidal rule over the interval before the i-th sample.
@@ -128,29 +119,25 @@ int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
   return block_count(window.end - window.begin, 2 * pi / slowest);
 }
 
-void add_modes(const TimeSeries& candidate, const TimeSeries& reference,
-               const std::vector<ToneRequest>& modes, Comparison& result) {
-  const TimeWindow window = result.window;
-  result.modes = compare_modes(candidate, reference, window, modes);
-  result.cross_correlation_lag =
-      cross_correlation_lag(candidate, reference, window, 2 * pi / modes.front().angular_frequency);
+void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
+               Comparison& result) {
+  const std::vector<ToneRequest>& modes = reference.modes;
+  if (candidate.fit && reference.fit) result.modes = compare_fits(*candidate.fit, *reference.fit);
+  result.cross_correlation_lag = cross_correlation_lag(
+      candidate.series, reference.series, result.window, 2 * pi / modes.front().angular_frequency);
+  result.cross_correlation_lag_degrees =
+      result.cross_correlation_lag * modes.front().angular_frequency * 180 / pi;
   const int peaks = static_cast<int>(modes.size()) + 1;
-  const Spectrum of_candidate = power_spectrum(candidate, window);
-  const Spectrum of_reference = power_spectrum(reference, window);
-  result.candidate_peaks = spectral_peaks(of_candidate, peaks);
-  result.reference_peaks = spectral_peaks(of_reference, peaks);
-  for (ModeComparison& mode : result.modes) {
-    const double frequency = mode.reference.angular_frequency.value / (2 * pi);
+  result.candidate_peaks = spectral_peaks(*candidate.spectrum, peaks);
+  result.reference_peaks = spectral_peaks(*reference.spectrum, peaks);
+  for (const ToneRequest& mode : modes) {
+    const double frequency = mode.angular_frequency / (2 * pi);
     const auto energy = [frequency](const Spectrum& of) {
       return band_energy(of, 0.8 * frequency, 1.2 * frequency);
     };
-    mode.band_energy_error = energy(of_candidate) / energy(of_reference) - 1;
+    result.band_energy_error[mode.name] =
+        energy(*candidate.spectrum) / energy(*reference.spectrum) - 1;
   }
-}
-
-TimeSeries named(const std::string& role, TimeSeries series) {
-  series.name = role + " " + series.name;
-  return series;
 }
 
 }  // namespace
@@ -158,43 +145,36 @@ TimeSeries named(const std::string& role, TimeSeries series) {
 std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
                                           TimeWindow window,
                                           const std::vector<ToneRequest>& modes) {
-  const PairedFit fitted = fit_pair(candidate, reference, window, modes);
-  std::vector<ModeComparison> compared;
-  for (std::size_t k = 0; k < modes.size(); ++k)
-    compared.push_back(
-        compare_tones(fitted.candidate.tones[k], fitted.reference.tones[k], fitted.differences[k]));
-  return compared;
+  return compare_fits({candidate, window, modes}, {reference, window, modes});
 }
 
-Comparison compare(const TimeSeries& candidate_series, const TimeSeries& reference_series,
-                   TimeWindow window, const std::vector<ToneRequest>& modes) {
-  const TimeSeries candidate = named("candidate", candidate_series);
-  const TimeSeries reference = named("reference", reference_series);
-  if (candidate.unit != reference.unit) {
-    throw ComparisonError(fmt::format("{} is in {}, {} in {}; expected the same unit",
-                                      candidate.name, candidate.unit, reference.name,
-                                      reference.unit));
-  }
-  const TimeSeries cut_reference = cut_to_window(reference, window);
-  require_variation(cut_reference);
-  require_variation(cut_to_window(candidate, window));
-
+Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference) {
+  const std::vector<ToneRequest>& modes = reference.modes;
   Comparison result{};
-  result.quantity = reference_series.name;
-  result.unit = reference.unit;
-  result.window = window;
-  const CommonSamples common = common_samples(candidate, cut_reference);
-  compare_whole_window(common, blocks_of(window, modes), result);
+  result.quantity = reference.quantity;
+  result.unit = reference.series.unit;
+  result.window = reference.window;
+  if (candidate.series.unit != result.unit)
+    throw ComparisonError(fmt::format("{} is in {}, {} in {}; expected the same unit",
+                                      candidate.series.name, candidate.series.unit,
+                                      reference.series.name, result.unit));
+  const CommonSamples common = common_samples(candidate.series, reference.cut);
+  compare_whole_window(common, blocks_of(result.window, modes), result);
   compare_waves(common, modes, result);
   constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-  if (modes.empty()) {
-    result.cross_correlation_lag = no_number;
-    result.alignment = align_in_time(candidate, cut_reference);
-  } else {
-    result.alignment = {no_number, no_number};
-    add_modes(candidate, reference, modes, result);
-  }
+  result.cross_correlation_lag = result.cross_correlation_lag_degrees = no_number;
+  result.alignment = {no_number, no_number};
+  if (modes.empty())
+    result.alignment = align_in_time(candidate.series, reference.cut);
+  else
+    add_modes(candidate, reference, result);
   return result;
+}
+
+Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
+                   const std::vector<ToneRequest>& modes) {
+  return compare(PreparedSeries("candidate", candidate, window, modes),
+                 PreparedSeries("reference", reference, window, modes));
 }
 
 }  // namespace slosh

@@ -10,12 +10,13 @@
 // harmonic_fit.hpp.
 #pragma once
 
-#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "verification/metrics/harmonic_fit.hpp"
+#include "verification/metrics/prepared_series.hpp"
 #include "verification/metrics/spectrum.hpp"
 #include "verification/metrics/time_alignment.hpp"
 #include "verification/metrics/time_series.hpp"
@@ -37,22 +38,23 @@ struct ModeComparison {
                              // given)
   Estimate decay_rate;       // of the candidate [1/s]
   Estimate decay_error;      // g_c / g_r - 1; means something where the reference decays
-  // Of the energies within a fifth of the reference's frequency to either side (spectrum.hpp):
-  // E_c / E_r - 1; NaN where the window cannot resolve that band, and without a whole comparison.
-  double band_energy_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct Comparison {
   std::string candidate, reference;  // names of the runs, for the caller to fill in
   std::string quantity, unit;        // the reference's
   TimeWindow window;
-  std::vector<ModeComparison> modes;
+  std::vector<ModeComparison> modes;  // empty of spectra alone
+  // Of each mode's energies within a fifth of its frequency to either side (spectrum.hpp):
+  // E_c / E_r - 1; NaN where the window cannot resolve that band.
+  std::map<std::string, double> band_energy_error;
   // Of the whole window; intervals by block_jackknife.hpp, none without modes.
   Estimate normalised_rms;  // rms(c - r) / rms(r - mean r)
   double maximum_residual;  // max |c - r|, in the quantity's unit
   // [s], positive when late; within half a period of the first mode, NaN without modes.
   double cross_correlation_lag;
-  TimeAlignment alignment;  // NaN with modes, whose lags say it better
+  double cross_correlation_lag_degrees;  // of that period
+  TimeAlignment alignment;               // NaN with modes, whose lags say it better
   Estimate sprague_geers_magnitude, sprague_geers_phase;
   // Of both at the reference's times inside the window, by the first mode's period.
   WaveStatistics candidate_wave, reference_wave;
@@ -61,14 +63,16 @@ struct Comparison {
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;
 };
 
-// The modes alone, in their order, of two series in one unit. Throws as fit_pair() does.
+// The modes alone, in their order, of two series in one unit. Throws as fit_harmonics() does.
 std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
                                           TimeWindow window, const std::vector<ToneRequest>& modes);
 
-// Compares two series over a window. The candidate is interpolated (cubic) to the reference's
-// times. Throws ComparisonError when either series holds a non-finite value, does not vary or falls
-// short of the window by more than one sample, when the units differ, or when the window
-// cannot resolve the modes. Without modes the whole histories alone are compared.
+// Compares two series over their window. The candidate is interpolated (cubic) to the reference's
+// times. Throws ComparisonError when the units differ. Without modes the whole histories alone are
+// compared, and of spectra alone all but the modes.
+Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference);
+
+// The same of two series that are prepared for it alone; throws as PreparedSeries does.
 Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
                    const std::vector<ToneRequest>& modes);
 

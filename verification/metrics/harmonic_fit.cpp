@@ -78,36 +78,48 @@ HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
   return found;
 }
 
-// Tone by tone.
-std::vector<PairedDifference> differences(const WindowFit& candidate, const WindowFit& reference,
-                                          const CommonSamples& common) {
-  const Eigen::VectorXd of_candidate = candidate.residual(common.time, common.candidate),
-                        of_reference = reference.residual(common.time, common.reference);
-  std::vector<PairedDifference> found;
-  for (std::size_t k = 0; k < candidate.requests.size(); ++k) {
-    const auto amplitude = [k](const WindowFit& fit) {
-      return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
-    };
-    const double ratio = amplitude(candidate) / amplitude(reference);
-    const LeftoverModel leftovers =
-        candidate.leftovers(common.time, of_candidate - ratio * of_reference);
-    const auto beside = candidate.beside(k, leftovers);
-    const auto of_c = candidate.estimates(k, correcting(leftovers, beside));
-    const auto of_r = reference.estimates(k, leftovers.without_corrections());
-    const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
-      return {c.value - r.value, c.half_width};
-    };
-    Estimate phase = difference(of_c.phase_at_middle, of_r.phase_at_middle);
-    phase.value = wrap_angle(phase.value);
-    found.push_back(
-        {.amplitude_ratio = {of_c.amplitude.value / of_r.amplitude.value,
-                             of_c.amplitude.half_width / of_r.amplitude.value},
-         .phase_at_middle = phase,
-         .angular_frequency = difference(of_c.angular_frequency, of_r.angular_frequency),
-         .decay_rate = difference(of_c.decay_rate, of_r.decay_rate),
-         .beside = beside});
-  }
-  return found;
+bool is_told(const Tone& tone) { return tone.resolved && !tone.beside; }
+
+// Of two tones that know nothing of one another.
+PairedDifference unpaired(const Tone& candidate, const Tone& reference) {
+  const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
+    return {c.value - r.value, std::hypot(c.half_width, r.half_width)};
+  };
+  const double ratio = candidate.amplitude.value / reference.amplitude.value;
+  Estimate phase = difference(candidate.phase_at_middle, reference.phase_at_middle);
+  phase = {wrap_angle(phase.value), std::min(pi, phase.half_width)};
+  return {.amplitude_ratio = {ratio, std::hypot(candidate.amplitude.half_width,
+                                                ratio * reference.amplitude.half_width) /
+                                         reference.amplitude.value},
+          .phase_at_middle = phase,
+          .angular_frequency = difference(candidate.angular_frequency, reference.angular_frequency),
+          .decay_rate = difference(candidate.decay_rate, reference.decay_rate),
+          .beside = candidate.beside ? candidate.beside : reference.beside};
+}
+
+PairedDifference paired(const WindowFit& candidate, const WindowFit& reference, std::size_t k,
+                        const CommonSamples& common) {
+  const auto amplitude = [k](const WindowFit& fit) {
+    return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
+  };
+  const double ratio = amplitude(candidate) / amplitude(reference);
+  const LeftoverModel leftovers = candidate.leftovers(
+      common.time, candidate.residual(common.time, common.candidate) -
+                       ratio * reference.residual(common.time, common.reference));
+  const auto beside = candidate.beside(k, leftovers);
+  const auto of_c = candidate.estimates(k, correcting(leftovers, beside));
+  const auto of_r = reference.estimates(k, leftovers.without_corrections());
+  const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
+    return {c.value - r.value, c.half_width};
+  };
+  Estimate phase = difference(of_c.phase_at_middle, of_r.phase_at_middle);
+  phase.value = wrap_angle(phase.value);
+  return {.amplitude_ratio = {of_c.amplitude.value / of_r.amplitude.value,
+                              of_c.amplitude.half_width / of_r.amplitude.value},
+          .phase_at_middle = phase,
+          .angular_frequency = difference(of_c.angular_frequency, of_r.angular_frequency),
+          .decay_rate = difference(of_c.decay_rate, of_r.decay_rate),
+          .beside = beside};
 }
 
 }  // namespace
@@ -141,20 +153,34 @@ double wrap_angle(double angle) { return std::remainder(angle, 2 * pi); }
 
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests) {
-  const TimeSeries cut = cut_to_window(series, window);
-  return harmonic_fit(fit_window(cut, window, requests), cut);
+  return SeriesFit(series, window, requests).harmonics();
 }
 
-PairedFit fit_pair(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
-                   const std::vector<ToneRequest>& requests) {
-  const TimeSeries cut_candidate = cut_to_window(candidate, window),
-                   cut_reference = cut_to_window(reference, window);
-  const WindowFit fitted_candidate = fit_window(cut_candidate, window, requests),
-                  fitted_reference = fit_window(cut_reference, window, requests);
-  const CommonSamples common = common_samples(candidate, cut_reference);
-  return {harmonic_fit(fitted_candidate, cut_candidate),
-          harmonic_fit(fitted_reference, cut_reference),
-          differences(fitted_candidate, fitted_reference, common)};
+SeriesFit::SeriesFit(TimeSeries series, TimeWindow window, const std::vector<ToneRequest>& requests)
+    : series_(std::move(series)) {
+  const TimeSeries cut = cut_to_window(series_, window);
+  fit_ = std::make_shared<const WindowFit>(fit_window(cut, window, requests));
+  harmonics_ = harmonic_fit(*fit_, cut);
+}
+
+std::vector<PairedDifference> paired_differences(const SeriesFit& candidate,
+                                                 const SeriesFit& reference) {
+  const CommonSamples common =
+      common_samples(candidate.series(), cut_to_window(reference.series(), reference.fit().window));
+  std::vector<PairedDifference> differences;
+  for (std::size_t k = 0; k < candidate.fit().requests.size(); ++k) {
+    const Tone &of_c = candidate.harmonics().tones[k], &of_r = reference.harmonics().tones[k];
+    differences.push_back(is_told(of_c) && is_told(of_r)
+                              ? paired(candidate.fit(), reference.fit(), k, common)
+                              : unpaired(of_c, of_r));
+    // A difference that is not told apart is one of two things as well.
+    if (differences.back().beside) {
+      const double frequency = *differences.back().beside;
+      differences.back() = unpaired(of_c, of_r);
+      differences.back().beside = frequency;
+    }
+  }
+  return differences;
 }
 
 }  // namespace slosh

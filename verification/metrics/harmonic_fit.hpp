@@ -8,6 +8,7 @@
 // window resolves the tones from one another and from its mean: length > 1 / |f1 - f2| and > 1 / f.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -70,30 +71,45 @@ void require_sampled(const TimeSeries& cut, const std::vector<ToneRequest>& requ
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests);
 
+struct WindowFit;  // window_fit.hpp
+
+// A series with its fit, to be set beside others'.
+class SeriesFit {
+ public:
+  // Throws as fit_harmonics() does.
+  SeriesFit(TimeSeries series, TimeWindow window, const std::vector<ToneRequest>& requests);
+
+  const TimeSeries& series() const { return series_; }
+  const HarmonicFit& harmonics() const { return harmonics_; }
+  const WindowFit& fit() const { return *fit_; }
+
+ private:
+  TimeSeries series_;
+  std::shared_ptr<const WindowFit> fit_;
+  HarmonicFit harmonics_;
+};
+
 // What sets the candidate's tone apart from the reference's: 95 % intervals of the candidate's less
-// the reference's, and the ratio of the amplitudes.
+// the reference's, and the ratio of the amplitudes. Where one of the two tones is not resolved the
+// intervals are those of two things that know nothing of one another.
 struct PairedDifference {
   Estimate amplitude_ratio;
   Estimate phase_at_middle;    // [rad], wrapped to [-pi, pi]
   Estimate angular_frequency;  // [rad/s]
   Estimate decay_rate;         // [1/s]
-  // [rad/s], of something in the difference alone that the window cannot tell from the tone: the
-  // intervals are then of no meaning.
+  // [rad/s], of something in one of the two, or in their difference alone, that the window cannot
+  // tell from the tone: the ratio of what is part of something else tells nothing, however alike
+  // what is left of both.
   std::optional<double> beside = {};
 };
 
-struct PairedFit {
-  HarmonicFit candidate, reference;
-  std::vector<PairedDifference> differences;  // in the order of the requests
-};
-
-// Both series fitted, and their differences with intervals from what the fits leave of the one less
-// what they leave of the other, scaled by the ratio of the tone's amplitudes: what both show alike
-// and neither fit takes (higher modes, harmonics, beats) makes neither difference uncertain, nor
-// corrects it, as it may correct the tones themselves. To the first order, for tones that are near
-// one another. Throws as fit_harmonics() does.
-PairedFit fit_pair(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,
-                   const std::vector<ToneRequest>& requests);
+// Tone by tone, in the order of the requests, of two fits of one window and the same requests. The
+// intervals are from what the fits leave of the one less what they leave of the other, scaled by
+// the ratio of the tone's amplitudes: what both show alike and neither fit takes (higher modes,
+// harmonics, beats) makes neither difference uncertain, nor corrects it, as it may correct the
+// tones themselves. To the first order, for tones that are near one another.
+std::vector<PairedDifference> paired_differences(const SeriesFit& candidate,
+                                                 const SeriesFit& reference);
 
 // Angle [rad] brought to [-pi, pi] by whole turns.
 double wrap_angle(double angle);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/metrics/orthonormal.hpp"
+
 namespace slosh {
 namespace {
 
@@ -33,6 +35,8 @@ struct ExtendedFit {
   FittedSamples samples;
 };
 
+MatrixXd basis_of(const MatrixXd& jacobian) { return orthonormal(unit_columns(jacobian), 1e-8); }
+
 // With the further tones' slopes by frequency and decay rate as columns of their own.
 ExtendedFit extended(const FittedSamples& fit, std::vector<ToneShape> further) {
   const ToneFit tones = fit_tones(fit.elapsed, fit.residual, fit.jacobian, further);
@@ -46,8 +50,9 @@ ExtendedFit extended(const FittedSamples& fit, std::vector<ToneShape> further) {
     jacobian.col(slope) = fit.elapsed.cwiseProduct(b * cosine - a * sine);
     jacobian.col(slope + 1) = -fit.elapsed.cwiseProduct(a * cosine + b * sine);
   }
-  const MatrixXd basis = orthonormal(unit_columns(jacobian), 1e-8);
-  return {std::move(further), tones.coefficients, {fit.elapsed, jacobian, basis, tones.residual}};
+  return {std::move(further),
+          tones.coefficients,
+          {fit.elapsed, jacobian, basis_of(jacobian), tones.residual}};
 }
 
 std::vector<ToneRange> ranges_about(const std::vector<ToneShape>& tones, double span) {
@@ -66,28 +71,39 @@ bool near(const ToneShape& tone, const ToneShape& other, double span) {
          2 * pi / span + 2 * std::abs(tone.decay_rate);
 }
 
-struct Search {
-  double highest, span;            // [rad/s], [s]
-  std::vector<ToneShape> refined;  // the requested tones that are
+// Where further tones are searched.
+class Search {
+ public:
+  // Up to this frequency [rad/s] in a window of this length [s], beside requested tones that are
+  // refined.
+  Search(const VectorXd& elapsed, double highest, double span, std::vector<ToneShape> refined)
+      : span_(span), refined_(std::move(refined)) {
+    std::vector<ToneShape> shapes =
+        trial_shapes({{pi / span, -2 / span}, {highest, 10 / span}}, span, {0.0, 2.0});
+    std::erase_if(shapes, [&](const ToneShape& shape) { return !admits(shape); });
+    if (!shapes.empty()) trials_.emplace(elapsed, std::move(shapes));
+  }
 
   bool admits(const ToneShape& tone) const {
-    return std::none_of(refined.begin(), refined.end(),
-                        [&](const ToneShape& other) { return near(tone, other, span); });
+    return std::none_of(refined_.begin(), refined_.end(),
+                        [&](const ToneShape& other) { return near(tone, other, span_); });
   }
-};
 
-// The fit with one more tone than `now` has, all of them refined; the same where none is left.
-ExtendedFit with_one_more(const FittedSamples& fit, const ExtendedFit& now, const Search& search) {
-  const double span = search.span;
-  std::vector<ToneShape> trials =
-      trial_shapes({{pi / span, -2 / span}, {search.highest, 10 / span}}, span, {0.0, 2.0});
-  std::erase_if(trials, [&](const ToneShape& trial) { return !search.admits(trial); });
-  if (trials.empty()) return now;
-  std::vector<ToneShape> tones = now.further;
-  tones.push_back(best_trial(fit.elapsed, now.samples.residual, now.samples.basis, trials));
-  return extended(
-      fit, refine_tones(fit.elapsed, fit.residual, fit.jacobian, ranges_about(tones, span), tones));
-}
+  // The fit with one more tone than `now` has, all of them refined; the same where none is left.
+  ExtendedFit with_one_more(const FittedSamples& fit, const ExtendedFit& now) const {
+    if (!trials_) return now;
+    std::vector<ToneShape> tones = now.further;
+    tones.push_back(trials_->best(now.samples.residual, now.samples.basis));
+    // A gain of a millionth is far below what the test of tones takes notice of.
+    return extended(fit, refine_tones(fit.elapsed, fit.residual, fit.basis,
+                                      ranges_about(tones, span_), tones, 1e-6));
+  }
+
+ private:
+  double span_;
+  std::vector<ToneShape> refined_;
+  std::optional<TrialTones> trials_;
+};
 
 struct BandEnergy {
   double energy, freedom;
@@ -119,10 +135,10 @@ double likeliest_correlation(const FittedSamples& fit) {
 }
 
 ExtendedFit choose(const FittedSamples& fit, const std::vector<ToneShape>& requested,
-                   const Search& search) {
+                   const Search& search, double span) {
   std::vector<MatrixXd> bands;
   for (const ToneShape& tone : requested)
-    bands.push_back(band_about(fit.elapsed, tone.angular_frequency, search.span, tested_half_band));
+    bands.push_back(band_about(fit.elapsed, tone.angular_frequency, span, tested_half_band));
   ExtendedFit chosen = extended(fit, {}), longest = chosen;
   const double correlation = likeliest_correlation(chosen.samples);
   const auto better_in = [&](const MatrixXd& band) {
@@ -130,7 +146,7 @@ ExtendedFit choose(const FittedSamples& fit, const std::vector<ToneShape>& reque
                   left_in(band, longest.samples, correlation)) < chance_level;
   };
   for (int count = 1; count <= most_further_tones; ++count) {
-    longest = with_one_more(fit, longest, search);
+    longest = search.with_one_more(fit, longest);
     const auto& tones = longest.further;
     if (std::all_of(tones.begin(), tones.end(),
                     [&](const auto& one) { return search.admits(one); }) &&
@@ -157,17 +173,20 @@ std::optional<double> nearest_beside(const ToneShape& tone, const std::vector<To
 LeftoverModel model_leftovers(const VectorXd& elapsed, const MatrixXd& jacobian,
                               const VectorXd& residual, const std::vector<ToneShape>& requested,
                               const std::vector<ToneRange>& ranges, double span) {
-  Search search{0, span, {}};
+  double highest = 0;
+  std::vector<ToneShape> refined;
   for (std::size_t k = 0; k < requested.size(); ++k) {
-    search.highest = std::max(search.highest, highest_searched * requested[k].angular_frequency);
-    if (ranges[k].refined()) search.refined.push_back(requested[k]);
+    highest = std::max(highest, highest_searched * requested[k].angular_frequency);
+    if (ranges[k].refined()) refined.push_back(requested[k]);
   }
-  const double fewest = samples_per_period * search.highest * span / (2 * pi);
+  const double fewest = samples_per_period * highest * span / (2 * pi);
   const auto stride =
       std::max<Index>(1, static_cast<Index>(static_cast<double>(elapsed.size()) / fewest));
-  const FittedSamples fit{
+  FittedSamples fit{
       thinned(elapsed, stride), thinned(jacobian, stride), {}, thinned(residual, stride)};
-  const ExtendedFit model = choose(fit, requested, search);
+  fit.basis = basis_of(fit.jacobian);
+  const Search search(fit.elapsed, highest, span, refined);
+  const ExtendedFit model = choose(fit, requested, search, span);
 
   LeftoverModel found{.correction = VectorXd::Zero(jacobian.cols()), .noise = {}, .beside = {}};
   // Means of samples are not quite orthogonal to means of columns.

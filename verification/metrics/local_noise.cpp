@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/orthonormal.hpp"
+
 namespace slosh {
 namespace {
 
@@ -14,15 +16,6 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // 2.5 spectral bins to either side: up to 10 degrees of freedom.
 constexpr int half_band = 5;
-
-// Columns of unit length: those of a frequency carry seconds and those of a weak tone vanish.
-VectorXd inverse_lengths(const MatrixXd& columns) {
-  return columns.colwise()
-      .norm()
-      .transpose()
-      .cwiseMax(std::numeric_limits<double>::min())
-      .cwiseInverse();
-}
 
 // R x with R_ij = correlation^|i - j|.
 MatrixXd correlated(const MatrixXd& columns, double correlation) {
@@ -55,14 +48,6 @@ double restricted_log_likelihood(const FittedSamples& fit, double correlation) {
 
 }  // namespace
 
-MatrixXd orthonormal(const MatrixXd& columns, double least) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen((columns.transpose() * columns).eval());
-  // Ascending: those to keep are the last.
-  const Index kept = (eigen.eigenvalues().array() > least).count();
-  const VectorXd lengths = eigen.eigenvalues().tail(kept).cwiseSqrt();
-  return columns * (eigen.eigenvectors().rightCols(kept) * lengths.cwiseInverse().asDiagonal());
-}
-
 MatrixXd whitened(const MatrixXd& columns, double correlation) {
   const Index after_first = columns.rows() - 1;
   MatrixXd white = columns;
@@ -70,10 +55,6 @@ MatrixXd whitened(const MatrixXd& columns, double correlation) {
       (columns.bottomRows(after_first) - correlation * columns.topRows(after_first)) /
       std::sqrt(1 - correlation * correlation);
   return white;
-}
-
-MatrixXd unit_columns(const MatrixXd& columns) {
-  return columns * inverse_lengths(columns).asDiagonal();
 }
 
 MatrixXd band_about(const VectorXd& elapsed, double angular_frequency, double span, int half_band) {

@@ -28,13 +28,6 @@ struct FittedSamples {
   Eigen::VectorXd residual;
 };
 
-// Orthonormal columns that span these, but for directions in which their squares sum to no more
-// than `least`.
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double least);
-
-// The columns at unit length; those of a weak tone would vanish beside those that carry seconds.
-Eigen::MatrixXd unit_columns(const Eigen::MatrixXd& columns);
-
 // Orthonormal columns that span the tone, undamped, times cos(j pi s / span), j = 0 to half_band:
 // j / 2 spectral bins to either side.
 Eigen::MatrixXd band_about(const Eigen::VectorXd& elapsed, double angular_frequency, double span,

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/orthonormal.hpp"
+
 namespace slosh {
 namespace {
 
@@ -21,16 +23,11 @@ double angle_of(double low, double high, double value) {
   return std::asin(std::clamp((2 * value - low - high) / (high - low), -1.0, 1.0));
 }
 
-// The refined tones' shapes as two angles each.
+// The shapes as two angles each.
 std::vector<ToneShape> shapes_of(const std::vector<ToneRange>& ranges, const VectorXd& angles) {
   std::vector<ToneShape> shapes;
   Index next = 0;
-  for (const ToneRange& range : ranges) {
-    const auto& [low, high] = range;
-    if (!range.refined()) {
-      shapes.push_back(low);
-      continue;
-    }
+  for (const auto& [low, high] : ranges) {
     shapes.push_back({inside(low.angular_frequency, high.angular_frequency, angles[next]),
                       inside(low.decay_rate, high.decay_rate, angles[next + 1])});
     next += 2;
@@ -39,34 +36,68 @@ std::vector<ToneShape> shapes_of(const std::vector<ToneRange>& ranges, const Vec
 }
 
 VectorXd angles_of(const std::vector<ToneRange>& ranges, const std::vector<ToneShape>& shapes) {
-  std::vector<double> angles;
+  VectorXd angles(2 * static_cast<Index>(ranges.size()));
   for (std::size_t k = 0; k < ranges.size(); ++k) {
     const auto& [low, high] = ranges[k];
-    if (!ranges[k].refined()) continue;
-    angles.push_back(
-        angle_of(low.angular_frequency, high.angular_frequency, shapes[k].angular_frequency));
-    angles.push_back(angle_of(low.decay_rate, high.decay_rate, shapes[k].decay_rate));
+    angles.segment<2>(2 * static_cast<Index>(k))
+        << angle_of(low.angular_frequency, high.angular_frequency, shapes[k].angular_frequency),
+        angle_of(low.decay_rate, high.decay_rate, shapes[k].decay_rate);
   }
-  return Eigen::Map<const VectorXd>(angles.data(), static_cast<Index>(angles.size()));
+  return angles;
 }
 
-// d model / d angles, one column each.
-MatrixXd slopes(const VectorXd& elapsed, const ToneFit& fit, const std::vector<ToneRange>& ranges,
-                const VectorXd& angles) {
+MatrixXd columns_of(const VectorXd& elapsed, const std::vector<ToneShape>& shapes) {
+  MatrixXd columns(elapsed.size(), 2 * static_cast<Index>(shapes.size()));
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    columns.middleCols<2>(2 * static_cast<Index>(k)) = tone_columns(elapsed, shapes[k]);
+  return columns;
+}
+
+// What is orthogonal to an orthonormal basis; once more, of what round-off has left.
+VectorXd orthogonal_part(VectorXd value, const MatrixXd& basis) {
+  for (int pass = 0; pass < 2; ++pass) value -= basis * (basis.transpose() * value);
+  return value;
+}
+
+// Least squares of values, orthogonal to an orthonormal basis, by tones less what the basis takes
+// of them.
+struct ReducedFit {
+  MatrixXd tones, in_basis;  // the tones' columns, and their products with the basis
+  Eigen::LDLT<MatrixXd> normal;
+  VectorXd coefficients, residual;
+};
+
+ReducedFit reduced_fit(const VectorXd& elapsed, const VectorXd& left, const MatrixXd& basis,
+                       const std::vector<ToneShape>& shapes) {
+  ReducedFit fit;
+  fit.tones = columns_of(elapsed, shapes);
+  fit.in_basis = basis.transpose() * fit.tones;
+  fit.normal.compute(fit.tones.transpose() * fit.tones - fit.in_basis.transpose() * fit.in_basis);
+  fit.coefficients = VectorXd::Zero(fit.tones.cols());
+  fit.residual = left;
+  // Once more, of what the squared condition number has left.
+  for (int pass = 0; pass < 2; ++pass) {
+    const VectorXd more = fit.normal.solve(fit.tones.transpose() * fit.residual);
+    fit.coefficients += more;
+    fit.residual -= fit.tones * more - basis * (fit.in_basis * more);
+  }
+  return fit;
+}
+
+// d tones / d angles, one column each.
+MatrixXd slopes(const VectorXd& elapsed, const ReducedFit& fit,
+                const std::vector<ToneRange>& ranges, const VectorXd& angles) {
   MatrixXd columns(elapsed.size(), angles.size());
-  const Index first = fit.basis.cols() - 2 * static_cast<Index>(ranges.size());
-  Index next = 0;
   for (std::size_t k = 0; k < ranges.size(); ++k) {
     const auto& [low, high] = ranges[k];
-    if (!ranges[k].refined()) continue;
-    const Index column = first + 2 * static_cast<Index>(k);
-    const auto cosine = fit.basis.col(column), sine = fit.basis.col(column + 1);
+    const Index column = 2 * static_cast<Index>(k);
+    const auto cosine = fit.tones.col(column), sine = fit.tones.col(column + 1);
     const double a = fit.coefficients[column], b = fit.coefficients[column + 1];
     const double by_frequency =
-        0.5 * (high.angular_frequency - low.angular_frequency) * std::cos(angles[next]);
-    const double by_decay = 0.5 * (high.decay_rate - low.decay_rate) * std::cos(angles[next + 1]);
-    columns.col(next++) = by_frequency * elapsed.cwiseProduct(b * cosine - a * sine);
-    columns.col(next++) = -by_decay * elapsed.cwiseProduct(a * cosine + b * sine);
+        0.5 * (high.angular_frequency - low.angular_frequency) * std::cos(angles[column]);
+    const double by_decay = 0.5 * (high.decay_rate - low.decay_rate) * std::cos(angles[column + 1]);
+    columns.col(column) = by_frequency * elapsed.cwiseProduct(b * cosine - a * sine);
+    columns.col(column + 1) = -by_decay * elapsed.cwiseProduct(a * cosine + b * sine);
   }
   return columns;
 }
@@ -77,10 +108,11 @@ struct ReducedNormal {
   VectorXd gradient;
 };
 
-ReducedNormal reduced_normal(const ToneFit& fit, const MatrixXd& slope) {
-  const MatrixXd cross = fit.basis.transpose() * slope;
-  const MatrixXd normal = fit.basis.transpose() * fit.basis;
-  return {slope.transpose() * slope - cross.transpose() * normal.ldlt().solve(cross),
+ReducedNormal reduced_normal(const ReducedFit& fit, const MatrixXd& basis, const MatrixXd& slope) {
+  const MatrixXd in_basis = basis.transpose() * slope;
+  const MatrixXd cross = fit.tones.transpose() * slope - fit.in_basis.transpose() * in_basis;
+  return {slope.transpose() * slope - in_basis.transpose() * in_basis -
+              cross.transpose() * fit.normal.solve(cross),
           slope.transpose() * fit.residual};
 }
 
@@ -160,44 +192,45 @@ std::vector<ToneShape> trial_shapes(const ToneRange& range, double span,
   return trials;
 }
 
-ToneShape best_trial(const VectorXd& elapsed, const VectorXd& value, const MatrixXd& columns,
-                     const std::vector<ToneShape>& trials) {
-  const Eigen::LDLT<MatrixXd> normal((columns.transpose() * columns).eval());
-  const VectorXd left = value - columns * normal.solve(columns.transpose() * value);
+TrialTones::TrialTones(const VectorXd& elapsed, std::vector<ToneShape> shapes)
+    : shapes_(std::move(shapes)), columns_(columns_of(elapsed, shapes_)) {}
+
+ToneShape TrialTones::best(const VectorXd& value, const MatrixXd& basis) const {
+  const MatrixXd in_basis = basis.transpose() * columns_;
+  const VectorXd products = columns_.transpose() * orthogonal_part(value, basis);
   double most = -1;
-  ToneShape best = trials.front();
-  for (const ToneShape& trial : trials) {
-    const MatrixXd tone = tone_columns(elapsed, trial);
-    const MatrixXd cross = columns.transpose() * tone;
-    const Eigen::Matrix2d square =
-        tone.transpose() * tone - cross.transpose() * normal.solve(cross);
-    const Eigen::Vector2d product = tone.transpose() * left;
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < shapes_.size(); ++k) {
+    const Index column = 2 * static_cast<Index>(k);
+    const auto tone = columns_.middleCols<2>(column), taken = in_basis.middleCols<2>(column);
+    const Eigen::Matrix2d square = tone.transpose() * tone - taken.transpose() * taken;
+    const Eigen::Vector2d product = products.segment<2>(column);
     const double explained = product.dot(square.ldlt().solve(product));
     if (explained > most) {
       most = explained;
-      best = trial;
+      best = k;
     }
   }
-  return best;
+  return shapes_[best];
 }
 
 std::vector<ToneShape> refine_tones(const VectorXd& elapsed, const VectorXd& value,
-                                    const MatrixXd& fixed, const std::vector<ToneRange>& ranges,
-                                    const std::vector<ToneShape>& start) {
+                                    const MatrixXd& basis, const std::vector<ToneRange>& ranges,
+                                    const std::vector<ToneShape>& start, double least_gain) {
+  if (ranges.empty()) return {};
+  const VectorXd left = orthogonal_part(value, basis);
   VectorXd angles = angles_of(ranges, start);
-  if (angles.size() == 0) return start;
-  ToneFit fit = fit_tones(elapsed, value, fixed, shapes_of(ranges, angles));
+  ReducedFit fit = reduced_fit(elapsed, left, basis, shapes_of(ranges, angles));
   double damping = 1e-3;
   constexpr int most_steps = 100;
   for (int step = 0; step < most_steps && damping < 1e8; ++step) {
-    ReducedNormal normal = reduced_normal(fit, slopes(elapsed, fit, ranges, angles));
+    ReducedNormal normal = reduced_normal(fit, basis, slopes(elapsed, fit, ranges, angles));
     const VectorXd scale = normal.matrix.diagonal().cwiseMax(
         1e-12 * normal.matrix.diagonal().maxCoeff() + std::numeric_limits<double>::min());
     normal.matrix.diagonal() += damping * scale;
     const VectorXd change = normal.matrix.ldlt().solve(normal.gradient);
-    // Below round-off of the sum of squares nothing is to be gained.
-    if (!(change.dot(normal.gradient) > 1e-14 * fit.residual.squaredNorm())) break;
-    ToneFit next = fit_tones(elapsed, value, fixed, shapes_of(ranges, angles + change));
+    if (!(change.dot(normal.gradient) > least_gain * fit.residual.squaredNorm())) break;
+    ReducedFit next = reduced_fit(elapsed, left, basis, shapes_of(ranges, angles + change));
     const double gain = fit.residual.squaredNorm() - next.residual.squaredNorm();
     if (gain > 0) {
       angles += change;
@@ -213,17 +246,30 @@ std::vector<ToneShape> refine_tones(const VectorXd& elapsed, const VectorXd& val
 std::vector<ToneShape> search_tones(const VectorXd& elapsed, const VectorXd& value,
                                     const MatrixXd& fixed, const std::vector<ToneRange>& ranges,
                                     double span) {
-  std::vector<ToneShape> shapes, found;
-  for (const ToneRange& range : ranges)
-    if (!range.refined()) found.push_back(range.low);
+  std::vector<ToneShape> known;
+  std::vector<ToneRange> refined;
   for (const ToneRange& range : ranges) {
-    shapes.push_back(range.low);
-    if (!range.refined()) continue;
-    shapes.back() = best_trial(elapsed, value, fit_tones(elapsed, value, fixed, found).basis,
-                               trial_shapes(range, span, {0.0, 0.2, 2.0, 20.0}));
-    found.push_back(shapes.back());
+    if (range.refined())
+      refined.push_back(range);
+    else
+      known.push_back(range.low);
   }
-  return refine_tones(elapsed, value, fixed, ranges, shapes);
+  const auto beside = [&](const std::vector<ToneShape>& tones) {
+    return orthonormal(unit_columns(fit_tones(elapsed, value, fixed, tones).basis), 1e-12);
+  };
+  const MatrixXd basis = beside(known);
+  std::vector<ToneShape> start, found = known;
+  for (const ToneRange& range : refined) {
+    start.push_back(TrialTones(elapsed, trial_shapes(range, span, {0.0, 0.2, 2.0, 20.0}))
+                        .best(value, beside(found)));
+    found.push_back(start.back());
+  }
+  // Below round-off of the sum of squares nothing is to be gained.
+  const std::vector<ToneShape> best = refine_tones(elapsed, value, basis, refined, start, 1e-14);
+  std::vector<ToneShape> shapes;
+  auto next = best.begin();
+  for (const ToneRange& range : ranges) shapes.push_back(range.refined() ? *next++ : range.low);
+  return shapes;
 }
 
 }  // namespace slosh

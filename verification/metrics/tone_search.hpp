@@ -45,15 +45,27 @@ ToneFit fit_tones(const Eigen::VectorXd& elapsed, const Eigen::VectorXd& value,
 std::vector<ToneShape> trial_shapes(const ToneRange& range, double span,
                                     const std::vector<double>& decays_per_span);
 
-// The one of the trials that explains most of what the columns leave of the values.
-ToneShape best_trial(const Eigen::VectorXd& elapsed, const Eigen::VectorXd& value,
-                     const Eigen::MatrixXd& columns, const std::vector<ToneShape>& trials);
+// Tones that are tried one by one, their columns computed once.
+class TrialTones {
+ public:
+  // At least one shape.
+  TrialTones(const Eigen::VectorXd& elapsed, std::vector<ToneShape> shapes);
 
-// Least-squares shapes within the ranges, from these ones.
+  // The one that explains most of what the orthonormal basis leaves of the values.
+  ToneShape best(const Eigen::VectorXd& value, const Eigen::MatrixXd& basis) const;
+
+ private:
+  std::vector<ToneShape> shapes_;
+  Eigen::MatrixXd columns_;  // two of each shape
+};
+
+// Least-squares shapes of refined tones within their ranges, from these ones, beside what the
+// orthonormal basis takes. The search ends where a step would take less than `least_gain` of the
+// residual's sum of squares.
 std::vector<ToneShape> refine_tones(const Eigen::VectorXd& elapsed, const Eigen::VectorXd& value,
-                                    const Eigen::MatrixXd& fixed,
+                                    const Eigen::MatrixXd& basis,
                                     const std::vector<ToneRange>& ranges,
-                                    const std::vector<ToneShape>& start);
+                                    const std::vector<ToneShape>& start, double least_gain);
 
 // Least-squares shapes within the ranges: the known tones first, then one refined tone after the
 // other where it explains most, then all of them refined together. `span` is the window's length

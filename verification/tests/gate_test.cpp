@@ -66,7 +66,7 @@ Comparison comparison_of(double amplitude_error) {
   comparison.normalised_rms = {0.1, 0};
   comparison.maximum_residual = 0.0004;
   comparison.alignment = {-0.003, 0.05};
-  comparison.modes[0].band_energy_error = 0.07;
+  comparison.band_energy_error["forced"] = 0.07;
   comparison.candidate_wave = {.mean = 0.003, .deviation = 3, .crest = 6, .trough = 4};
   comparison.reference_wave = {.mean = 0.001, .deviation = 2, .crest = 5, .trough = 5};
   comparison.candidate_peaks = {{0.9, 1}};
@@ -703,7 +703,7 @@ TEST(GateMetrics, HaveNamesAndUnits) {
 
 TEST(Gate, RefusesWaveStatisticsOfTooFewPeriods) {
   Comparison comparison = comparison_of(0);
-  comparison.modes[0].band_energy_error = nan;
+  comparison.band_energy_error["forced"] = nan;
   comparison.candidate_wave.crest = nan;
   const auto outcome = [&](Metric metric, const char* mode) {
     return judge(row_of(metric, mode, "1", 0.2), comparison);
