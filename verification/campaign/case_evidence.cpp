@@ -11,6 +11,7 @@
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
+#include "verification/gate/measured_value.hpp"
 #include "verification/metrics/windowed_series.hpp"
 #include "verification/runs/reference_tank.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "verification/case_file/quantities.hpp"
+#include "verification/gate/measured_value.hpp"
 
 namespace slosh {
 namespace {

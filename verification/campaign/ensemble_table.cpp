@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verification/campaign/case_evidence.hpp"
+#include "verification/gate/measured_value.hpp"
 #include "verification/metrics/sample_moments.hpp"
 
 namespace slosh {

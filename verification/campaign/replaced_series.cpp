@@ -1,6 +1,7 @@
 #include "verification/campaign/replaced_series.hpp"
 
 #include "verification/campaign/case_evidence.hpp"
+#include "verification/gate/measured_value.hpp"
 
 namespace slosh {
 

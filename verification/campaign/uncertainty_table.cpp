@@ -9,6 +9,7 @@
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/refinement.hpp"
 #include "verification/case_file/row_kind.hpp"
+#include "verification/gate/measured_value.hpp"
 
 namespace slosh {
 namespace {

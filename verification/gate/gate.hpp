@@ -133,18 +133,6 @@ struct GateEvidence {
   FindEnsemble ensemble = {};  // none: each run stands for itself
 };
 
-// The row's metric of its candidate; where that or the reference is an ensemble the mean over all
-// pairs of their members with the interval of ensemble_mean.hpp, which takes the place of those of
-// single histories. What an error costs is of no ensemble. Throws as what the evidence is asked
-// for, and ComparisonError where the row's unit is not the metric's.
-Estimate measured(const GateRow& row, const GateEvidence& evidence);
-
-// Whether the row's candidate or its reference is an ensemble on whose mean it is judged.
-bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
-// The metric of each member of the candidate (outer) against each of the reference. Throws as
-// measured().
-std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row, const GateEvidence& evidence);
-
 // Of a row with a limit or a range, what its metric may be, in the row's unit.
 AllowedRange allowed_by(const GateRow& row);
 

@@ -11,17 +11,17 @@
 // Of what adds a series x to the candidate c (an offset, a drift, a gained mode, a chirp):
 //   normalised_rms     is at least rms(x) / rms(c - mean c) (1 - E) - E
 //   maximum_residual   is at least max |x| - E
-// by the triangle inequality. phase_lag, cross_correlation_lag, time_lag and frequency_error move by the shift or stretch,
-// the phase by half a turn of a flipped sign, and that of the forced mode by a third of a turn
-// times a chirp's strength (the mean of u^2); the amplitude error of a gained mode becomes
-// (1 + E) (1 + s) - 1. The row claims the mutation where that lies outside its bounds. Of a shift,
-// a stretch, a noise, an added series and max |candidate| nine tenths are counted, as the ends of
-// the window, filled with held values, and the times between samples take their part. NaN in the
-// window, a series that ends in it, swapped columns and another unit are claimed by every row that
-// looks at a series over the window (another unit not by noise_share, which is a share of the
-// series itself). What a metric is blind to (a phase to the amplitude, every mode to a slip by
-// whole periods), rows that compare two errors (improves_on) and the metrics of impacts claim
-// nothing more.
+// by the triangle inequality. phase_lag, cross_correlation_lag, time_lag and frequency_error move
+// by the shift or stretch, the phase by half a turn of a flipped sign, and that of the forced mode
+// by a third of a turn times a chirp's strength (the mean of u^2); the amplitude error of a gained
+// mode becomes (1 + E) (1 + s) - 1. The row claims the mutation where that lies outside its bounds.
+// Of a shift, a stretch, a noise, an added series and max |candidate| nine tenths are counted, as
+// the ends of the window, filled with held values, and the times between samples take their part.
+// NaN in the window, a series that ends in it, swapped columns and another unit are claimed by
+// every row that looks at a series over the window (another unit not by noise_share, which is a
+// share of the series itself). What a metric is blind to (a phase to the amplitude, every mode to a
+// slip by whole periods), rows that compare two errors (improves_on) and the metrics of impacts
+// claim nothing more.
 #pragma once
 
 #include "verification/case_file/case_definition.hpp"

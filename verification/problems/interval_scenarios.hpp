@@ -53,7 +53,7 @@ SyntheticPair draw_pair(const IntervalScenario& scenario, std::uint64_t seed);
 std::vector<ToneRequest> requests_of(const IntervalScenario& scenario);
 
 // How often each interval held the truth, of the draws that were not refused: those where
-// compare_modes() neither threw nor left a mode unresolved.
+// compare_modes() neither threw nor left a mode unresolved. The seeds are always the same.
 struct IntervalCoverage {
   struct Quantity {
     std::string name;  // "forced amplitude", ...

@@ -1,0 +1,212 @@
+#include "verification/gate/measured_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "verification/case_file/metric_table.hpp"
+#include "verification/gate/impact_metrics.hpp"
+#include "verification/metrics/ensemble_mean.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr Estimate no_value{std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::quiet_NaN()};
+
+const ModeComparison& mode_of(const Comparison& comparison, const std::string& mode) {
+  const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
+                                  [&](const ModeComparison& one) { return one.mode == mode; });
+  if (found == comparison.modes.end())
+    throw ComparisonError("the mode " + mode + " was not fitted");
+  for (const Tone* tone : {&found->candidate, &found->reference})
+    if (!tone->resolved)
+      throw ComparisonError(fmt::format("the {}'s mode {} cannot be told from the rest",
+                                        tone == &found->candidate ? "candidate" : "reference",
+                                        mode));
+  if (found->beside)
+    throw ComparisonError(fmt::format(
+        "the window of {:.4g} s cannot tell the mode {} from what the difference has at {:.4g} Hz",
+        comparison.window.end - comparison.window.begin, mode,
+        *found->beside / (2 * std::numbers::pi)));
+  return *found;
+}
+
+// Of a reference that does not decay, as potential flow, there is nothing to take a share of.
+Estimate decay_error_of(const ModeComparison& mode) {
+  if (!(mode.reference.decay_rate.value > mode.reference.decay_rate.half_width))
+    throw ComparisonError("the reference's mode " + mode.mode +
+                          " does not decay; expected a viscous one, or the metric decay_rate");
+  return mode.decay_error;
+}
+
+// Of the declared window, as normalised_rms. Both series are finite, so that what is no number is
+// for want of periods.
+Estimate resolved_or_refused(Metric metric, double value) {
+  if (std::isnan(value))
+    throw ComparisonError(fmt::format(
+        "the window holds too few periods of the mode for {}; expected {}", metric_name(metric),
+        metric == Metric::band_energy_error ? "10 or more" : "1 or more"));
+  return {value, 0};
+}
+
+Estimate spectral_peak_error(const Comparison& comparison) {
+  if (comparison.candidate_peaks.empty() || comparison.reference_peaks.empty())
+    throw ComparisonError("a spectrum without a peak");
+  return {
+      comparison.candidate_peaks.front().frequency / comparison.reference_peaks.front().frequency -
+          1,
+      0};
+}
+
+Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
+  switch (metric) {
+    case Metric::amplitude_error:
+      return mode_of(comparison, mode).amplitude_error;
+    case Metric::phase_lag:
+      return mode_of(comparison, mode).phase_lag_degrees;
+    case Metric::frequency_error:
+      return mode_of(comparison, mode).frequency_error;
+    case Metric::decay_rate:
+      return mode_of(comparison, mode).decay_rate;
+    case Metric::decay_error:
+      return decay_error_of(mode_of(comparison, mode));
+    case Metric::normalised_rms:
+      // Of the declared window, whose samples are all there: its interval tells of other windows.
+      return {comparison.normalised_rms.value, 0};
+    case Metric::maximum_residual:
+      return {comparison.maximum_residual, 0};
+    case Metric::time_lag:
+      return {comparison.alignment.lag, 0};
+    case Metric::aligned_rms:
+      return {comparison.alignment.normalised_rms, 0};
+    case Metric::band_energy_error:
+      return resolved_or_refused(metric, comparison.band_energy_error.at(mode));
+    case Metric::cross_correlation_lag:
+      return {comparison.cross_correlation_lag_degrees, 0};
+    case Metric::spectral_peak_error:
+      return spectral_peak_error(comparison);
+    case Metric::rms_error:
+      return {comparison.candidate_wave.deviation / comparison.reference_wave.deviation - 1, 0};
+    case Metric::crest_error:
+      return resolved_or_refused(
+          metric, comparison.candidate_wave.crest / comparison.reference_wave.crest - 1);
+    case Metric::trough_error:
+      return resolved_or_refused(
+          metric, comparison.candidate_wave.trough / comparison.reference_wave.trough - 1);
+    case Metric::mean_offset:
+      return {comparison.candidate_wave.mean - comparison.reference_wave.mean, 0};
+    case Metric::largest_magnitude:
+    case Metric::noise_share:
+    case Metric::impact_time:
+    case Metric::plateau_error:
+    case Metric::impact_percentile:
+    case Metric::cost_to_reach:
+      break;  // of no single comparison
+  }
+  throw std::logic_error("a metric without a value");
+}
+
+// As wide as the interval's upper end, the further one: it is symmetric in the logarithm. Of the
+// declared window, like normalised_rms: what the errors' bars add tells of other windows.
+Estimate cost_value(const CostAtError& found) {
+  if (found.reach == Reach::not_at_all) return no_value;
+  return {found.cost, found.cost * std::expm1(found.cost_spread)};
+}
+
+// No number where a value is none or where there is no value at all.
+double largest_magnitude(const TimeSeries& series) {
+  double largest = series.value.empty() ? no_value.value : 0;
+  for (const double value : series.value) {
+    if (std::isnan(value)) return value;
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+void require_unit(const GateRow& row, const std::string& quantity_unit) {
+  const std::string unit = metric_unit(row.metric, quantity_unit);
+  if (unit == row.unit) return;
+  throw ComparisonError(
+      fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
+}
+
+Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
+  if (is_of_candidate_alone(row.metric)) {
+    const TimeSeries series = evidence.series(row.candidate, row.quantity);
+    require_unit(row, series.unit);
+    return {row.metric == Metric::noise_share ? noise_share(series) : largest_magnitude(series), 0};
+  }
+  if (is_of_impacts(row.metric)) {
+    require_unit(row, "Pa");
+    return {evidence.impacts(row.candidate, row), 0};
+  }
+  if (row.metric == Metric::cost_to_reach) {
+    require_unit(row, "s");
+    return cost_value(evidence.cost(row));
+  }
+  const Comparison& comparison = evidence.comparison(row.candidate, row.reference, row.quantity);
+  require_unit(row, comparison.unit);
+  return metric_value(row.metric, row.mode, comparison);
+}
+
+}  // namespace
+
+bool is_of_candidate_alone(Metric metric) {
+  return metric_entry(metric).measured_on == MeasuredOn::own_series;
+}
+
+EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) {
+  return evidence.ensemble ? evidence.ensemble(run) : EnsembleOfRun{{run}};
+}
+
+EnsembleOfRun reference_of(const GateRow& row, const GateEvidence& evidence) {
+  return row.reference.empty() ? EnsembleOfRun{{""}, true} : ensemble_of(row.reference, evidence);
+}
+
+std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row,
+                                                  const GateEvidence& evidence) {
+  std::vector<std::vector<Estimate>> pairs;
+  for (const std::string& candidate : ensemble_of(row.candidate, evidence).members) {
+    pairs.emplace_back();
+    for (const std::string& reference : reference_of(row, evidence).members) {
+      GateRow pair = row;
+      pair.candidate = candidate;
+      pair.reference = reference;
+      pairs.back().push_back(measured_once(pair, evidence));
+      // A lag is told within half a turn from the first: those about half a turn would else have a
+      // mean of none.
+      double& value = pairs.back().back().value;
+      constexpr double turn = 360;
+      if (row.metric == Metric::phase_lag || row.metric == Metric::cross_correlation_lag)
+        value -= turn * std::round((value - pairs.front().front().value) / turn);
+    }
+  }
+  return pairs;
+}
+
+Estimate measured(const GateRow& row, const GateEvidence& evidence) {
+  if (!is_of_ensembles(row, evidence)) return measured_once(row, evidence);
+  const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
+  const EnsembleOfRun reference = reference_of(row, evidence);
+  const auto is_one_of_many = [](const EnsembleOfRun& side) {
+    return side.members.size() == 1 && !side.exact;
+  };
+  return ensemble_mean(measured_pairs(row, evidence),
+                       is_one_of_many(candidate) || is_one_of_many(reference)
+                           ? SingleSide::one_of_many
+                           : SingleSide::exact);
+}
+
+bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence) {
+  return row.metric != Metric::cost_to_reach &&
+         ensemble_of(row.candidate, evidence).members.size() *
+                 reference_of(row, evidence).members.size() >
+             1;
+}
+
+}  // namespace slosh
