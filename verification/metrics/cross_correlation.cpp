@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -10,17 +11,18 @@
 namespace slosh {
 namespace {
 
-double correlation(const std::vector<double>& candidate, const std::vector<double>& reference,
-                   int lag) {
-  const int count = static_cast<int>(reference.size());
-  double product = 0, candidate_energy = 0, reference_energy = 0;
-  for (int i = std::max(0, -lag); i < std::min(count, count - lag); ++i) {
-    const double c = candidate[i + lag], r = reference[i];
-    product += c * r;
-    candidate_energy += c * c;
-    reference_energy += r * r;
-  }
-  return product / std::sqrt(candidate_energy * reference_energy);
+using Eigen::Index, Eigen::VectorXd;
+
+VectorXd vector_of(std::vector<double> values) {
+  remove_trend(values);
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
+}
+
+double correlation(const VectorXd& candidate, const VectorXd& reference, Index lag) {
+  const Index overlap = reference.size() - std::abs(lag);
+  const auto c = candidate.segment(std::max<Index>(lag, 0), overlap),
+             r = reference.segment(std::max<Index>(-lag, 0), overlap);
+  return c.dot(r) / std::sqrt(c.squaredNorm() * r.squaredNorm());
 }
 
 }  // namespace
@@ -38,14 +40,12 @@ double cross_correlation_lag(const TimeSeries& candidate, const TimeSeries& refe
                     reference.name, end - begin, period));
   }
   const auto times = uniform_times(begin, end, r.time.size());
-  std::vector<double> late = interpolate(c, times), early = interpolate(r, times);
-  remove_trend(late);
-  remove_trend(early);
+  const VectorXd late = vector_of(interpolate(c, times)), early = vector_of(interpolate(r, times));
 
   const double interval = times[1] - times[0];
   const int most = static_cast<int>(std::ceil(0.5 * period / interval)) - 1;
   std::vector<double> correlations;
-  for (int lag = -most; lag <= most; ++lag) correlations.push_back(correlation(late, early, lag));
+  for (Index lag = -most; lag <= most; ++lag) correlations.push_back(correlation(late, early, lag));
   const auto top = std::max_element(correlations.begin(), correlations.end());
   const double lag = static_cast<double>(top - correlations.begin() - most);
   if (top == correlations.begin() || top == correlations.end() - 1) return lag * interval;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <boost/math/interpolators/makima.hpp>
 #include <cmath>
+#include <optional>
 
 namespace slosh {
 namespace {
 
+constexpr double rounding_s = 1e-12;       // of sample times
 constexpr std::size_t fewest_samples = 4;  // makima's stencil
 
 void require_sound_samples(const TimeSeries& series) {
@@ -81,10 +83,19 @@ void require_variation(const TimeSeries& series) {
 }
 
 std::vector<double> interpolate(const TimeSeries& series, const std::vector<double>& times) {
-  const boost::math::interpolators::makima<std::vector<double>> curve(
-      std::vector<double>(series.time), std::vector<double>(series.value));
-  std::vector<double> values(times.size());
-  std::transform(times.begin(), times.end(), values.begin(), curve);
+  using Curve = boost::math::interpolators::makima<std::vector<double>>;
+  std::optional<Curve> curve;  // at its own times a series needs none
+  std::vector<double> values;
+  values.reserve(times.size());
+  for (const double time : times) {
+    const auto after = std::lower_bound(series.time.begin(), series.time.end(), time - rounding_s);
+    if (after != series.time.end() && std::abs(*after - time) <= rounding_s) {
+      values.push_back(series.value[static_cast<std::size_t>(after - series.time.begin())]);
+      continue;
+    }
+    if (!curve) curve.emplace(std::vector<double>(series.time), std::vector<double>(series.value));
+    values.push_back((*curve)(time));
+  }
   return values;
 }
 
