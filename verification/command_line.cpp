@@ -118,7 +118,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
                    experiments, definition);
   const RunDefinition& run = requested_run(definition, options.run);
   const std::string key =
-      run_key(definition, run, installation.solver_build, installation.openfoam_templates);
+      run_key(definition, run, installation.builds, installation.openfoam_templates);
   const ResultStore store(options.store);
   const fs::path file = !options.store.empty()   ? store.file(key, ".h5")
                         : options.output.empty() ? fs::path(run.name + ".h5")

@@ -15,8 +15,8 @@ namespace slosh {
 
 // Where the tool's data lies: the source tree and its folders.
 struct Installation {
-  std::filesystem::path executable, solver_build, problem_build, source, cases, campaigns,
-      baselines, openfoam_templates, build;
+  std::filesystem::path executable, builds, source, cases, campaigns, baselines, openfoam_templates,
+      build;
 };
 
 inline std::filesystem::path usual_store(const Installation& installation) {

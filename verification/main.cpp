@@ -25,8 +25,7 @@ slosh::Installation installation() {
   const fs::path source = SLOSH_SOURCE_DIR;
   const fs::path executable = fs::read_symlink("/proc/self/exe");
   return {executable,
-          executable.parent_path() / "slosh.solver",
-          executable.parent_path() / "slosh.problems",
+          executable.parent_path() / "slosh.builds",
           source,
           source / "verification/cases",
           source / "verification/campaigns",

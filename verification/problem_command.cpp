@@ -59,7 +59,7 @@ void print(const ProblemOutcome& outcome) {
 
 int run_problem(const ProblemOptions& options, const Installation& installation) {
   const Problem& problem = named_problem(options.problem);
-  const std::string key = problem_key(problem.name, options.quick, installation.problem_build);
+  const std::string key = problem_key(problem, options.quick, installation.builds);
   const auto compute = [&] {
     ProblemResult result = solved(problem, options.quick, key);
     print(result.outcome);

@@ -22,7 +22,7 @@ PlannedRun planned_run(const CaseDefinition& definition, const RunDefinition& ru
     planned.status = {RunState::not_supplied, where_to_get(*record, definition)};
     return planned;
   }
-  planned.key = run_key(definition, run, settings.solver_build, settings.openfoam_templates);
+  planned.key = run_key(definition, run, settings.builds, settings.openfoam_templates);
   planned.file = settings.store.file(planned.key, ".h5");
   try {
     const StandingResult standing = standing_result(planned.key, ".h5", settings);

@@ -15,8 +15,7 @@ struct CampaignSettings {
   ResultStore store{{}};
   std::filesystem::path campaign_file;       // whose sweeps add runs to the cases
   std::filesystem::path executable;          // this tool, which runs one run as `slosh run`
-  std::filesystem::path solver_build;        // as run_key() takes it
-  std::filesystem::path problem_build;       // as problem_key() takes it
+  std::filesystem::path builds;              // as run_key() and problem_key() take it
   std::filesystem::path openfoam_templates;  // openfoam_cases/sloshing_tank
   std::filesystem::path experiments;         // of the user's records; empty: none is named
   RunSelection selection = {};               // what is run and judged; the rest is not selected

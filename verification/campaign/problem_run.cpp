@@ -9,7 +9,7 @@
 namespace slosh {
 
 std::string key_of(const ProblemDefinition& problem, const CampaignSettings& settings) {
-  return problem_key(problem.name, settings.selection.quick, settings.problem_build);
+  return problem_key(find_problem(problem.name), settings.selection.quick, settings.builds);
 }
 
 ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings) {

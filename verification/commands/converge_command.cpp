@@ -102,8 +102,7 @@ int converge(const ConvergeOptions& options, const CommandTree& tree) {
                                   .store = ResultStore(whole(options.store)),
                                   .campaign_file = {},
                                   .executable = tree.installation.executable,
-                                  .solver_build = tree.installation.solver_build,
-                                  .problem_build = tree.installation.problem_build,
+                                  .builds = tree.installation.builds,
                                   .openfoam_templates = tree.installation.openfoam_templates,
                                   .experiments = experiments,
                                   .at_once = options.at_once};

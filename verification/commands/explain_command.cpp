@@ -16,7 +16,7 @@ namespace {
 KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
                    const Installation& installation) {
   const std::string key =
-      run_key(definition, run, installation.solver_build, installation.openfoam_templates);
+      run_key(definition, run, installation.builds, installation.openfoam_templates);
   KnownRun known{.cost =
                      expected_cost(definition, run, key, ResultStore(usual_store(installation)))};
   if (std::holds_alternative<SphRun>(run.solver)) known.start = sph_outline(definition, run);

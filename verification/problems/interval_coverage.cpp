@@ -86,7 +86,8 @@ Problem interval_coverage_problem() {
            {"answered_beyond_window", "1", "scenario",
             "share of the pairs that are answered though the window tells nothing", false}},
           &run,
-          60};
+          60,
+          true};
 }
 
 }  // namespace slosh

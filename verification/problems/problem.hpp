@@ -42,7 +42,8 @@ struct Problem {
   std::vector<MeasureKind> measures;
   // The quick form leaves out the finest resolutions.
   ProblemOutcome (*run)(bool quick);
-  double expected_time;  // of the whole form on one core [s]: the longest is started first
+  double expected_time;        // of the whole form on one core [s]: the longest is started first
+  bool is_of_metrics = false;  // solves nothing by SPH, but tries the metrics
 };
 
 // In the order of the report.

@@ -122,11 +122,11 @@ ProblemResult result_from(const json& body) {
 
 }  // namespace
 
-std::string problem_key(const std::string& problem, bool quick,
-                        const std::filesystem::path& build) {
+std::string problem_key(const Problem& problem, bool quick, const std::filesystem::path& builds) {
   ContentHash answer;
-  answer.add_file(build);
-  return content_hash(json{{"problem", problem}, {"quick", quick}}.dump()) + "-" + answer.digits();
+  answer.add_file(builds / (problem.is_of_metrics ? "metric_problems" : "problems"));
+  return content_hash(json{{"problem", problem.name}, {"quick", quick}}.dump()) + "-" +
+         answer.digits();
 }
 
 void write_problem_result(const ProblemResult& result, const std::filesystem::path& file) {

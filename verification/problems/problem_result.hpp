@@ -22,10 +22,10 @@ struct ProblemResult {
   ProblemOutcome outcome;
 };
 
-// "<32 digits>-<32 digits>": the problem and its form, then the content of `build`, a file that
-// changes with the code of the solver and of the problems. Throws
+// "<32 digits>-<32 digits>": the problem and its form, then the content of the file in `builds`
+// (solver_builds.cmake) that changes with the code that answers it. Throws
 // std::filesystem::filesystem_error where that cannot be read.
-std::string problem_key(const std::string& problem, bool quick, const std::filesystem::path& build);
+std::string problem_key(const Problem& problem, bool quick, const std::filesystem::path& builds);
 
 // Throws ResultError.
 void write_problem_result(const ProblemResult& result, const std::filesystem::path& file);

@@ -7,6 +7,7 @@
 #include "verification/case_file/field_times.hpp"
 #include "verification/runs/content_hash.hpp"
 #include "verification/runs/external_command.hpp"
+#include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
@@ -129,7 +130,7 @@ void add_directory(ContentHash& hash, const std::filesystem::path& directory) {
 }  // namespace
 
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
-                    const std::filesystem::path& solver_build,
+                    const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates) {
   ContentHash question, answer;
   json asked{{"case", physics(definition)}, {"run", description(run.solver)}};
@@ -137,7 +138,7 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external) asked["inputs"] = contents(external_inputs(*external, definition));
   question.add(asked.dump());
-  answer.add_file(solver_build);
+  answer.add_file(builds / solver_name(run));
   if (std::holds_alternative<InterFoamRun>(run.solver)) {
     static const std::string version = openfoam::installed_version();  // starts interFoam
     answer.add(version);

@@ -13,15 +13,15 @@ namespace slosh {
 // "<32 digits>-<32 digits>": first what was asked, then what answered.
 //
 // Hashes the physical part of the case (not its names, comparison and gate; the times of fields
-// only of a solver that leaves fields), the run's solver and its settings (not its name, nor the
-// range in which a reference may gate), a record's content and that of an external run's inputs,
-// its arguments that are files among them (external_command.hpp);
-// then the content of `solver_build` (a file that changes with the solvers' code, slosh.solver
-// beside the tool) and, for interFoam, its version and the templates' content, of an external run
+// only of a solver that leaves fields), the run's solver and its
+// settings (not its name, nor the range in which a reference may gate), a record's content and that
+// of an external run's inputs, its arguments that are files among them (external_command.hpp); then
+// the content of the solver's file in `builds` (solver_builds.cmake: each changes with the code of
+// that solver alone) and, for interFoam, its version and the templates' content, of an external run
 // the program's. Throws std::filesystem::filesystem_error where that file or the templates cannot
 // be read.
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
-                    const std::filesystem::path& solver_build,
+                    const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates);
 
 // Whether two keys ask the same, be it answered by another build or version.

@@ -78,15 +78,21 @@ TEST_F(ProblemResultFile, IsRefusedWhereItIsAbsentTruncatedOrAltered) {
 }
 
 TEST_F(ProblemResultFile, IsKeyedByProblemFormAndBuild) {
-  const std::filesystem::path build = temporary_.path() / "build";
-  std::ofstream(build) << "one";
-  const std::string key = problem_key("kernels", true, build);
-  EXPECT_EQ(key, problem_key("kernels", true, build));
-  EXPECT_FALSE(asks_the_same(key, problem_key("kernels", false, build)));
-  EXPECT_FALSE(asks_the_same(key, problem_key("taylor_green", true, build)));
-  std::ofstream(build) << "two";
-  EXPECT_NE(key, problem_key("kernels", true, build));
-  EXPECT_TRUE(asks_the_same(key, problem_key("kernels", true, build)));
+  const std::filesystem::path& builds = temporary_.path();
+  std::ofstream(builds / "problems") << "one";
+  std::ofstream(builds / "metric_problems") << "one";
+  const Problem &kernels = find_problem("kernels"), &coverage = find_problem("interval_coverage");
+  const std::string key = problem_key(kernels, true, builds),
+                    of_metrics = problem_key(coverage, true, builds);
+  EXPECT_EQ(key, problem_key(kernels, true, builds));
+  EXPECT_FALSE(asks_the_same(key, problem_key(kernels, false, builds)));
+  EXPECT_FALSE(asks_the_same(key, problem_key(find_problem("taylor_green"), true, builds)));
+  std::ofstream(builds / "problems") << "two";
+  EXPECT_NE(key, problem_key(kernels, true, builds));
+  EXPECT_TRUE(asks_the_same(key, problem_key(kernels, true, builds)));
+  EXPECT_EQ(of_metrics, problem_key(coverage, true, builds));
+  std::ofstream(builds / "metric_problems") << "two";
+  EXPECT_NE(of_metrics, problem_key(coverage, true, builds));
 }
 
 }  // namespace

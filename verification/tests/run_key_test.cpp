@@ -16,15 +16,18 @@ class RunKey : public ::testing::Test {
  protected:
   RunKey() {
     std::filesystem::create_directories(templates / "system");
-    std::ofstream(solver_build) << "one build of the solvers";
+    std::filesystem::create_directories(builds);
+    for (const char* kind :
+         {"sph", "interfoam", "linear", "potential", "viscous_wave", "record", "external"})
+      std::ofstream(builds / kind) << "one build of it";
     std::ofstream(templates / "system" / "fvSolution") << "nOuterCorrectors 1;";
   }
   std::string key(const CaseDefinition& definition, const RunDefinition& run) const {
-    return run_key(definition, run, solver_build, templates);
+    return run_key(definition, run, builds, templates);
   }
 
   TemporaryDirectory directory;
-  const std::filesystem::path solver_build = directory.path() / "slosh.solver";
+  const std::filesystem::path builds = directory.path() / "slosh.builds";
   const std::filesystem::path templates = directory.path() / "templates";
   const RunDefinition sph = sample_run(SphRun{"li2010", 0.02, 0.02});
   const RunDefinition interfoam = sample_run(InterFoamRun{50, 50, 1});
@@ -188,10 +191,11 @@ TEST_F(RunKey, DoesNotChangeWithWhatOnlyNamesOrJudgesARun) {
   EXPECT_EQ(key(definition, run), key(sample_case(), sph));
 }
 
-TEST_F(RunKey, ChangesWithTheSolversBuild) {
-  const std::string before = key(sample_case(), sph);
-  std::ofstream(solver_build) << "another build of it  ";
+TEST_F(RunKey, ChangesWithItsOwnSolversBuildAlone) {
+  const std::string before = key(sample_case(), sph), other = key(sample_case(), interfoam);
+  std::ofstream(builds / "sph") << "another build of it";
   EXPECT_NE(key(sample_case(), sph), before);
+  EXPECT_EQ(key(sample_case(), interfoam), other);
 }
 
 TEST_F(RunKey, TellsAnotherBuildFromAnotherQuestion) {
@@ -200,7 +204,7 @@ TEST_F(RunKey, TellsAnotherBuildFromAnotherQuestion) {
   heavier.gravity = 9.9;
   EXPECT_FALSE(asks_the_same(key(heavier, sph), before));
   EXPECT_FALSE(asks_the_same(key(sample_case(), interfoam), before));
-  std::ofstream(solver_build) << "another build of it  ";
+  std::ofstream(builds / "sph") << "another build of it";
   EXPECT_TRUE(asks_the_same(key(sample_case(), sph), before));
 }
 
@@ -215,7 +219,7 @@ TEST_F(RunKey, ChangesWithTheTemplatesOfInterFoamAlone) {
 TEST_F(RunKey, IsRefusedWithoutTheSolversBuildOrTemplates) {
   EXPECT_THROW(run_key(sample_case(), sph, directory.path() / "absent", templates),
                std::filesystem::filesystem_error);
-  EXPECT_THROW(run_key(sample_case(), interfoam, solver_build, directory.path() / "absent"),
+  EXPECT_THROW(run_key(sample_case(), interfoam, builds, directory.path() / "absent"),
                std::filesystem::filesystem_error);
 }
 

@@ -1,0 +1,12 @@
+# Writes the hashes of the files OBJECTS (separated by |) to OUTPUT.
+string(REPLACE "|" ";" OBJECTS "${OBJECTS}")
+list(SORT OBJECTS)
+set(hashes "")
+foreach(object ${OBJECTS})
+  file(SHA256 ${object} hash)
+  string(APPEND hashes "${hash}\n")
+endforeach()
+if(hashes STREQUAL "")
+  message(FATAL_ERROR "${OUTPUT}: no object to hash")
+endif()
+file(WRITE ${OUTPUT} "${hashes}")

@@ -1,0 +1,40 @@
+# One file per solver kind, beside the tool: a hash of the code that determines its answer, which is part of the key of
+# each of its results (runs/run_key.hpp). The code of another solver, of metrics, gates, reports and campaigns is none
+# of it, so that a change there leaves the results as they are.
+#
+#   hash_build(KIND OBJECT...)    writes slosh.builds/KIND of these object files
+set(hash_objects ${CMAKE_CURRENT_LIST_DIR}/hash_objects.cmake)
+function(hash_build kind)
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/slosh.builds/${kind})
+  add_custom_command(OUTPUT ${file} DEPENDS ${ARGN} ${hash_objects} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${file} "-DOBJECTS=$<JOIN:${ARGN},|>" -P ${hash_objects})
+  set_property(TARGET slosh_builds APPEND PROPERTY SOURCES ${file})
+endfunction()
+
+# The objects of a library whose source files have these names.
+function(objects_of library names result)
+  set(${result} "$<FILTER:$<TARGET_OBJECTS:${library}>,INCLUDE,/(${names})[.]cpp[.]o$>" PARENT_SCOPE)
+endfunction()
+
+add_custom_target(slosh_builds)
+objects_of(slosh_case_file "motion|cubic_spline|field_times" motion)
+objects_of(slosh_runs "result_file" results)
+foreach(kind sph interfoam linear potential viscous_wave record external)
+  objects_of(slosh_runs "${kind}_run" ${kind}_run)
+endforeach()
+objects_of(slosh_runs "snapshots|state_file" snapshots)
+objects_of(slosh_runs "child_process|external_command" commands)
+set(sph $<TARGET_OBJECTS:slosh_sph>)
+set(reference $<TARGET_OBJECTS:slosh_reference>)
+set(problems $<TARGET_OBJECTS:slosh_problems>)
+
+hash_build(sph ${sph} ${sph_run} ${snapshots} ${motion} ${results})
+hash_build(interfoam $<TARGET_OBJECTS:slosh_openfoam> ${interfoam_run} ${motion} ${results})
+hash_build(linear ${reference} ${linear_run} ${motion} ${results})
+hash_build(potential ${reference} ${potential_run} ${motion} ${results})
+hash_build(viscous_wave ${reference} ${viscous_wave_run} ${results})
+hash_build(record ${record_run} ${results})
+hash_build(external $<TARGET_OBJECTS:slosh_import> ${external_run} ${commands} ${results})
+# Of problems: those on SPH, and those on the metrics.
+hash_build(problems ${sph} ${problems})
+hash_build(metric_problems $<TARGET_OBJECTS:slosh_metrics> ${problems})
