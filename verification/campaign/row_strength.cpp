@@ -148,6 +148,7 @@ constexpr std::pair<MutationKind, MutationKind> graded[] = {
     {MutationKind::drifting, MutationKind::drifting},
     {MutationKind::chirped, MutationKind::chirped},
     {MutationKind::mode_gained, MutationKind::mode_gained},
+    {MutationKind::mode_damped, MutationKind::mode_damped},
     {MutationKind::noisy, MutationKind::noisy}};
 
 constexpr MutationKind ungraded[] = {MutationKind::slipped,      MutationKind::truncated,
@@ -212,11 +213,12 @@ reports::Table strength_table(const CaseAssessment& assessment,
       "amplitude (1 to 20 %), the lag (0.5 to 10 % of a period), the frequency (0.1 to 5 %), the "
       "datum (0.5 to 10 % of the fill depth, or of the pressure under it), a drift (10 to 100 % of "
       "the standard deviation over the window), a slow change of frequency (2 to 20 % of a period "
-      "over the window), the gain of each natural mode (2 to 50 %) and noise (1 to 50 % of the "
+      "over the window), the gain of each natural mode (2 to 50 %), its decay (1.1 to 3 times as "
+      "fast) and noise (1 to 50 % of the "
       "standard deviation), and what the row does not notice at all of a slip by a period, a "
       "series cut short, NaN, swapped columns, values or units off by a thousand, a flipped sign.",
       {"row", "amplitude [%]", "lag [% of a period]", "frequency [%]", "datum [%]", "drift [%]",
-       "chirp [% of a period]", "natural modes [%]", "noise [%]", "does not notice"},
+       "chirp [% of a period]", "natural modes [%]", "decay [%]", "noise [%]", "does not notice"},
       {}};
   for (const auto& [row, strength] : strengths) {
     std::vector<std::string> line{row_text(row)};

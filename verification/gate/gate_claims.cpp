@@ -152,6 +152,10 @@ std::optional<Prediction> of_addition(const GateRow& row, const JudgedCandidate&
       if (row.metric == Metric::amplitude_error && row.mode == mutation.mode)
         return Prediction{(1 + e) * (1 + counted_part * s) - 1};
       break;
+    case MutationKind::mode_damped:
+      if (row.metric == Metric::decay_rate && row.mode == mutation.mode && e > 0)
+        return Prediction{e * (1 + counted_part * s)};
+      break;
     default:
       return std::nullopt;
   }

@@ -30,8 +30,11 @@ bool moves_the_datum(MutationKind kind) {
   return kind == MutationKind::raised || kind == MutationKind::lowered;
 }
 
-bool is_of_a_bound(Verdict verdict) {
-  return verdict == Verdict::violated || verdict == Verdict::inconclusive;
+// A cost that the runs of this form do not reach any more is of the row's own bound, though the finer
+// runs that would tell it be not selected or not timed.
+bool is_of_a_bound(const GateRow& row, Verdict verdict) {
+  return verdict == Verdict::violated || verdict == Verdict::inconclusive ||
+         (row.metric == Metric::cost_to_reach && verdict != Verdict::pass);
 }
 
 }  // namespace
@@ -46,6 +49,10 @@ std::vector<Mutation> mutations_tried(const MutationFrame& frame) {
     if (mode.refine)
       for (const double strength : {0.02, 0.05, 0.1, 0.2, 0.5})
         mutations.push_back({MutationKind::mode_gained, strength, mode.name});
+  for (const ToneRequest& mode : frame.modes)
+    if (mode.refine)
+      for (const double strength : {0.1, 0.2, 0.5, 1.0, 2.0})
+        mutations.push_back({MutationKind::mode_damped, strength, mode.name});
   return mutations;
 }
 
@@ -65,7 +72,7 @@ std::vector<GateStrength> gate_strengths(const std::vector<TriedRow>& rows,
         strengths[i].outcomes.push_back(
             {mutation,
              claims_to_detect(rows[i].row, {rows[i].measured, candidate}, mutation, frame),
-             verdicts[i] != Verdict::pass, is_of_a_bound(verdicts[i])});
+             verdicts[i] != Verdict::pass, is_of_a_bound(rows[i].row, verdicts[i])});
   }
   return strengths;
 }

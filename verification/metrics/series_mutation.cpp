@@ -66,8 +66,10 @@ TimeSeries chirped(const TimeSeries& series, TimeWindow window, double lead) {
   });
 }
 
-TimeSeries with_mode_gained(TimeSeries series, const Mutation& mutation,
-                            const MutationFrame& frame) {
+// Plus the mode's part times gain(time since the window's begin, decay rate).
+template <class Gain>
+TimeSeries with_mode_changed(TimeSeries series, const Mutation& mutation,
+                             const MutationFrame& frame, const Gain& gain) {
   const HarmonicFit fit = fit_harmonics(series, frame.window, frame.modes);
   const auto tone = std::find_if(fit.tones.begin(), fit.tones.end(),
                                  [&](const Tone& one) { return one.name == mutation.mode; });
@@ -75,7 +77,7 @@ TimeSeries with_mode_gained(TimeSeries series, const Mutation& mutation,
     throw ComparisonError("the mode " + mutation.mode + " is not fitted");
   for (std::size_t i = 0; i < series.value.size(); ++i) {
     const double t = series.time[i], since = std::max(0.0, t - frame.window.begin);
-    series.value[i] += mutation.strength * tone->amplitude.value *
+    series.value[i] += gain(since, tone->decay_rate.value) * tone->amplitude.value *
                        std::exp(-tone->decay_rate.value * since) *
                        std::cos(tone->angular_frequency.value * t + tone->phase.value);
   }
@@ -136,7 +138,11 @@ TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const Mut
     case MutationKind::chirped:
       return chirped(series, window, s * period);
     case MutationKind::mode_gained:
-      return with_mode_gained(series, mutation, frame);
+      return with_mode_changed(series, mutation, frame, [s](double, double) { return s; });
+    case MutationKind::mode_damped:
+      return with_mode_changed(series, mutation, frame, [s](double since, double decay_rate) {
+        return std::expm1(-s * decay_rate * since);
+      });
     case MutationKind::noisy:
       return with_white_noise(series, s * rms(without_mean(judged.value)));
     case MutationKind::truncated:
@@ -181,6 +187,8 @@ std::string mutation_name(MutationKind kind) {
       return "chirped";
     case MutationKind::mode_gained:
       return "mode gained";
+    case MutationKind::mode_damped:
+      return "mode damped";
     case MutationKind::noisy:
       return "noisy";
     case MutationKind::slipped:

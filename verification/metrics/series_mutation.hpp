@@ -27,6 +27,7 @@ enum class MutationKind {
   chirped,       // runs ahead by s u^2 periods, u from 0 to 1 over the window: a frequency that
                  // changes slowly
   mode_gained,   // plus s times the part that the fit gives to one natural mode (`mode`)
+  mode_damped,   // that part decays 1 + s times as fast, from the window's begin on
   noisy,         // white normal noise, standard deviation s times that of the values in the
                  // window; the same at every call
   slipped,       // late by s whole periods
@@ -41,7 +42,7 @@ enum class MutationKind {
 struct Mutation {
   MutationKind kind;
   double strength;
-  std::string mode = {};  // of mode_gained alone
+  std::string mode = {};  // of mode_gained and mode_damped alone
 };
 
 // What changes are measured by.
@@ -54,7 +55,7 @@ struct MutationFrame {
 };
 
 // Throws ComparisonError as cut_to_window() does of the series before its mutation, and as
-// fit_harmonics() where a mode is gained.
+// fit_harmonics() where a mode is changed.
 TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const MutationFrame& frame);
 
 // "louder", "not a number", ...

@@ -171,6 +171,19 @@ TEST(GateStrength, OfARowThatAnythingPassesIsNone) {
   EXPECT_FALSE(detects_no_change(strength_of(amplitude)));
 }
 
+TEST(GateStrength, OfACostIsToldByRunsThatTheFormLeavesOut) {
+  const auto tried_with = [](const GateRow& row) {
+    return gate_strengths(
+               {{row, 10}}, candidate, frame_of(row),
+               [](const Mutation* mutation) {
+                 return std::vector<Verdict>{mutation ? Verdict::not_selected : Verdict::pass};
+               })
+        .at(0);
+  };
+  EXPECT_FALSE(detects_no_change(tried_with(row_of(Metric::cost_to_reach, "whole", "s", 60))));
+  EXPECT_TRUE(detects_no_change(tried_with(amplitude)));
+}
+
 TEST(GateStrength, OfAnOffsetRowIsInTheDatum) {
   const GateRow offset = row_of(Metric::mean_offset, "whole", "m", 0.003);
   const GateStrength strength = strength_of(offset);

@@ -94,6 +94,17 @@ TEST(SeriesMutation, ChangesTheFrequencySlowly) {
             interpolated);
 }
 
+TEST(SeriesMutation, DampsTheFittedPartOfOneModeAloneFromTheWindowsBeginOn) {
+  const auto other = [](double t, double rate) {
+    return 0.005 * std::exp(-rate * std::max(0.0, t - 4)) * std::cos(two_pi / 0.7 * t);
+  };
+  const TimeSeries both = sampled([&](double t) { return wave(t) + other(t, 0.1); }, 0, 20);
+  MutationFrame two_modes = frame;
+  two_modes.modes.push_back({"natural_2", two_pi / 0.7, true});
+  const TimeSeries damped = mutated(both, {MutationKind::mode_damped, 1, "natural_2"}, two_modes);
+  EXPECT_LT(departure(damped, [&](double t) { return wave(t) + other(t, 0.2); }), 1e-5);
+}
+
 TEST(SeriesMutation, GainsTheFittedPartOfOneModeAlone) {
   const auto other = [](double t) { return 0.005 * std::cos(two_pi / 0.7 * t); };
   const TimeSeries both = sampled([&](double t) { return wave(t) + other(t); }, 0, 20);
