@@ -209,6 +209,7 @@ expect_in "$work/out" "under the sanitizers: 100% tests passed, 0 tests failed o
 expect_in "$work/out" "fuzz targets: 100% tests passed, 0 tests failed out of 1"
 run 1 test --all
 [ "$(tail -n 1 "$work/out")" = "50% tests passed, 1 tests failed out of 2" ] || fail "another closing line"
+expect_in "$work/out" "  failed: long (Failed)"
 expect_in "$project/build/release/unit_tests" ON
 run 1 test -R no_such_test
 echo 1 >"$work/format"
