@@ -37,12 +37,14 @@ GateRow row_of(Metric metric, const std::string& mode, const std::string& unit, 
   return row;
 }
 
+const PreparedSeries prepared("reference", reference, window, modes);
+
 // As the gate judges a campaign's rows.
 GateOutcome judge(const GateRow& row, const TimeSeries& series) {
   Comparison comparison;
   return evaluate(row, {{"sph", {RunState::finished, ""}}, {"linear", {RunState::finished, ""}}},
                   {[&](const auto&, const auto&, const auto&) -> const Comparison& {
-                     return comparison = compare(series, reference, window, modes);
+                     return comparison = compare({"candidate", series, window, modes}, prepared);
                    },
                    {}});
 }
