@@ -261,7 +261,7 @@ enum class Metric {
   largest_magnitude,  // the quantity's unit, whole window; of the candidate alone
   // Of waves whose single crests are chance (wave_statistics.hpp, spectrum.hpp), each a ratio less
   // 1 but for the lag and the last two.
-  band_energy_error,    // 1, of one mode: energy within a fifth of its frequency to either side
+  band_energy_error,  // 1, of one mode: energy within a fifth of its frequency to either side
   // deg of the first mode's period, whole window: one lag of the whole wave (cross_correlation.hpp)
   cross_correlation_lag,
   spectral_peak_error,  // 1, whole window: frequency of the highest peak

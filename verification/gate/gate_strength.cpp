@@ -30,8 +30,8 @@ bool moves_the_datum(MutationKind kind) {
   return kind == MutationKind::raised || kind == MutationKind::lowered;
 }
 
-// A cost that the runs of this form do not reach any more is of the row's own bound, though the finer
-// runs that would tell it be not selected or not timed.
+// A cost that the runs of this form do not reach any more is of the row's own bound, though the
+// finer runs that would tell it be not selected or not timed.
 bool is_of_a_bound(const GateRow& row, Verdict verdict) {
   return verdict == Verdict::violated || verdict == Verdict::inconclusive ||
          (row.metric == Metric::cost_to_reach && verdict != Verdict::pass);

@@ -78,7 +78,34 @@ HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
   return found;
 }
 
-bool is_told(const Tone& tone) { return tone.resolved && !tone.beside; }
+// Of the tone's amplitude. A tone half a spectral bin off leaves three quarters of itself beside
+// the fitted one: where what is left of two series differs by less than this, what either tone is
+// part of differs by little more.
+constexpr double alike_share = 0.01;
+
+// What the fits leave of the candidate less what they leave of the reference, that scaled by the
+// ratio of the tone's amplitudes.
+struct LeftDifference {
+  Eigen::VectorXd left;
+  double share;  // its root mean square over the candidate's amplitude
+};
+
+LeftDifference left_difference(const WindowFit& candidate, const WindowFit& reference,
+                               std::size_t k, const CommonSamples& common) {
+  const auto amplitude = [k](const WindowFit& fit) {
+    return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
+  };
+  const double ratio = amplitude(candidate) / amplitude(reference);
+  Eigen::VectorXd left = candidate.residual(common.time, common.candidate) -
+                         ratio * reference.residual(common.time, common.reference);
+  const double rms = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
+  return {std::move(left), rms / amplitude(candidate)};
+}
+
+bool can_be_paired(const Tone& candidate, const Tone& reference, const LeftDifference& difference) {
+  const bool each_told = !candidate.beside && !reference.beside;
+  return candidate.resolved && reference.resolved && (each_told || difference.share < alike_share);
+}
 
 // Of two tones that know nothing of one another.
 PairedDifference unpaired(const Tone& candidate, const Tone& reference) {
@@ -98,14 +125,7 @@ PairedDifference unpaired(const Tone& candidate, const Tone& reference) {
 }
 
 PairedDifference paired(const WindowFit& candidate, const WindowFit& reference, std::size_t k,
-                        const CommonSamples& common) {
-  const auto amplitude = [k](const WindowFit& fit) {
-    return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
-  };
-  const double ratio = amplitude(candidate) / amplitude(reference);
-  const LeftoverModel leftovers = candidate.leftovers(
-      common.time, candidate.residual(common.time, common.candidate) -
-                       ratio * reference.residual(common.time, common.reference));
+                        const LeftoverModel& leftovers) {
   const auto beside = candidate.beside(k, leftovers);
   const auto of_c = candidate.estimates(k, correcting(leftovers, beside));
   const auto of_r = reference.estimates(k, leftovers.without_corrections());
@@ -170,8 +190,10 @@ std::vector<PairedDifference> paired_differences(const SeriesFit& candidate,
   std::vector<PairedDifference> differences;
   for (std::size_t k = 0; k < candidate.fit().requests.size(); ++k) {
     const Tone &of_c = candidate.harmonics().tones[k], &of_r = reference.harmonics().tones[k];
-    differences.push_back(is_told(of_c) && is_told(of_r)
-                              ? paired(candidate.fit(), reference.fit(), k, common)
+    const LeftDifference left = left_difference(candidate.fit(), reference.fit(), k, common);
+    differences.push_back(can_be_paired(of_c, of_r, left)
+                              ? paired(candidate.fit(), reference.fit(), k,
+                                       candidate.fit().leftovers(common.time, left.left))
                               : unpaired(of_c, of_r));
     // A difference that is not told apart is one of two things as well.
     if (differences.back().beside) {

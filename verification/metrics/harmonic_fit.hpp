@@ -98,8 +98,8 @@ struct PairedDifference {
   Estimate angular_frequency;  // [rad/s]
   Estimate decay_rate;         // [1/s]
   // [rad/s], of something in one of the two, or in their difference alone, that the window cannot
-  // tell from the tone: the ratio of what is part of something else tells nothing, however alike
-  // what is left of both.
+  // tell from the tone: the ratio of what is part of something else tells nothing, but where what
+  // is left of both is alike to a hundredth of the tone.
   std::optional<double> beside = {};
 };
 

@@ -54,9 +54,11 @@ class SpacingStudies : public ::testing::Test {
     return read_case(file);
   }
   std::string key(const CaseDefinition& definition, const std::string& run) const {
-    const fs::path build = temporary_.path() / "build";
-    std::ofstream(build) << "a build";
-    return run_key(definition, run_named(definition, run), build, temporary_.path());
+    const fs::path builds = temporary_.path() / "builds";
+    fs::create_directory(builds);
+    for (const char* kind : {"sph", "interfoam", "linear", "potential", "viscous_wave", "record"})
+      std::ofstream(builds / kind) << "a build";
+    return run_key(definition, run_named(definition, run), builds, temporary_.path());
   }
 
   TemporaryDirectory temporary_;
