@@ -17,9 +17,6 @@
 namespace slosh {
 namespace {
 
-constexpr Estimate no_value{std::numeric_limits<double>::quiet_NaN(),
-                            std::numeric_limits<double>::quiet_NaN()};
-
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
   const std::string value = in_unit(estimate.value, unit);
   if (!(estimate.half_width > 0)) return value;  // a whole-window metric has none

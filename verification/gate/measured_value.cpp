@@ -15,9 +15,6 @@
 namespace slosh {
 namespace {
 
-constexpr Estimate no_value{std::numeric_limits<double>::quiet_NaN(),
-                            std::numeric_limits<double>::quiet_NaN()};
-
 const ModeComparison& mode_of(const Comparison& comparison, const std::string& mode) {
   const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
                                   [&](const ModeComparison& one) { return one.mode == mode; });

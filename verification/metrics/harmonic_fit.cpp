@@ -191,16 +191,14 @@ std::vector<PairedDifference> paired_differences(const SeriesFit& candidate,
   for (std::size_t k = 0; k < candidate.fit().requests.size(); ++k) {
     const Tone &of_c = candidate.harmonics().tones[k], &of_r = reference.harmonics().tones[k];
     const LeftDifference left = left_difference(candidate.fit(), reference.fit(), k, common);
-    differences.push_back(can_be_paired(of_c, of_r, left)
-                              ? paired(candidate.fit(), reference.fit(), k,
-                                       candidate.fit().leftovers(common.time, left.left))
-                              : unpaired(of_c, of_r));
-    // A difference that is not told apart is one of two things as well.
-    if (differences.back().beside) {
-      const double frequency = *differences.back().beside;
-      differences.back() = unpaired(of_c, of_r);
-      differences.back().beside = frequency;
-    }
+    differences.push_back(unpaired(of_c, of_r));
+    if (!can_be_paired(of_c, of_r, left)) continue;
+    const PairedDifference difference = paired(candidate.fit(), reference.fit(), k,
+                                               candidate.fit().leftovers(common.time, left.left));
+    if (difference.beside)
+      differences.back().beside = difference.beside;
+    else
+      differences.back() = difference;
   }
   return differences;
 }
