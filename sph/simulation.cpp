@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sph/scheme_runs.hpp"
+#include "sph/threads.hpp"
 
 namespace slosh::sph {
 namespace {
@@ -73,6 +74,12 @@ Run chosen(const std::string& scheme, const Scene& scene) {
   return scene.variant.empty() ? run : named(variants(), "variant", scene.variant);
 }
 
+std::size_t particles_in(const Scene& scene) {
+  const double width = scene.column_width.value_or(scene.tank_length);
+  return static_cast<std::size_t>(width * scene.fill_depth /
+                                  (scene.particle_spacing * scene.particle_spacing));
+}
+
 }  // namespace
 
 std::vector<std::string> scheme_names() { return names_of(schemes()); }
@@ -80,7 +87,9 @@ std::vector<std::string> scheme_names() { return names_of(schemes()); }
 std::vector<std::string> variant_names() { return names_of(variants()); }
 
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress) {
-  return chosen(scheme, scene)(scene, progress);
+  const Run method = chosen(scheme, scene);
+  const ThreadScope threads(scene.threads.value_or(threads_for(particles_in(scene))));
+  return method(scene, progress);
 }
 
 }  // namespace slosh::sph

@@ -113,6 +113,7 @@ struct Scene {
   double state_interval = 0;
   std::function<void(const SavedState&)> save_state = {};
   const SavedState* resume = nullptr;
+  std::optional<int> threads = {};  // empty: as threads_for (threads.hpp) has it
   bool takes_steps =
       true;  // otherwise the run ends at its start, which shows whether it can be made
   // Given what the run was at its last sample after the start, where it goes wrong after that: it

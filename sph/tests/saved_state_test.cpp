@@ -1,7 +1,6 @@
 #include "sph/saved_state.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <cmath>
 #include <map>
@@ -118,10 +117,9 @@ TEST_P(Resume, GoesOnBitForBitWithOneAndTwoThreads) {
   const WholeRun whole = run_whole(GetParam(), scene);
   ASSERT_EQ(whole.states.size(), 5);
   for (const int threads : {1, 2}) {
-    omp_set_num_threads(threads);
+    scene.threads = threads;
     // A few steps: threads that wait for one another on a busy machine take many times as long.
     const WholeRun resumed = run_whole(GetParam(), scene, &whole.states[threads == 1 ? 0 : 3]);
-    omp_set_num_threads(1);
     expect_same_bits(resumed, whole);
   }
 }

@@ -1,7 +1,6 @@
 #include "sph/simulation.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,12 +46,9 @@ std::vector<std::string> schemes_and_variants() {
   return names;
 }
 
-RunOutput run_with_threads(int threads, const std::string& name, const Scene& scene) {
-  const int before = omp_get_max_threads();
-  omp_set_num_threads(threads);
-  RunOutput output = run_named(name, scene);
-  omp_set_num_threads(before);
-  return output;
+RunOutput run_with_threads(int threads, const std::string& name, Scene scene) {
+  scene.threads = threads;
+  return run_named(name, scene);
 }
 
 class EveryScheme : public testing::TestWithParam<std::string> {

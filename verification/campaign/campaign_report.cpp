@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <thread>
 
+#include "sph/threads.hpp"
 #include "verification/campaign/case_coverage.hpp"
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
@@ -77,8 +77,7 @@ Section gate_section(const CaseAssessment& assessment) {
 }
 
 Section case_section(const CaseAssessment& assessment) {
-  const std::vector<RowStrength> strengths = row_strengths(
-      assessment, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  const std::vector<RowStrength> strengths = row_strengths(assessment, sph::usable_cores());
   const CaseDefinition& definition = assessment.definition;
   Section section;
   section.id = definition.name;

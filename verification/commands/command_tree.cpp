@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <thread>
 
+#include "sph/threads.hpp"
 #include "verification/case_file/nearest_name.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/runs/provenance.hpp"
@@ -81,7 +81,7 @@ void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
 }
 
 void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
-  at_once = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  at_once = sph::usable_cores();
   command.add_option("-j,--jobs", at_once, fmt::format("{} (default: one a core)", what))
       ->type_name("N")
       ->check(keeps(at_least(1)));
