@@ -131,6 +131,9 @@ GateEvidence CaseEvidence::gate_evidence() {
     return cut_to_window(series_of(runs_, run, quantity),
                          {definition_.window_begin, definition_.window_end});
   };
+  const FindHistory history = [this](const std::string& run, const std::string& quantity) {
+    return series_of(runs_, run, quantity);
+  };
   const MeasureImpacts measure_impacts = [this](const std::string& run, const GateRow& of) {
     return impact_metric(of.metric, of.mode, series_of(runs_, run, of.quantity),
                          series_of_record(definition_, runs_, of.quantity), definition_);
@@ -142,12 +145,12 @@ GateEvidence CaseEvidence::gate_evidence() {
     return EnsembleOfRun{members_of(definition_, run),
                          is_exact(run_named(definition_, run).solver)};
   };
-  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble};
+  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble, history};
   const FindUncertainty uncertainty = [this, evidence](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, evidence.comparison,
                            [&](const GateRow& other) { return measured(other, evidence); });
   };
-  return {find, find_series, measure_impacts, uncertainty, cost, ensemble};
+  return {find, find_series, measure_impacts, uncertainty, cost, ensemble, history};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

@@ -260,7 +260,7 @@ enum class Metric {
   aligned_rms,        // 1, whole window, free of that lag
   largest_magnitude,  // the quantity's unit, whole window; of the candidate alone
   // Of waves whose single crests are chance (wave_statistics.hpp, spectrum.hpp), each a ratio less
-  // 1 but for the lag and the last two.
+  // 1 but for the lag and the last three.
   band_energy_error,  // 1, of one mode: energy within a fifth of its frequency to either side
   // deg of the first mode's period, whole window: one lag of the whole wave (cross_correlation.hpp)
   cross_correlation_lag,
@@ -270,6 +270,7 @@ enum class Metric {
   trough_error,         // 1, whole window: mean over the periods of the lowest value
   mean_offset,          // the quantity's unit, whole window: mean less the reference's
   noise_share,          // 1, whole window: white noise over the deviation, of the candidate alone
+  initial_value,        // the quantity's unit: at the start of the time, of the candidate alone
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
   impact_time,        // s, one impact: that of its peak less the published one
   plateau_error,      // 1, "whole": mean over the plateau's time over the published one, less 1

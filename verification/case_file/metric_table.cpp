@@ -51,6 +51,7 @@ const std::vector<MetricEntry>& metric_table() {
       {Metric::mean_offset, "mean_offset", "", whole_window, 1e9, unit, of_any_size},
       {Metric::noise_share, "noise_share", "1", own_series, 1, unit,
        "a series of nothing but white noise has 1"},
+      {Metric::initial_value, "initial_value", "", own_series, 1e9, unit, of_any_size},
       {Metric::impact_time, "impact_time", "s", impact, 0.25, impact_period,
        "an impact is sought within a quarter of the motion's period"},
       {Metric::plateau_error, "plateau_error", "1", plateau, 1, unit,

@@ -170,6 +170,8 @@ const char* words_for(Metric metric) {
       return "mean less the reference's";
     case Metric::noise_share:
       return "white noise over the standard deviation";
+    case Metric::initial_value:
+      return "value at the start";
     case Metric::impact_time:
       return "time of the peak less the published one";
     case Metric::plateau_error:

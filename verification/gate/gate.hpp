@@ -96,6 +96,8 @@ using FindComparison = std::function<const Comparison&(
 // Gives a run's own series over the case's window, checked as cut_to_window() does: finite, and as
 // long as the window; throws ComparisonError or ResultError where there is none.
 using FindSeries = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
+// Gives the whole of that series, as the run recorded it; throws likewise.
+using FindHistory = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
 
 // Gives the row's impact_metric() of a run; throws as that does, and ResultError where the run has
 // no such series.
@@ -131,6 +133,7 @@ struct GateEvidence {
   FindUncertainty uncertainty = {};  // none: of nothing else
   MeasureCost cost = {};
   FindEnsemble ensemble = {};  // none: each run stands for itself
+  FindHistory history = {};    // for the metric that looks at the start
 };
 
 // Of a row with a limit or a range, what its metric may be, in the row's unit.

@@ -84,6 +84,8 @@ std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& ca
       return std::nullopt;
     case Metric::largest_magnitude:
       return Prediction{std::abs(factor) * e};
+    case Metric::initial_value:
+      return Prediction{factor * e};
     case Metric::normalised_rms:
       return Prediction{std::abs(factor - 1) * (1 - e) - e, true};
     case Metric::maximum_residual:
@@ -105,7 +107,8 @@ std::optional<Prediction> of_shift(const GateRow& row, double e, double periods,
 }
 
 std::optional<Prediction> of_offset(const GateRow& row, double e, double offset) {
-  if (row.metric == Metric::mean_offset) return Prediction{e + offset};
+  if (row.metric == Metric::mean_offset || row.metric == Metric::initial_value)
+    return Prediction{e + offset};
   if (row.metric == Metric::largest_magnitude) return Prediction{std::abs(offset) - e, true};
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 //   largest_magnitude  becomes |f| E
 //   normalised_rms     is at least |f - 1| (1 - E) - E, and s (1 - E) - E of noise of strength s
 //   maximum_residual   is at least |f - 1| max |candidate| - E
+//   initial_value      becomes f E, and E + o of an offset o
 //   mean_offset        becomes E + o of an offset o, and E + s d / 2 of a drift to s deviations d
 //   largest_magnitude  is at least |o| - E
 // Of what adds a series x to the candidate c (an offset, a drift, a gained mode, a chirp):

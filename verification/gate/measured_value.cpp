@@ -99,6 +99,7 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       return {comparison.candidate_wave.mean - comparison.reference_wave.mean, 0};
     case Metric::largest_magnitude:
     case Metric::noise_share:
+    case Metric::initial_value:
     case Metric::impact_time:
     case Metric::plateau_error:
     case Metric::impact_percentile:
@@ -125,6 +126,15 @@ double largest_magnitude(const TimeSeries& series) {
   return largest;
 }
 
+// Of a series that is recorded from the start of the time.
+double initial_value(const TimeSeries& series) {
+  if (series.time.size() < 2 || std::abs(series.time[0]) > series.time[1] - series.time[0])
+    throw ComparisonError(fmt::format(
+        "{} begins at {:.4g} s; expected the start, 0 s, where initial_value is measured",
+        series.name, series.time.empty() ? no_value.value : series.time[0]));
+  return series.value[0];
+}
+
 void require_unit(const GateRow& row, const std::string& quantity_unit) {
   const std::string unit = metric_unit(row.metric, quantity_unit);
   if (unit == row.unit) return;
@@ -132,12 +142,18 @@ void require_unit(const GateRow& row, const std::string& quantity_unit) {
       fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
 }
 
+// The series over the window is asked for first: what is amiss there is refused for this metric
+// too.
+double candidate_alone(const GateRow& row, const GateEvidence& evidence) {
+  const TimeSeries series = evidence.series(row.candidate, row.quantity);
+  require_unit(row, series.unit);
+  if (row.metric == Metric::noise_share) return noise_share(series);
+  if (row.metric == Metric::largest_magnitude) return largest_magnitude(series);
+  return initial_value(evidence.history(row.candidate, row.quantity));
+}
+
 Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
-  if (is_of_candidate_alone(row.metric)) {
-    const TimeSeries series = evidence.series(row.candidate, row.quantity);
-    require_unit(row, series.unit);
-    return {row.metric == Metric::noise_share ? noise_share(series) : largest_magnitude(series), 0};
-  }
+  if (is_of_candidate_alone(row.metric)) return {candidate_alone(row, evidence), 0};
   if (is_of_impacts(row.metric)) {
     require_unit(row, "Pa");
     return {evidence.impacts(row.candidate, row), 0};

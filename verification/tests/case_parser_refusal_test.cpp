@@ -381,7 +381,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "maximum_residual, time_lag, aligned_rms, largest_magnitude, "
                 "band_energy_error, cross_correlation_lag, spectral_peak_error, rms_error, "
                 "crest_error, trough_error, "
-                "mean_offset, noise_share, impact_time, "
+                "mean_offset, noise_share, initial_value, impact_time, "
                 "plateau_error, impact_percentile, cost_to_reach; nearest: "
                 "amplitude_error"},
         Mistake{

@@ -135,12 +135,22 @@ TEST(GateClaims, HoldForBoundsOnBothSidesAndNotForComparedErrors) {
 TEST(GateClaims, HoldEveryRowButThoseOfImpactsToASoundSeries) {
   for (const MutationKind kind : {MutationKind::not_a_number, MutationKind::truncated,
                                   MutationKind::swapped_columns, MutationKind::other_unit}) {
-    for (const Metric metric : {Metric::amplitude_error, Metric::phase_lag, Metric::decay_rate,
-                                Metric::aligned_rms, Metric::largest_magnitude})
+    for (const Metric metric :
+         {Metric::amplitude_error, Metric::phase_lag, Metric::decay_rate, Metric::aligned_rms,
+          Metric::largest_magnitude, Metric::initial_value})
       EXPECT_TRUE(claims(row_of(metric, 1e9), 0, kind));
     EXPECT_FALSE(claims(row_of(Metric::impact_time, 1e9), 0, kind));
     EXPECT_EQ(claims(row_of(Metric::noise_share, 1e9), 0, kind), kind != MutationKind::other_unit);
   }
+}
+
+TEST(GateClaims, OfTheStartFollowTheDatum) {
+  const GateRow row = row_of(Metric::initial_value, 0.0035, "whole");
+  EXPECT_TRUE(claims(row, 1e-5, MutationKind::raised, 0.02));
+  EXPECT_TRUE(claims(row, 1e-5, MutationKind::lowered, 0.02));
+  EXPECT_FALSE(claims(row, 1e-5, MutationKind::raised, 0.001));
+  EXPECT_FALSE(claims(row, 1e-5, MutationKind::louder, 0.5));
+  EXPECT_FALSE(claims(row, 1e-5, MutationKind::noisy, 0.5));
 }
 
 TEST(GateClaims, OfWaveStatisticsFollowTheScaleAndTheNoise) {

@@ -419,7 +419,6 @@ TEST_F(GateOnSeries, DoesNotCompareATruncatedCandidateNorOneWithNaN) {
   }
 }
 
-// A row on the candidate's own series, without any reference.
 // "sph" and "linear" stand for ensembles; the amplitude error of each pair is told, each with a
 // half width of its own that must not count.
 class GateOnEnsemble : public ::testing::Test {
@@ -606,6 +605,59 @@ TEST_F(GateOnOwnSeries, JudgesTheNoiseInASeriesInAShareOfItsDeviation) {
   smooth.unit = "m";
   for (std::size_t i = 0; i < smooth.time.size(); ++i) smooth.value[i] = std::sin(smooth.time[i]);
   EXPECT_EQ(judge_series(smooth).verdict, Verdict::pass);
+}
+
+// Liquid that starts 1e-5 m above its still level, recorded from 0 s and judged from 5 s on.
+class GateOnTheStart : public ::testing::Test {
+ protected:
+  static TimeSeries recorded() {
+    TimeSeries series{"elevation@right", "m", {}, {}};
+    for (int i = 0; i <= 1000; ++i) {
+      series.time.push_back(0.01 * i);
+      series.value.push_back(1e-5 + 0.3 * std::sin(0.01 * i) * (i > 0));
+    }
+    return series;
+  }
+  GateOutcome judge(const TimeSeries& whole) const {
+    const FindSeries window = [&](const std::string&, const std::string&) {
+      return cut_to_window(whole, {5, 10});
+    };
+    const FindHistory history = [&](const std::string&, const std::string&) { return whole; };
+    return evaluate(row, {{"sph", {RunState::finished, ""}}},
+                    {{}, window, {}, {}, {}, {}, history});
+  }
+
+  GateRow row = row_of(Metric::initial_value, "whole", "m", 0.0035);
+};
+
+TEST_F(GateOnTheStart, SeesADatumThatIsOffAndNothingOfTheWave) {
+  const GateOutcome outcome = judge(recorded());
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+  EXPECT_EQ(outcome.value.value, 1e-5);
+  for (const double offset : {0.007, -0.007, 0.35}) {
+    TimeSeries shifted = recorded();
+    for (double& value : shifted.value) value += offset;
+    EXPECT_EQ(judge(shifted).verdict, Verdict::violated) << offset;
+  }
+}
+
+TEST_F(GateOnTheStart, DoesNotJudgeASeriesWithoutIts) {
+  TimeSeries late = recorded(), truncated = recorded(), poisoned = recorded(), scaled = recorded();
+  late.time.erase(late.time.begin(), late.time.begin() + 2);
+  late.value.erase(late.value.begin(), late.value.begin() + 2);
+  truncated.time.resize(700);
+  truncated.value.resize(700);
+  poisoned.value[700] = nan;
+  for (const TimeSeries& series : {late, truncated, poisoned})
+    EXPECT_EQ(judge(series).verdict, Verdict::not_compared);
+  EXPECT_EQ(judge(late).message,
+            "elevation@right begins at 0.02 s; expected the start, 0 s, where initial_value is "
+            "measured");
+  for (double& value : scaled.value) value *= 1000;
+  EXPECT_EQ(judge(scaled).verdict, Verdict::violated);
+  poisoned = recorded();
+  poisoned.value[0] = nan;
+  EXPECT_NE(judge(poisoned).verdict, Verdict::pass);
 }
 
 class GateOnCost : public ::testing::Test {
