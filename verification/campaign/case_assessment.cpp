@@ -133,12 +133,13 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
   return nullptr;
 }
 
-CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs) {
+CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
   for (const auto& [name, result] : runs.results)
     if (const auto reason = outside_validity(definition, run_named(definition, name), result))
       runs.status[name] = {RunState::out_of_range, *reason};
   runs.input_bounds = predict_input_bounds(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
+  take_runs_at_ends(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
   CaseEvidence evidence(assessment.definition, assessment.runs);
   for (const Pair& pair : compared_pairs(definition, assessment.runs))

@@ -28,7 +28,7 @@ struct CaseAssessment {
 };
 
 // Marks references that have left their declared range, compares and gates.
-CaseAssessment assess(const CaseDefinition& definition, CaseRuns runs);
+CaseAssessment assess(CaseDefinition definition, CaseRuns runs);
 
 // Whether the user selected any of its runs.
 bool has_selected_runs(const CaseAssessment& assessment);

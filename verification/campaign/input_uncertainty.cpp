@@ -5,51 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "verification/campaign/replaced_series.hpp"
 #include "verification/campaign/row_uncertainty.hpp"
+#include "verification/case_file/changed_input.hpp"
 #include "verification/case_file/inputs.hpp"
-#include "verification/case_file/motion.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
-
-using std::numbers::pi;
-
-void stretch_time(MotionHistory& motion, double factor) {
-  if (auto* sine = std::get_if<SineMotion>(&motion)) {
-    sine->angular_frequency /= factor;
-  } else {
-    for (double& time : std::get<TableMotion>(motion).time) time *= factor;
-  }
-}
-
-// `change` in the motion's own unit.
-void raise_amplitude(MotionHistory& motion, double change) {
-  if (auto* sine = std::get_if<SineMotion>(&motion)) {
-    sine->amplitude += change;
-    return;
-  }
-  std::vector<double>& values = std::get<TableMotion>(motion).value;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double factor = 1 + change / std::max(std::abs(*low), std::abs(*high));
-  for (double& value : values) value *= factor;
-}
-
-void stretch_period(CaseDefinition& definition, double change) {
-  const double period = 2 * pi / forcing_frequency(definition);
-  const double factor = 1 + change / period;
-  if (definition.motion.surge) stretch_time(*definition.motion.surge, factor);
-  if (definition.motion.roll) stretch_time(definition.motion.roll->angle, factor);
-  if (definition.declared_forcing_frequency) *definition.declared_forcing_frequency /= factor;
-}
-
-void move_gauges(CaseDefinition& definition, double change) {
-  for (GaugeDefinition& gauge : definition.gauges) gauge.x += change;
-  for (PressureGaugeDefinition& gauge : definition.pressure_gauges) gauge.position += change;
-}
 
 // Of the candidate's liquid alone, without the gas: a tank of one layer.
 const RunDefinition* theory_in_range(const CaseDefinition& definition, const CaseRuns& runs) {
@@ -69,35 +33,11 @@ RunResult predicted(const CaseDefinition& definition, const RunDefinition& theor
   return execute(with_input(definition, input, change), theory, {}, [](double, double) {});
 }
 
-}  // namespace
-
-CaseDefinition with_input(CaseDefinition definition, Input input, double change) {
-  switch (input) {
-    case Input::fill_depth:
-      definition.liquid.fill_depth += change;
-      break;
-    case Input::period:
-      stretch_period(definition, change);
-      break;
-    case Input::amplitude:
-      if (definition.motion.surge) raise_amplitude(*definition.motion.surge, change);
-      if (definition.motion.roll) raise_amplitude(definition.motion.roll->angle, change * pi / 180);
-      break;
-    case Input::sensor_position:
-      move_gauges(definition, change);
-      break;
-    case Input::density:
-      definition.liquid.density += change;
-      break;
-    case Input::kinematic_viscosity:
-      definition.liquid.kinematic_viscosity += change;
-      break;
-    case Input::gravity:
-      definition.gravity += change;
-      break;
-  }
-  return definition;
+bool is_open(const RunStatus& status) {
+  return status.state == RunState::failed || status.state == RunState::missing;
 }
+
+}  // namespace
 
 std::map<Input, InputBounds> predict_input_bounds(const CaseDefinition& definition,
                                                   const CaseRuns& runs) {
@@ -118,6 +58,25 @@ std::map<Input, InputBounds> predict_input_bounds(const CaseDefinition& definiti
   return bounds;
 }
 
+void take_runs_at_ends(CaseDefinition& definition, CaseRuns& runs) {
+  std::map<Input, std::map<bool, RunResult>> ends;  // by input and whether it is the upper one
+  const std::vector<RunDefinition> all = std::move(definition.runs);
+  definition.runs.clear();
+  for (const RunDefinition& run : all) {
+    if (!run.at_input || is_open(runs.status.at(run.name))) {
+      definition.runs.push_back(run);
+      continue;
+    }
+    if (const auto result = runs.results.extract(run.name))
+      ends[run.at_input->input][run.at_input->change > 0] = result.mapped();
+    runs.status.erase(run.name);
+    runs.timings.erase(run.name);
+  }
+  for (auto& [input, found] : ends)
+    if (found.size() == 2 && !runs.input_bounds.contains(input))
+      runs.input_bounds[input] = {std::move(found[false]), std::move(found[true])};
+}
+
 Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
                                const GateRow& row) {
   if (definition.inputs.empty())
@@ -129,7 +88,8 @@ Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns&
     const auto bounds = runs.input_bounds.find(one.input);
     try {
       if (bounds == runs.input_bounds.end())
-        throw ComparisonError("no theory of the case holds there");
+        throw ComparisonError(
+            "no theory of the case holds there, and no coarse_run of the input tells it");
       const auto value = [&](const RunResult& at_bound) {
         return measured_with(definition, runs, row, row.candidate, at_bound.at(row.quantity)).value;
       };

@@ -234,6 +234,14 @@ struct InputUncertainty {
   Input input;
   double half_width;
   std::string source;
+  std::string coarse_run = {};  // repeated at both ends of the interval; empty: theory alone tells
+};
+
+// An end of an input's interval, and the run that is repeated there.
+struct InputEnd {
+  Input input;
+  double change;  // in the input's unit, minus or plus the half width
+  std::string repeated_run;
 };
 
 struct RunDefinition {
@@ -246,6 +254,9 @@ struct RunDefinition {
   // The first member's name, of each of the runs into which repeats = N makes one [[run]]; they
   // differ in the seed of their disturbed start alone. Empty: a run for itself.
   std::string ensemble = {};
+  // Of a run that the case adds for its uncertain input: it solves the case with that input
+  // changed (changed_input.hpp).
+  std::optional<InputEnd> at_input = {};
 };
 
 enum class Metric {

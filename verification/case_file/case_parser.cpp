@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/changed_input.hpp"
 #include "verification/case_file/definition_file.hpp"
 #include "verification/case_file/toml_reader.hpp"
 
@@ -147,6 +148,15 @@ void read_gauges(const TomlTable& root, CaseDefinition& definition) {
     root.refuse("gauge", "at least one [[gauge]] or [[pressure_gauge]]");
 }
 
+// Last, so that neither a gate row nor a refinement can name them.
+void add_runs_at_ends(const TomlTable& root, CaseDefinition& definition) {
+  for (const InputUncertainty& input : definition.inputs) {
+    if (input.coarse_run.empty()) continue;
+    for (const RunDefinition& run : runs_at_ends(input, run_named(definition, input.coarse_run)))
+      add_named(root, "run", run, definition.runs);
+  }
+}
+
 }  // namespace
 
 CaseDefinition read_case(const std::filesystem::path& file,
@@ -187,6 +197,7 @@ CaseDefinition read_case(const std::filesystem::path& file,
   for (const TomlTable& row : root.tables("gate")) {
     definition.gate.push_back(read_gate_row(row, definition));
   }
+  add_runs_at_ends(root, definition);
   return definition;
 }
 

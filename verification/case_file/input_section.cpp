@@ -41,6 +41,15 @@ const InputEntry& read_name(const TomlTable& table, const CaseDefinition& defini
                        [&](const InputEntry& entry) { return entry.name == name; });
 }
 
+std::string read_coarse_run(const TomlTable& table, const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs)
+    if (std::holds_alternative<SphRun>(run.solver) ||
+        std::holds_alternative<InterFoamRun>(run.solver))
+      names.push_back(run.name);
+  return table.choice("coarse_run", "an SPH or interFoam run of this case", names);
+}
+
 }  // namespace
 
 std::string input_name(Input input) { return entry_of(input).name; }
@@ -50,7 +59,7 @@ std::string input_unit(Input input, const MotionDefinition& motion) {
 }
 
 InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition) {
-  table.allow_only({"name", "half_width", "unit", "source"});
+  table.allow_only({"name", "half_width", "unit", "source", "coarse_run"});
   const InputEntry& entry = read_name(table, definition);
   if (entry.input == Input::amplitude && definition.motion.surge && definition.motion.roll)
     table.refuse("name", "an input of one motion: this tank surges and rolls");
@@ -58,7 +67,8 @@ InputUncertainty read_input(const TomlTable& table, const CaseDefinition& defini
                                         {input_unit(entry.input, definition.motion)});
   for (const InputUncertainty& other : definition.inputs)
     if (other.input == entry.input) table.refuse("name", "each input once");
-  return {entry.input, table.get("half_width", positive(unit)), table.get("source", any_text())};
+  return {entry.input, table.get("half_width", positive(unit)), table.get("source", any_text()),
+          table.has("coarse_run") ? read_coarse_run(table, definition) : ""};
 }
 
 }  // namespace slosh

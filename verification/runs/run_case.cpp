@@ -7,6 +7,7 @@
 
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "sph/simulation.hpp"
+#include "verification/case_file/changed_input.hpp"
 #include "verification/runs/cost_meter.hpp"
 #include "verification/runs/provenance.hpp"
 #include "verification/runs/solver_runs.hpp"
@@ -104,7 +105,8 @@ CaseFileError refused(const RunDefinition& run, const std::string& why) {
 }
 
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
-  std::visit([&](const auto& solver) { require_scene(solver, definition, run); }, run.solver);
+  const CaseDefinition solved = definition_solved_by(run, definition);
+  std::visit([&](const auto& solver) { require_scene(solver, solved, run); }, run.solver);
 }
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
@@ -118,7 +120,8 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   "states and resume: expected a run of the solver sph, no other saves states");
   if (settings.time_limit != 0 && !std::holds_alternative<InterFoamRun>(run.solver))
     throw refused(run, "time limit: expected a run of the solver interfoam");
-  RunResult result = run_chosen_solver({definition, run, settings, progress});
+  const CaseDefinition solved = definition_solved_by(run, definition);
+  RunResult result = run_chosen_solver({solved, run, settings, progress});
   const RunCost counts = result.cost;
   result.cost = meter.cost();
   result.cost.steps = counts.steps;

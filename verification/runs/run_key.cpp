@@ -4,6 +4,7 @@
 #include <set>
 
 #include "openfoam_cases/sloshing_tank.hpp"
+#include "verification/case_file/changed_input.hpp"
 #include "verification/case_file/field_times.hpp"
 #include "verification/runs/content_hash.hpp"
 #include "verification/runs/external_command.hpp"
@@ -133,7 +134,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates) {
   ContentHash question, answer;
-  json asked{{"case", physics(definition)}, {"run", description(run.solver)}};
+  json asked{{"case", physics(definition_solved_by(run, definition))},
+             {"run", description(run.solver)}};
   if (leaves_fields(run)) asked["snapshot_times"] = field_times(definition);
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external) asked["inputs"] = contents(external_inputs(*external, definition));

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "verification/case_file/changed_input.hpp"
 #include "verification/case_file/ensemble.hpp"
 #include "verification/tests/temporary_directory.hpp"
 #include "verification/tests/trial_case.hpp"
@@ -192,6 +193,33 @@ TEST(CaseParser, ReadsHowWellAnExperimentKnewItsInputs) {
   EXPECT_EQ(definition.inputs[0].input, Input::fill_depth);
   EXPECT_EQ(definition.inputs[0].half_width, 0.0005);
   EXPECT_EQ(definition.inputs[0].source, "a ruler");
+}
+
+TEST(CaseParser, AddsACoarseRunAtBothEndsOfAnUncertainInput) {
+  const CaseDefinition plain = read_text(valid_text);
+  const std::string coarse =
+      std::find_if(plain.runs.begin(), plain.runs.end(), [](const auto& run) {
+        return std::holds_alternative<SphRun>(run.solver);
+      })->name;
+  const std::string told = uncertain_depth + "coarse_run = \"" + coarse + "\"\n";
+  const CaseDefinition definition = read_text(valid_text + told);
+  ASSERT_EQ(definition.runs.size(), plain.runs.size() + 2);
+  const RunDefinition &lower = *(definition.runs.end() - 2), &upper = definition.runs.back();
+  EXPECT_EQ(lower.name, coarse + "_fill_depth_lower");
+  EXPECT_EQ(upper.name, coarse + "_fill_depth_upper");
+  EXPECT_EQ(lower.at_input->change, -0.0005);
+  EXPECT_EQ(upper.at_input->change, 0.0005);
+  EXPECT_EQ(upper.at_input->repeated_run, coarse);
+  EXPECT_EQ(definition_solved_by(upper, definition).liquid.fill_depth,
+            definition.liquid.fill_depth + 0.0005);
+  EXPECT_EQ(definition_solved_by(definition.runs.front(), definition).liquid.fill_depth,
+            definition.liquid.fill_depth);
+  const Workspace workspace;
+  EXPECT_NE(complaint(workspace.write("trial.toml",
+                                      valid_text + uncertain_depth + "coarse_run = \"nothing\"\n"))
+                .find("input.coarse_run = \"nothing\": expected an SPH or interFoam run of this "
+                      "case"),
+            std::string::npos);
 }
 
 TEST(CaseParser, RefusesAnInputThatIsNoneOrIsThereTwice) {

@@ -9,6 +9,7 @@
 #include "verification/campaign/input_uncertainty.hpp"
 #include "verification/campaign/uncertainty_table.hpp"
 #include "verification/campaign/validity_envelope.hpp"
+#include "verification/case_file/changed_input.hpp"
 #include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 #include "verification/tests/surge_results.hpp"
@@ -263,6 +264,56 @@ TEST(RowUncertainty, OfTheInputsTogetherIsTheRootOfTheirSquares) {
   row.runs.status["theory"] = {RunState::out_of_range, "too high"};
   row.definition.runs.at(0).solver = SphRun{"recommended", 0.03, 0.03};  // no theory at all
   EXPECT_FALSE(row.contributions().input.half_width.has_value());
+}
+
+// Where no theory holds: the coarse run of the case, with waves that are higher by the same share
+// as the input.
+struct WithACoarseRun : OfARecord {
+  WithACoarseRun() : OfARecord(Metric::amplitude_error, "forced", "1", 0.05, 0) {
+    definition.runs.at(0).solver = SphRun{"recommended", 0.03, 0.03};  // theory no more
+    definition.inputs = {{Input::amplitude, 0.0002, "a ruler", "coarse_particles"}};
+    for (const RunDefinition& run : runs_at_ends(definition.inputs[0], definition.runs.at(3))) {
+      definition.runs.push_back(run);
+      ends.push_back(run.name);
+      add(run.name, 1 + run.at_input->change / 0.02);
+    }
+  }
+  void add(const std::string& run, double factor) {
+    runs.results[run] = result_of(run, scaled(elevation_of({}), factor));
+    runs.status[run] = {RunState::finished, ""};
+  }
+  std::vector<std::string> ends;
+};
+
+TEST(RowUncertainty, OfAnInputThatNoTheoryTellsIsThatOfACoarseRunAtBothEnds) {
+  WithACoarseRun row;
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.01, 1e-6);
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.add(row.ends[1], 1.09);  // the difference halved: 5 %
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.05, 1e-6);
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+}
+
+TEST(RowUncertainty, OfAnInputWithoutOneOfItsEndsIsUnknown) {
+  WithACoarseRun row;
+  row.runs.results.erase(row.ends[0]);
+  row.runs.status[row.ends[0]] = {RunState::failed, "a particle left the tank"};
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+  const CaseAssessment assessment = assess(row.definition, row.runs);
+  EXPECT_EQ(assessment.runs.status.at(row.ends[0]).state, RunState::failed) << "told as such";
+  EXPECT_EQ(exit_status(std::vector{assessment}), exit_solver_failed);
+}
+
+TEST(RowUncertainty, OfAnInputShowsNothingOfTheRunsThatTellIt) {
+  const WithACoarseRun row;
+  const CaseAssessment assessment = assess(row.definition, row.runs);
+  EXPECT_EQ(assessment.definition.runs.size(), 4U);
+  for (const std::string& end : row.ends) {
+    EXPECT_FALSE(assessment.runs.results.contains(end));
+    EXPECT_FALSE(assessment.runs.status.contains(end));
+    for (const Comparison& comparison : assessment.comparisons)
+      EXPECT_NE(comparison.candidate, end);
+  }
 }
 
 TEST(WithInput, ChangesNothingButTheInput) {

@@ -110,6 +110,15 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
   }
 }
 
+TEST_F(RunKey, OfARunAtTheEndOfAnInputIsThatOfTheCaseWithThisInput) {
+  RunDefinition end = sph;
+  end.at_input = InputEnd{Input::fill_depth, 0.001, sph.name};
+  EXPECT_NE(key(sample_case(), end), key(sample_case(), sph));
+  CaseDefinition deeper = sample_case();
+  deeper.liquid.fill_depth += 0.001;
+  EXPECT_EQ(key(sample_case(), end), key(deeper, sph));
+}
+
 TEST_F(RunKey, ChangesWithTheSnapshotTimesOfASolverThatLeavesFieldsAlone) {
   const RunDefinition linear = sample_run(LinearRun{500, false, 0.1});
   CaseDefinition definition = sample_case();
