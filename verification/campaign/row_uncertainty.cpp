@@ -24,6 +24,11 @@ double measure_against_coarser(const CaseDefinition& definition, const CaseRuns&
   return measured_with(definition, runs, row, row.reference, series).value;
 }
 
+// The limit of a regression row was measured with the same runs against the same reference.
+Contribution as_when_measured(const char* how) {
+  return {0, fmt::format("as large as when the limit was measured, {}", how)};
+}
+
 // The role's run on its refinement paths.
 Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                        Role role, const MeasureRow& measure) {
@@ -31,9 +36,7 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
   if (!paths.empty()) {
     std::vector<std::string> names;
     for (const RefinedMetric& path : paths) names.push_back(path.path);
-    // The limit of a regression row was measured against the same reference.
-    if (row.kind == RowKind::regression && role == Role::reference)
-      return {0, "as large as when the limit was measured, with the same step"};
+    if (row.kind == RowKind::regression) return as_when_measured("with the same step");
     return {numerical_uncertainty(paths),
             fmt::format("refinement of the {}", fmt::join(names, ", "))};
   }
@@ -46,6 +49,7 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
 
 Contribution of_record(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                        const RecordRun& record, const FindComparison& comparison) {
+  if (row.kind == RowKind::regression) return as_when_measured("against the same record");
   if (!record.uncertainty)
     return Contribution::unknown(fmt::format(
         "the record {} declares no uncertainty; the key `uncertainty` of its run would tell it",
@@ -96,6 +100,13 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
   return numerical(definition, runs, row, Role::reference, measure);
 }
 
+Contribution of_inputs(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row) {
+  if (!rests_on_experiment(definition, row))
+    return {0, "both sides are told the same tank, liquid and motion"};
+  if (row.kind == RowKind::regression) return as_when_measured("with the same inputs");
+  return input_uncertainty(definition, runs, row);
+}
+
 }  // namespace
 
 bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row) {
@@ -114,9 +125,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
       rests_on_experiment(definition, row)
           ? numerical(definition, runs, row, Role::candidate, measure)
           : Contribution{0, "the candidate's discretisation error is what the row measures"};
-  found.input = rests_on_experiment(definition, row)
-                    ? input_uncertainty(definition, runs, row)
-                    : Contribution{0, "both sides are told the same tank, liquid and motion"};
+  found.input = of_inputs(definition, runs, row);
   return found;
 }
 

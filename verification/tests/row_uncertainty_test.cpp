@@ -237,6 +237,22 @@ TEST(RowUncertainty, AgainstAnExperimentCountsTheCandidatesDiscretisation) {
             std::string::npos);
 }
 
+TEST(RowUncertainty, OfARegressionAgainstAnExperimentIsThatOfTheLimitsMeasurement) {
+  OfARecord row(Metric::normalised_rms, "whole", "1", 0.05, 0.01);
+  std::get<RecordRun>(row.definition.runs.at(1).solver).uncertainty = 0.01;
+  row.definition.inputs = {{Input::amplitude, 0.0002, "a ruler"}};
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+  row.definition.gate[0].kind = RowKind::regression;
+  const UncertaintyContributions found = row.contributions();
+  for (const Contribution* one : {&found.reference, &found.discretisation, &found.input}) {
+    EXPECT_EQ(one->half_width.value(), 0);
+    EXPECT_EQ(one->basis.find("as large as when the limit was measured"), 0U) << one->basis;
+  }
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1.1));
+  EXPECT_EQ(row.judged().verdict, Verdict::violated);
+}
+
 TEST(RowUncertainty, OfInputsThatNobodyKnowsIsSaidToBeUnknown) {
   OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
   EXPECT_FALSE(row.contributions().input.half_width.has_value());
