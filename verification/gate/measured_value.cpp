@@ -27,7 +27,7 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
                                         mode));
   if (found->beside)
     throw ComparisonError(fmt::format(
-        "the window of {:.4g} s cannot tell the mode {} from what the difference has at {:.4g} Hz",
+        "the window of {:.4g} s cannot tell the mode {} from something else at {:.4g} Hz",
         comparison.window.end - comparison.window.begin, mode,
         *found->beside / (2 * std::numbers::pi)));
   return *found;
