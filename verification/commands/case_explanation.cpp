@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <numbers>
 #include <sstream>
 
@@ -10,6 +11,7 @@
 #include "verification/campaign/case_text.hpp"
 #include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/inputs.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/gate/gate.hpp"
@@ -110,6 +112,12 @@ std::string cost_text(const KnownRun& known) {
                      known.cost.measured ? "measured" : "expected");
 }
 
+std::string purpose_text(const InputEnd& end, const CaseDefinition& definition) {
+  return fmt::format("repeats {} with {} {} by {}, for u_input", end.repeated_run,
+                     input_name(end.input), end.change < 0 ? "less" : "more",
+                     in_unit(std::abs(end.change), input_unit(end.input, definition.motion)));
+}
+
 std::string by_what(const CaseDefinition& definition,
                     const std::map<std::string, KnownRun>& known) {
   std::string text = "By what, at what cost\n";
@@ -122,6 +130,7 @@ std::string by_what(const CaseDefinition& definition,
     text += fmt::format("  {}{}{}\n", run.name,
                         repeats > 1 ? fmt::format("  (an ensemble of {}, each:)", repeats) : "",
                         run.quick ? "  (quick form too)" : "");
+    if (run.at_input) text += wrapped(purpose_text(*run.at_input, definition), 6);
     text +=
         wrapped(solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run), 6);
     if (!of_run.start) continue;

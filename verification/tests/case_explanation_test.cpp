@@ -47,6 +47,13 @@ TEST(CaseExplanation, TellsWhatWasMeasuredApartFromWhatIsExpected) {
   EXPECT_TRUE(holds(measured, " terms: a kernel; a state "));
 }
 
+TEST(CaseExplanation, TellsWhatARunAtTheEndOfAnInputIsFor) {
+  CaseDefinition definition = tank();
+  definition.runs.front().at_input = InputEnd{Input::fill_depth, -0.0005, "coarse"};
+  EXPECT_TRUE(holds(explanation(definition, {}),
+                    "repeats coarse with fill_depth less by 0.0005 m, for u_input"));
+}
+
 TEST(CaseExplanation, SaysThatACaseWithoutRowsGatesNothing) {
   EXPECT_TRUE(holds(explanation(tank(), {}), "What gates nothing: the case is only shown"));
 }
