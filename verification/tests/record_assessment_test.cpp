@@ -94,6 +94,7 @@ TEST(RecordAssessment, CountsTheRecordsUncertaintyForEveryMetric) {
   CaseDefinition definition = dam_case();
   definition.gate.push_back(front_row(Metric::time_lag, "s", 0.1));
   definition.gate.push_back(front_row(Metric::aligned_rms, "1", 0.1));
+  for (GateRow& row : definition.gate) row.kind = RowKind::validation;
   const CaseAssessment assessment = assess(definition, dam_runs(front_series(0.01)));
   ASSERT_EQ(assessment.gate.size(), 4U);
   for (const GateOutcome& outcome : assessment.gate)
@@ -111,8 +112,11 @@ TEST(RecordAssessment, CountsTheRecordsUncertaintyForEveryMetric) {
 TEST(RecordAssessment, IsInconclusiveWhereTheRecordDoesNotKnowItsOwnLimit) {
   CaseDefinition definition = dam_case();
   definition.gate = {front_row(Metric::maximum_residual, "m", 0.003)};
+  definition.gate[0].kind = RowKind::validation;
   const GateOutcome outcome = assess(definition, dam_runs(front_series(0.01))).gate.at(0);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+  EXPECT_NE(outcome.message.find("cannot be told from 0.003 m"), std::string::npos)
+      << outcome.message;
 }
 
 TEST(RecordAssessment, OfAnEarlierRunIsForTheRowsThatAskForItAlone) {
