@@ -53,7 +53,7 @@ int usable_cores() {
 int threads_for(std::size_t particles) {
   const int most = std::min(omp_get_max_threads(), usable_cores());
   const std::size_t busy = std::max<std::size_t>(1, particles / particles_per_thread);
-  return static_cast<int>(std::min<std::size_t>(busy, static_cast<std::size_t>(std::max(1, most))));
+  return static_cast<int>(std::min(busy, static_cast<std::size_t>(most)));
 }
 
 ThreadScope::ThreadScope(int threads) : before_(omp_get_max_threads()) {

@@ -88,7 +88,7 @@ std::string spacing_study_text(const CaseDefinition& definition, const SpacingSt
                                                               {"number", "particle_spacing"},
                                                               {"runs", std::move(names)}}});
   root.erase("gate");
-  root.erase("input");  // it serves gate rows alone, and may name a run that is not in the study
+  root.erase("input");  // an input serves gate rows alone, and may name a run that the study lacks
   for (const char* part : {"surge", "roll"})
     if (toml::table* motion = root["motion"][part].as_table()) name_whole_path(*motion, definition);
   std::ostringstream text;
