@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "verification/metrics/window_fit.hpp"
@@ -87,7 +88,8 @@ constexpr double alike_share = 0.01;
 // ratio of the tone's amplitudes.
 struct LeftDifference {
   Eigen::VectorXd left;
-  double share;  // its root mean square over the candidate's amplitude
+  double share;           // its root mean square over the candidate's amplitude
+  double reference_rest;  // the root mean square that is left of the reference over its amplitude
 };
 
 LeftDifference left_difference(const WindowFit& candidate, const WindowFit& reference,
@@ -96,15 +98,22 @@ LeftDifference left_difference(const WindowFit& candidate, const WindowFit& refe
     return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
   };
   const double ratio = amplitude(candidate) / amplitude(reference);
-  Eigen::VectorXd left = candidate.residual(common.time, common.candidate) -
-                         ratio * reference.residual(common.time, common.reference);
-  const double rms = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
-  return {std::move(left), rms / amplitude(candidate)};
+  const auto rms = [](const Eigen::VectorXd& of) {
+    return std::sqrt(of.squaredNorm() / static_cast<double>(of.size()));
+  };
+  const Eigen::VectorXd of_reference = reference.residual(common.time, common.reference);
+  Eigen::VectorXd left = candidate.residual(common.time, common.candidate) - ratio * of_reference;
+  const double share = rms(left) / amplitude(candidate);
+  return {std::move(left), share, rms(of_reference) / amplitude(reference)};
+}
+
+bool each_told(const Tone& candidate, const Tone& reference) {
+  return !candidate.beside && !reference.beside;
 }
 
 bool can_be_paired(const Tone& candidate, const Tone& reference, const LeftDifference& difference) {
-  const bool each_told = !candidate.beside && !reference.beside;
-  return candidate.resolved && reference.resolved && (each_told || difference.share < alike_share);
+  return candidate.resolved && reference.resolved &&
+         (each_told(candidate, reference) || difference.share < alike_share);
 }
 
 // Of two tones that know nothing of one another.
@@ -140,6 +149,26 @@ PairedDifference paired(const WindowFit& candidate, const WindowFit& reference, 
           .angular_frequency = difference(of_c.angular_frequency, of_r.angular_frequency),
           .decay_rate = difference(of_c.decay_rate, of_r.decay_rate),
           .beside = beside};
+}
+
+// Where both tones are part of something else that is alike in both, an unnamed tone of the complex
+// amplitude U beside the named one's T, the fits give T + k U, with k about one: the ratio is then
+// 1 + d T / (T + k U) in place of 1 + d. Its error, d k U / T, is bounded by d and by twice the
+// root mean square that the fit leaves of the reference, which is about three quarters of
+// U / sqrt(2).
+PairedDifference widened_by_the_rest(PairedDifference difference, double reference_rest) {
+  const double rest = 2 * reference_rest;
+  const auto widen = [](Estimate& estimate, double by) {
+    estimate.half_width = std::hypot(estimate.half_width, by);
+  };
+  const double ratio = difference.amplitude_ratio.value;
+  const double change = std::abs(std::polar(ratio, difference.phase_at_middle.value) - 1.0);
+  widen(difference.amplitude_ratio, rest * change);
+  widen(difference.phase_at_middle, rest * change / ratio);
+  difference.phase_at_middle.half_width = std::min(pi, difference.phase_at_middle.half_width);
+  widen(difference.angular_frequency, rest * std::abs(difference.angular_frequency.value));
+  widen(difference.decay_rate, rest * std::abs(difference.decay_rate.value));
+  return difference;
 }
 
 }  // namespace
@@ -197,8 +226,10 @@ std::vector<PairedDifference> paired_differences(const SeriesFit& candidate,
                                                candidate.fit().leftovers(common.time, left.left));
     if (difference.beside)
       differences.back().beside = difference.beside;
-    else
+    else if (each_told(of_c, of_r))
       differences.back() = difference;
+    else
+      differences.back() = widened_by_the_rest(difference, left.reference_rest);
   }
   return differences;
 }

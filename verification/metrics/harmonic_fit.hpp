@@ -98,8 +98,9 @@ struct PairedDifference {
   Estimate angular_frequency;  // [rad/s]
   Estimate decay_rate;         // [1/s]
   // [rad/s], of something in one of the two, or in their difference alone, that the window cannot
-  // tell from the tone: the ratio of what is part of something else tells nothing, but where what
-  // is left of both is alike to a hundredth of the tone.
+  // tell from the tone: the ratio of what is part of something else tells nothing. Where what is
+  // left of both is alike to a hundredth of the tone it does, with an interval that is wider by
+  // what the unnamed tone can do to it.
   std::optional<double> beside = {};
 };
 

@@ -58,7 +58,8 @@ ProblemOutcome run(bool quick) {
     if (scenario.to_be_refused) {
       answered.errors.push_back({place, share_of(found.judged, draws)});
     } else {
-      refused.errors.push_back({place, share_of(found.refused, draws)});
+      if (!scenario.may_be_refused)
+        refused.errors.push_back({place, share_of(found.refused, draws)});
       add_errors(place, found, scenario.deterministic_leftovers ? leftovers : noise);
     }
   }

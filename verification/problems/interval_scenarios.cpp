@@ -111,6 +111,12 @@ std::vector<IntervalScenario> leftovers() {
   one.beat_height = 0.1;
   one.beats_per_window = 1.6;
   all.push_back(in_quick(one));
+  one = forced_alone("shared_beat", "an unnamed tone half a bin off, alike in both", 19, faint);
+  one.beat_height = 0.3;
+  one.beats_per_window = 0.5;
+  one.beat_in_both = true;
+  one.may_be_refused = true;
+  all.push_back(one);
   one = with_natural("resonant_12", "surge of 1.2 s beside the natural mode", {1, 25}, 1, red);
   one.forcing = surge_12;
   all.push_back(one);
@@ -161,12 +167,14 @@ SyntheticPair draw_pair(const IntervalScenario& scenario, std::uint64_t seed) {
     pair.candidate.time.push_back(t);
     pair.reference.time.push_back(t);
     const double b = scenario.natural_height;
-    pair.reference.value.push_back(std::cos(w * t + p) + b * std::cos(n * t + q));
+    const double further = scenario.beat_height * std::cos(beat * t + beat_phase);
+    pair.reference.value.push_back(std::cos(w * t + p) + b * std::cos(n * t + q) +
+                                   (scenario.beat_in_both ? further : 0));
     pair.candidate.value.push_back(
         (1 + amplitude_error) * forced_envelope(t) * std::cos(w * t + p - lag) +
         (1 + amplitude_error) * b * natural_envelope(t) * std::exp(-decay_rate * (t - begin)) *
             std::cos((1 + frequency_error) * n * (t - middle) + n * middle + q) +
-        scenario.beat_height * std::cos(beat * t + beat_phase));
+        further);
   }
   add_noise(pair.candidate, scenario.candidate_noise, random);
   add_noise(pair.reference, scenario.reference_noise, random);

@@ -36,9 +36,11 @@ struct IntervalScenario {
   Modulation of_forced = {}, of_natural = {};
   double beat_height = 0;       // of the further tone, as a share of A
   double beats_per_window = 0;  // (its frequency - that of the forcing) times the window's length
+  bool beat_in_both = false;
   bool deterministic_leftovers = false;
-  bool to_be_refused = false;  // no window of this length tells the tones apart
-  bool quick = false;          // drawn in the quick form too
+  bool to_be_refused = false;   // no window of this length tells the tones apart
+  bool may_be_refused = false;  // refusing is right too, as a window of this length tells little
+  bool quick = false;           // drawn in the quick form too
 };
 
 const std::vector<IntervalScenario>& interval_scenarios();
