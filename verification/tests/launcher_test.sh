@@ -38,7 +38,7 @@ stand_in() {  # NAME, script from stdin
 }
 
 mkdir -p "$work/bin" "$project/verification"
-cp "$slosh" "$project/slosh"
+cp "$slosh" "$(dirname "$slosh")/CMakePresets.json" "$project/"
 stand_in dpkg-query <<'END'
 #!/bin/sh
 case $3 in *Depends*) echo "clang-19 (>= 19~)"; exit ;; esac
@@ -220,6 +220,28 @@ echo 19 >"$work/format_version"
 run 0 test
 expect_in "$work/out" "formatting: skipped (the files are formatted by clang-format 14, here is 19)"
 echo 14 >"$work/format_version"
+
+# A pattern: the one program that has tests of the name, in the one tree that has the program.
+cat >"$project/tanks_test.cpp" <<'END'
+TEST(Tank, IsFull) {}
+TEST_P(Gauge,
+       ReadsTheLevel) {}
+END
+cat >>"$project/CMakeLists.txt" <<'END'
+add_executable(tanks_test EXCLUDE_FROM_ALL verification/tool.cpp)
+set(sources "")
+if(SLOSH_SANITIZE)
+  set(sources "tanks_test\t${CMAKE_BINARY_DIR}\t${CMAKE_SOURCE_DIR}/tanks_test.cpp\n")
+endif()
+file(WRITE "${CMAKE_BINARY_DIR}/test_sources" "${sources}")
+END
+run 1 test ReadsThe # the tool's status, one argument
+printf '<--gtest_filter=*Gauge.ReadsTheLevel:*Gauge.ReadsTheLevel/*>\n' | cmp - "$work/out" || fail "another filter"
+run 1 test tanks_
+expect_in "$work/out" "*Tank.IsFull:*Tank.IsFull/*:*Gauge.ReadsTheLevel"
+run 2 test NoSuchName
+expect_in "$work/err" "has a name that holds 'NoSuchName'"
+[ ! -e "$project/build/release/tanks_test" ] || fail "built a test in two trees"
 
 # The fuzz targets: all or one, for the time that is asked for; without their compiler's runtime they are left out.
 echo 0 >"$work/format"

@@ -1,0 +1,13 @@
+# Writes to OUTPUT one ctest entry per suite of the GoogleTest program PROGRAM, with the label unit and
+# TIMEOUT [s]: a process for each of 2000 tests would take longer than most of the tests do. A suite counts as skipped where its output ends
+# with the list of its skipped tests: the list of failed ones, where there are any, comes after it.
+execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE list COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "(^|\n)[^ \n]+[.]" suites "${list}")
+set(entries "")
+foreach(suite ${suites})
+  string(REGEX REPLACE "\n|[.]$" "" suite ${suite})
+  string(APPEND entries "add_test([=[${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])
+set_tests_properties([=[${suite}]=] PROPERTIES LABELS unit TIMEOUT ${TIMEOUT}
+                     SKIP_REGULAR_EXPRESSION [=[SKIPPED \] [^ \n]+\n*$]=])\n")
+endforeach()
+file(WRITE ${OUTPUT} "${entries}")
