@@ -213,7 +213,7 @@ reports::Table strength_table(const CaseAssessment& assessment,
       "amplitude (1 to 20 %), the lag (0.5 to 10 % of a period), the frequency (0.1 to 5 %), the "
       "datum (0.5 to 10 % of the fill depth, or of the pressure under it), a drift (10 to 100 % of "
       "the standard deviation over the window), a slow change of frequency (2 to 20 % of a period "
-      "over the window), the gain of each natural mode (2 to 50 %), its decay (1.1 to 3 times as "
+      "over the window), the gain of each natural mode (2 to 50 %), its decay (1.1 to 6 times as "
       "fast) and noise (1 to 50 % of the "
       "standard deviation), and what the row does not notice at all of a slip by a period, a "
       "series cut short, NaN, swapped columns, values or units off by a thousand, a flipped sign.",

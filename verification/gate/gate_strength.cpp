@@ -51,7 +51,7 @@ std::vector<Mutation> mutations_tried(const MutationFrame& frame) {
         mutations.push_back({MutationKind::mode_gained, strength, mode.name});
   for (const ToneRequest& mode : frame.modes)
     if (mode.refine)
-      for (const double strength : {0.1, 0.2, 0.5, 1.0, 2.0})
+      for (const double strength : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0})
         mutations.push_back({MutationKind::mode_damped, strength, mode.name});
   return mutations;
 }

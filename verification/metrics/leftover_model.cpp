@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verification/metrics/orthonormal.hpp"
+#include "verification/metrics/trial_spectrum.hpp"
 
 namespace slosh {
 namespace {
@@ -77,12 +78,10 @@ class Search {
   // Up to this frequency [rad/s] in a window of this length [s], beside requested tones that are
   // refined.
   Search(const VectorXd& elapsed, double highest, double span, std::vector<ToneShape> refined)
-      : span_(span), refined_(std::move(refined)) {
-    std::vector<ToneShape> shapes =
-        trial_shapes({{pi / span, -2 / span}, {highest, 10 / span}}, span, {0.0, 2.0});
-    std::erase_if(shapes, [&](const ToneShape& shape) { return !admits(shape); });
-    if (!shapes.empty()) trials_.emplace(elapsed, std::move(shapes));
-  }
+      : span_(span),
+        refined_(std::move(refined)),
+        trials_(elapsed, pi / span, highest, pi / span, {0, 2 / span},
+                [this](const ToneShape& tone) { return admits(tone); }) {}
 
   bool admits(const ToneShape& tone) const {
     return std::none_of(refined_.begin(), refined_.end(),
@@ -91,9 +90,9 @@ class Search {
 
   // The fit with one more tone than `now` has, all of them refined; the same where none is left.
   ExtendedFit with_one_more(const FittedSamples& fit, const ExtendedFit& now) const {
-    if (!trials_) return now;
+    if (trials_.empty()) return now;
     std::vector<ToneShape> tones = now.further;
-    tones.push_back(trials_->best(now.samples.residual, now.samples.basis));
+    tones.push_back(trials_.best(now.samples.residual, now.samples.basis));
     // A gain of a millionth is far below what the test of tones takes notice of.
     return extended(fit, refine_tones(fit.elapsed, fit.residual, fit.basis,
                                       ranges_about(tones, span_), tones, 1e-6));
@@ -102,7 +101,7 @@ class Search {
  private:
   double span_;
   std::vector<ToneShape> refined_;
-  std::optional<TrialTones> trials_;
+  TrialSpectrum trials_;
 };
 
 struct BandEnergy {

@@ -27,4 +27,10 @@ MatrixXd orthonormal(const MatrixXd& columns, double least) {
   return columns * (eigen.eigenvectors().rightCols(kept) * lengths.cwiseInverse().asDiagonal());
 }
 
+VectorXd orthogonal_part(VectorXd value, const MatrixXd& basis) {
+  // Once more, of what round-off has left.
+  for (int pass = 0; pass < 2; ++pass) value -= basis * (basis.transpose() * value);
+  return value;
+}
+
 }  // namespace slosh

@@ -15,4 +15,7 @@ Eigen::MatrixXd unit_columns(const Eigen::MatrixXd& columns);
 // more than `least`.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double least);
 
+// What is orthogonal to an orthonormal basis.
+Eigen::VectorXd orthogonal_part(Eigen::VectorXd value, const Eigen::MatrixXd& basis);
+
 }  // namespace slosh

@@ -1,15 +1,12 @@
 #include "verification/metrics/spectrum.hpp"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <numbers>
 
+#include "verification/metrics/fourier_transform.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -17,19 +14,6 @@ namespace {
 
 constexpr std::size_t padding = 4;
 constexpr double hann_noise_bandwidth = 1.5;  // [bins]
-
-std::vector<std::complex<double>> transform(std::vector<double>& samples) {
-  std::vector<std::complex<double>> coefficients(samples.size() / 2 + 1);
-  // FFTW makes and destroys plans in one thread at a time; spectra are small.
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
-  const std::unique_ptr<fftw_plan_s, decltype(&fftw_destroy_plan)> plan(
-      fftw_plan_dft_r2c_1d(static_cast<int>(samples.size()), samples.data(),
-                           reinterpret_cast<fftw_complex*>(coefficients.data()), FFTW_ESTIMATE),
-      &fftw_destroy_plan);
-  fftw_execute(plan.get());
-  return coefficients;
-}
 
 // Multiplies by the window in place and returns the sum of its weights.
 double apply_hann_window(std::vector<double>& samples) {
@@ -63,14 +47,14 @@ Spectrum power_spectrum(const TimeSeries& series, TimeWindow window) {
   const double interval = (cut.time.back() - cut.time.front()) / static_cast<double>(count - 1);
   remove_trend(samples);
   const double weight = apply_hann_window(samples);
-  samples.resize(padding * count, 0.0);
-  const auto coefficients = transform(samples);
+  const auto length = static_cast<Eigen::Index>(padding * count);
+  const Eigen::VectorXcd coefficients = fourier_transforms(
+      Eigen::Map<const Eigen::VectorXd>(samples.data(), static_cast<Eigen::Index>(count)), length);
 
   Spectrum spectrum{
       .frequency = {}, .power = {}, .resolution = 2 / (static_cast<double>(count) * interval)};
-  for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    spectrum.frequency.push_back(static_cast<double>(i) /
-                                 (static_cast<double>(samples.size()) * interval));
+  for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
+    spectrum.frequency.push_back(static_cast<double>(i) / (static_cast<double>(length) * interval));
     spectrum.power.push_back(2 * std::norm(coefficients[i]) / (weight * weight));
   }
   return spectrum;

@@ -53,12 +53,6 @@ MatrixXd columns_of(const VectorXd& elapsed, const std::vector<ToneShape>& shape
   return columns;
 }
 
-// What is orthogonal to an orthonormal basis; once more, of what round-off has left.
-VectorXd orthogonal_part(VectorXd value, const MatrixXd& basis) {
-  for (int pass = 0; pass < 2; ++pass) value -= basis * (basis.transpose() * value);
-  return value;
-}
-
 // Least squares of values, orthogonal to an orthonormal basis, by tones less what the basis takes
 // of them.
 struct ReducedFit {

@@ -8,6 +8,6 @@ foreach(suite ${suites})
   string(REGEX REPLACE "\n|[.]$" "" suite ${suite})
   string(APPEND entries "add_test([=[${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}.*]=])
 set_tests_properties([=[${suite}]=] PROPERTIES LABELS unit TIMEOUT ${TIMEOUT}
-                     SKIP_REGULAR_EXPRESSION [=[SKIPPED \] [^ \n]+\n*$]=])\n")
+                     SKIP_REGULAR_EXPRESSION [=[SKIPPED . [A-Za-z0-9_./]+[^A-Za-z0-9_./]*$]=])\n")
 endforeach()
 file(WRITE ${OUTPUT} "${entries}")
