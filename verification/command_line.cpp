@@ -144,7 +144,11 @@ int run_one(const RunOptions& options, const Installation& installation) {
   if (options.timing)
     time_run(store, key, options.longest, compute);
   else if (!options.store.empty())
-    keep_run(store, key, compute);
+    keep_run(store, key, [&] {
+      RunResult result = compute();
+      learn_cost(result, definition, run, store);
+      return result;
+    });
   else
     return leave_result(compute(), file, settings, definition, run);
   return exit_pass;
