@@ -1,6 +1,7 @@
 #include "verification/campaign_command.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -19,6 +20,7 @@
 #include "verification/gate_files.hpp"
 #include "verification/named_paths.hpp"
 #include "verification/requested_campaign.hpp"
+#include "verification/verdict_text.hpp"
 
 namespace slosh {
 namespace {
@@ -88,6 +90,9 @@ AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& sto
   return assessed;
 }
 
+// On standard output.
+void tell(const std::string& text) { std::cout << as_shown(text, style_of(STDOUT_FILENO)); }
+
 // As the user wants inconclusive rows to end.
 int ended(int status, const CampaignOptions& options) {
   return status == exit_inconclusive ? options.inconclusive_exit : status;
@@ -129,13 +134,13 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   };
   if (const auto standing = read_standing(place);
       standing && report_stands(place, options) && standing->fingerprint == fingerprint()) {
-    std::cout << standing->out;
+    tell(standing->out);
     return ended(standing->status, options);
   }
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   const std::string rows = gate_lines(assessed.cases, assessed.problems);
-  std::cout << rows;
+  tell(rows);
   forget_standing(place);
   leave_report(assessed, options,
                {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
@@ -144,7 +149,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
       "{}: {}{}\n{}\n{}", headline_word(status),
       verdict_sentence(assessed.cases, assessed.problems), coverage_sentence(assessed.cases),
       kinds_sentence(assessed.cases, assessed.problems), report_lines(place, options));
-  std::cout << verdict;
+  tell(verdict);
   if (const auto now = fingerprint(); now && is_settled(assessed))
     write_standing({*now, status, rows + verdict}, place);
   return ended(status, options);
@@ -158,22 +163,22 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
   std::cerr << complaints(assessed.cases, assessed.problems);
-  std::cout << gate_lines(assessed.cases, assessed.problems);
+  tell(gate_lines(assessed.cases, assessed.problems));
   if (!holds_approvals(ledger))
-    std::cout << fmt::format(
+    tell(fmt::format(
         "no baseline    {} is not there: nothing is compared with earlier figures; `slosh baseline "
         "propose --new` and `approve --new` begin one\n",
-        ledger.string());
+        ledger.string()));
   for (const RowMovement& movement : moved)
     if (movement.before && movement.has_changed())
-      std::cout << fmt::format("moved          {}: {}\n", movement.row, movement_text(movement));
+      tell(fmt::format("moved          {}: {}\n", movement.row, movement_text(movement)));
   const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, moved, installation.source), directory);
-  std::cout << headline_word(exit_status(assessed.cases, assessed.problems)) << ": "
-            << verdict_sentence(assessed.cases, assessed.problems)
-            << coverage_sentence(assessed.cases) << "\n"
-            << kinds_sentence(assessed.cases, assessed.problems)
-            << "\ngate: " << (directory / "gate.md").string() << ", junit.xml, gate.sarif\n";
+  tell(fmt::format(
+      "{}: {}{}\n{}\ngate: {}, junit.xml, gate.sarif\n",
+      headline_word(exit_status(assessed.cases, assessed.problems)),
+      verdict_sentence(assessed.cases, assessed.problems), coverage_sentence(assessed.cases),
+      kinds_sentence(assessed.cases, assessed.problems), (directory / "gate.md").string()));
   return ended(exit_status(assessed.cases, assessed.problems), options);
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/problem_run.hpp"
 #include "verification/case_file/shell_word.hpp"
@@ -27,14 +29,19 @@ std::string command_text(const Job& job) {
 struct Sums {
   int kept = 0, left_out = 0, to_run = 0, timings = 0;
   double processor_time = 0, alone = 0;  // [s]
-  bool measured = true;
+  double uncertainty = 1;                // the greatest factor of a run
 };
 
-std::string line_of(const Job& job, Sums& sums) {
+std::string line_of(const Job& job, const std::string& cost, Sums& sums) {
   (job.alone ? sums.alone : sums.processor_time) += job.expected_time * job.cores;
-  return fmt::format("{:<8} {} (about {:.3g} core-seconds)\n         {}\n",
-                     job.alone ? "time" : "run", job.name, job.expected_time * job.cores,
+  return fmt::format("{:<8} {} ({})\n         {}\n", job.alone ? "time" : "run", job.name, cost,
                      command_text(job));
+}
+
+// Of a problem, and of what was measured.
+std::string line_of(const Job& job, Sums& sums) {
+  return line_of(job, fmt::format("about {:.3g} core-seconds", job.expected_time * job.cores),
+                 sums);
 }
 
 std::string line_of(const PlannedRun& planned, const CampaignSettings& settings, Sums& sums) {
@@ -48,19 +55,22 @@ std::string line_of(const PlannedRun& planned, const CampaignSettings& settings,
     return "";
   }
   ++sums.to_run;
-  sums.measured &=
-      expected_cost(*planned.definition, *planned.run, planned.key, settings.store).measured;
-  return line_of(job_for(planned, settings), sums);
+  const ExpectedCost cost =
+      expected_cost(*planned.definition, *planned.run, planned.key, settings.store);
+  sums.uncertainty = std::max(sums.uncertainty, cost.uncertainty);
+  return line_of(job_for(planned, settings), cost_text(cost), sums);
 }
 
 std::string sums_text(const Sums& sums, const CampaignSettings& settings) {
   std::string text =
       fmt::format("{} kept, {} to run, {} left out", sums.kept, sums.to_run, sums.left_out);
   if (sums.to_run > 0)
-    text +=
-        fmt::format("; about {:.3g} core-seconds ({}), {:.2g} min on {} cores", sums.processor_time,
-                    sums.measured ? "as such runs took before" : "by a rule of thumb",
-                    sums.processor_time / 60 / settings.at_once, settings.at_once);
+    text += fmt::format(
+        "; about {:.3g} core-seconds ({}), {:.2g} min on {} cores", sums.processor_time,
+        sums.uncertainty == 1
+            ? "as such runs took before"
+            : fmt::format("an estimate, right within a factor of {:g}", sums.uncertainty),
+        sums.processor_time / 60 / settings.at_once, settings.at_once);
   if (sums.timings > 0)
     text +=
         fmt::format("; {} timings one after another, {:.2g} min", sums.timings, sums.alone / 60);

@@ -1,17 +1,21 @@
 #include "verification/command_line.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <iostream>
 
+#include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/sweep.hpp"
 #include "verification/engine/run_job.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/named_paths.hpp"
+#include "verification/run_display.hpp"
+#include "verification/run_summary.hpp"
 #include "verification/runs/progress_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -90,9 +94,9 @@ int told_end(const RunResult& result, const CaseDefinition& definition) {
 
 // In a file of its own, with what a run leaves beside it; the exit status.
 int leave_result(const RunResult& result, const fs::path& file, const RunSettings& settings,
-                 const CaseDefinition& definition) {
+                 const CaseDefinition& definition, const RunDefinition& run) {
   write_result(result, file);
-  std::cout << "result: " << file.string() << "\n";
+  std::cout << run_summary(result, definition, run) << "result: " << file.string() << "\n";
   if (settings.snapshot_interval != 0)
     std::cout << "snapshots: " << snapshot_index(settings.work_directory, result.run_name).string()
               << "\n";
@@ -125,17 +129,28 @@ int run_one(const RunOptions& options, const Installation& installation) {
                                                  : options.output;
   RunSettings settings = settings_for(options, installation, key, file);
   settings.command = command_of(options, installation, definition, run);
+  const ExpectedCost expected =
+      expected_cost(definition, run, key, ResultStore(usual_store(installation)));
   const auto compute = [&] {
-    return execute(definition, run, settings,
-                   progress_writer(options.progress_file, definition.duration));
+    RunDisplay display(std::cerr, style_of(STDERR_FILENO), definition.name + "/" + run.name,
+                       expected.wall_time);
+    const Progress write = progress_writer(options.progress_file, definition.duration);
+    return execute(definition, run, settings, [&](double time, double steps) {
+      display.tell({time, definition.duration, steps});
+      write(time, steps);
+    });
   };
   // Of a run in the store the campaign judges whether it reaches its comparison window's end.
   if (options.timing)
     time_run(store, key, options.longest, compute);
   else if (!options.store.empty())
-    keep_run(store, key, compute);
+    keep_run(store, key, [&] {
+      RunResult result = compute();
+      learn_cost(result, definition, run, store);
+      return result;
+    });
   else
-    return leave_result(compute(), file, settings, definition);
+    return leave_result(compute(), file, settings, definition, run);
   return exit_pass;
 }
 

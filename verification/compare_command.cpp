@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,7 @@
 #include "verification/metrics/comparison.hpp"
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/result_file.hpp"
+#include "verification/verdict_text.hpp"
 
 namespace slosh {
 namespace {
@@ -194,8 +196,10 @@ int compare_results(const CompareOptions& options, const Installation& installat
   const std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
   print(comparison);
   for (const GateOutcome& outcome : outcomes)
-    std::cout << fmt::format("{}: {} {}: {}\n", verdict_name(outcome.verdict), outcome.row.mode,
-                             metric_name(outcome.row.metric), outcome.message);
+    std::cout << as_shown(
+        fmt::format("{}: {} {}: {}\n", verdict_name(outcome.verdict), outcome.row.mode,
+                    metric_name(outcome.row.metric), outcome.message),
+        style_of(STDOUT_FILENO));
   const int status = outcomes.empty() ? static_cast<int>(exit_pass) : exit_status(outcomes);
   if (!options.json.empty()) write_json(comparison, outcomes, status, options.json);
   return status;

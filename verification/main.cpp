@@ -60,16 +60,21 @@ void bound_waiting_of_threads(char** argv) {
 
 int dispatch(int argc, char** argv) {
   const slosh::Installation data = installation();
-  CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam."};
+  CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam.",
+               "./slosh"};
   slosh::Action action;
   slosh::add_all_commands({app, data, stop_requested, stop_on_signals, action});
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (app.exit(error) == 0) return slosh::exit_pass;
-    const std::string meant = slosh::suggestion(app, {argv + 1, argv + argc});
-    if (!meant.empty()) std::cerr << meant << "\n";
-    return slosh::exit_usage;
+    const bool asked_for_help = error.get_exit_code() == 0;
+    const std::string meant = asked_for_help ? "" : slosh::suggestion(app, {argv + 1, argv + argc});
+    // What the parser misses then is a consequence of the wrong word.
+    if (meant.empty())
+      app.exit(error);
+    else
+      std::cerr << meant << "\nRun with --help for more information.\n";
+    return asked_for_help ? slosh::exit_pass : slosh::exit_usage;
   }
   return action();
 }

@@ -1,5 +1,7 @@
 #include "verification/campaign/campaign_run.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
@@ -137,7 +139,7 @@ std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
   for (const Pending& one : pending) jobs.push_back(one.job);
   // They share the cores by running side by side, one thread each.
   setenv("OMP_NUM_THREADS", "1", 0);
-  ProgressDisplay display(std::cerr, style_of_standard_error());
+  ProgressDisplay display(std::cerr, style_of(STDERR_FILENO), settings.at_once);
   std::vector<JobState> states =
       launch(jobs,
              {.directory = settings.output / "jobs",

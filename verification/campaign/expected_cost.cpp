@@ -1,42 +1,56 @@
 #include "verification/campaign/expected_cost.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/campaign/cost_model.hpp"
+#include "verification/campaign/cost_records.hpp"
+#include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
 
 constexpr double mebibyte = 1024 * 1024;
 
-// Within a factor of three of what two-core machines took; memory above what any run took there.
-ExpectedCost rule_of_thumb(const CaseDefinition& definition, const RunDefinition& run) {
+// The model's own error, and with it that of a machine of which nothing is known: the same machine
+// took twice as long crowded as idle.
+constexpr double of_known_machine = 1.5, of_unknown_machine = 2;
+
+// Memory above what any run took on two-core machines.
+ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run,
+                      const ResultStore& store) {
   const double area = definition.liquid.column_width.value_or(definition.tank.length) *
                       definition.liquid.fill_depth;
-  ExpectedCost cost{.processor_time = 1, .wall_time = 0, .memory = 64 * mebibyte};
+  const std::optional<double> factor = machine_factor(solver_name(run), store);
+  ExpectedCost cost{.processor_time = factor.value_or(1) * modelled_time(definition, run),
+                    .wall_time = 0,
+                    .memory = 64 * mebibyte,
+                    .uncertainty = factor ? of_known_machine : of_unknown_machine};
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) {
-    cost.processor_time = definition.duration * 2e-6 * area / std::pow(sph->particle_spacing, 3);
     cost.memory += 2048 * area / std::pow(sph->particle_spacing, 2);
   } else if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) {
-    cost.processor_time = definition.duration * 5e-4 * mesh->cells_x * mesh->cells_z;
     cost.memory += 128 * mebibyte + 8192.0 * mesh->cells_x * mesh->cells_z;
     cost.cores = mesh->processes;
-  } else if (std::holds_alternative<PotentialRun>(run.solver)) {
-    cost.processor_time = definition.duration;
-  } else if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
-    constexpr double unknown = 3600;  // [s]: better early in the queue than last
-    cost.processor_time = external->time_limit.value_or(unknown);
+  } else if (std::holds_alternative<ExternalRun>(run.solver)) {
+    cost.uncertainty = 0;
   }
   cost.wall_time = cost.processor_time / cost.cores;
   return cost;
+}
+
+// Two digits, or whole seconds.
+std::string seconds_text(double seconds) {
+  return seconds < 10 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.0f}", seconds);
 }
 
 }  // namespace
 
 ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition& run,
                            const std::string& key, const ResultStore& store) {
-  ExpectedCost cost = rule_of_thumb(definition, run);
+  ExpectedCost cost = estimate(definition, run, store);
   const auto earlier = store.newest_file(key, ".h5");
   if (!earlier) return cost;
   try {
@@ -45,9 +59,29 @@ ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition
     cost.wall_time = taken.wall_time;
     cost.memory = taken.peak_memory;
     cost.measured = true;
+    cost.uncertainty = 1;
   } catch (const ResultError&) {  // damaged: it says nothing
   }
   return cost;
+}
+
+void learn_cost(const RunResult& result, const CaseDefinition& definition, const RunDefinition& run,
+                const ResultStore& store) {
+  const bool ended_early = result.provenance.contains("left_range_because");
+  if (ended_early || std::holds_alternative<ExternalRun>(run.solver)) return;
+  record_cost({.solver = solver_name(run),
+               .modelled = modelled_time(definition, run),
+               .taken = result.cost.user_time + result.cost.system_time},
+              store);
+}
+
+std::string cost_text(const ExpectedCost& cost) {
+  const double taken = cost.processor_time;
+  if (cost.measured) return fmt::format("{} core-seconds measured", seconds_text(taken));
+  if (cost.uncertainty == 0) return "core-seconds not known";
+  return fmt::format("about {} core-seconds, an estimate: {} to {}", seconds_text(taken),
+                     seconds_text(taken / cost.uncertainty),
+                     seconds_text(taken * cost.uncertainty));
 }
 
 double time_limit(const ExpectedCost& cost) {

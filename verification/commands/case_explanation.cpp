@@ -15,6 +15,7 @@
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/run_summary.hpp"
 #include "verification/runs/reference_tank.hpp"
 
 namespace slosh {
@@ -102,21 +103,13 @@ std::string number_of_elements(const RunDefinition& run, const KnownRun& known) 
   return "";
 }
 
-// Two digits, or whole seconds.
-std::string seconds_text(double seconds) {
-  return seconds < 10 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.0f}", seconds);
-}
-
-std::string cost_text(const KnownRun& known) {
-  return fmt::format("{} core-seconds {}", seconds_text(known.cost.processor_time),
-                     known.cost.measured ? "measured" : "expected");
-}
-
 std::string purpose_text(const InputEnd& end, const CaseDefinition& definition) {
   return fmt::format("repeats {} with {} {} by {}, for u_input", end.repeated_run,
                      input_name(end.input), end.change < 0 ? "less" : "more",
                      in_unit(std::abs(end.change), input_unit(end.input, definition.motion)));
 }
+
+constexpr double told_loss = 0.005;  // of a step
 
 std::string by_what(const CaseDefinition& definition,
                     const std::map<std::string, KnownRun>& known) {
@@ -131,8 +124,10 @@ std::string by_what(const CaseDefinition& definition,
                         repeats > 1 ? fmt::format("  (an ensemble of {}, each:)", repeats) : "",
                         run.quick ? "  (quick form too)" : "");
     if (run.at_input) text += wrapped(purpose_text(*run.at_input, definition), 6);
-    text +=
-        wrapped(solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run), 6);
+    text += wrapped(
+        solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run.cost), 6);
+    if (of_run.step && of_run.step->lost_to_samples() >= told_loss)
+      text += wrapped("steps: " + step_text(*of_run.step, definition.sample_interval), 6);
     if (!of_run.start) continue;
     const std::string terms = fmt::format("{}", fmt::join(of_run.start->active_terms, "; "));
     const auto [first, is_new] = told.try_emplace(terms, run.name);

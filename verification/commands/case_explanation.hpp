@@ -10,6 +10,7 @@
 #include "verification/case_file/case_definition.hpp"
 #include "verification/runs/result_file.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/runs/sph_step.hpp"
 
 namespace slosh {
 
@@ -17,6 +18,7 @@ namespace slosh {
 struct KnownRun {
   ExpectedCost cost{};
   std::optional<SphOutline> start = {};  // of an SPH run
+  std::optional<SphStep> step = {};      // of an SPH run
 };
 
 // By run.

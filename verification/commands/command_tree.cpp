@@ -30,8 +30,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 std::string not_known_text(const std::string& wrong, const std::vector<std::string>& known,
                            const char* what) {
   constexpr std::size_t suggestions = 2;
-  return fmt::format("{} '{}' is not known; nearest: {}", what, wrong,
-                     fmt::join(nearest_names(wrong, known, suggestions), ", "));
+  return fmt::format("{} '{}' is not known; did you mean '{}'?", what, wrong,
+                     fmt::join(nearest_names(wrong, known, suggestions), "' or '"));
 }
 
 }  // namespace

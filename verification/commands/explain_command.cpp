@@ -20,6 +20,7 @@ KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
   KnownRun known{.cost =
                      expected_cost(definition, run, key, ResultStore(usual_store(installation)))};
   if (std::holds_alternative<SphRun>(run.solver)) known.start = sph_outline(definition, run);
+  known.step = sph_step(definition, run);
   return known;
 }
 

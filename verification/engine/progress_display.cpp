@@ -1,111 +1,143 @@
 #include "verification/engine/progress_display.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <string_view>
+#include <optional>
 #include <utility>
+
+#include "verification/engine/time_left.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr std::chrono::seconds plain_interval{10};
-constexpr int usual_columns = 80;  // where the terminal does not tell
-
-// ANSI X3.64 (ECMA-48) sequences.
-constexpr const char *green = "\033[32m", *red = "\033[31m", *normal = "\033[0m";
+constexpr std::chrono::seconds plain_interval{60};
 constexpr const char* line_up_and_erase = "\033[1A\033[2K";
 
-std::string clock_time(double seconds) {
-  const auto whole = std::lround(std::max(seconds, 0.0));
-  return whole < 3600 ? fmt::format("{}:{:02d}", whole / 60, whole % 60)
-                      : fmt::format("{}:{:02d}:{:02d}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
-// "12.40 of 20 s, 1.52 simulated s per s, 0:05 left"
-std::string progress_text(const JobState& state) {
-  if (!state.progress) return fmt::format("started {} ago", clock_time(state.wall_time));
+// How far the job is, the fullest form first.
+std::vector<std::string> progress_texts(const JobState& state) {
+  const std::string ago = fmt::format("started {} ago", clock_time(state.wall_time));
+  if (!state.progress) {
+    if (!(state.job.expected_time > state.wall_time)) return {ago};
+    const std::string left =
+        fmt::format("about {} left", clock_time(state.job.expected_time - state.wall_time));
+    return {ago + ", " + left, left};
+  }
   const RunProgress& progress = *state.progress;
   const std::string so_far = fmt::format("{:.2f} of {:g} s", progress.time, progress.end_time);
-  if (!(progress.time > 0 && state.wall_time > 0)) return so_far;
+  if (!(progress.time > 0 && state.wall_time > 0)) return {so_far, ago};
   const double speed = progress.time / state.wall_time;
-  return fmt::format("{}, {:.3g} simulated s per s, {} left", so_far, speed,
-                     clock_time((progress.end_time - progress.time) / speed));
+  const std::string left =
+      fmt::format("{} left", clock_time((progress.end_time - progress.time) / speed));
+  return {fmt::format("{}, {:.3g} simulated s per s, {}", so_far, speed, left),
+          so_far + ", " + left,
+          fmt::format("{:.0f} %, {}", 100 * progress.time / progress.end_time, left), left};
+}
+
+std::string without_middle(const std::string& name, std::size_t width) {
+  constexpr std::size_t dots = 2;
+  if (name.size() <= width) return name;
+  if (width <= dots) return name.substr(0, width);
+  const std::size_t head = (width - dots) / 2, tail = width - dots - head;
+  return name.substr(0, head) + ".." + name.substr(name.size() - tail);
 }
 
 }  // namespace
 
-DisplayStyle style_of_standard_error() {
-  const auto variable = [](const char* name) {
-    const char* text = std::getenv(name);
-    return std::string_view(text ? text : "");
+std::string running_line(const JobState& state, std::size_t name_width, std::size_t columns) {
+  const std::string head = "running  ", space = "  ";
+  const std::vector<std::string> texts = progress_texts(state);
+  const auto room = [&](const std::string& text) {
+    const std::size_t rest = head.size() + space.size() + text.size();
+    return columns > rest ? columns - rest : 0;
   };
-  const bool live = isatty(STDERR_FILENO) && variable("TERM") != "dumb";
-  winsize size{};
-  const bool has_size = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return {.live = live,
-          .colour = live && variable("NO_COLOR").empty(),
-          .columns = has_size ? size.ws_col : usual_columns};
+  const auto fitting = std::find_if(texts.begin(), texts.end(), [&](const std::string& text) {
+    return room(text) >= name_width;
+  });
+  const std::string& text = fitting == texts.end() ? texts.back() : *fitting;
+  const std::size_t width = std::min(name_width, room(text));
+  const std::string line =
+      width > 0 ? fmt::format("{}{:{}}{}{}", head, without_middle(state.job.name, width), width,
+                              space, text)
+                : text;
+  return line.substr(0, columns);
 }
 
-ProgressDisplay::ProgressDisplay(std::ostream& stream, const DisplayStyle& style)
-    : stream_(stream), style_(style) {}
+ProgressDisplay::ProgressDisplay(std::ostream& stream, const DisplayStyle& style, int at_once)
+    : stream_(stream), style_(style), at_once_(at_once) {}
 
-void ProgressDisplay::show(const std::vector<JobState>& states) {
+void ProgressDisplay::show(const std::vector<JobState>& states, Clock::time_point now) {
+  if (phases_.empty()) written_ = now;
   phases_.resize(states.size(), JobPhase::waiting);
-  shown_.resize(states.size());
   erase_live_lines();
+  const Sums sums = sums_of(states, at_once_);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const JobPhase before = std::exchange(phases_[i], states[i].phase);
-    if (before != states[i].phase) {
-      show_change(states[i], before);
-      shown_[i] = Clock::now();
-    } else if (!style_.live && states[i].phase == JobPhase::running) {
-      show_plain_progress(states[i], shown_[i]);
-    }
+    if (before == states[i].phase || !has_ended(states[i])) continue;
+    show_end(states[i], before, sums);
+    written_ = now;
   }
-  if (style_.live) draw_live_lines(states);
+  if (style_.live) {
+    draw_live_lines(states, sums);
+  } else if (now - written_ >= plain_interval) {
+    show_plain_progress(states, sums);
+    written_ = now;
+  }
   stream_.flush();
 }
 
-void ProgressDisplay::show_change(const JobState& state, JobPhase before) {
-  if (state.phase == JobPhase::running) {
-    if (!style_.live) stream_ << fmt::format("start    {}\n", state.job.name);
-  } else if (has_succeeded(state)) {
-    stream_ << fmt::format("{} {} in {}\n", paint(green, "finished"), state.job.name,
-                           clock_time(state.wall_time));
-  } else if (before == JobPhase::waiting && state.phase == JobPhase::interrupted) {
-    stream_ << fmt::format("{} {}: not started\n", paint(red, "skipped "), state.job.name);
-  } else {
-    stream_ << fmt::format("{} {}: {} (log: {})\n", paint(red, "failed  "), state.job.name,
-                           description(state), state.job.log_file.string());
-  }
+ProgressDisplay::Sums ProgressDisplay::sums_of(const std::vector<JobState>& states, int at_once) {
+  if (states.size() < 2) return {};
+  const auto ended = std::count_if(states.begin(), states.end(), has_ended);
+  const std::optional<double> left = time_left(states, at_once);
+  return {fmt::format("[{}/{}] ", ended, states.size()),
+          left && *left > 0 ? rough_time(*left) + " left" : ""};
 }
 
-void ProgressDisplay::show_plain_progress(const JobState& state, Clock::time_point& shown) {
-  if (Clock::now() - shown < plain_interval) return;
-  stream_ << fmt::format("running  {}: {}\n", state.job.name, progress_text(state));
-  shown = Clock::now();
+void ProgressDisplay::show_end(const JobState& state, JobPhase before, const Sums& sums) {
+  if (!style_.live) stream_ << sums.ended;
+  if (has_succeeded(state))
+    stream_ << fmt::format("{} {} in {}", paint(green, "finished"), state.job.name,
+                           clock_time(state.wall_time));
+  else if (before == JobPhase::waiting && state.phase == JobPhase::interrupted)
+    stream_ << fmt::format("{} {}: not started", paint(red, "skipped "), state.job.name);
+  else
+    stream_ << fmt::format("{} {}: {} (log: {})", paint(red, "failed  "), state.job.name,
+                           description(state), state.job.log_file.string());
+  if (!style_.live && !sums.left.empty()) stream_ << "; " << sums.left;
+  stream_ << '\n';
+}
+
+void ProgressDisplay::show_plain_progress(const std::vector<JobState>& states, const Sums& sums) {
+  std::vector<std::string> running;
+  for (const JobState& state : states)
+    if (state.phase == JobPhase::running)
+      running.push_back(fmt::format("{} ({})", state.job.name, progress_texts(state).back()));
+  stream_ << fmt::format(
+      "{}{}{}{}\n", sums.ended, sums.left, sums.left.empty() ? "" : "; ",
+      running.empty() ? "nothing runs yet" : fmt::format("running {}", fmt::join(running, ", ")));
 }
 
 void ProgressDisplay::erase_live_lines() {
   for (; live_lines_ > 0; --live_lines_) stream_ << line_up_and_erase;
+  stream_.flush();
 }
 
-void ProgressDisplay::draw_live_lines(const std::vector<JobState>& states) {
+void ProgressDisplay::draw_live_lines(const std::vector<JobState>& states, const Sums& sums) {
+  // A terminal may break a line that fills its last column.
+  const auto columns = static_cast<std::size_t>(std::max(style_.columns - 1, 1));
   std::size_t width = 0;
-  for (const JobState& state : states) width = std::max(width, state.job.name.size());
+  for (const JobState& state : states)
+    if (state.phase == JobPhase::running) width = std::max(width, state.job.name.size());
   for (const JobState& state : states) {
     if (state.phase != JobPhase::running) continue;
-    const std::string line =
-        fmt::format("running  {:{}}  {}", state.job.name, width, progress_text(state));
-    stream_ << line.substr(0, static_cast<std::size_t>(style_.columns - 1)) << '\n';
+    stream_ << running_line(state, width, columns) << '\n';
     ++live_lines_;
   }
+  if (live_lines_ == 0 || sums.ended.empty()) return;
+  stream_ << (sums.ended + sums.left).substr(0, columns) << '\n';
+  ++live_lines_;
 }
 
 std::string ProgressDisplay::paint(const char* colour, const std::string& text) const {

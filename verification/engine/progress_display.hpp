@@ -1,6 +1,6 @@
-// Shows jobs to whoever waits: on a terminal a live line for each running one with its
-// simulated time, speed and remaining time; elsewhere plain lines at its start and end and at most
-// every ten seconds between.
+// Shows jobs to whoever waits. On a terminal: a live line for each running one, which fits it, with
+// the time left, and one for all of them together. Elsewhere: a line at each job's end, and where a
+// minute brings none, one that tells how far the jobs are.
 #pragma once
 
 #include <chrono>
@@ -8,40 +8,47 @@
 #include <string>
 #include <vector>
 
+#include "verification/engine/display_style.hpp"
 #include "verification/engine/job.hpp"
 
 namespace slosh {
 
-struct DisplayStyle {
-  bool live;    // redraw lines (a terminal)
-  bool colour;  // ANSI colours
-  int columns;  // of the terminal; live lines are cut to fit
-};
-
-// What standard error can show: live on a terminal that is not "dumb", colour there unless NO_COLOR
-// is set and not empty (no-color.org).
-DisplayStyle style_of_standard_error();
-
 class ProgressDisplay {
  public:
-  ProgressDisplay(std::ostream& stream, const DisplayStyle& style);
+  using Clock = std::chrono::steady_clock;
+
+  // The jobs share `at_once` cores.
+  ProgressDisplay(std::ostream& stream, const DisplayStyle& style, int at_once);
 
   // To be called with the states of the same jobs each time: an ObserveJobs.
-  void show(const std::vector<JobState>& states);
+  void show(const std::vector<JobState>& states, Clock::time_point now = Clock::now());
+
+  // Takes the live lines away, as before an error's message.
+  void erase_live_lines();
 
  private:
-  using Clock = std::chrono::steady_clock;
-  void show_change(const JobState& state, JobPhase before);
-  void show_plain_progress(const JobState& state, Clock::time_point& shown);
-  void erase_live_lines();
-  void draw_live_lines(const std::vector<JobState>& states);
+  // Of all jobs; empty of a single one.
+  struct Sums {
+    std::string ended;  // "[12/46] "
+    std::string left;   // "3 min left", or nothing where that is not known
+  };
+  static Sums sums_of(const std::vector<JobState>& states, int at_once);
+  void show_end(const JobState& state, JobPhase before, const Sums& sums);
+  void show_plain_progress(const std::vector<JobState>& states, const Sums& sums);
+  void draw_live_lines(const std::vector<JobState>& states, const Sums& sums);
   std::string paint(const char* colour, const std::string& text) const;
 
   std::ostream& stream_;
   DisplayStyle style_;
+  int at_once_;
   int live_lines_ = 0;
-  std::vector<JobPhase> phases_;          // as last shown
-  std::vector<Clock::time_point> shown_;  // when a plain line was last written
+  std::vector<JobPhase> phases_;  // as last shown
+  Clock::time_point written_;     // when the last line was that stays
 };
+
+// "running  NAME  5.00 of 20 s, 0.5 simulated s per s, 0:30 left" in at most `columns`, the time
+// left in any case: what tells least is left out first, and of a name that is too long the middle.
+// Names are padded to `name_width`.
+std::string running_line(const JobState& state, std::size_t name_width, std::size_t columns);
 
 }  // namespace slosh

@@ -4,6 +4,8 @@
 //   <root>/<question>/<answer>.timings.json  what repeats took (timings.hpp)
 //   <root>/<question>/<answer>.failure.json  why it failed when it was last tried (run_failure.hpp)
 //   <root>/<question>/<answer>.lock          held by whoever computes it
+//   <root>/costs.txt                         what runs took of what was estimated
+//                                            (campaign/cost_records.hpp)
 // so that campaigns share what they have in common, and one that asks for what another computes
 // waits for that.
 #pragma once

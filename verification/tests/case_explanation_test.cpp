@@ -38,13 +38,25 @@ GateRow row_of(Metric metric, const std::string& unit) {
 TEST(CaseExplanation, TellsWhatWasMeasuredApartFromWhatIsExpected) {
   KnownRun known;
   known.cost.processor_time = 1.4;
+  known.cost.uncertainty = 2;
   const std::string expected = explanation(tank(), {{"a_run", known}});
-  EXPECT_TRUE(holds(expected, "spacing 10 mm: 1.4 core-seconds expected ")) << expected;
+  EXPECT_TRUE(holds(expected, "spacing 10 mm: about 1.4 core-seconds, an estimate: 0.7 to 2.8 "))
+      << expected;
   known.start = SphOutline{3500, {"a kernel", "a state"}};
   known.cost.measured = true;
   const std::string measured = explanation(tank(), {{"a_run", known}});
   EXPECT_TRUE(holds(measured, "3500 particles: 1.4 core-seconds measured ")) << measured;
   EXPECT_TRUE(holds(measured, " terms: a kernel; a state "));
+}
+
+TEST(CaseExplanation, TellsHowMuchTheSamplesShortenTheSteps) {
+  KnownRun known;
+  known.step = SphStep{.stable = 0.001, .between_samples = 0.0008};
+  EXPECT_TRUE(holds(explanation(tank(), {{"a_run", known}}),
+                    "steps: 0.8 ms each: landing on the samples every 20 ms shortens the stable 1 "
+                    "ms by 20 %"));
+  known.step = SphStep{.stable = 0.001, .between_samples = 0.001};
+  EXPECT_FALSE(holds(explanation(tank(), {{"a_run", known}}), "steps:"));
 }
 
 TEST(CaseExplanation, TellsWhatARunAtTheEndOfAnInputIsFor) {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr DisplayStyle plain{.live = false, .colour = false, .columns = 80};
 constexpr DisplayStyle live{.live = true, .colour = false, .columns = 80};
+const std::string up = "\033[1A\033[2K";
 
 JobState state_of(const std::string& name, JobPhase phase) {
   JobState state;
@@ -21,61 +22,103 @@ JobState state_of(const std::string& name, JobPhase phase) {
   return state;
 }
 
-TEST(ProgressDisplay, SaysStartAndEndOnceEachInPlainLines) {
+std::string shown(const std::vector<JobState>& states, const DisplayStyle& style) {
   std::ostringstream stream;
-  ProgressDisplay display(stream, plain);
+  ProgressDisplay(stream, style, 2).show(states);
+  return stream.str();
+}
+
+TEST(ProgressDisplay, SaysTheEndOfARunOnceInAPlainLine) {
+  std::ostringstream stream;
+  ProgressDisplay display(stream, plain, 1);
   for (int i = 0; i < 3; ++i) display.show({state_of("sph", JobPhase::running)});
   for (int i = 0; i < 3; ++i) display.show({state_of("sph", JobPhase::exited)});
-  EXPECT_EQ(stream.str(), "start    sph\nfinished sph in 0:10\n");
+  EXPECT_EQ(stream.str(), "finished sph in 0:10\n");
+}
+
+TEST(ProgressDisplay, TellsWithEachPlainLineHowFarTheCampaignIs) {
+  EXPECT_EQ(shown({state_of("sph", JobPhase::exited), state_of("vof", JobPhase::running)}, plain),
+            "[1/2] finished sph in 0:10; 30 s left\n");
+}
+
+TEST(ProgressDisplay, WritesAPlainLineAMinuteWhereNoRunEnds) {
+  std::ostringstream stream;
+  ProgressDisplay display(stream, plain, 2);
+  const std::vector<JobState> states{state_of("sph", JobPhase::running),
+                                     state_of("vof", JobPhase::running)};
+  const auto start = ProgressDisplay::Clock::now();
+  for (int second = 0; second <= 130; ++second)
+    display.show(states, start + std::chrono::seconds(second));
+  const std::string line = "[0/2] 30 s left; running sph (0:30 left), vof (0:30 left)\n";
+  EXPECT_EQ(stream.str(), line + line);
 }
 
 TEST(ProgressDisplay, NamesTheCauseAndTheLogOfAFailure) {
-  std::ostringstream stream;
-  ProgressDisplay display(stream, plain);
   JobState failed = state_of("vof", JobPhase::exited);
   failed.status = 3;
-  display.show({failed, state_of("late", JobPhase::interrupted)});
-  EXPECT_EQ(stream.str(),
-            "failed   vof: exit status 3 (log: vof.log)\nskipped  late: not started\n");
+  EXPECT_EQ(shown({failed, state_of("late", JobPhase::interrupted)}, plain),
+            "[2/2] failed   vof: exit status 3 (log: vof.log)\n"
+            "[2/2] skipped  late: not started\n");
 }
 
 TEST(ProgressDisplay, DrawsALiveLineWithTimeSpeedAndRemainingTime) {
-  std::ostringstream stream;
-  ProgressDisplay display(stream, live);
-  display.show({state_of("sph", JobPhase::running), state_of("vof", JobPhase::waiting)});
-  EXPECT_EQ(stream.str(), "running  sph  5.00 of 20 s, 0.5 simulated s per s, 0:30 left\n");
+  EXPECT_EQ(shown({state_of("sph", JobPhase::running)}, live),
+            "running  sph  5.00 of 20 s, 0.5 simulated s per s, 0:30 left\n");
+}
+
+TEST(ProgressDisplay, DrawsALineForTheWholeCampaignBelowThoseOfItsRuns) {
+  EXPECT_EQ(shown({state_of("sph", JobPhase::running), state_of("vof", JobPhase::exited)}, live),
+            "finished vof in 0:10\n"
+            "running  sph  5.00 of 20 s, 0.5 simulated s per s, 0:30 left\n"
+            "[1/2] 30 s left\n");
 }
 
 TEST(ProgressDisplay, ErasesItsLiveLinesBeforeItWritesAnew) {
   std::ostringstream stream;
-  ProgressDisplay display(stream, live);
+  ProgressDisplay display(stream, live, 2);
   display.show({state_of("sph", JobPhase::running), state_of("vof", JobPhase::running)});
   stream.str("");
   display.show({state_of("sph", JobPhase::exited), state_of("vof", JobPhase::running)});
-  const std::string up = "\033[1A\033[2K";
-  EXPECT_EQ(stream.str().find(up + up + "finished sph in 0:10\nrunning  vof"), 0u) << stream.str();
+  EXPECT_EQ(stream.str().find(up + up + up + "finished sph in 0:10\nrunning  vof"), 0u)
+      << stream.str();
+  stream.str("");
+  display.erase_live_lines();
+  EXPECT_EQ(stream.str(), up + up);
 }
 
-TEST(ProgressDisplay, CutsLiveLinesToTheTerminal) {
-  std::ostringstream stream;
-  ProgressDisplay display(stream, {.live = true, .colour = false, .columns = 20});
-  display.show({state_of("sph", JobPhase::running)});
-  EXPECT_EQ(stream.str(), "running  sph  5.00 \n");
+TEST(ProgressDisplay, KeepsTheTimeLeftInEveryWidthThatHoldsIt) {
+  const JobState state =
+      state_of("li2010_small_amplitude_tank_start/recommended_10mm", JobPhase::running);
+  EXPECT_EQ(running_line(state, 50, 79),
+            "running  li2010_small_amplitude_tank_start/recommended_10mm  25 %, 0:30 left");
+  EXPECT_EQ(running_line(state, 50, 40), "running  li2010_sm..nded_10mm  0:30 left");
+  for (std::size_t columns = 9; columns < 120; ++columns) {
+    const std::string line = running_line(state, 50, columns);
+    EXPECT_LE(line.size(), columns);
+    EXPECT_TRUE(line.ends_with("0:30 left")) << line;
+  }
+}
+
+TEST(ProgressDisplay, TellsTheExpectedTimeLeftOfARunThatSaysNothing) {
+  JobState state = state_of("potential", JobPhase::running);
+  state.progress.reset();
+  EXPECT_EQ(running_line(state, 9, 79), "running  potential  started 0:10 ago");
+  state.job.expected_time = 25;
+  EXPECT_EQ(running_line(state, 9, 79), "running  potential  started 0:10 ago, about 0:15 left");
 }
 
 TEST(ProgressDisplay, ColoursOnlyWhereItMay) {
   for (const bool colour : {false, true}) {
-    std::ostringstream stream;
-    ProgressDisplay display(stream, {.live = true, .colour = colour, .columns = 80});
-    display.show({state_of("sph", JobPhase::exited)});
-    EXPECT_EQ(stream.str().find("\033[32m") != std::string::npos, colour);
+    const std::string text =
+        shown({state_of("sph", JobPhase::exited)}, {.live = true, .colour = colour, .columns = 80});
+    EXPECT_EQ(text.find("\033[32m") != std::string::npos, colour);
   }
 }
 
 TEST(ProgressDisplay, NeitherMovesTheCursorNorColoursOutsideATerminal) {
-  if (isatty(2)) GTEST_SKIP() << "standard error is a terminal here";
-  EXPECT_FALSE(style_of_standard_error().live);
-  EXPECT_FALSE(style_of_standard_error().colour);
+  if (isatty(STDERR_FILENO)) GTEST_SKIP() << "standard error is a terminal here";
+  EXPECT_FALSE(style_of(STDERR_FILENO).live);
+  EXPECT_FALSE(style_of(STDERR_FILENO).colour);
 }
 
 }  // namespace

@@ -85,17 +85,32 @@ TEST_F(ToolHelp, NamesTheCommandsOfTheLauncher) {
   for (const char* name : {"  test ", "  bench ", "  doctor "}) EXPECT_TRUE(holds(help, name));
 }
 
-TEST_F(ToolHelp, AnswersAWrongWordWithTheNearestOnes) {
+TEST_F(ToolHelp, BeginsItsAnswerToAWrongWordWithTheNearestOnes) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
-      {{"campain"}, "command 'campain' is not known; nearest: campaign"},
-      {{"baseline", "aprove", "x"}, "command 'aprove' is not known; nearest: approve"},
-      {{"gate", "small_amplitude", "--qick"}, "option '--qick' is not known; nearest: --quick"},
-      {{"--versoin"}, "option '--versoin' is not known; nearest: --version"}};
+      {{"campain"}, "command 'campain' is not known; did you mean 'campaign'"},
+      {{"baseline", "aprove", "x"}, "command 'aprove' is not known; did you mean 'approve'"},
+      {{"gate", "small_amplitude", "--qick"},
+       "option '--qick' is not known; did you mean '--quick'"},
+      {{"--versoin"}, "option '--versoin' is not known; did you mean '--version'"}};
   for (const auto& [arguments, message] : wrong) {
     const Ended run = tool(arguments);
     EXPECT_EQ(run.status, exit_usage);
-    EXPECT_TRUE(holds(run.err, message));
+    EXPECT_TRUE(run.err.starts_with(message)) << run.err;
+    EXPECT_EQ(run.err.find("is required"), std::string::npos) << run.err;
   }
+}
+
+TEST_F(ToolHelp, GivesHelpBesideAWrongWordWhereItIsAskedFor) {
+  const Ended run = tool({"campain", "--help"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_TRUE(holds(run.out, "Usage: "));
+}
+
+TEST_F(ToolHelp, ShowsTheToolAsItIsStarted) {
+  EXPECT_TRUE(holds(tool({"--help"}).out, "\nUsage: ./slosh [OPTIONS] SUBCOMMAND\n"));
+  EXPECT_TRUE(holds(tool({"run", "--help"}).out, "\nUsage: ./slosh run [OPTIONS] "));
+  EXPECT_TRUE(holds(tool({"baseline", "approve", "--help"}).out,
+                    "\nUsage: ./slosh baseline approve [OPTIONS] "));
 }
 
 TEST_F(ToolHelp, TellsItsVersion) {
