@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 
 #include "verification/case_file/campaign_parser.hpp"
@@ -101,7 +102,18 @@ int leave_result(const RunResult& result, const fs::path& file, const RunSetting
   return told_end(result, definition);
 }
 
+// A saved state makes the solver renew its lists: the result is not to the last bit what a campaign
+// computes.
+bool is_as_a_campaign_computes(const RunOptions& options) {
+  return options.state_interval == 0 && options.resume.empty();
+}
+
 }  // namespace
+
+fs::path usual_store(const Installation& installation) {
+  const char* named = std::getenv(store_variable);
+  return named && *named ? whole(named) : installation.build / "store";
+}
 
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
   run_job(JobList::open(fs::current_path()), index, stop);
@@ -130,13 +142,19 @@ int run_one(const RunOptions& options, const Installation& installation) {
                    progress_writer(options.progress_file, definition.duration));
   };
   // Of a run in the store the campaign judges whether it reaches its comparison window's end.
-  if (options.timing)
+  if (options.timing) {
     time_run(store, key, options.longest, compute);
-  else if (!options.store.empty())
+    return exit_pass;
+  }
+  if (!options.store.empty()) {
     keep_run(store, key, compute);
-  else
-    return leave_result(compute(), file, settings, definition);
-  return exit_pass;
+    return exit_pass;
+  }
+  const RunResult result = compute();
+  const int status = leave_result(result, file, settings, definition);
+  if (is_as_a_campaign_computes(options))
+    keep_copy(ResultStore(usual_store(installation)), key, result);
+  return status;
 }
 
 }  // namespace slosh
