@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 
 #include "verification/campaign/expected_cost.hpp"
@@ -105,7 +106,18 @@ int leave_result(const RunResult& result, const fs::path& file, const RunSetting
   return told_end(result, definition);
 }
 
+// A saved state makes the solver renew its lists: the result is not to the last bit what a campaign
+// computes.
+bool is_as_a_campaign_computes(const RunOptions& options) {
+  return options.state_interval == 0 && options.resume.empty();
+}
+
 }  // namespace
+
+fs::path usual_store(const Installation& installation) {
+  const char* named = std::getenv(store_variable);
+  return named && *named ? whole(named) : installation.build / "store";
+}
 
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
   run_job(JobList::open(fs::current_path()), index, stop);
@@ -141,17 +153,23 @@ int run_one(const RunOptions& options, const Installation& installation) {
     });
   };
   // Of a run in the store the campaign judges whether it reaches its comparison window's end.
-  if (options.timing)
+  if (options.timing) {
     time_run(store, key, options.longest, compute);
-  else if (!options.store.empty())
+    return exit_pass;
+  }
+  if (!options.store.empty()) {
     keep_run(store, key, [&] {
       RunResult result = compute();
       learn_cost(result, definition, run, store);
       return result;
     });
-  else
-    return leave_result(compute(), file, settings, definition, run);
-  return exit_pass;
+    return exit_pass;
+  }
+  const RunResult result = compute();
+  const int status = leave_result(result, file, settings, definition, run);
+  if (is_as_a_campaign_computes(options))
+    keep_copy(ResultStore(usual_store(installation)), key, result);
+  return status;
 }
 
 }  // namespace slosh

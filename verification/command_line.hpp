@@ -19,17 +19,19 @@ struct Installation {
       build;
 };
 
-inline std::filesystem::path usual_store(const Installation& installation) {
-  return installation.build / "store";
-}
+inline constexpr const char* store_variable = "SLOSH_STORE";
+
+// Of the results that campaigns share: what the environment says, or else build/store.
+std::filesystem::path usual_store(const Installation& installation);
 
 struct RunOptions {
   std::string case_name, run;
   std::filesystem::path output, progress_file;
   std::filesystem::path experiments;  // empty: none is named
   std::filesystem::path campaign;     // a name or path: with the runs of its sweeps; or empty
-  std::filesystem::path store;        // the result goes there, under its key; empty: to the output
-  bool timing = false;                // only its timing, into the store
+  // The result goes there alone, under its key; empty: to the output, and a copy to usual_store().
+  std::filesystem::path store;
+  bool timing = false;                                       // only its timing, into the store
   double longest = std::numeric_limits<double>::infinity();  // [s], of a run that is timed
   double snapshot_interval = 0;                              // [s]
   double state_interval = 0;                                 // [s]

@@ -7,6 +7,7 @@
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/complaints.hpp"
 #include "verification/case_file/problem_table.hpp"
 #include "verification/case_file/sweep.hpp"
 #include "verification/named_paths.hpp"
@@ -41,15 +42,19 @@ void require_timed_runs(const CampaignDefinition& campaign,
 std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
                                        const fs::path& experiments) {
   std::vector<CaseDefinition> cases;
-  for (const fs::path& file : campaign.cases) {
-    CaseDefinition definition = read_case(file, experiments);
-    for (const CaseDefinition& other : cases)
-      if (other.name == definition.name)
-        throw CaseFileError(fmt::format("{}: name = \"{}\": expected a name other than that of {}",
-                                        file.string(), definition.name, other.file.string()));
-    add_swept_runs(campaign, experiments, definition);
-    cases.push_back(std::move(definition));
-  }
+  Complaints complaints;
+  for (const fs::path& file : campaign.cases)
+    complaints.allow([&] {
+      CaseDefinition definition = read_case(file, experiments);
+      for (const CaseDefinition& other : cases)
+        if (other.name == definition.name)
+          throw CaseFileError(
+              fmt::format("{}: name = \"{}\": expected a name other than that of {}", file.string(),
+                          definition.name, other.file.string()));
+      add_swept_runs(campaign, experiments, definition);
+      cases.push_back(std::move(definition));
+    });
+  complaints.tell();
   require_swept_cases(campaign, cases);
   require_timed_runs(campaign, cases);
   return cases;
@@ -58,10 +63,13 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
 // All else that a campaign's cases get wrong is found before anything runs. It takes seconds: the
 // start of every SPH run is set up.
 void require_runnable(const std::vector<CaseDefinition>& cases) {
+  Complaints complaints;
   for (const CaseDefinition& definition : cases) {
-    require_window(definition);
-    for (const RunDefinition& run : definition.runs) require_runnable(definition, run);
+    complaints.allow([&] { require_window(definition); });
+    for (const RunDefinition& run : definition.runs)
+      complaints.allow([&] { require_runnable(definition, run); });
   }
+  complaints.tell();
 }
 
 std::vector<std::string> names_of(const std::vector<ProblemDefinition>& problems) {

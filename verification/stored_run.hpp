@@ -17,6 +17,11 @@ void keep_run(const ResultStore& store, const std::string& key,
 void keep_problem(const ResultStore& store, const std::string& key,
                   const std::function<ProblemResult()>& compute);
 
+// Keeps a copy of a result that lies elsewhere, so that a campaign takes it; not where one that can
+// be used is there, or a process holds the key, which computes the same. Of a store that cannot be
+// written it tells on standard error: the result itself is where it was asked for.
+void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result);
+
 // Adds what `compute` took to the timings of the key; not of a run that failed, nor of one that
 // took more than `longest` seconds of processor time. Throws ResultError where the new result has
 // other series by as much as a bit: what was timed was another answer.

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/changed_input.hpp"
+#include "verification/case_file/complaints.hpp"
 #include "verification/case_file/definition_file.hpp"
 #include "verification/case_file/toml_reader.hpp"
 
@@ -115,47 +118,232 @@ void add_named(const TomlTable& table, const char* key, Definition definition,
   definitions.push_back(std::move(definition));
 }
 
-// Each [[key]] by `read`, no name twice.
-template <class Definition, class Read>
-std::vector<Definition> read_named(const TomlTable& root, const char* key, Read read) {
-  std::vector<Definition> definitions;
-  for (const TomlTable& table : root.tables(key)) add_named(table, key, read(table), definitions);
-  return definitions;
-}
-
-void read_head(const TomlTable& root, CaseDefinition& definition) {
-  root.get("schema_version", exactly(schema_version));
-  root.allow_only({"schema_version", "name",       "title",  "source",     "tags",
-                   "gravity_m_s2",   "tank",       "liquid", "gas",        "obstacle",
-                   "initial_wave",   "motion",     "time",   "gauge",      "pressure_gauge",
-                   "impacts",        "comparison", "run",    "refinement", "gate",
-                   "animation",      "input"});
-  definition.name = root.get("name", file_safe_name());
-  definition.title = root.get("title", any_text());
-  definition.source = root.get("source", any_text());
-  for (const PlacedText& tag : root.texts("tags", any_text())) definition.tags.push_back(tag.text);
-  definition.gravity = root.get("gravity_m_s2", not_negative("m/s2"));
-}
-
-// At least one of either kind.
-void read_gauges(const TomlTable& root, CaseDefinition& definition) {
-  definition.gauges = read_named<GaugeDefinition>(
-      root, "gauge", [&](const TomlTable& gauge) { return read_gauge(gauge, definition); });
-  definition.pressure_gauges = read_named<PressureGaugeDefinition>(
-      root, "pressure_gauge",
-      [&](const TomlTable& gauge) { return read_pressure_gauge(gauge, definition); });
-  if (definition.gauges.empty() && definition.pressure_gauges.empty())
-    root.refuse("gauge", "at least one [[gauge]] or [[pressure_gauge]]");
-}
-
-// Last, so that neither a gate row nor a refinement can name them.
-void add_runs_at_ends(const TomlTable& root, CaseDefinition& definition) {
-  for (const InputUncertainty& input : definition.inputs) {
-    if (input.coarse_run.empty()) continue;
-    for (const RunDefinition& run : runs_at_ends(input, run_named(definition, input.coarse_run)))
-      add_named(root, "run", run, definition.runs);
+// The names of tables that were refused: what else names one of them is not judged, as its mistakes
+// may be theirs.
+class RefusedNames {
+ public:
+  void add(const TomlTable& table) { names_.insert(table.written("name")); }
+  void add_any() { names_.insert(""); }
+  bool empty() const { return names_.empty(); }
+  // Any name may be that of a table whose own name cannot be read.
+  bool hold(const std::string& name) const { return names_.contains("") || names_.contains(name); }
+  // "elevation@GAUGE", "wall_pressure@GAUGE/filtered"
+  bool measure(const std::string& quantity) const {
+    return std::any_of(names_.begin(), names_.end(), [&](const std::string& name) {
+      return quantity.find("@" + name) != std::string::npos;
+    });
   }
-}
+
+ private:
+  std::set<std::string> names_;
+};
+
+// Reads a case section by section. What is refused is kept, and a section is read only where all
+// that its rules rest on has been read, so that no mistake is told of twice in other words.
+class CaseReader {
+ public:
+  CaseReader(const TomlTable& root, const std::filesystem::path& experiments,
+             CaseDefinition& definition)
+      : root_(root), experiments_(experiments), definition_(definition) {}
+
+  // Throws CaseFileErrors.
+  void read() {
+    read_head();
+    read_tank_and_time();
+    read_gauges();
+    read_what_shapes_the_flow();
+    read_comparison();
+    read_runs();
+    read_what_names_runs();
+    complaints_.tell();
+  }
+
+ private:
+  template <class Read>
+  bool allow(Read read) {
+    return complaints_.allow(read);
+  }
+
+  // What stands at the key. Where it is missing beside keys that nobody knows, it may be one of
+  // those, misspelt.
+  template <class Read>
+  bool allow_at(const char* key, Read read) {
+    return (root_.has(key) || only_known_keys_) && allow(read);
+  }
+
+  // Each [[key]]; whether all of them were read.
+  template <class Read>
+  bool each(const char* key, Read read) {
+    std::vector<TomlTable> tables;
+    bool all = allow([&] { tables = root_.tables(key); });
+    for (const TomlTable& table : tables) all = allow([&] { read(table); }) && all;
+    return all;
+  }
+
+  // Each [[key]] as a definition whose name no other has.
+  template <class Definition, class Read>
+  bool each_named(const char* key, std::vector<Definition>& definitions, Read read,
+                  RefusedNames* refused = nullptr) {
+    return each(key, [&](const TomlTable& table) {
+      try {
+        add_named(table, key, read(table), definitions);
+      } catch (const CaseFileError&) {
+        if (refused) refused->add(table);
+        throw;
+      }
+    });
+  }
+
+  void read_head() {
+    only_known_keys_ = allow([&] {
+      root_.allow_only({"schema_version", "name",       "title",  "source",     "tags",
+                        "gravity_m_s2",   "tank",       "liquid", "gas",        "obstacle",
+                        "initial_wave",   "motion",     "time",   "gauge",      "pressure_gauge",
+                        "impacts",        "comparison", "run",    "refinement", "gate",
+                        "animation",      "input"});
+    });
+    allow_at("name", [&] { definition_.name = root_.get("name", file_safe_name()); });
+    allow_at("title", [&] { definition_.title = root_.get("title", any_text()); });
+    allow_at("source", [&] { definition_.source = root_.get("source", any_text()); });
+    allow_at("tags", [&] {
+      for (const PlacedText& tag : root_.texts("tags", any_text()))
+        definition_.tags.push_back(tag.text);
+    });
+    gravity_ = allow_at("gravity_m_s2", [&] {
+      definition_.gravity = root_.get("gravity_m_s2", not_negative("m/s2"));
+    });
+  }
+
+  void read_tank_and_time() {
+    tank_ = allow_at("tank", [&] { definition_.tank = read_tank(root_.table("tank")); });
+    liquid_ = tank_ && allow_at("liquid", [&] {
+                definition_.liquid = read_liquid(root_.table("liquid"), definition_.tank);
+              });
+    if (liquid_)
+      allow_at("gas", [&] { definition_.gas = read_gas(root_.table("gas"), definition_.liquid); });
+    time_ = allow_at("time", [&] { read_time(root_.table("time"), definition_); });
+    if (time_ && root_.has("animation"))
+      allow([&] {
+        definition_.animation_times = read_animation(root_.table("animation"), definition_);
+      });
+    motion_ = tank_ && time_ && allow_at("motion", [&] {
+                definition_.motion = read_motion(root_.table("motion"), definition_);
+              });
+    if (gravity_ && motion_ && definition_.gravity == 0 && definition_.motion.still())
+      allow([&] {
+        root_.refuse("gravity_m_s2",
+                     "a number > 0, in m/s2, of a tank that stands: nothing would move");
+      });
+  }
+
+  // At least one of either kind.
+  void read_gauges() {
+    if (!tank_ || !time_) return;
+    gauges_ = each_named(
+        "gauge", definition_.gauges,
+        [&](const TomlTable& gauge) { return read_gauge(gauge, definition_); }, &refused_gauges_);
+    gauges_ &= each_named(
+        "pressure_gauge", definition_.pressure_gauges,
+        [&](const TomlTable& gauge) { return read_pressure_gauge(gauge, definition_); },
+        &refused_gauges_);
+    if (gauges_ && definition_.gauges.empty() && definition_.pressure_gauges.empty())
+      gauges_ = allow_at(
+          "gauge", [&] { root_.refuse("gauge", "at least one [[gauge]] or [[pressure_gauge]]"); });
+    if (!gauges_ && refused_gauges_.empty()) refused_gauges_.add_any();
+  }
+
+  // Where a key is unknown, any of the sections that may be left out may stand there misspelt.
+  void read_what_shapes_the_flow() {
+    impacts_ = only_known_keys_ && gauges_ && (!root_.has("impacts") || allow([&] {
+                 definition_.impacts =
+                     read_impacts(root_.table("impacts"), definition_, experiments_);
+               }));
+    obstacles_ =
+        liquid_ && gauges_ &&
+        each_named("obstacle", definition_.obstacles,
+                   [&](const TomlTable& table) { return read_obstacle(table, definition_); }) &&
+        allow([&] { refuse_overlaps(root_.tables("obstacle"), definition_.obstacles); });
+    wave_ = only_known_keys_ &&
+            (!root_.has("initial_wave") || (obstacles_ && allow([&] {
+                                              definition_.initial_wave = read_initial_wave(
+                                                  root_.table("initial_wave"), definition_);
+                                            })));
+  }
+
+  void read_comparison() {
+    comparison_ = gravity_ && liquid_ && motion_ && wave_ && allow_at("comparison", [&] {
+                    slosh::read_comparison(root_.table("comparison"), definition_);
+                  });
+  }
+
+  // What a record or a program gives is of a gauge.
+  bool can_judge_run(const TomlTable& run) const {
+    const std::string solver = run.written("solver");
+    const bool of_gauges = solver == "record" || solver == "external";
+    const bool in_plain_tank = !root_.has("obstacle") || obstacles_;
+    return liquid_ && motion_ && wave_ && in_plain_tank && (gauges_ || !of_gauges);
+  }
+
+  void read_runs() {
+    runs_ = each("run", [&](const TomlTable& table) {
+      if (!can_judge_run(table)) return refused_runs_.add(table);
+      try {
+        for (const RunDefinition& run : slosh::read_runs(table, definition_, experiments_))
+          add_named(table, "run", run, definition_.runs);
+      } catch (const CaseFileError&) {
+        refused_runs_.add(table);
+        throw;
+      }
+    });
+    runs_ &= refused_runs_.empty();
+    if (runs_ && definition_.runs.empty())
+      runs_ = allow_at("run", [&] { root_.refuse("run", "at least one [[run]]"); });
+    if (!runs_ && refused_runs_.empty()) refused_runs_.add_any();
+  }
+
+  bool can_judge_row(const TomlTable& row) const {
+    for (const char* key : {"candidate", "reference", "improves_on"})
+      if (refused_runs_.hold(row.written(key))) return false;
+    const bool of_impacts = root_.has("impacts");
+    return comparison_ && (impacts_ || !of_impacts) &&
+           !refused_gauges_.measure(row.written("quantity"));
+  }
+
+  void read_what_names_runs() {
+    bool inputs = false;
+    if (runs_) {
+      each_named("refinement", definition_.refinements, [&](const TomlTable& refinement) {
+        return read_refinement(refinement, definition_);
+      });
+      inputs = each("input", [&](const TomlTable& input) {
+        definition_.inputs.push_back(read_input(input, definition_));
+      });
+    }
+    each("gate", [&](const TomlTable& row) {
+      if (can_judge_row(row)) definition_.gate.push_back(read_gate_row(row, definition_));
+    });
+    if (inputs) allow([&] { add_runs_at_ends(); });
+  }
+
+  // Last, so that neither a gate row nor a refinement can name them.
+  void add_runs_at_ends() {
+    for (const InputUncertainty& input : definition_.inputs) {
+      if (input.coarse_run.empty()) continue;
+      for (const RunDefinition& run : runs_at_ends(input, run_named(definition_, input.coarse_run)))
+        add_named(root_, "run", run, definition_.runs);
+    }
+  }
+
+  const TomlTable& root_;
+  const std::filesystem::path& experiments_;
+  CaseDefinition& definition_;
+  Complaints complaints_;
+  // Of each section, whether all of it was read, or need not be there.
+  bool only_known_keys_ = false, gravity_ = false, tank_ = false, liquid_ = false, time_ = false,
+       motion_ = false, gauges_ = false, impacts_ = false, obstacles_ = false, wave_ = false,
+       comparison_ = false, runs_ = false;
+  RefusedNames refused_gauges_, refused_runs_;
+};
 
 }  // namespace
 
@@ -165,39 +353,8 @@ CaseDefinition read_case(const std::filesystem::path& file,
   definition.file = file;
   definition.text = read_definition_text("case", file);
   const TomlTable root(definition.text, file);
-  read_head(root, definition);
-  definition.tank = read_tank(root.table("tank"));
-  definition.liquid = read_liquid(root.table("liquid"), definition.tank);
-  definition.gas = read_gas(root.table("gas"), definition.liquid);
-  read_time(root.table("time"), definition);
-  if (root.has("animation"))
-    definition.animation_times = read_animation(root.table("animation"), definition);
-  definition.motion = read_motion(root.table("motion"), definition);
-  if (definition.gravity == 0 && definition.motion.still())
-    root.refuse("gravity_m_s2", "a number > 0, in m/s2, of a tank that stands: nothing would move");
-  read_gauges(root, definition);
-  if (root.has("impacts"))
-    definition.impacts = read_impacts(root.table("impacts"), definition, experiments);
-  definition.obstacles = read_named<ObstacleDefinition>(
-      root, "obstacle",
-      [&](const TomlTable& obstacle) { return read_obstacle(obstacle, definition); });
-  refuse_overlaps(root.tables("obstacle"), definition.obstacles);
-  if (root.has("initial_wave"))
-    definition.initial_wave = read_initial_wave(root.table("initial_wave"), definition);
-  read_comparison(root.table("comparison"), definition);
-  for (const TomlTable& table : root.tables("run"))
-    for (const RunDefinition& run : read_runs(table, definition, experiments))
-      add_named(table, "run", run, definition.runs);
-  if (definition.runs.empty()) root.refuse("run", "at least one [[run]]");
-  definition.refinements = read_named<RefinementDefinition>(
-      root, "refinement",
-      [&](const TomlTable& refinement) { return read_refinement(refinement, definition); });
-  for (const TomlTable& input : root.tables("input"))
-    definition.inputs.push_back(read_input(input, definition));
-  for (const TomlTable& row : root.tables("gate")) {
-    definition.gate.push_back(read_gate_row(row, definition));
-  }
-  add_runs_at_ends(root, definition);
+  root.get("schema_version", exactly(schema_version));  // another version has other rules
+  CaseReader(root, experiments, definition).read();
   return definition;
 }
 

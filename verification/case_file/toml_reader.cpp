@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "verification/case_file/complaints.hpp"
 #include "verification/case_file/nearest_name.hpp"
 #include "verification/case_file/toml_letters.hpp"
 
@@ -92,13 +93,15 @@ TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
 }
 
 void TomlTable::allow_only(const std::vector<std::string>& keys) const {
+  std::vector<std::string> unknown;
   for (const auto& [key, node] : *content_->table) {
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
-    throw CaseFileError(
+    unknown.push_back(
         fmt::format("{}: {}{} = {}: expected only these keys here: {}; nearest known key: {}",
                     content_->place(node), content_->path, key.str(), as_written(node),
                     fmt::join(keys, ", "), nearest_names(key.str(), keys, 1).front()));
   }
+  if (!unknown.empty()) throw CaseFileErrors(std::move(unknown));
 }
 
 template <class T>

@@ -29,7 +29,8 @@ class TomlTable {
   // Throws CaseFileError with file:line:column for what is not TOML.
   TomlTable(std::string_view text, const std::filesystem::path& file);
 
-  // Refuses every other key of this table, naming the nearest of these.
+  // Refuses every other key of this table, naming the nearest of these. Throws CaseFileErrors
+  // (complaints.hpp), a message for each.
   void allow_only(const std::vector<std::string>& keys) const;
 
   // T: double, int, std::string, bool.

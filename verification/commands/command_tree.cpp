@@ -77,7 +77,7 @@ void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
       .add_option("--store", store,
                   "Directory of the results, which campaigns share (default: build/store)")
       ->type_name(directory_type)
-      ->envname("SLOSH_STORE");
+      ->envname(store_variable);
 }
 
 void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
@@ -112,6 +112,7 @@ void add_all_commands(const CommandTree& tree) {
   add_baseline_commands(tree);
   add_execution_commands(tree);
   add_foreign_commands(tree);
+  add_store_command(tree);
   add_list_command(tree);
   add_explain_command(tree);
   add_converge_command(tree);

@@ -30,6 +30,7 @@ void add_campaign_commands(const CommandTree& tree);    // campaign, report, gat
 void add_baseline_commands(const CommandTree& tree);    // baseline diff, propose, approve
 void add_execution_commands(const CommandTree& tree);   // run, problem, job
 void add_foreign_commands(const CommandTree& tree);     // import, compare
+void add_store_command(const CommandTree& tree);        // store
 void add_list_command(const CommandTree& tree);         // list
 void add_explain_command(const CommandTree& tree);      // explain
 void add_converge_command(const CommandTree& tree);     // converge

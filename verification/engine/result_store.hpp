@@ -10,9 +10,12 @@
 // waits for that.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "verification/engine/file_lock.hpp"
 
@@ -31,7 +34,19 @@ class ResultStore {
   std::optional<std::filesystem::path> newest_file(const std::string& key,
                                                    const char* extension) const;
 
+  // The keys under which something lies, sorted. Files that no key names are none of the store's.
+  std::vector<std::string> keys() const;
+
+  // Of all that lies under the key [byte].
+  std::uintmax_t size(const std::string& key) const;
+
+  // Removes all that lies under the key but its lock, which whoever waits for the key may have open
+  // already. False, and nothing is removed, where a process holds the key.
+  bool remove(const std::string& key) const;
+
  private:
+  std::vector<std::filesystem::path> contents(const std::string& key) const;
+
   std::filesystem::path root_;
 };
 
@@ -40,7 +55,8 @@ class ResultStore {
 // std::filesystem::filesystem_error.
 class StoreLock {
  public:
-  StoreLock(const ResultStore& store, const std::string& key);
+  StoreLock(const ResultStore& store, const std::string& key,
+            const std::function<void()>& waiting = {});
 
  private:
   FileLock lock_;

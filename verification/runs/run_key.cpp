@@ -13,6 +13,7 @@
 namespace slosh {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;  // its objects are sorted and its numbers written in full: one text per value
 
 json number_or_null(const std::optional<double>& number) {
@@ -128,6 +129,20 @@ void add_directory(ContentHash& hash, const std::filesystem::path& directory) {
   }
 }
 
+const std::string& openfoam_version() {
+  static const std::string version = openfoam::installed_version();  // starts interFoam
+  return version;
+}
+
+// All of the answer but for an external run's program.
+void add_answer(ContentHash& answer, const std::string& solver, const fs::path& builds,
+                const fs::path& openfoam_templates) {
+  answer.add_file(builds / solver);
+  if (solver != "interfoam") return;
+  answer.add(openfoam_version());
+  add_directory(answer, openfoam_templates);
+}
+
 }  // namespace
 
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
@@ -140,17 +155,27 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external) asked["inputs"] = contents(external_inputs(*external, definition));
   question.add(asked.dump());
-  answer.add_file(builds / solver_name(run));
-  if (std::holds_alternative<InterFoamRun>(run.solver)) {
-    static const std::string version = openfoam::installed_version();  // starts interFoam
-    answer.add(version);
-    add_directory(answer, openfoam_templates);
-  }
+  add_answer(answer, solver_name(run), builds, openfoam_templates);
   if (external) {
     const std::filesystem::path program = external_program(*external, definition);
     if (!program.empty()) answer.add_file(program);
   }
   return question.digits() + "-" + answer.digits();
+}
+
+PresentAnswers present_answers(const fs::path& builds, const fs::path& openfoam_templates) {
+  PresentAnswers present{{}, {"external"}};
+  if (openfoam_version().empty()) present.unknown_solvers.insert("interfoam");
+  for (const auto& build : fs::directory_iterator(builds)) {
+    ContentHash answer;
+    add_answer(answer, build.path().filename().string(), builds, openfoam_templates);
+    present.answers.insert(answer.digits());
+  }
+  return present;
+}
+
+bool PresentAnswers::gave(std::string_view key) const {
+  return answers.contains(std::string(key.substr(key.find('-') + 1)));
 }
 
 bool asks_the_same(std::string_view key, std::string_view other) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,18 @@ namespace slosh {
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates);
+
+// What ends the keys of the results that these builds, and the OpenFOAM that is installed, give.
+struct PresentAnswers {
+  std::set<std::string> answers;
+  // Of these nothing can be told without the case file or the machine that computed them: an
+  // external run's answer is its program's too, and interFoam's needs an OpenFOAM.
+  std::set<std::string> unknown_solvers;
+
+  bool gave(std::string_view key) const;
+};
+PresentAnswers present_answers(const std::filesystem::path& builds,
+                               const std::filesystem::path& openfoam_templates);
 
 // Whether two keys ask the same, be it answered by another build or version.
 bool asks_the_same(std::string_view key, std::string_view other);

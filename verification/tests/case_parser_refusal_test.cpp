@@ -25,6 +25,7 @@ TEST_P(CaseParserRefusal, SaysWhereWhatAndWhatWasExpected) {
   const std::string message = complaint_about(GetParam().edit);
   EXPECT_TRUE(message.starts_with(GetParam().message))
       << "got:    " << message << "\nwanted: " << GetParam().message;
+  EXPECT_EQ(message.find('\n'), message.npos) << "one mistake is told of once: " << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(

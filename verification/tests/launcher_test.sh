@@ -157,6 +157,12 @@ start_again 0
 [ ! -s "$calls" ] || fail "a second start asked for packages: $(cat "$calls")"
 [ ! -s "$work/err" ] || fail "a second start was not silent"
 
+# A tool that is built tells what its store holds; the doctor itself ends as it did without.
+run 0 doctor
+expect_in "$work/out" "<store>"
+expect_in "$work/out" "<--total>"
+expect_in "$work/out" "all required packages are installed"
+
 # A change is built; one that does not compile shows the compiler's message and starts nothing.
 sed -i 's/return 3/return 4/' "$project/verification/tool.cpp"
 run 4 campaign

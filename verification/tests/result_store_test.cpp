@@ -78,6 +78,43 @@ TEST_F(Store, LetsOneProcessAtATimeHoldAKeyAndForgetsADeadOne) {
   waitpid(holder, nullptr, 0);
 }
 
+const std::string question(32, 'a'), answer(32, 'b'),
+    other_answer(32, 'c'), kept_key = question + "-" + other_answer,
+                           removed_key = question + "-" + answer;
+
+TEST_F(Store, ListsItsKeysAndNothingElseThatLiesThere) {
+  EXPECT_TRUE(ResultStore(directory.path() / "absent").keys().empty());
+  put(kept_key, ".h5");
+  put(removed_key, ".failure.json");
+  put(question + "-" + std::string(32, 'd'), ".lock");
+  put(question + "-notes", ".txt");
+  put("letters-" + answer, ".h5");
+  EXPECT_EQ(store.keys(), (std::vector<std::string>{removed_key, kept_key}));
+}
+
+TEST_F(Store, RemovesAllOfAKeyAndNothingOfAnother) {
+  put(kept_key, ".h5");
+  for (const char* extension : {".h5", ".timings.json", ".lock"}) put(removed_key, extension);
+  const fs::path work = store.file(removed_key, ".work");
+  fs::create_directories(work / "case");
+  std::ofstream(work / "case/log") << "0123456789";
+  EXPECT_EQ(store.size(removed_key), 12u);
+  EXPECT_TRUE(store.remove(removed_key));
+  EXPECT_EQ(store.keys(), std::vector<std::string>{kept_key});
+  EXPECT_FALSE(fs::exists(work));
+  EXPECT_EQ(store.size(removed_key), 0u);
+}
+
+TEST_F(Store, RemovesNothingOfAKeyThatIsHeld) {
+  put(removed_key, ".h5");
+  {
+    const StoreLock holder(store, removed_key);
+    EXPECT_FALSE(store.remove(removed_key));
+    EXPECT_TRUE(fs::exists(store.file(removed_key, ".h5")));
+  }
+  EXPECT_TRUE(store.remove(removed_key));
+}
+
 TEST_F(Store, KeepsTimingsAndComparesThoseOfOneProcessor) {
   const fs::path file = directory.path() / "a.timings.json";
   EXPECT_TRUE(read_timings(file).empty());

@@ -217,6 +217,19 @@ TEST_F(RunKey, TellsAnotherBuildFromAnotherQuestion) {
   EXPECT_TRUE(asks_the_same(key(sample_case(), sph), before));
 }
 
+TEST_F(RunKey, IsToldFromThatOfAnEarlierBuildWithoutItsCase) {
+  std::ofstream(builds / "sph") << "a build of it alone";
+  const std::string before = key(sample_case(), sph), other = key(sample_case(), interfoam);
+  EXPECT_TRUE(present_answers(builds, templates).gave(before));
+  EXPECT_TRUE(present_answers(builds, templates).gave(other));
+  std::ofstream(builds / "sph") << "another build of it";
+  const PresentAnswers present = present_answers(builds, templates);
+  EXPECT_FALSE(present.gave(before));
+  EXPECT_TRUE(present.gave(other));
+  EXPECT_TRUE(present.unknown_solvers.contains("external")) << "their program counts too";
+  EXPECT_FALSE(present.unknown_solvers.contains("sph"));
+}
+
 TEST_F(RunKey, ChangesWithTheTemplatesOfInterFoamAlone) {
   const std::string interfoam_before = key(sample_case(), interfoam);
   const std::string sph_before = key(sample_case(), sph);

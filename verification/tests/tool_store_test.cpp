@@ -1,0 +1,86 @@
+// What the store shares: a result of `slosh run` with campaigns, and the room of old ones.
+#include <gtest/gtest.h>
+
+#include "verification/runs/result_file.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ToolStore : public SmallCampaign {
+ protected:
+  ToolStore() { write_campaign(particles_case); }
+
+  Ended run(const std::string& name, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run", "./small.toml", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tool(arguments);
+  }
+  // What is under one of the store's keys, under that of a build that is none of this tree's.
+  fs::path made_old(const fs::path& result) const {
+    const fs::path old = result.parent_path() / (std::string(32, '0') + ".h5");
+    fs::rename(result, old);
+    return old;
+  }
+};
+
+TEST_F(ToolStore, GivesACampaignWhatARunLeftInAFile) {
+  const Ended made = run("particles", {"-o", "mine.h5"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Ended judged = campaign();
+  EXPECT_EQ(judged.status, 0) << judged.err;
+  EXPECT_FALSE(holds(judged.err, "finished small/particles")) << "it was computed again";
+  EXPECT_TRUE(holds(judged.err, "finished small/theory"));
+  EXPECT_EQ(read_result(result("particles")).provenance,
+            read_result(directory() / "mine.h5").provenance);
+}
+
+TEST_F(ToolStore, TakesNoResultOfARunThatSavedItsState) {
+  ASSERT_EQ(run("particles", {"--states", "4"}).status, 0);
+  EXPECT_TRUE(files_of_store(".h5").empty());
+}
+
+TEST_F(ToolStore, FailsNoRunWhereNothingCanBeKeptForCampaigns) {
+  write("no_directory", "");
+  const Ended made = tool({"run", "./small.toml", "theory"}, {{"SLOSH_STORE", "no_directory/s"}});
+  EXPECT_EQ(made.status, 0);
+  EXPECT_TRUE(holds(made.err, "no campaign can take the result: "));
+  EXPECT_TRUE(fs::exists(directory() / "theory.h5"));
+}
+
+TEST_F(ToolStore, TellsAndRemovesWhatEarlierBuildsLeftAndNothingElse) {
+  ASSERT_EQ(run("theory").status, 0);
+  ASSERT_EQ(files_of_store(".h5").size(), 1u);
+  const fs::path old = made_old(files_of_store(".h5").front());
+  ASSERT_EQ(run("theory").status, 0);
+
+  const Ended told = tool({"store"});
+  EXPECT_EQ(told.status, 0);
+  EXPECT_TRUE(holds(told.out, "small/theory (linear), "));
+  EXPECT_TRUE(holds(told.out, ": 2 results, "));
+  EXPECT_TRUE(holds(told.out, "; 1 of them, "));
+  EXPECT_TRUE(fs::exists(old)) << "what only tells removes nothing";
+  const Ended total = tool({"store", "--total"});
+  EXPECT_FALSE(holds(total.out, "small/theory"));
+  EXPECT_TRUE(told.out.ends_with(total.out));
+
+  const Ended removed = tool({"store", "--remove"});
+  EXPECT_EQ(removed.status, 0);
+  EXPECT_TRUE(holds(removed.out, "removed "));
+  EXPECT_TRUE(holds(removed.out, ": 1 results removed, "));
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_EQ(files_of_store(".h5").size(), 1u);
+  EXPECT_TRUE(holds(tool({"store"}).out, "; 0 of them, 0.0 kB, are of earlier builds\n"));
+}
+
+TEST_F(ToolStore, CallsAResultOldThatCannotBeReadUnderAKeyOfNoBuild) {
+  const fs::path question = store() / std::string(32, 'a');
+  fs::create_directories(question);
+  std::ofstream(question / (std::string(32, '0') + ".h5")) << "cut off";
+  EXPECT_TRUE(holds(tool({"store"}).out, "a result that cannot be read, "));
+}
+
+}  // namespace
+}  // namespace slosh
