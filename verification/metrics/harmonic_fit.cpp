@@ -152,10 +152,11 @@ PairedDifference paired(const WindowFit& candidate, const WindowFit& reference, 
 }
 
 // Where both tones are part of something else that is alike in both, an unnamed tone of the complex
-// amplitude U beside the named one's T, the fits give T + k U, with k about one: the ratio is then
-// 1 + d T / (T + k U) in place of 1 + d. Its error, d k U / T, is bounded by d and by twice the
-// root mean square that the fit leaves of the reference, which is about three quarters of
-// U / sqrt(2).
+// amplitude U beside the named one's T, the fits give T + k U: the ratio is then
+// 1 + d T / (T + k U) in place of 1 + d. Its error is d k U / T to the first order. A tone 0.35,
+// 0.4 and 0.5 of a bin off has |k U| of 2.0, 1.6 and 1.2 times the root mean square that the fit
+// leaves of it: twice that of the reference holds the error down to 0.35 of a bin, where 89 to 95 %
+// of the intervals were counted to hold the truth.
 PairedDifference widened_by_the_rest(PairedDifference difference, double reference_rest) {
   const double rest = 2 * reference_rest;
   const auto widen = [](Estimate& estimate, double by) {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 
 #include "verification/metrics/orthonormal.hpp"
 #include "verification/metrics/trial_spectrum.hpp"
@@ -104,17 +106,24 @@ class Search {
   TrialSpectrum trials_;
 };
 
+// With the noise of this correlation made white, so that a sloping spectrum is no tone.
+struct WhiteFit {
+  WhiteFit(const FittedSamples& fit, double correlation)
+      : basis(orthonormal(whitened(fit.basis, correlation), 1e-10)),
+        residual(whitened(fit.residual, correlation)) {
+    residual -= basis * (basis.transpose() * residual);
+  }
+  MatrixXd basis;
+  VectorXd residual;
+};
+
 struct BandEnergy {
   double energy, freedom;
 };
 
-// With the noise of this correlation made white, so that a sloping spectrum is no tone.
-BandEnergy left_in(const MatrixXd& band, const FittedSamples& fit, double correlation) {
-  const MatrixXd basis = orthonormal(whitened(fit.basis, correlation), 1e-10);
-  VectorXd residual = whitened(fit.residual, correlation);
-  residual -= basis * (basis.transpose() * residual);
-  return {(band.transpose() * residual).squaredNorm(),
-          static_cast<double>(band.cols()) - (basis.transpose() * band).squaredNorm()};
+BandEnergy left_in(const MatrixXd& band, const WhiteFit& fit) {
+  return {(band.transpose() * fit.residual).squaredNorm(),
+          static_cast<double>(band.cols()) - (fit.basis.transpose() * band).squaredNorm()};
 }
 
 // That noise alone loses as much of its energy.
@@ -140,17 +149,28 @@ ExtendedFit choose(const FittedSamples& fit, const std::vector<ToneShape>& reque
     bands.push_back(band_about(fit.elapsed, tone.angular_frequency, span, tested_half_band));
   ExtendedFit chosen = extended(fit, {}), longest = chosen;
   const double correlation = likeliest_correlation(chosen.samples);
-  const auto better_in = [&](const MatrixXd& band) {
-    return chance(left_in(band, chosen.samples, correlation),
-                  left_in(band, longest.samples, correlation)) < chance_level;
+  const auto energies = [&](const ExtendedFit& of) {
+    const WhiteFit white(of.samples, correlation);
+    std::vector<BandEnergy> left;
+    for (const MatrixXd& band : bands) left.push_back(left_in(band, white));
+    return left;
   };
+  std::vector<BandEnergy> before = energies(chosen);
   for (int count = 1; count <= most_further_tones; ++count) {
     longest = search.with_one_more(fit, longest);
     const auto& tones = longest.further;
-    if (std::all_of(tones.begin(), tones.end(),
-                    [&](const auto& one) { return search.admits(one); }) &&
-        std::any_of(bands.begin(), bands.end(), better_in))
+    if (!std::all_of(tones.begin(), tones.end(),
+                     [&](const auto& one) { return search.admits(one); }))
+      continue;
+    std::vector<BandEnergy> after = energies(longest);
+    const auto falls = [](const BandEnergy& from, const BandEnergy& to) {
+      return chance(from, to) < chance_level;
+    };
+    if (std::transform_reduce(before.begin(), before.end(), after.begin(), false,
+                              std::logical_or<>(), falls)) {
       chosen = longest;
+      before = std::move(after);
+    }
   }
   return chosen;
 }
