@@ -8,6 +8,7 @@
 
 #include "reports/figure_palette.hpp"
 #include "reports/gnuplot_script.hpp"
+#include "reports/png_file.hpp"
 #include "reports/run_gnuplot.hpp"
 #include "reports/svg_markup.hpp"
 #include "reports/templates.hpp"
@@ -36,6 +37,14 @@ DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scrat
   if (output.find("</svg>") == output.npos)
     throw ReportError(broken_output(figure.id, "SVG document", scratch_directory));
   return {shared_markup(output, figure.id), canvas_width, canvas_height(figure)};
+}
+
+std::string draw_png(const Figure& figure, const std::filesystem::path& scratch_directory) {
+  std::string png =
+      run_gnuplot(gnuplot_script(figure, Terminal::png), figure.id, scratch_directory);
+  if (!is_whole_png(png))
+    throw ReportError(broken_output(figure.id, "PNG file", scratch_directory));
+  return png;
 }
 
 std::string svg_element(const Figure& figure, const DrawnFigure& drawn, SvgPlace place) {

@@ -1,4 +1,4 @@
-// Draws a figure with gnuplot, as SVG.
+// Draws a figure with gnuplot, as SVG, or as PNG for whoever needs pixels.
 #pragma once
 
 #include <filesystem>
@@ -24,6 +24,9 @@ struct DrawnFigure {
 // script in the scratch directory. Throws ReportError with gnuplot's own words when it is missing
 // or fails.
 DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory);
+
+// The whole file of a PNG picture on white paper. Throws as draw_figure() does.
+std::string draw_png(const Figure& figure, const std::filesystem::path& scratch_directory);
 
 // The complete element, named and described for those who do not see it.
 std::string svg_element(const Figure& figure, const DrawnFigure& drawn, SvgPlace place);

@@ -10,6 +10,9 @@ namespace slosh::reports {
 
 enum class GateOutcomeKind { pass, inconclusive, violated, not_compared, solver_failed, skipped };
 
+// "solver failed", "violated", "not compared", "inconclusive", "pass", "skipped"
+std::string outcome_word(GateOutcomeKind outcome);
+
 struct GateEntry {
   GateOutcomeKind outcome;
   std::string group;    // the case
@@ -49,5 +52,9 @@ std::string gate_markdown(const GateDocument& document);
 // is inconclusive (warning) or has a loosened tolerance (warning), at the row's place in its case
 // file.
 std::string gate_sarif(const GateDocument& document);
+
+// Every row, in the order given, as comma-separated values under a line of heads; numbers in the
+// row's unit, empty where there is none.
+std::string gate_csv(const GateDocument& document);
 
 }  // namespace slosh::reports

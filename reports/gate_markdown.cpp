@@ -25,22 +25,9 @@ int badness(const GateEntry& entry) {
   return 0;
 }
 
-const char* word(GateOutcomeKind outcome) {
-  switch (outcome) {
-    case GateOutcomeKind::solver_failed:
-      return "**solver failed**";
-    case GateOutcomeKind::violated:
-      return "**violated**";
-    case GateOutcomeKind::not_compared:
-      return "**not compared**";
-    case GateOutcomeKind::inconclusive:
-      return "**inconclusive**";
-    case GateOutcomeKind::pass:
-      return "pass";
-    case GateOutcomeKind::skipped:
-      return "skipped";
-  }
-  return "";
+std::string word(GateOutcomeKind outcome) {
+  const bool is_calm = outcome == GateOutcomeKind::pass || outcome == GateOutcomeKind::skipped;
+  return is_calm ? outcome_word(outcome) : "**" + outcome_word(outcome) + "**";
 }
 
 bool is_worth_a_line(const GateEntry& entry) {

@@ -95,13 +95,22 @@ int marker_rows(const std::vector<PlacedMarker>& placed) {
   return rows;
 }
 
-std::string canvas(const Figure& figure) {
+std::string terminal_command(Terminal terminal, int height) {
+  if (terminal == Terminal::svg)
+    return fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,13'\n",
+                       canvas_width, height);
+  return fmt::format(
+      "set terminal pngcairo size {},{} enhanced font 'sans-serif,10' fontscale 2 linewidth 2 "
+      "pointscale 2 background rgb '{}'\n",
+      2 * canvas_width, 2 * height, paper.light);
+}
+
+std::string canvas(const Figure& figure, Terminal terminal) {
   const KeyLayout key = key_layout(figure);
   const double height = canvas_height(figure);
   const double key_height = row_height * key.rows + foot;
   return fmt::format(
-             "set encoding utf8\nset minussign\n"
-             "set terminal svg size {},{} dynamic enhanced font 'sans-serif,13'\n"
+             "set encoding utf8\nset minussign\n{}"
              "set border 3 lc rgb '{}'\nset tics out nomirror scale 0.6 textcolor rgb '{}'\n"
              "set grid lt 1 lw 1 lc rgb '{}'\nset xzeroaxis lt 1 lw 1 lc rgb '{}'\n"
              "set bars 0.6\n"
@@ -110,9 +119,9 @@ std::string canvas(const Figure& figure) {
              "reverse "
              "samplen 3 spacing 1 noenhanced textcolor rgb '{}'\n"
              "set rmargin 3\n",
-             canvas_width, height, ink.light, ink.light, grid.light, faint_ink.light,
-             (axis_label_height + key_height) / height, key_height / height, key.columns,
-             -key.narrower, ink.light) +
+             terminal_command(terminal, canvas_height(figure)), ink.light, ink.light, grid.light,
+             faint_ink.light, (axis_label_height + key_height) / height, key_height / height,
+             key.columns, -key.narrower, ink.light) +
          (figure.equal_axes ? "set size square\n" : "");
 }
 
@@ -298,9 +307,9 @@ int canvas_height(const Figure& figure) {
   return (figure.equal_axes ? square_plot_height : plot_height) + row_height * rows;
 }
 
-std::string gnuplot_script(const Figure& figure) {
+std::string gnuplot_script(const Figure& figure, Terminal terminal) {
   const auto [horizontal, vertical] = plot_ranges(figure);
-  std::string script = canvas(figure);
+  std::string script = canvas(figure, terminal);
   script += axis('x', figure.x_label, horizontal, figure.log_x) + named_ticks(figure);
   script += axis('y', figure.y_label, vertical, figure.log_y);
   script += span_objects(figure, horizontal) + band_objects(figure);

@@ -1,4 +1,4 @@
-// The gnuplot program that draws one figure as SVG on its standard output.
+// The gnuplot program that draws one figure, as SVG or PNG, on its standard output.
 //
 // All text goes in single quotes, where gnuplot expands nothing (no command, no macro, no escape);
 // all data goes in inline datablocks. The program needs gnuplot 5.4 (keyentry, set minussign).
@@ -17,6 +17,8 @@ inline constexpr std::size_t drawn_limit = 1500;  // entries a curve: two a pixe
 // need.
 int canvas_height(const Figure& figure);
 
-std::string gnuplot_script(const Figure& figure);
+enum class Terminal { svg, png };  // the latter with twice the pixels
+
+std::string gnuplot_script(const Figure& figure, Terminal terminal = Terminal::svg);
 
 }  // namespace slosh::reports

@@ -20,6 +20,7 @@
 #include "verification/gate_files.hpp"
 #include "verification/named_paths.hpp"
 #include "verification/requested_campaign.hpp"
+#include "verification/runs/atomic_file.hpp"
 #include "verification/verdict_text.hpp"
 
 namespace slosh {
@@ -78,6 +79,14 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
   reports::write_report(report, assessed.output / "report", options.pdf);
 }
 
+// The verdicts as a table, where one is asked for.
+void leave_table(const AssessedCampaign& assessed, const std::vector<RowMovement>& moved,
+                 const CampaignOptions& options, const fs::path& source) {
+  if (options.csv.empty()) return;
+  replace_file(options.csv, reports::gate_csv(gate_document(assessed, moved, source)),
+               Durability::process_crash);
+}
+
 AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& stop) {
   CampaignRuns runs =
       run_campaign_jobs(campaign.cases, campaign.definition.problems, campaign.settings, stop);
@@ -132,8 +141,9 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                             judges = judges_of(campaign.settings, ledger)] {
     return fingerprint_of(definition, cases, settings, judges);
   };
-  if (const auto standing = read_standing(place);
-      standing && report_stands(place, options) && standing->fingerprint == fingerprint()) {
+  if (const auto standing = read_standing(place); options.csv.empty() && standing &&
+                                                  report_stands(place, options) &&
+                                                  standing->fingerprint == fingerprint()) {
     tell(standing->out);
     return ended(standing->status, options);
   }
@@ -144,6 +154,8 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   forget_standing(place);
   leave_report(assessed, options,
                {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
+  leave_table(assessed, movements(baseline_of(read_ledger(ledger)), assessed.cases), options,
+              installation.source);
   const int status = exit_status(assessed.cases, assessed.problems);
   const std::string verdict = fmt::format(
       "{}: {}{}\n{}\n{}", headline_word(status),
@@ -174,6 +186,7 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
       tell(fmt::format("moved          {}: {}\n", movement.row, movement_text(movement)));
   const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, moved, installation.source), directory);
+  leave_table(assessed, moved, options, installation.source);
   tell(fmt::format(
       "{}: {}{}\n{}\ngate: {}, junit.xml, gate.sarif\n",
       headline_word(exit_status(assessed.cases, assessed.problems)),

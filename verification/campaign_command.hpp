@@ -27,6 +27,7 @@ struct CampaignOptions {
   std::optional<int> timings = {};            // repeats a run; none: as the campaign says
   std::filesystem::path store = {};           // of results; empty: <build>/store
   int inconclusive_exit = exit_inconclusive;  // where nothing is worse than inconclusive
+  std::filesystem::path csv = {};             // of the verdicts; empty: none
   bool pdf = false;                           // print the report to PDF too
   std::filesystem::path experiments;          // empty: none is named
   std::filesystem::path

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "reports/axes.hpp"
+#include "reports/figure_page.hpp"
 #include "reports/gnuplot_script.hpp"
 #include "reports/run_gnuplot.hpp"
 #include "reports/tests/path_variable.hpp"
@@ -48,6 +49,23 @@ void expect_well_formed(const std::string& svg) {
   std::istringstream stream(svg);
   boost::property_tree::ptree tree;
   EXPECT_NO_THROW(boost::property_tree::read_xml(stream, tree)) << svg.substr(0, 500);
+}
+
+TEST(DrawnFigure, IsAPngFileToo) {
+  const ScratchDirectory scratch;
+  const std::string png = draw_png(simple_figure("pixels", {1, 2, 3}), scratch.path());
+  EXPECT_TRUE(png.starts_with("\x89PNG"));
+  EXPECT_GT(png.size(), 5000u) << "an empty picture";
+}
+
+TEST(FigurePage, HoldsItsFiguresAndRemarksWithEveryLetterEscaped) {
+  const ScratchDirectory scratch;
+  Figure figure = simple_figure("only", {1, 2, 3});
+  figure.caption = "a < b";
+  const std::string page = figure_page("This & that", {figure}, {"<b> is missing"}, scratch.path());
+  for (const char* part : {"<h1>This &amp; that</h1>", "<svg ", "plot-only-title", "a &lt; b",
+                           "<p>&lt;b&gt; is missing</p>"})
+    EXPECT_NE(page.find(part), page.npos) << part << page;
 }
 
 TEST(DrawnFigure, BreaksTheLineAtValuesThatAreNotFinite) {

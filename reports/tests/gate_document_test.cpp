@@ -61,6 +61,20 @@ TEST(GateDocument, OrdersTheWorstFirst) {
                                              "fine", "absent"}));
 }
 
+TEST(GateDocument, HasEveryRowAsALineOfValues) {
+  std::istringstream stream(gate_csv(document()));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 8u);
+  EXPECT_EQ(lines[0],
+            "verdict,kind,case,row,value,uncertainty_95,lower,upper,unit,found,uncertainties,"
+            "since_the_baseline,file,line");
+  EXPECT_EQ(lines[4],
+            "violated,,surge & roll,broken,0.03,0.002,-0.01,0.01,1,3 % is not <= 1 % | at all,,,"
+            "verification/cases/surge.toml,42");
+  EXPECT_TRUE(lines[5].starts_with("not compared,,surge & roll,lost,,,-0.01,"));
+}
+
 TEST(GateDocument, CountsFailuresErrorsAndSkippedRowsApartInJUnit) {
   const auto suites = parsed(junit_xml(document())).get_child("testsuites");
   EXPECT_EQ(suites.get<int>("<xmlattr>.tests"), 7);

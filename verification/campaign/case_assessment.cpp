@@ -134,9 +134,7 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
 }
 
 CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
-  for (const auto& [name, result] : runs.results)
-    if (const auto reason = outside_validity(definition, run_named(definition, name), result))
-      runs.status[name] = {RunState::out_of_range, *reason};
+  mark_out_of_range(definition, runs);
   runs.input_bounds = predict_input_bounds(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
   take_runs_at_ends(definition, runs);

@@ -3,6 +3,8 @@
 #include <iterator>
 
 #include "verification/campaign/figure_kinds.hpp"
+#include "verification/campaign/filtered_pressure.hpp"
+#include "verification/campaign/validity_envelope.hpp"
 
 namespace slosh {
 
@@ -15,6 +17,15 @@ std::vector<reports::Figure> case_figures(const CaseAssessment& assessment) {
     figures.insert(figures.end(), std::make_move_iterator(made.begin()),
                    std::make_move_iterator(made.end()));
   }
+  return figures;
+}
+
+std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs) {
+  mark_out_of_range(definition, runs);
+  add_filtered_pressures(definition, runs);
+  const CaseAssessment assessment{definition, std::move(runs), {}, {}, {}};
+  std::vector<reports::Figure> figures = main_history(assessment);
+  for (reports::Figure& one : other_histories(assessment)) figures.push_back(std::move(one));
   return figures;
 }
 

@@ -15,6 +15,10 @@ namespace slosh {
 // the last. A figure for which no run stands is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
 
+// The histories alone, of runs that nobody has judged: references beyond their range are marked and
+// pressures filtered as a report does it.
+std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs);
+
 // Pressure and velocity at the case's snapshot times: a row a moment, a column a solver or scheme;
 // last the case's animation, of the two first runs that left all of its moments.
 std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);

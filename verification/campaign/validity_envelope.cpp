@@ -101,4 +101,10 @@ std::optional<std::string> outside_validity(const CaseDefinition& definition,
                     run.solver);
 }
 
+void mark_out_of_range(const CaseDefinition& definition, CaseRuns& runs) {
+  for (const auto& [name, result] : runs.results)
+    if (const auto reason = outside_validity(definition, run_named(definition, name), result))
+      runs.status[name] = {RunState::out_of_range, *reason};
+}
+
 }  // namespace slosh

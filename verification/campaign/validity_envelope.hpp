@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#include "verification/campaign/case_runs.hpp"
 #include "verification/case_file/case_definition.hpp"
 #include "verification/runs/result_file.hpp"
 
@@ -24,5 +25,8 @@ inline constexpr double steepest_linear_wave = 0.2;
 // Why the reference is outside its range in this case; nothing where it is inside.
 std::optional<std::string> outside_validity(const CaseDefinition& definition,
                                             const RunDefinition& run, const RunResult& result);
+
+// Gives the references that are outside theirs that status.
+void mark_out_of_range(const CaseDefinition& definition, CaseRuns& runs);
 
 }  // namespace slosh

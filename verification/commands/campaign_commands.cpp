@@ -53,6 +53,13 @@ void add_pdf_option(CLI::App& command, CampaignOptions& options) {
                    "Leave the whole report as report.pdf too; needs chromium");
 }
 
+void add_csv_option(CLI::App& command, CampaignOptions& options) {
+  command
+      .add_option("--csv", options.csv,
+                  "Leave the verdict of each row here too, as a table of comma-separated values")
+      ->type_name(file_type);
+}
+
 void add_ledger_option(CLI::App& command, CampaignOptions& options) {
   command
       .add_option("--ledger", options.ledger,
@@ -122,6 +129,7 @@ void add_campaign_and_report(const CommandTree& tree) {
   add_selection_options(*campaign, campaign_options->selection);
   add_inconclusive_option(*campaign, *campaign_options);
   add_pdf_option(*campaign, *campaign_options);
+  add_csv_option(*campaign, *campaign_options);
   add_launch_options(*campaign, *campaign_options);
   add_start_options(*campaign, *campaign_options);
   const auto [report, report_options] = add_command_on_campaign(
@@ -133,6 +141,7 @@ void add_campaign_and_report(const CommandTree& tree) {
   add_selection_options(*report, report_options->selection);
   add_inconclusive_option(*report, *report_options);
   add_pdf_option(*report, *report_options);
+  add_csv_option(*report, *report_options);
 }
 
 void add_gate_and_selftest(const CommandTree& tree) {
@@ -148,6 +157,7 @@ void add_gate_and_selftest(const CommandTree& tree) {
       });
   add_selection_options(*gate, gate_options->selection);
   add_inconclusive_option(*gate, *gate_options);
+  add_csv_option(*gate, *gate_options);
   add_launch_options(*gate, *gate_options);
   add_ledger_option(*gate, *gate_options);
   const auto record = std::make_shared<bool>(false);

@@ -112,6 +112,8 @@ void add_all_commands(const CommandTree& tree) {
   add_baseline_commands(tree);
   add_execution_commands(tree);
   add_foreign_commands(tree);
+  add_export_command(tree);
+  add_show_command(tree);
   add_store_command(tree);
   add_list_command(tree);
   add_explain_command(tree);

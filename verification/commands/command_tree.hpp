@@ -31,6 +31,8 @@ void add_baseline_commands(const CommandTree& tree);    // baseline diff, propos
 void add_execution_commands(const CommandTree& tree);   // run, problem, job
 void add_foreign_commands(const CommandTree& tree);     // import, compare
 void add_store_command(const CommandTree& tree);        // store
+void add_export_command(const CommandTree& tree);       // export
+void add_show_command(const CommandTree& tree);         // show
 void add_list_command(const CommandTree& tree);         // list
 void add_explain_command(const CommandTree& tree);      // explain
 void add_converge_command(const CommandTree& tree);     // converge

@@ -82,6 +82,13 @@ bool leaves_fields(const RunDefinition& run) {
          std::holds_alternative<InterFoamRun>(run.solver);
 }
 
+// A program of the user's own may read anything of the case.
+bool reads_gas(const RunDefinition& run) {
+  const auto* linear = std::get_if<LinearRun>(&run.solver);
+  return std::holds_alternative<InterFoamRun>(run.solver) ||
+         std::holds_alternative<ExternalRun>(run.solver) || (linear && linear->two_layer);
+}
+
 json physics(const CaseDefinition& definition) {
   json gauges = json::array();
   for (const GaugeDefinition& gauge : definition.gauges) gauges.push_back({gauge.name, gauge.x});
@@ -101,7 +108,6 @@ json physics(const CaseDefinition& definition) {
           {"column_width", number_or_null(liquid.column_width)},
           {"obstacles", obstacles},
           {"initial_wave", wave},
-          {"gas", {definition.gas.density, definition.gas.kinematic_viscosity}},
           {"motion", description(definition.motion)},
           {"start", definition.start == Start::earth ? "earth" : "tank"},
           {"duration", definition.duration},
@@ -151,6 +157,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   ContentHash question, answer;
   json asked{{"case", physics(definition_solved_by(run, definition))},
              {"run", description(run.solver)}};
+  if (reads_gas(run))
+    asked["case"]["gas"] = {definition.gas.density, definition.gas.kinematic_viscosity};
   if (leaves_fields(run)) asked["snapshot_times"] = field_times(definition);
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external) asked["inputs"] = contents(external_inputs(*external, definition));

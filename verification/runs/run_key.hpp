@@ -14,7 +14,8 @@ namespace slosh {
 // "<32 digits>-<32 digits>": first what was asked, then what answered.
 //
 // Hashes the physical part of the case (not its names, comparison and gate; the times of fields
-// only of a solver that leaves fields), the run's solver and its
+// only of a solver that leaves fields, the gas only of one that reads it: interFoam, theory of two
+// layers, an external program), the run's solver and its
 // settings (not its name, nor the range in which a reference may gate), a record's content and that
 // of an external run's inputs, its arguments that are files among them (external_command.hpp); then
 // the content of the solver's file in `builds` (solver_builds.cmake: each changes with the code of

@@ -61,7 +61,6 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       },
       [](auto& c) { c.motion = {}; },
       [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
-      [](auto& c) { c.gas.density = 1.3; },
       [](auto& c) { std::get<SineMotion>(*c.motion.surge).amplitude += 1e-15; },
       [](auto& c) { std::get<SineMotion>(*c.motion.surge).ramp_periods = 2; },
       [](auto& c) {
@@ -126,6 +125,27 @@ TEST_F(RunKey, ChangesWithTheSnapshotTimesOfASolverThatLeavesFieldsAlone) {
   EXPECT_NE(key(definition, sph), key(sample_case(), sph));
   EXPECT_NE(key(definition, interfoam), key(sample_case(), interfoam));
   EXPECT_EQ(key(definition, linear), key(sample_case(), linear));
+}
+
+TEST_F(RunKey, ChangesWithTheGasOfASolverThatReadsItAlone) {
+  const auto changes_of = [&](const RunDefinition& run) {
+    int changes = 0;
+    for (double GasDefinition::*number :
+         {&GasDefinition::density, &GasDefinition::kinematic_viscosity}) {
+      CaseDefinition changed = sample_case();
+      changed.gas.*number *= 1.1;
+      changes += key(changed, run) != key(sample_case(), run);
+    }
+    return changes;
+  };
+  EXPECT_EQ(changes_of(interfoam), 2);
+  EXPECT_EQ(changes_of(sample_run(LinearRun{500, true, 0.1})), 2) << "theory of two layers";
+  EXPECT_EQ(changes_of(sph), 0);
+  EXPECT_EQ(changes_of(sample_run(LinearRun{500, false, 0.1})), 0);
+  EXPECT_EQ(changes_of(sample_run(PotentialRun{})), 0);
+  EXPECT_EQ(changes_of(sample_run(ViscousWaveRun{0.1})), 0);
+  EXPECT_EQ(changes_of(sample_run(RecordRun{"a.csv", "elevation@left", "m", {0, 1}, {0, 1}, {}})),
+            0);
 }
 
 TEST_F(RunKey, ChangesWithTheContentOfAMotionTable) {

@@ -1,0 +1,122 @@
+// What leaves the tool for other programs and for eyes: tables and pictures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "verification/runs/result_file.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ToolExport : public SmallCampaign {
+ protected:
+  ToolExport() { write_campaign(particles_case); }
+
+  void run(const std::string& name) const {
+    const Ended ended = tool({"run", "./small.toml", name});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+  }
+  // A program that notes the file it is to show, and its content's first letters.
+  Environment browser() const {
+    write("browser", "#!/bin/sh\necho \"$1\" >shown\n");
+    fs::permissions(directory() / "browser", fs::perms::owner_all);
+    return {{"BROWSER", (directory() / "browser").string() + ":another"}};
+  }
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST_F(ToolExport, WritesEveryNumberOfAResultSoThatItReadsAsTheSame) {
+  run("theory");
+  const Ended table = tool({"export", "theory.h5", "--csv"}, {{"LC_ALL", "de_DE.UTF-8"}});
+  ASSERT_EQ(table.status, 0) << table.err;
+  ASSERT_EQ(tool({"export", "theory.h5", "--csv", "-o", "theory.csv"}).status, 0);
+  EXPECT_EQ(read("theory.csv"), table.out);
+  ASSERT_EQ(tool({"import", "theory.csv", "--format", "csv", "--series",
+                  "elevation@right=elevation@right", "-o", "back.h5"})
+                .status,
+            0);
+  const TimeSeries before = read_result(directory() / "theory.h5").at("elevation@right"),
+                   after = read_result(directory() / "back.h5").at("elevation@right");
+  EXPECT_EQ(before.time, after.time);
+  EXPECT_EQ(before.value, after.value);
+}
+
+TEST_F(ToolExport, RefusesWhatIsNoResult) {
+  write("no.h5", "no result");
+  const Ended table = tool({"export", "no.h5", "--csv"});
+  EXPECT_EQ(table.status, 4);
+  EXPECT_TRUE(holds(table.err, "no.h5"));
+  EXPECT_EQ(table.out, "");
+}
+
+TEST_F(ToolExport, LeavesTheVerdictsAsATableWhereOneIsAskedFor) {
+  ASSERT_EQ(campaign().status, 0);
+  for (const char* command : {"campaign", "report", "gate"}) {
+    const Ended ended = tool({command, "./surges.toml", "-o", "out", "--csv", "verdicts.csv"});
+    ASSERT_EQ(ended.status, 0) << command << ended.err;
+    const std::vector<std::string> lines = lines_of(read("verdicts.csv"));
+    ASSERT_EQ(lines.size(), 2u) << command;
+    EXPECT_TRUE(lines[0].starts_with("verdict,kind,case,row,value,"));
+    EXPECT_TRUE(lines[1].starts_with("pass,validation,small,"));
+    EXPECT_TRUE(holds(lines[1], ",-0.3,0.3,1,"));
+    fs::remove(directory() / "verdicts.csv");
+  }
+}
+
+TEST_F(ToolExport, ShowsTheHistoriesThatAreThereAndTellsHowToComputeTheOthers) {
+  run("theory");
+  const Ended shown = tool({"show", "./small.toml"}, browser());
+  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_TRUE(holds(shown.err, "particles is not there: `./slosh run "));
+  EXPECT_TRUE(holds(shown.err, "small.toml' particles` computes it"));
+  const std::string page = read(lines_of(read("shown")).at(0));
+  EXPECT_TRUE(holds(page, "<h1>A small surge</h1>"));
+  EXPECT_TRUE(holds(page, "Surface elevation 0.95 m from the left wall"));
+  EXPECT_TRUE(holds(page, "theory: linear potential theory, 500 modes"));
+  EXPECT_TRUE(holds(page, "particles is not there"));
+}
+
+TEST_F(ToolExport, DrawsThePictureIntoAFile) {
+  run("theory");
+  ASSERT_EQ(tool({"show", "./small.toml", "-o", "a.png"}).status, 0);
+  EXPECT_TRUE(read("a.png").starts_with("\x89PNG"));
+  ASSERT_EQ(tool({"show", "./small.toml", "-o", "new/a.svg"}).status, 0);
+  EXPECT_TRUE(holds(read("new/a.svg"), "elevation [mm]"));
+  const Ended other =
+      tool({"show", "./small.toml", "-o", "b.svg", "--quantity", "highest_surface@right"});
+  EXPECT_TRUE(other.status == 0 || holds(other.err, "no result that is there has it"));
+  const Ended wrong = tool({"show", "./small.toml", "-o", "b.svg", "--quantity", "colour"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(holds(wrong.err, "--quantity: colour: expected one of elevation@right"));
+  EXPECT_EQ(tool({"show", "./small.toml", "-o", "a.gif"}).status, 2);
+  for (const auto& entry : fs::directory_iterator(directory()))
+    EXPECT_FALSE(entry.path().filename().string().starts_with(".drawing")) << entry.path();
+}
+
+TEST_F(ToolExport, HasNothingToShowWhereNoResultIsThere) {
+  const Ended shown = tool({"show", "./small.toml", "-o", "a.png"});
+  EXPECT_EQ(shown.status, 4);
+  EXPECT_TRUE(holds(shown.err, "theory is not there: "));
+  EXPECT_TRUE(holds(shown.err, "small: no result is there to be shown"));
+}
+
+TEST_F(ToolExport, TellsWhereThePictureIsWithoutABrowser) {
+  run("theory");
+  const Ended shown = tool({"show", "./small.toml"}, {{"BROWSER", "no_such_browser"}});
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_TRUE(holds(shown.out, "picture: "));
+  EXPECT_TRUE(holds(shown.err, "there is no program no_such_browser"));
+}
+
+}  // namespace
+}  // namespace slosh
