@@ -103,7 +103,8 @@
 namespace slosh {
 
 // `experiments` is the directory of the user's records, empty where none is named; a record that is
-// not there is read as not supplied. Throws CaseFileError.
+// not there is read as not supplied. Throws CaseFileError; of all that is wrong in the file's
+// tables CaseFileErrors (complaints.hpp), but for what may only follow from another mistake.
 CaseDefinition read_case(const std::filesystem::path& file,
                          const std::filesystem::path& experiments = {});
 

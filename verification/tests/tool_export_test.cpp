@@ -41,7 +41,7 @@ TEST_F(ToolExport, WritesEveryNumberOfAResultSoThatItReadsAsTheSame) {
   ASSERT_EQ(table.status, 0) << table.err;
   ASSERT_EQ(tool({"export", "theory.h5", "--csv", "-o", "theory.csv"}).status, 0);
   EXPECT_EQ(read("theory.csv"), table.out);
-  ASSERT_EQ(tool({"import", "theory.csv", "--format", "csv", "--series",
+  ASSERT_EQ(tool({"import", "theory.csv", "--format", "csv", "--time", "time", "--series",
                   "elevation@right=elevation@right", "-o", "back.h5"})
                 .status,
             0);

@@ -110,14 +110,14 @@ TEST_F(Tool, TellsAllMistakesOfACaseFileAtOnceAndThenAllOfItsRuns) {
                       "particle_spacing_m = 0.025", "particle_spacing_m = -1"));
   const Ended of_file = campaign();
   EXPECT_EQ(of_file.status, 2);
-  EXPECT_TRUE(holds(of_file.err, "small.toml:29: comparison.window_end_s = 9.0: expected a"));
-  EXPECT_TRUE(holds(of_file.err, "small.toml:41: run.particle_spacing_m = -1: expected a"));
+  EXPECT_TRUE(holds(of_file.err, "small.toml:30: comparison.window_end_s = 9.0: expected a"));
+  EXPECT_TRUE(holds(of_file.err, "small.toml:42: run.particle_spacing_m = -1: expected a"));
   const std::string unknown = with(particles_run, "recommended", "recomended");
   write_campaign(small_case + unknown + with(unknown, "\"particles\"", "\"again\""));
   const Ended of_runs = campaign();
   EXPECT_EQ(of_runs.status, 2);
-  EXPECT_TRUE(holds(of_runs.err, "small.toml:37: run particles: "));
-  EXPECT_TRUE(holds(of_runs.err, "small.toml:42: run again: "));
+  EXPECT_TRUE(holds(of_runs.err, "small.toml:38: run particles: "));
+  EXPECT_TRUE(holds(of_runs.err, "small.toml:43: run again: "));
 }
 
 TEST_F(Tool, TellsWhatANumberOnTheCommandLineMustBe) {
