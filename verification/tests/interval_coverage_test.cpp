@@ -44,8 +44,8 @@ TEST(CoverageOfAModulation, DoesNotTakeWhatIsDeterministicForNoise) {
   EXPECT_LE(found.quantities[0].mean_half_width, 0.01);
 }
 
-// Two tones that the window cannot tell from the same unnamed one: the intervals of their ratio held
-// the truth in 79 to 81 % of the draws before they counted that.
+// Two tones that the window cannot tell from the same unnamed one: the intervals of their ratio
+// held the truth in 79 to 81 % of the draws before they counted that.
 TEST(CoverageOfASharedBeat, CountsWhatTheUnnamedToneCanDoToTheRatio) {
   const IntervalCoverage found = interval_coverage(scenario_of("shared_beat"), draws);
   EXPECT_GE(found.judged, draws / 3);
