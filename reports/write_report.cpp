@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +17,7 @@
 #include "reports/draw_figure.hpp"
 #include "reports/print_pdf.hpp"
 #include "reports/templates.hpp"
+#include "reports/temporary_directory.hpp"
 #include "reports/text_file.hpp"
 #include "reports/write_html.hpp"
 #include "reports/write_markdown.hpp"
@@ -30,29 +30,6 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 7> report_entries{
     "index.html", "report.md",      "results.json", "results.schema.json",
     "report.pdf", "report.pdf.log", "figures"};
-
-// A new directory of its own, gone with the object.
-class TemporaryDirectory {
- public:
-  explicit TemporaryDirectory(const std::string& name_start) {
-    std::string name = name_start + "XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) {
-      throw ReportError("cannot create a directory " + name + ": " + std::strerror(errno));
-    }
-    path_ = name;
-  }
-  ~TemporaryDirectory() {
-    std::error_code ignored;  // nothing can be done about a leftover here
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryDirectory(const TemporaryDirectory&) = delete;
-  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // Each once. `scratch` and `directory` are created here; only the latter is worth keeping.
 Drawings draw(const Report& report, const fs::path& scratch, const fs::path& directory) {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <iostream>
 
 #include "reports/draw_figure.hpp"
 #include "reports/figure_page.hpp"
+#include "reports/temporary_directory.hpp"
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/shown_quantity.hpp"
@@ -22,29 +22,6 @@ namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Gone with the object.
-class ScratchDirectory {
- public:
-  explicit ScratchDirectory(const fs::path& place) {
-    std::string name = (place / ".drawing-XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-      throw fs::filesystem_error("cannot make", name,
-                                 std::error_code(errno, std::generic_category()));
-    path_ = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;  // nothing can be done about a leftover here
-    fs::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 struct Stored {
   CaseRuns runs;
@@ -134,7 +111,7 @@ int show_case(const ShowOptions& options, const Installation& installation) {
                             ? installation.build / "shown" / (definition.name + ".html")
                             : fs::absolute(options.output);
   fs::create_directories(file.parent_path());
-  const ScratchDirectory scratch(file.parent_path());
+  const reports::TemporaryDirectory scratch((file.parent_path() / ".drawing-").string());
   const std::string text =
       form == Form::page
           ? reports::figure_page(definition.title, figures, stored.remarks, scratch.path())
