@@ -6,52 +6,63 @@
 #include <map>
 #include <stdexcept>
 
+#include "sph/scheme.hpp"
 #include "sph/scheme_runs.hpp"
 #include "sph/threads.hpp"
 
 namespace slosh::sph {
 namespace {
 
-using Run = RunOutput (*)(const Scene&, const Progress&);
+// A choice that is known by name at run time.
+struct Method {
+  RunOutput (*run)(const Scene&, const Progress&);
+  double (*stable_time_step)(const Scene&);
+};
+using Methods = std::map<std::string, Method>;
 
-template <class... Choices>
-std::map<std::string, Run> runs_of(ChoiceList<Choices...>) {
-  return {{Choices::variant, &run_scheme<Choices>}...};
+template <class Choice>
+Method method_of() {
+  return {&run_scheme<Choice>,
+          [](const Scene& scene) { return Scheme<Choice>(scene).time_step(scene.gravity); }};
 }
 
-template <class Value>
-std::vector<std::string> names_of(const std::map<std::string, Value>& table) {
+template <class... Choices>
+Methods methods_of(ChoiceList<Choices...>) {
+  return {{Choices::variant, method_of<Choices>()}...};
+}
+
+std::vector<std::string> names_of(const Methods& table) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : table) names.push_back(name);
+  for (const auto& [name, method] : table) names.push_back(name);
   return names;
 }
 
-const std::map<std::string, Run>& schemes() {
-  static const std::map<std::string, Run> table{{"li2010", &run_scheme<Li2010>},
-                                                {"delta_sph", &run_scheme<DeltaSph>},
-                                                {"recommended", &run_scheme<Recommended>},
-                                                {"zhao2021_moving", &run_scheme<Zhao2021Moving>},
-                                                {"zhao2021_fixed", &run_scheme<Zhao2021Fixed>}};
+const Methods& schemes() {
+  static const Methods table{{"li2010", method_of<Li2010>()},
+                             {"delta_sph", method_of<DeltaSph>()},
+                             {"recommended", method_of<Recommended>()},
+                             {"zhao2021_moving", method_of<Zhao2021Moving>()},
+                             {"zhao2021_fixed", method_of<Zhao2021Fixed>()}};
   return table;
 }
 
 // What takes the place of a scheme or a variant where the tank rolls, whose walls would have to
 // turn: the same in the tank's frame.
-const std::map<std::string, Run>& rolling() {
-  static const std::map<std::string, Run> table{
-      {"li2010", &run_scheme<InTank<Li2010>>},
-      {"delta_sph", &run_scheme<InTank<DeltaSph>>},
-      {"recommended", &run_scheme<InTank<Recommended>>},
-      {WithRepulsiveWalls::variant, &run_scheme<InTank<WithRepulsiveWalls>>}};
+const Methods& rolling() {
+  static const Methods table{
+      {"li2010", method_of<InTank<Li2010>>()},
+      {"delta_sph", method_of<InTank<DeltaSph>>()},
+      {"recommended", method_of<InTank<Recommended>>()},
+      {WithRepulsiveWalls::variant, method_of<InTank<WithRepulsiveWalls>>()}};
   return table;
 }
 
-const std::map<std::string, Run>& variants() {
-  static const std::map<std::string, Run> table = runs_of(Variants{});
+const Methods& variants() {
+  static const Methods table = methods_of(Variants{});
   return table;
 }
 
-Run named(const std::map<std::string, Run>& table, const char* what, const std::string& name) {
+Method named(const Methods& table, const char* what, const std::string& name) {
   const auto found = table.find(name);
   if (found == table.end())
     throw std::invalid_argument(fmt::format("{} = \"{}\": expected one of {}", what, name,
@@ -59,8 +70,8 @@ Run named(const std::map<std::string, Run>& table, const char* what, const std::
   return found->second;
 }
 
-Run chosen(const std::string& scheme, const Scene& scene) {
-  const Run run = named(schemes(), "scheme", scheme);
+Method chosen(const std::string& scheme, const Scene& scene) {
+  const Method method = named(schemes(), "scheme", scheme);
   const auto turned = rolling().find(scene.variant.empty() ? scheme : scene.variant);
   const bool uniform = scene.surface_particle_spacing == scene.particle_spacing;
   if (!scene.variant.empty() && scheme != "recommended")
@@ -69,9 +80,9 @@ Run chosen(const std::string& scheme, const Scene& scene) {
   if (!uniform && scene.variant != WithTwoSpacings::variant && (scheme != "li2010" || scene.roll))
     throw std::invalid_argument("scheme " + scheme +
                                 " takes one particle spacing: surface_particle_spacing differs");
-  if (!uniform && scheme == "li2010") return &run_scheme<Li2010TwoSpacings>;
+  if (!uniform && scheme == "li2010") return method_of<Li2010TwoSpacings>();
   if (scene.roll && turned != rolling().end()) return turned->second;
-  return scene.variant.empty() ? run : named(variants(), "variant", scene.variant);
+  return scene.variant.empty() ? method : named(variants(), "variant", scene.variant);
 }
 
 std::size_t particles_in(const Scene& scene) {
@@ -86,10 +97,14 @@ std::vector<std::string> scheme_names() { return names_of(schemes()); }
 
 std::vector<std::string> variant_names() { return names_of(variants()); }
 
+double stable_time_step(const std::string& scheme, const Scene& scene) {
+  return chosen(scheme, scene).stable_time_step(scene);
+}
+
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress) {
-  const Run method = chosen(scheme, scene);
+  const Method method = chosen(scheme, scene);
   const ThreadScope threads(scene.threads.value_or(threads_for(particles_in(scene))));
-  return method(scene, progress);
+  return method.run(scene, progress);
 }
 
 }  // namespace slosh::sph

@@ -195,6 +195,10 @@ std::vector<std::string> scheme_names();
 // Of the scheme `recommended`: each changes one thing.
 std::vector<std::string> variant_names();
 
+// The scheme's largest stable step for liquid at rest [s]; a flow that is violent shortens it, and
+// so does landing on the samples. Throws as `run` does for a scheme, a variant or its numbers.
+double stable_time_step(const std::string& scheme, const Scene& scene);
+
 // Throws std::invalid_argument for an unknown scheme or variant, or a scene that the scheme does
 // not take.
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress);

@@ -10,72 +10,12 @@
 #include "verification/case_file/motion.hpp"
 #include "verification/runs/snapshots.hpp"
 #include "verification/runs/solver_runs.hpp"
+#include "verification/runs/sph_scene.hpp"
 #include "verification/runs/state_file.hpp"
 #include "verification/runs/taken_series.hpp"
 
 namespace slosh {
 namespace {
-
-std::optional<sph::InitialState> initial_state(const SphRun& sph) {
-  if (sph.initial_state.empty()) return {};
-  if (sph.initial_state == "lattice") return sph::InitialState::lattice;
-  return sph.initial_state == "settled" ? sph::InitialState::settled : sph::InitialState::projected;
-}
-
-std::optional<sph::Roll> roll_of(const CaseDefinition& definition) {
-  const std::optional<RollMotion> roll = roll_motion(definition);
-  if (!roll) return {};
-  return sph::Roll{roll->angle, roll->rate, roll->acceleration, roll->axis_x, roll->axis_z};
-}
-
-sph::Wall wall_of(Wall wall) {
-  if (wall == Wall::bottom) return sph::Wall::bottom;
-  return wall == Wall::left ? sph::Wall::left : sph::Wall::right;
-}
-
-sph::Scene scene_of(const SphRun& sph, const CaseDefinition& definition) {
-  const SurgeMotion motion = surge_motion(definition);
-  const bool still_water =
-      definition.motion.still() && !definition.liquid.column_width && !definition.initial_wave;
-  sph::Scene scene{.tank_length = definition.tank.length,
-                   .tank_height = definition.tank.height,
-                   .fill_depth = definition.liquid.fill_depth,
-                   .gravity = definition.gravity,
-                   .rest_density = definition.liquid.density,
-                   .kinematic_viscosity = definition.liquid.kinematic_viscosity,
-                   .displacement = motion.displacement,
-                   .velocity = motion.velocity,
-                   .acceleration = motion.acceleration,
-                   .roll = roll_of(definition),
-                   .start = definition.start == Start::tank ? sph::Start::tank : sph::Start::earth,
-                   .duration = definition.duration,
-                   .sample_interval = definition.sample_interval,
-                   .particle_spacing = sph.particle_spacing,
-                   .surface_particle_spacing = sph.surface_particle_spacing,
-                   .column_width = definition.liquid.column_width,
-                   .variant = sph.variant,
-                   .numbers = {.smoothing_length_ratio = sph.numbers.smoothing_length_ratio,
-                               .sound_speed_ratio = sph.numbers.sound_speed_ratio,
-                               .courant_number = sph.numbers.courant_number,
-                               .artificial_viscosity = sph.numbers.artificial_viscosity,
-                               .density_diffusion = sph.numbers.density_diffusion},
-                   .initial_state = initial_state(sph),
-                   .start_disorder = sph.start_disorder,
-                   .start_seed = static_cast<unsigned>(sph.start_seed),
-                   .gauges = {},
-                   .record_still_water = still_water,
-                   .record_energy_budget = sph.energy_budget,
-                   .record_snapshot = {}};
-  if (const auto& wave = definition.initial_wave)
-    scene.initial_wave = sph::InitialWave{wave->mode, wave->amplitude};
-  for (const GaugeDefinition& gauge : definition.gauges)
-    scene.gauges.push_back({gauge.name, gauge.x});
-  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    scene.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
-  for (const ObstacleDefinition& one : definition.obstacles)
-    scene.obstacles.push_back({one.left, one.right, one.bottom, one.top});
-  return scene;
-}
 
 // The solver hands over snapshots at equal intervals; these are whole numbers of samples.
 class SnapshotTimes {
@@ -151,7 +91,7 @@ sph::RunOutput run_scene(const std::string& scheme, sph::Scene& scene, const Run
 
 SphOutline sph_outline(const CaseDefinition& definition, const RunDefinition& run) try {
   const SphRun& sph = std::get<SphRun>(run.solver);
-  sph::Scene scene = scene_of(sph, definition);
+  sph::Scene scene = sph_scene(definition, sph);
   scene.takes_steps = false;
   sph::RunOutput start = sph::run(sph.scheme, scene, {});
   return {start.particles, std::move(start.active_terms)};
@@ -165,7 +105,7 @@ void require_scene(const SphRun&, const CaseDefinition& definition, const RunDef
 
 RunResult run_sph(const SphRun& sph, const RunRequest& request) {
   const CaseDefinition& definition = request.definition;
-  sph::Scene scene = scene_of(sph, definition);
+  sph::Scene scene = sph_scene(definition, sph);
   const SnapshotTimes times(definition, request.settings.snapshot_interval);
   RunResult result;
   std::optional<SnapshotWriter> file;

@@ -54,6 +54,20 @@ TEST(SphStep, IsWhatTheSolverTakesOfVariantsAndNumbers) {
   expect_as_taken(viscous, coarse("recommended", "laminar_viscosity"));
 }
 
+TEST(SphStep, IsWhatTheSolverTakesInATankThatRolls) {
+  CaseDefinition rolling = short_case();
+  rolling.motion.surge.reset();
+  rolling.motion.roll = {.angle = SineMotion{0.05, 2}, .axis_x = 0.5, .axis_z = 0};
+  for (const char* scheme : {"recommended", "li2010", "delta_sph", "zhao2021_fixed"})
+    expect_as_taken(rolling, coarse(scheme));
+}
+
+TEST(SphStep, IsWhatTheSolverTakesOfTwoSpacings) {
+  SphRun sph = coarse("li2010");
+  sph.surface_particle_spacing = 0.025;
+  expect_as_taken(short_case(), sph);
+}
+
 TEST(SphStep, IsShorterWhereSamplesAreDenser) {
   CaseDefinition definition = short_case();
   const RunDefinition run = sample_run(coarse("recommended"));
