@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "verification/case_file/complaints.hpp"
 #include "verification/case_file/definition_file.hpp"
 #include "verification/case_file/problem_table.hpp"
 #include "verification/case_file/toml_reader.hpp"
@@ -11,11 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int schema_version = 1;
+constexpr int campaign_schema_version = 1;
 
 Rule<std::string> known_paper() {
   return {"one of li2010 | zhao2021",
-          [](const std::string& paper) { return paper == "li2010" || paper == "zhao2021"; }};
+          [](const std::string& paper) { return paper == "li2010" || paper == "zhao2021"; },
+          "li2010"};
 }
 
 // Where a member stands in the campaign file goes before what is wrong with it.
@@ -46,6 +48,15 @@ TimingDefinition read_timing(const TomlTable& timing) {
   return read;
 }
 
+void read_head(const TomlTable& head, CampaignDefinition& campaign) {
+  head.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem",
+                   "sweep", "timing"});
+  campaign.name = head.get("name", file_safe_name());
+  campaign.title = head.get("title", any_text());
+  campaign.source = head.get("source", any_text());
+  campaign.paper = head.find("paper", known_paper()).value_or("");
+}
+
 }  // namespace
 
 CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_directory,
@@ -54,21 +65,32 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   campaign.file = file;
   campaign.text = read_definition_text("campaign", file);
   const TomlTable root(campaign.text, file);
-  root.get("schema_version", exactly(schema_version));
-  root.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem",
-                   "sweep", "timing"});
-  campaign.name = root.get("name", file_safe_name());
-  campaign.title = root.get("title", any_text());
-  campaign.source = root.get("source", any_text());
-  campaign.paper = root.find("paper", known_paper()).value_or("");
-  for (const TomlTable& table : root.tables("problem"))
-    campaign.problems.push_back(read_problem(table, known_problems, campaign.problems));
-  if (root.has("timing")) campaign.timing = read_timing(root.table("timing"));
-  if (!root.has("cases") && !campaign.problems.empty()) return campaign;
-  for (const PlacedText& member : root.texts("cases", any_text())) {
-    campaign.cases.push_back(find_member(member, campaign, case_directory));
+  root.get("schema_version", exactly(campaign_schema_version));  // another version has other rules
+  Complaints complaints;
+  complaints.allow(
+      [&] { root.read_all([&](const TomlTable& head) { read_head(head, campaign); }); });
+  std::vector<TomlTable> problems;
+  complaints.allow([&] { problems = root.tables("problem"); });
+  for (const TomlTable& table : problems)
+    complaints.allow([&] {
+      campaign.problems.push_back(read_problem(table, known_problems, campaign.problems));
+    });
+  if (root.has("timing"))
+    complaints.allow([&] {
+      root.table("timing").read_all(
+          [&](const TomlTable& timing) { campaign.timing = read_timing(timing); });
+    });
+  if (root.has("cases") || !root.has("problem")) {
+    std::vector<PlacedText> members;
+    complaints.allow([&] {
+      members = root.texts("cases", any_text());
+      if (members.empty()) root.refuse("cases", "at least one case");
+    });
+    for (const PlacedText& member : members)
+      complaints.allow(
+          [&] { campaign.cases.push_back(find_member(member, campaign, case_directory)); });
   }
-  if (campaign.cases.empty()) root.refuse("cases", "at least one case");
+  complaints.tell();
   return campaign;
 }
 

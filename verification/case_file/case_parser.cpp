@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <set>
 
 #include "verification/case_file/case_sections.hpp"
@@ -15,99 +15,7 @@
 namespace slosh {
 namespace {
 
-constexpr int schema_version = 1;
-
-TankDefinition read_tank(const TomlTable& tank) {
-  tank.allow_only({"length_m", "height_m"});
-  return {.length = tank.get("length_m", positive("m")),
-          .height = tank.get("height_m", positive("m"))};
-}
-
-LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank) {
-  liquid.allow_only(
-      {"fill_depth_m", "density_kg_m3", "kinematic_viscosity_m2_s", "column_width_m"});
-  const Rule<double> inside_tank{
-      fmt::format("a number > 0 and below the tank's height ({}), in m", tank.height),
-      [height = tank.height](double depth) { return depth > 0 && depth < height; }};
-  const Rule<double> within_length{
-      fmt::format("a number > 0 and below the tank's length ({}), in m", tank.length),
-      [length = tank.length](double width) { return width > 0 && width < length; }};
-  return {.fill_depth = liquid.get("fill_depth_m", inside_tank),
-          .density = liquid.get("density_kg_m3", positive("kg/m3")),
-          .kinematic_viscosity = liquid.get("kinematic_viscosity_m2_s", not_negative("m2/s")),
-          .column_width = liquid.find("column_width_m", within_length)};
-}
-
-GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid) {
-  gas.allow_only({"density_kg_m3", "kinematic_viscosity_m2_s"});
-  const Rule<double> lighter{
-      fmt::format("a number > 0 and below the liquid's density ({}), in kg/m3", liquid.density),
-      [most = liquid.density](double density) { return density > 0 && density < most; }};
-  return {.density = gas.get("density_kg_m3", lighter),
-          .kinematic_viscosity = gas.get("kinematic_viscosity_m2_s", not_negative("m2/s"))};
-}
-
-// Of numbers written with a few decimals, whose quotient rounding spoils in the last digits.
-bool is_multiple(double value, double interval) {
-  const double quotient = value / interval;
-  return std::abs(quotient - std::round(quotient)) <= 1e-9 * quotient;
-}
-
-void read_time(const TomlTable& time, CaseDefinition& definition) {
-  time.allow_only({"start", "duration_s", "sample_interval_s", "snapshot_times_s"});
-  definition.start = time.choice("start", "the frame in which the liquid is first at rest",
-                                 {"earth", "tank"}) == "earth"
-                         ? Start::earth
-                         : Start::tank;
-  definition.duration = time.get("duration_s", positive("s"));
-  definition.sample_interval = time.get<double>(
-      "sample_interval_s",
-      {fmt::format("a number > 0 and <= the duration ({}), in s", definition.duration),
-       [most = definition.duration](double value) { return value > 0 && value <= most; }});
-  definition.snapshot_times = time.increasing_numbers(
-      "snapshot_times_s",
-      {fmt::format("a number > 0 and <= the duration ({}), a multiple of sample_interval_s ({}), "
-                   "in s",
-                   definition.duration, definition.sample_interval),
-       [&](double value) {
-         return value > 0 && value <= definition.duration &&
-                is_multiple(value, definition.sample_interval);
-       }});
-}
-
-bool follows_a_table(const MotionDefinition& motion) {
-  return (motion.surge && std::holds_alternative<TableMotion>(*motion.surge)) ||
-         (motion.roll && std::holds_alternative<TableMotion>(motion.roll->angle));
-}
-
-Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
-  if (definition.gravity == 0)
-    return {"0 without gravity: no liquid sways by itself", [](int modes) { return modes == 0; }};
-  if (definition.liquid.column_width)
-    return {"0 of a dam about to break, which linear theory does not know",
-            [](int modes) { return modes == 0; }};
-  if (definition.motion.still() && definition.initial_wave)
-    return {"0 or 1: a tank that stands has the mode of its initial wave alone",
-            [](int modes) { return modes == 0 || modes == 1; }};
-  return at_least(0);
-}
-
-void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
-  comparison.allow_only(
-      {"window_begin_s", "window_end_s", "natural_modes", "forcing_angular_frequency_rad_s"});
-  definition.window_begin = comparison.get("window_begin_s", not_negative("s"));
-  definition.window_end = comparison.get<double>(
-      "window_end_s",
-      {fmt::format("a number above window_begin_s ({}) and <= the duration ({}), in s",
-                   definition.window_begin, definition.duration),
-       [&](double end) { return end > definition.window_begin && end <= definition.duration; }});
-  definition.natural_modes = comparison.get("natural_modes", natural_modes_to_fit(definition));
-  definition.declared_forcing_frequency =
-      comparison.find("forcing_angular_frequency_rad_s", positive("rad/s"));
-  if (definition.declared_forcing_frequency && !follows_a_table(definition.motion))
-    comparison.refuse("forcing_angular_frequency_rad_s",
-                      "no such key where no motion is a table: a sine has its own");
-}
+constexpr int case_schema_version = 1;
 
 template <class Definition>
 void add_named(const TomlTable& table, const char* key, Definition definition,
@@ -137,6 +45,14 @@ class RefusedNames {
  private:
   std::set<std::string> names_;
 };
+
+// What `read` makes of the table; throws as read_all() does.
+template <class Read>
+auto read_whole(const TomlTable& table, Read read) {
+  std::optional<decltype(read(table))> made;
+  table.read_all([&](const TomlTable& keeping) { made = read(keeping); });
+  return std::move(*made);
+}
 
 // Reads a case section by section. What is refused is kept, and a section is read only where all
 // that its rules rest on has been read, so that no mistake is told of twice in other words.
@@ -186,7 +102,7 @@ class CaseReader {
                   RefusedNames* refused = nullptr) {
     return each(key, [&](const TomlTable& table) {
       try {
-        add_named(table, key, read(table), definitions);
+        add_named(table, key, read_whole(table, read), definitions);
       } catch (const CaseFileError&) {
         if (refused) refused->add(table);
         throw;
@@ -215,19 +131,32 @@ class CaseReader {
   }
 
   void read_tank_and_time() {
-    tank_ = allow_at("tank", [&] { definition_.tank = read_tank(root_.table("tank")); });
+    tank_ =
+        allow_at("tank", [&] { definition_.tank = read_whole(root_.table("tank"), read_tank); });
     liquid_ = tank_ && allow_at("liquid", [&] {
-                definition_.liquid = read_liquid(root_.table("liquid"), definition_.tank);
+                definition_.liquid = read_whole(
+                    root_.table("liquid"),
+                    [&](const TomlTable& liquid) { return read_liquid(liquid, definition_.tank); });
               });
     if (liquid_)
-      allow_at("gas", [&] { definition_.gas = read_gas(root_.table("gas"), definition_.liquid); });
-    time_ = allow_at("time", [&] { read_time(root_.table("time"), definition_); });
+      allow_at("gas", [&] {
+        definition_.gas = read_whole(root_.table("gas"), [&](const TomlTable& gas) {
+          return read_gas(gas, definition_.liquid);
+        });
+      });
+    time_ = allow_at("time", [&] {
+      root_.table("time").read_all([&](const TomlTable& time) { read_time(time, definition_); });
+    });
     if (time_ && root_.has("animation"))
       allow([&] {
-        definition_.animation_times = read_animation(root_.table("animation"), definition_);
+        definition_.animation_times = read_whole(
+            root_.table("animation"),
+            [&](const TomlTable& animation) { return read_animation(animation, definition_); });
       });
     motion_ = tank_ && time_ && allow_at("motion", [&] {
-                definition_.motion = read_motion(root_.table("motion"), definition_);
+                definition_.motion = read_whole(
+                    root_.table("motion"),
+                    [&](const TomlTable& motion) { return read_motion(motion, definition_); });
               });
     if (gravity_ && motion_ && definition_.gravity == 0 && definition_.motion.still())
       allow([&] {
@@ -256,23 +185,29 @@ class CaseReader {
   void read_what_shapes_the_flow() {
     impacts_ = only_known_keys_ && gauges_ && (!root_.has("impacts") || allow([&] {
                  definition_.impacts =
-                     read_impacts(root_.table("impacts"), definition_, experiments_);
+                     read_whole(root_.table("impacts"), [&](const TomlTable& impacts) {
+                       return read_impacts(impacts, definition_, experiments_);
+                     });
                }));
     obstacles_ =
         liquid_ && gauges_ &&
         each_named("obstacle", definition_.obstacles,
                    [&](const TomlTable& table) { return read_obstacle(table, definition_); }) &&
         allow([&] { refuse_overlaps(root_.tables("obstacle"), definition_.obstacles); });
-    wave_ = only_known_keys_ &&
-            (!root_.has("initial_wave") || (obstacles_ && allow([&] {
-                                              definition_.initial_wave = read_initial_wave(
-                                                  root_.table("initial_wave"), definition_);
-                                            })));
+    wave_ = only_known_keys_ && (!root_.has("initial_wave") ||
+                                 (obstacles_ && allow([&] {
+                                    definition_.initial_wave = read_whole(
+                                        root_.table("initial_wave"), [&](const TomlTable& wave) {
+                                          return read_initial_wave(wave, definition_);
+                                        });
+                                  })));
   }
 
   void read_comparison() {
     comparison_ = gravity_ && liquid_ && motion_ && wave_ && allow_at("comparison", [&] {
-                    slosh::read_comparison(root_.table("comparison"), definition_);
+                    root_.table("comparison").read_all([&](const TomlTable& comparison) {
+                      slosh::read_comparison(comparison, definition_);
+                    });
                   });
   }
 
@@ -288,7 +223,10 @@ class CaseReader {
     runs_ = each("run", [&](const TomlTable& table) {
       if (!can_judge_run(table)) return refused_runs_.add(table);
       try {
-        for (const RunDefinition& run : slosh::read_runs(table, definition_, experiments_))
+        const auto read = [&](const TomlTable& run) {
+          return slosh::read_runs(run, definition_, experiments_);
+        };
+        for (const RunDefinition& run : read_whole(table, read))
           add_named(table, "run", run, definition_.runs);
       } catch (const CaseFileError&) {
         refused_runs_.add(table);
@@ -316,11 +254,14 @@ class CaseReader {
         return read_refinement(refinement, definition_);
       });
       inputs = each("input", [&](const TomlTable& input) {
-        definition_.inputs.push_back(read_input(input, definition_));
+        definition_.inputs.push_back(read_whole(
+            input, [&](const TomlTable& table) { return read_input(table, definition_); }));
       });
     }
     each("gate", [&](const TomlTable& row) {
-      if (can_judge_row(row)) definition_.gate.push_back(read_gate_row(row, definition_));
+      if (can_judge_row(row))
+        definition_.gate.push_back(read_whole(
+            row, [&](const TomlTable& table) { return read_gate_row(table, definition_); }));
     });
     if (inputs) allow([&] { add_runs_at_ends(); });
   }
@@ -353,7 +294,7 @@ CaseDefinition read_case(const std::filesystem::path& file,
   definition.file = file;
   definition.text = read_definition_text("case", file);
   const TomlTable root(definition.text, file);
-  root.get("schema_version", exactly(schema_version));  // another version has other rules
+  root.get("schema_version", exactly(case_schema_version));  // another version has other rules
   CaseReader(root, experiments, definition).read();
   return definition;
 }

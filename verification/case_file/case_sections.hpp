@@ -1,4 +1,4 @@
-// The larger sections of a case file, each read in a file of its own. Private to case_parser.cpp.
+// The sections of a case file. Private to case_parser.cpp.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +8,16 @@
 #include "verification/case_file/toml_reader.hpp"
 
 namespace slosh {
+
+// [tank]; [liquid] and [gas], of what has been read before them.
+TankDefinition read_tank(const TomlTable& tank);
+LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank);
+GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid);
+
+// [time]; and [comparison], of a case whose gravity, liquid, motion and initial wave have been
+// read.
+void read_time(const TomlTable& time, CaseDefinition& definition);
+void read_comparison(const TomlTable& comparison, CaseDefinition& definition);
 
 // [motion], of a case whose tank and duration have been read; the tables' files are relative to the
 // case file.

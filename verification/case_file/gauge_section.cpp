@@ -20,7 +20,7 @@ GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definit
   const Rule<double> inside_tank{
       fmt::format("a number from 0 to the tank's length ({}), in m from the left wall",
                   definition.tank.length),
-      [length = definition.tank.length](double x) { return x >= 0 && x <= length; }};
+      [length = definition.tank.length](double x) { return x >= 0 && x <= length; }, 0};
   return {.name = gauge.get("name", file_safe_name()), .x = gauge.get("x_m", inside_tank)};
 }
 

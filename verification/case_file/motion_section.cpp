@@ -59,13 +59,13 @@ Rule<double> near_the_tank(double tank_length, const char* unit) {
   const double farthest = farthest_axis * tank_length;
   return {fmt::format("a number from -{0} to {0} ({1} tank lengths), in {2}", farthest,
                       farthest_axis, unit),
-          [farthest](double place) { return place >= -farthest && place <= farthest; }};
+          [farthest](double place) { return place >= -farthest && place <= farthest; }, 0};
 }
 
 RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double tank_length) {
   const Rule<double> amplitude{
       fmt::format("a number > 0 and <= {}, in deg", largest_angle),
-      [](double degrees) { return degrees > 0 && degrees <= largest_angle; }};
+      [](double degrees) { return degrees > 0 && degrees <= largest_angle; }, largest_angle};
   const HistoryForm form{
       "amplitude_deg", amplitude, radians_per_degree, read_roll_table, {"axis_x_m", "axis_z_m"}};
   return {.angle = read_history(roll, form, scope),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "verification/case_file/complaints.hpp"
 #include "verification/case_file/row_kind.hpp"
 
 namespace slosh {
@@ -112,8 +113,13 @@ ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownPr
   problem.name = table.choice("name", "a problem", names_of(known));
   for (const ProblemDefinition& other : others)
     if (other.name == problem.name) table.refuse("name", "each problem once");
+  Complaints complaints;
   for (const TomlTable& row : table.tables("gate"))
-    add_row(row, named(known, problem.name), problem);
+    complaints.allow([&] {
+      row.read_all(
+          [&](const TomlTable& read) { add_row(read, named(known, problem.name), problem); });
+    });
+  complaints.tell();
   if (problem.gate.empty()) table.refuse("gate", "at least one gate row, [[problem.gate]]");
   return problem;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,9 @@ template <class T>
 struct Rule {
   std::string expected;
   std::function<bool(const T&)> holds;
+  // A value that keeps the rule, of a rule that rests on no other value of its table: it takes the
+  // place of a wrong one while the rest of the table is read for its mistakes.
+  std::optional<T> stand_in = {};
 };
 
 std::string in(std::string_view unit);  // "in m"; "without unit" for "1"

@@ -31,18 +31,20 @@ SphNumbers read_numbers(const TomlTable& run) {
           .density_diffusion = run.find("density_diffusion", not_negative("1"))};
 }
 
-const Rule<std::string> an_initial_state{
-    "one of lattice | settled | projected", [](const std::string& state) {
-      return state == "lattice" || state == "settled" || state == "projected";
-    }};
+const Rule<std::string> an_initial_state{"one of lattice | settled | projected",
+                                         [](const std::string& state) {
+                                           return state == "lattice" || state == "settled" ||
+                                                  state == "projected";
+                                         },
+                                         "lattice"};
 
 // Beyond a fifth of a spacing particles come so near to one another that the start is a shock.
 const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
-                              [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
+                              [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
 
 const Rule<double> a_disturbed_level{
     "a number >= 0 and <= 0.2, in heights of a cell",
-    [](double disorder) { return disorder >= 0 && disorder <= 0.2; }};
+    [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
 
 struct DisturbedStart {
   double disorder;
@@ -64,7 +66,8 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
   const double spacing = run.get<double>(
       "particle_spacing_m",
       {fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m", liquid.fill_depth),
-       [most = liquid.fill_depth](double value) { return value > 0 && value <= most; }});
+       [most = liquid.fill_depth](double value) { return value > 0 && value <= most; },
+       liquid.fill_depth});
   const auto surface_spacing =
       run.find<double>("surface_particle_spacing_m",
                        {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m", spacing),
@@ -120,7 +123,7 @@ ViscousWaveRun read_viscous_wave(const TomlTable& run) {
 PotentialRun read_potential(const TomlTable& run) {
   PotentialRun potential;
   const Rule<int> enough_nodes{"an integer from 16 to 128",
-                               [](int nodes) { return nodes >= 16 && nodes <= 128; }};
+                               [](int nodes) { return nodes >= 16 && nodes <= 128; }, 16};
   potential.nodes_x = run.find("nodes_x", enough_nodes).value_or(potential.nodes_x);
   potential.nodes_z = run.find("nodes_z", enough_nodes).value_or(potential.nodes_z);
   return potential;
@@ -275,7 +278,7 @@ std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition&
   const RunDefinition read = read_run(run, definition, experiments);
   const auto repeats =
       run.find<int>("repeats", {fmt::format("an integer from 2 to {}", most_repeats),
-                                [](int count) { return count >= 2 && count <= most_repeats; }});
+                                [](int count) { return count >= 2 && count <= most_repeats; }, 2});
   return repeats ? ensemble_of(read, *repeats) : std::vector{read};
 }
 

@@ -23,6 +23,8 @@ struct TomlTable::Content {
   std::string file;
   std::string path;  // "" for the root, "tank." inside [tank]
   int line = 0;      // of a copy, whose nodes know no place
+  // The refusals of read_all() so far; null outside it.
+  std::shared_ptr<std::vector<std::string>> kept = nullptr;
 
   SourceLocation where(const toml::node& node) const {
     const auto own = node.source().begin.line;
@@ -31,7 +33,12 @@ struct TomlTable::Content {
   std::shared_ptr<const Content> copy(toml::table changed) const {
     const auto held = std::make_shared<const toml::table>(std::move(changed));
     return std::make_shared<const Content>(
-        Content{held, held.get(), file, path, where(*table).line});
+        Content{held, held.get(), file, path, where(*table).line, kept});
+  }
+  // A table that this one holds.
+  std::shared_ptr<const Content> part(const toml::node& node, std::string_view key) const {
+    return std::make_shared<const Content>(
+        Content{root, node.as_table(), file, fmt::format("{}{}.", path, key), 0, kept});
   }
   std::string place(const toml::node& node) const {
     return fmt::format("{}:{}", file, where(node).line);
@@ -105,19 +112,24 @@ void TomlTable::allow_only(const std::vector<std::string>& keys) const {
 }
 
 template <class T>
+T TomlTable::refused(std::string_view key, const Rule<T>& rule) const {
+  if (!content_->kept || !rule.stand_in) refuse(key, rule.expected);
+  content_->kept->push_back(refusal(key, rule.expected));
+  return *rule.stand_in;
+}
+
+template <class T>
 std::optional<T> TomlTable::find(std::string_view key, const Rule<T>& rule) const {
   const toml::node* node = content_->table->get(key);
   if (!node) return std::nullopt;
   const std::optional<T> value = converted<T>(*node);
-  if (!value || !rule.holds(*value)) refuse(key, rule.expected);
-  return value;
+  return value && rule.holds(*value) ? value : refused(key, rule);
 }
 
 template <class T>
 T TomlTable::get(std::string_view key, const Rule<T>& rule) const {
   const std::optional<T> value = find(key, rule);
-  if (!value) refuse(key, rule.expected);
-  return *value;
+  return value ? *value : refused(key, rule);
 }
 
 template std::optional<std::string> TomlTable::find(std::string_view,
@@ -129,7 +141,7 @@ template int TomlTable::get(std::string_view, const Rule<int>&) const;
 template std::string TomlTable::get(std::string_view, const Rule<std::string>&) const;
 
 bool TomlTable::flag(std::string_view key) const {
-  return find<bool>(key, {"true or false", [](bool) { return true; }}).value_or(false);
+  return find<bool>(key, {"true or false", [](bool) { return true; }, false}).value_or(false);
 }
 
 std::string TomlTable::choice(std::string_view key, std::string_view expected,
@@ -139,7 +151,7 @@ std::string TomlTable::choice(std::string_view key, std::string_view expected,
   const std::string value =
       get<std::string>(key, {one_of, [](const std::string&) { return true; }});
   if (std::find(known.begin(), known.end(), value) != known.end()) return value;
-  refuse(key, one_of + nearest_text(value, known));
+  throw CaseFileErrors({refusal(key, one_of + nearest_text(value, known))});
 }
 
 std::vector<PlacedText> TomlTable::texts(std::string_view key,
@@ -197,9 +209,7 @@ std::vector<double> TomlTable::increasing_numbers(std::string_view key,
 TomlTable TomlTable::table(std::string_view key) const {
   const toml::node* node = content_->table->get(key);
   if (!node || !node->is_table()) refuse(key, fmt::format("a table, [{}{}]", content_->path, key));
-  return TomlTable(
-      std::make_shared<const Content>(Content{content_->root, node->as_table(), content_->file,
-                                              fmt::format("{}{}.", content_->path, key)}));
+  return TomlTable(content_->part(*node, key));
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
@@ -212,9 +222,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
     if (!element.is_table()) {
       refuse(key, fmt::format("an array of tables, [[{}{}]]", content_->path, key));
     }
-    tables.push_back(TomlTable(
-        std::make_shared<const Content>(Content{content_->root, element.as_table(), content_->file,
-                                                fmt::format("{}{}.", content_->path, key)})));
+    tables.push_back(TomlTable(content_->part(element, key)));
   }
   return tables;
 }
@@ -261,15 +269,30 @@ bool TomlTable::has(std::string_view key) const { return content_->table->contai
 
 SourceLocation TomlTable::where() const { return content_->where(*content_->table); }
 
-void TomlTable::refuse(std::string_view key, std::string_view expected) const {
-  const toml::node* node = content_->table->get(key);
-  if (!node) {
-    throw CaseFileError(fmt::format("{}: {}{} is missing: expected {}",
-                                    content_->place(*content_->table), content_->path, key,
-                                    expected));
+void TomlTable::read_all(const std::function<void(const TomlTable&)>& read) const {
+  Content keeping = *content_;
+  const auto kept = keeping.kept = std::make_shared<std::vector<std::string>>();
+  try {
+    read(TomlTable(std::make_shared<const Content>(std::move(keeping))));
+  } catch (const CaseFileErrors& errors) {
+    kept->insert(kept->end(), errors.messages.begin(), errors.messages.end());
+  } catch (const CaseFileError&) {
+    if (kept->empty()) throw;
   }
-  throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(*node),
-                                  content_->path, key, as_written(*node), expected));
+  if (!kept->empty()) throw CaseFileErrors(*kept);
+}
+
+std::string TomlTable::refusal(std::string_view key, std::string_view expected) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node)
+    return fmt::format("{}: {}{} is missing: expected {}", content_->place(*content_->table),
+                       content_->path, key, expected);
+  return fmt::format("{}: {}{} = {}: expected {}", content_->place(*node), content_->path, key,
+                     as_written(*node), expected);
+}
+
+void TomlTable::refuse(std::string_view key, std::string_view expected) const {
+  throw CaseFileError(refusal(key, expected));
 }
 
 void TomlTable::refuse_table(std::string_view holds, std::string_view expected) const {

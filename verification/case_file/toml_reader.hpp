@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,7 +41,7 @@ class TomlTable {
   std::optional<T> find(std::string_view key, const Rule<T>& rule) const;
   bool flag(std::string_view key) const;  // false when absent
 
-  // A text that is one of the known; the refusal names the nearest.
+  // A text that is one of the known; the refusal, CaseFileErrors, names the nearest.
   std::string choice(std::string_view key, std::string_view expected,
                      const std::vector<std::string>& known) const;
   std::vector<PlacedText> texts(std::string_view key, const Rule<std::string>& each) const;
@@ -57,6 +58,12 @@ class TomlTable {
   TomlTable with(std::string_view key, const std::string& text) const;
   std::vector<TomlTable> combinations() const;
 
+  // Reads this table by `read` and throws CaseFileErrors with all its wrong values: a value whose
+  // rule has a stand-in is refused only once the rest has been read. Any other refusal ends the
+  // reading; beside such values it is not told, as it may follow from them, unless it is itself of
+  // the kind CaseFileErrors, which rests on nothing else.
+  void read_all(const std::function<void(const TomlTable&)>& read) const;
+
   bool has(std::string_view key) const;
   std::string written(std::string_view key) const;  // a value's own text; "" when absent
   SourceLocation where() const;
@@ -68,6 +75,10 @@ class TomlTable {
  private:
   struct Content;
   explicit TomlTable(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+  std::string refusal(std::string_view key, std::string_view expected) const;
+  // The rule's stand-in, the refusal being kept; throws it where it cannot be.
+  template <class T>
+  T refused(std::string_view key, const Rule<T>& rule) const;
   std::shared_ptr<const Content> content_;
 };
 

@@ -7,12 +7,12 @@
 namespace slosh {
 namespace {
 
-char separator_in(std::string_view line) { return line.find(';') != line.npos ? ';' : ','; }
+char semicolon_or_comma(std::string_view line) { return line.find(';') != line.npos ? ';' : ','; }
 
 }  // namespace
 
 TableHead read_dualsphysics_gauge_head(TableReader& reader) {
-  const char separator = separator_in(reader.line());
+  const char separator = semicolon_or_comma(reader.line());
   TableHead head{columns_of(reader.line(), separator), reader.line_number(), 0, separator};
   if (head.columns.size() < 2 || head.columns[0].name != "time" || head.columns[0].unit != "s")
     reader.refuse("head", reader.line(),
@@ -28,7 +28,7 @@ TableHead read_dualsphysics_points_head(TableReader& reader) {
   };
   while (is_position(reader.line()) && reader.next()) {
   }
-  const char separator = separator_in(reader.line());
+  const char separator = semicolon_or_comma(reader.line());
   TableHead head{columns_of(reader.line(), separator), reader.line_number(), 1, separator};
   if (head.columns.size() < 3 || head.columns[0].name != "Part" || head.columns[1].name != "Time" ||
       head.columns[1].unit != "s")

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "verification/case_file/case_parser.hpp"
 
@@ -63,6 +64,24 @@ TEST_F(CampaignParser, ReadsTheShippedCampaignWhoseCasesAllParse) {
   EXPECT_EQ(campaign.cases.front().stem(), "li2010_small_amplitude");
   EXPECT_EQ(campaign.cases.back().stem(), "li2010_resonant_T13_b050");
   for (const fs::path& file : campaign.cases) EXPECT_NO_THROW(read_case(file)) << file;
+}
+
+TEST_F(CampaignParser, TellsAllMistakesAtOnce) {
+  const std::string message = complaint(
+      "schema_version = 1\nname = \"a b\"\ntitle = \"\"\nsource = \"none\"\n"
+      "cases = [\"one\", \"li2010_small_amplitude\", \"other\"]\n"
+      "[timing]\nrepeats = 0\nlongest_run_s = -1\n");
+  std::vector<std::string> told;
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("trial.toml:");
+    told.push_back(line.substr(at, line.find_first_of(" =", at + 14) - at));
+  }
+  EXPECT_EQ(told,
+            (std::vector<std::string>{
+                "trial.toml:2: name", "trial.toml:3: title", "trial.toml:7: timing.repeats",
+                "trial.toml:8: timing.longest_run_s", "trial.toml:5: case", "trial.toml:5: case"}))
+      << message;
 }
 
 TEST_F(CampaignParser, TakesPathsRelativeToTheCampaign) {

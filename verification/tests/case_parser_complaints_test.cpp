@@ -54,6 +54,25 @@ TEST(CaseParserComplaints, AreOfEveryUnknownKeyOfATable) {
             (Mistakes{"trial.toml:9: tank.hight_m = 1.0", "trial.toml:8: tank.lenght_m = 2"}));
 }
 
+TEST(CaseParserComplaints, AreOfEveryWrongValueOfATable) {
+  EXPECT_EQ(mistakes_in(with_edits({{"length_m = 2\nheight_m = 1.0", "length_m = -2\nheight_m = 0"},
+                                    {"start = \"earth\"", "start = \"moon\""}})),
+            (Mistakes{"trial.toml:8: tank.length_m = -2", "trial.toml:9: tank.height_m = 0",
+                      "trial.toml:22: time.start = \"moon\""}));
+  EXPECT_EQ(mistakes_in(with_edits({{"cells_x = 50\ncells_z = 40", "cells_x = 1\ncells_z = 0"},
+                                    {"a reason", ""},
+                                    {"\"a source\"", "4"}})),
+            (Mistakes{"trial.toml:50: run.cells_x = 1", "trial.toml:51: run.cells_z = 0",
+                      "trial.toml:60: gate.reason = \"\"", "trial.toml:61: gate.source = 4"}));
+}
+
+// A sample interval may not pass the duration, which is not known.
+TEST(CaseParserComplaints, AreNotOfAValueThatRestsOnAWrongOneOfItsTable) {
+  EXPECT_EQ(mistakes_in(with_edits({{"duration_s = 20.0", "duration_s = 0"},
+                                    {"sample_interval_s = 0.01", "sample_interval_s = 15"}})),
+            Mistakes{"trial.toml:23: time.duration_s = 0"});
+}
+
 // The gauges, runs and gate rows rest on the tank; the time does not.
 TEST(CaseParserComplaints, AreNotOfWhatRestsOnAnotherMistake) {
   EXPECT_EQ(mistakes_in(with_edits({{"length_m = 2", "length_m = -2"}, {"\"earth\"", "\"moon\""}})),
