@@ -11,16 +11,13 @@
 namespace slosh {
 namespace {
 
-bool is_judged(const GateOutcome& outcome) {
-  return outcome.verdict == Verdict::pass || outcome.verdict == Verdict::violated ||
-         outcome.verdict == Verdict::inconclusive;
-}
-
 int judged_rows(const CaseAssessment& assessment) {
-  return static_cast<int>(std::count_if(assessment.gate.begin(), assessment.gate.end(), is_judged));
+  return static_cast<int>(
+      std::count_if(assessment.gate.begin(), assessment.gate.end(),
+                    [](const GateOutcome& outcome) { return is_judged(outcome.verdict); }));
 }
 
-std::string text_of(const GateRow& row) {
+std::string bound_text(const GateRow& row) {
   std::string text = fmt::format("{}\n{}\n", row_name(row), row.unit);
   if (row.limit) text += fmt::format("limit {}\n", *row.limit);
   if (row.between) text += fmt::format("between {} {}\n", row.between->first, row.between->second);
@@ -53,7 +50,7 @@ bool is_moved(const CaseDefinition& definition) {
 
 std::string hash_of_rows(const CaseDefinition& definition) {
   std::string text;
-  for (const GateRow& row : definition.gate) text += text_of(row);
+  for (const GateRow& row : definition.gate) text += bound_text(row);
   return content_hash(text);
 }
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "verification/campaign/input_uncertainty.hpp"
 #include "verification/campaign/row_uncertainty.hpp"
 #include "verification/campaign/work_points.hpp"
 #include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -14,6 +16,7 @@
 #include "verification/gate/measured_value.hpp"
 #include "verification/metrics/windowed_series.hpp"
 #include "verification/runs/reference_tank.hpp"
+#include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
@@ -73,12 +76,27 @@ TimeWindow compared_window(const CaseDefinition& definition, const std::string& 
   return window;
 }
 
+AskedOfModes asked_by(const std::vector<GateRow>& rows) {
+  AskedOfModes asked{Detail::spectrum_alone};
+  bool of_all = false;
+  for (const GateRow& row : rows) {
+    const MeasuredOn on = metric_entry(row.metric).measured_on;
+    const bool is_of_a_mode = on == MeasuredOn::any_mode || on == MeasuredOn::natural_mode;
+    of_all |= on == MeasuredOn::cost;
+    if (of_all || (is_of_a_mode && row.metric != Metric::band_energy_error))
+      asked.detail = Detail::fitted_tones;
+    asked.names.insert(row.mode);
+  }
+  if (of_all) asked.names.clear();
+  return asked;
+}
+
 CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
-                           const FittedComparisons* known, Detail detail)
+                           const FittedComparisons* known, AskedOfModes asked)
     : definition_(definition),
       runs_(runs),
       known_(known),
-      detail_(detail),
+      asked_(std::move(asked)),
       modes_(fitted_modes(definition)) {}
 
 const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std::string& run,
@@ -91,22 +109,23 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
   std::shared_ptr<const PreparedSeries>& here = fitted_.series[key];
   if (!here)
     here = std::make_shared<PreparedSeries>(role, series_of(runs_, run, quantity), window, modes,
-                                            detail_);
+                                            asked_.detail);
   return *here;
 }
 
 // The histories alone are compared where a record cannot tell the modes. Where the candidate's own
 // series cannot, that is its fault and no reason to ask less of it.
 Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
-                                  const std::string& quantity) {
+                                  const std::string& quantity, const std::string& ending) {
   const TimeWindow window = compared_window(definition_, reference);
   std::vector<ToneRequest> modes;
   if (has_modes(quantity)) modes = modes_;
   if (record_named(definition_, reference) &&
       !can_tell(modes, series_of(runs_, reference, quantity), window))
     modes.clear();
-  Comparison comparison = compare(prepared("candidate", candidate, quantity, window, modes),
-                                  prepared("reference", reference, quantity, window, modes));
+  Comparison comparison =
+      compare(prepared("candidate", candidate, quantity, window, modes),
+              prepared("reference", reference, quantity + ending, window, modes), asked_.names);
   comparison.candidate = candidate;
   comparison.reference = reference;
   return comparison;
@@ -115,11 +134,28 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
 const Comparison& CaseEvidence::comparison(const std::string& candidate,
                                            const std::string& reference,
                                            const std::string& quantity) {
-  const std::array<std::string, 3> key{candidate, reference, quantity};
+  return comparison_with(candidate, reference, quantity, "");
+}
+
+const Comparison& CaseEvidence::comparison_with(const std::string& candidate,
+                                                const std::string& reference,
+                                                const std::string& quantity,
+                                                const std::string& ending) {
+  const std::array<std::string, 3> key{candidate, reference, quantity + ending};
   if (known_)
     if (const auto known = known_->of.find(key); known != known_->of.end()) return known->second;
   if (const auto fitted = fitted_.of.find(key); fitted != fitted_.of.end()) return fitted->second;
-  return fitted_.of.emplace(key, compared(candidate, reference, quantity)).first->second;
+  return fitted_.of.emplace(key, compared(candidate, reference, quantity, ending)).first->second;
+}
+
+const Contribution& CaseEvidence::input_contribution(const GateRow& row) {
+  const std::string key = row_name(row);
+  if (known_)
+    if (const auto known = known_->input.find(key); known != known_->input.end())
+      return known->second;
+  if (const auto found = fitted_.input.find(key); found != fitted_.input.end())
+    return found->second;
+  return fitted_.input.emplace(key, input_uncertainty(definition_, runs_, row)).first->second;
 }
 
 GateEvidence CaseEvidence::gate_evidence() {
@@ -146,9 +182,19 @@ GateEvidence CaseEvidence::gate_evidence() {
                          is_exact(run_named(definition_, run).solver)};
   };
   const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble, history};
-  const FindUncertainty uncertainty = [this, evidence](const GateRow& row) {
-    return row_uncertainty(definition_, runs_, row, evidence.comparison,
-                           [&](const GateRow& other) { return measured(other, evidence); });
+  GateEvidence against_coarser = evidence;
+  against_coarser.comparison = [this](const std::string& candidate, const std::string& reference,
+                                      const std::string& quantity) -> const Comparison& {
+    return comparison_with(candidate, reference, quantity, coarser);
+  };
+  const RowMeasures measures{
+      .comparison = find,
+      .measure = [evidence](const GateRow& row) { return measured(row, evidence); },
+      .measure_against_coarser =
+          [against_coarser](const GateRow& row) { return measured(row, against_coarser); },
+      .input = [this](const GateRow& row) { return input_contribution(row); }};
+  const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
+    return row_uncertainty(definition_, runs_, row, measures);
   };
   return {find, find_series, measure_impacts, uncertainty, cost, ensemble, history};
 }

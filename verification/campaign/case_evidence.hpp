@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -31,16 +32,27 @@ TimeWindow compared_window(const CaseDefinition& definition, const std::string& 
 using PreparedKey = std::tuple<std::string, std::string, std::string, double, double, std::size_t>;
 
 struct FittedComparisons {
-  std::map<std::array<std::string, 3>, Comparison> of;  // by candidate, reference and quantity
+  // By candidate, reference and the reference's quantity.
+  std::map<std::array<std::string, 3>, Comparison> of;
   std::map<PreparedKey, std::shared_ptr<const PreparedSeries>> series;
+  // By row_name(): input_uncertainty(), in which the candidate's own series has no part.
+  std::map<std::string, Contribution> input;
 };
+
+// What is asked of a comparison's modes; by default all.
+struct AskedOfModes {
+  Detail detail = Detail::fitted_tones;
+  std::set<std::string> names = {};  // empty: of all
+};
+
+// By these rows alone.
+AskedOfModes asked_by(const std::vector<GateRow>& rows);
 
 class CaseEvidence {
  public:
   // All stay the caller's and outlive this; `known` are comparisons of these runs, null for none.
-  // Of spectra alone where no row that will be judged is measured on a mode.
   CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
-               const FittedComparisons* known = nullptr, Detail detail = Detail::fitted_tones);
+               const FittedComparisons* known = nullptr, AskedOfModes asked = {});
 
   // Throws ComparisonError or ResultError where there is none.
   const Comparison& comparison(const std::string& candidate, const std::string& reference,
@@ -58,12 +70,16 @@ class CaseEvidence {
   const CaseDefinition& definition_;
   const CaseRuns& runs_;
   const FittedComparisons* known_;
-  Detail detail_;
+  AskedOfModes asked_;
   std::vector<ToneRequest> modes_;
   FittedComparisons fitted_;
 
+  // Of a reference that leaves the quantity twice, the one under this ending.
+  const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
+                                    const std::string& quantity, const std::string& ending);
   Comparison compared(const std::string& candidate, const std::string& reference,
-                      const std::string& quantity);
+                      const std::string& quantity, const std::string& ending);
+  const Contribution& input_contribution(const GateRow& row);
   const PreparedSeries& prepared(const std::string& role, const std::string& run,
                                  const std::string& quantity, TimeWindow window,
                                  const std::vector<ToneRequest>& modes);

@@ -56,11 +56,6 @@ std::vector<std::string> line_of(const GateOutcome& outcome, const Pairs& pairs)
           verdict_name(outcome.verdict)};
 }
 
-bool is_judged(const GateOutcome& outcome) {
-  return outcome.verdict == Verdict::pass || outcome.verdict == Verdict::violated ||
-         outcome.verdict == Verdict::inconclusive;
-}
-
 }  // namespace
 
 std::optional<reports::Table> ensemble_table(const CaseAssessment& assessment) {
@@ -77,7 +72,7 @@ std::optional<reports::Table> ensemble_table(const CaseAssessment& assessment) {
        "sd of references", "range", "verdict"},
       {}};
   for (const GateOutcome& outcome : assessment.gate)
-    if (is_judged(outcome) && is_of_ensembles(outcome.row, evidence))
+    if (is_judged(outcome.verdict) && is_of_ensembles(outcome.row, evidence))
       table.rows.push_back(line_of(outcome, measured_pairs(outcome.row, evidence)));
   if (table.rows.empty()) return std::nullopt;
   return table;

@@ -17,7 +17,7 @@ Estimate measured_with(const CaseDefinition& definition, const CaseRuns& runs, c
   }
   for (TimeSeries& one : replaced.results.at(run).series)
     if (one.name == row.quantity) one = series;
-  CaseEvidence evidence(definition, replaced);
+  CaseEvidence evidence(definition, replaced, nullptr, asked_by({row}));
   return measured(row, evidence.gate_evidence());
 }
 

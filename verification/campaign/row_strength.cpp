@@ -13,25 +13,14 @@
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/case_file/ensemble.hpp"
-#include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 
 namespace slosh {
 namespace {
 
-bool can_be_fitted(const TimeSeries& series, TimeWindow window,
-                   const std::vector<ToneRequest>& modes) {
-  try {
-    fit_harmonics(series, window, modes);
-    return true;
-  } catch (const ComparisonError&) {
-    return false;
-  }
-}
-
-MutationFrame frame_of(const CaseDefinition& definition, const GateRow& row,
-                       const TimeSeries& series) {
+// Without the modes.
+MutationFrame frame_of(const CaseDefinition& definition, const GateRow& row) {
   const bool has_reference = !row.reference.empty() && !is_of_impacts(row.metric);
   const TimeWindow window = has_reference
                                 ? compared_window(definition, row.reference)
@@ -43,7 +32,18 @@ MutationFrame frame_of(const CaseDefinition& definition, const GateRow& row,
                                 [&](const ToneRequest& mode) { return mode.name == row.mode; });
   const ToneRequest& mode = own == modes.end() ? modes.front() : *own;
   frame.period = 2 * std::numbers::pi / mode.angular_frequency;
-  if (has_modes(row.quantity) && can_be_fitted(series, window, modes)) frame.modes = modes;
+  return frame;
+}
+
+// The modes are left out where the window cannot tell them.
+MutationFrame with_modes(MutationFrame frame, const CaseDefinition& definition,
+                         const TimeSeries& series) try {
+  const std::vector<ToneRequest> modes = fitted_modes(definition);
+  if (modes.empty() || !has_modes(series.name)) return frame;
+  frame.tones = fit_harmonics(series, frame.window, modes).tones;
+  frame.modes = modes;
+  return frame;
+} catch (const ComparisonError&) {
   return frame;
 }
 
@@ -65,12 +65,6 @@ FittedComparisons without(const std::vector<std::string>& runs, FittedComparison
   return fitted;
 }
 
-bool needs_fitted_tones(const TriedRow& one) {
-  const MeasuredOn on = metric_entry(one.row.metric).measured_on;
-  const bool is_of_a_mode = on == MeasuredOn::any_mode || on == MeasuredOn::natural_mode;
-  return on == MeasuredOn::cost || (is_of_a_mode && one.row.metric != Metric::band_energy_error);
-}
-
 // Rows that judge one series in one frame: each mutant is compared once for all of them.
 struct RowGroup {
   MutationFrame frame;
@@ -90,14 +84,19 @@ std::vector<GateStrength> strengths_of(const CaseAssessment& assessment, const R
   const auto own = [&](const std::string& run) -> const TimeSeries& {
     return assessment.runs.results.at(run).at(quantity);
   };
-  const Detail detail = std::any_of(rows.begin(), rows.end(), needs_fitted_tones)
-                            ? Detail::fitted_tones
-                            : Detail::spectrum_alone;
+  std::vector<GateRow> judged;
+  for (const TriedRow& one : rows) judged.push_back(one.row);
+  const AskedOfModes asked = asked_by(judged);
+  std::map<std::string, MutationFrame> frames;
+  for (const std::string& run : members)
+    frames[run] = run == candidate ? group.frame
+                                   : with_modes(frame_of(assessment.definition, rows.front().row),
+                                                assessment.definition, own(run));
   const JudgeRows judge = [&](const Mutation* mutation) {
     for (const std::string& run : members)
       series_of(runs.results.at(run), quantity) =
-          mutation ? mutated(own(run), *mutation, group.frame) : own(run);
-    CaseEvidence evidence(assessment.definition, runs, &known, detail);
+          mutation ? mutated(own(run), *mutation, frames.at(run)) : own(run);
+    CaseEvidence evidence(assessment.definition, runs, &known, asked);
     std::vector<Verdict> verdicts;
     for (const TriedRow& one : rows) verdicts.push_back(evidence.judge(one.row).verdict);
     return verdicts;
@@ -105,10 +104,9 @@ std::vector<GateStrength> strengths_of(const CaseAssessment& assessment, const R
   return gate_strengths(rows, own(candidate), group.frame, judge);
 }
 
-bool is_judged(const CaseAssessment& assessment, const GateOutcome& outcome) {
-  const bool judged = outcome.verdict == Verdict::pass || outcome.verdict == Verdict::violated ||
-                      outcome.verdict == Verdict::inconclusive;
-  return judged && has_series(assessment.runs, outcome.row.candidate, outcome.row.quantity);
+bool can_be_mutated(const CaseAssessment& assessment, const GateOutcome& outcome) {
+  return is_judged(outcome.verdict) &&
+         has_series(assessment.runs, outcome.row.candidate, outcome.row.quantity);
 }
 
 bool have_one_frame(const MutationFrame& a, const MutationFrame& b) {
@@ -119,17 +117,18 @@ std::vector<RowGroup> groups_of(const CaseAssessment& assessment) {
   std::vector<RowGroup> groups;
   for (std::size_t i = 0; i < assessment.gate.size(); ++i) {
     const GateOutcome& outcome = assessment.gate[i];
-    if (!is_judged(assessment, outcome)) continue;
+    if (!can_be_mutated(assessment, outcome)) continue;
     const GateRow& row = outcome.row;
-    const MutationFrame frame = frame_of(
-        assessment.definition, row, assessment.runs.results.at(row.candidate).at(row.quantity));
+    const MutationFrame frame = frame_of(assessment.definition, row);
     const auto found = std::find_if(groups.begin(), groups.end(), [&](const RowGroup& group) {
       const GateRow& first = assessment.gate[group.rows.front()].row;
       return first.candidate == row.candidate && first.quantity == row.quantity &&
              have_one_frame(group.frame, frame);
     });
     if (found == groups.end())
-      groups.push_back({frame, {i}});
+      groups.push_back({with_modes(frame, assessment.definition,
+                                   assessment.runs.results.at(row.candidate).at(row.quantity)),
+                        {i}});
     else
       found->rows.push_back(i);
   }

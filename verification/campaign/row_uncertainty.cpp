@@ -6,23 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verification/campaign/input_uncertainty.hpp"
 #include "verification/campaign/record_uncertainty.hpp"
 #include "verification/campaign/repeat_spread.hpp"
-#include "verification/campaign/replaced_series.hpp"
 #include "verification/case_file/metric_table.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
-
-// The metric against the same potential flow of fewer nodes.
-double measure_against_coarser(const CaseDefinition& definition, const CaseRuns& runs,
-                               const GateRow& row) {
-  TimeSeries series = runs.results.at(row.reference).at(row.quantity + coarser);
-  series.name = row.quantity;
-  return measured_with(definition, runs, row, row.reference, series).value;
-}
 
 // The limit of a regression row was measured with the same runs against the same reference.
 Contribution as_when_measured(const char* how) {
@@ -81,30 +71,30 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
 }
 
 Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs,
-                          const GateRow& row, const FindComparison& comparison,
-                          const MeasureRow& measure) {
+                          const GateRow& row, const RowMeasures& measures) {
   if (is_of_impacts(row.metric))
-    return of_impacts(definition.impacts.value(), row, measure(row).value);
+    return of_impacts(definition.impacts.value(), row, measures.measure(row).value);
   if (row.reference.empty())
     return {0, "no reference: what is measured is zero where all is right"};
   if (row.metric == Metric::decay_rate)
     return {0, "the decay is the candidate's own: the reference only tells its frequency"};
   const auto& solver = run_named(definition, row.reference).solver;
   if (const auto* record = std::get_if<RecordRun>(&solver))
-    return of_record(definition, runs, row, *record, comparison);
+    return of_record(definition, runs, row, *record, measures.comparison);
   if (std::holds_alternative<PotentialRun>(solver))
-    return {std::abs(measure_against_coarser(definition, runs, row) - measure(row).value),
+    return {std::abs(measures.measure_against_coarser(row).value - measures.measure(row).value),
             "the same potential flow of fewer nodes"};
   if (std::holds_alternative<LinearRun>(solver) || std::holds_alternative<ViscousWaveRun>(solver))
     return {0, "exact solution, inside its range"};
-  return numerical(definition, runs, row, Role::reference, measure);
+  return numerical(definition, runs, row, Role::reference, measures.measure);
 }
 
-Contribution of_inputs(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row) {
+Contribution of_inputs(const CaseDefinition& definition, const GateRow& row,
+                       const RowMeasures& measures) {
   if (!rests_on_experiment(definition, row))
     return {0, "both sides are told the same tank, liquid and motion"};
   if (row.kind == RowKind::regression) return as_when_measured("with the same inputs");
-  return input_uncertainty(definition, runs, row);
+  return measures.input(row);
 }
 
 }  // namespace
@@ -115,17 +105,16 @@ bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row) {
 }
 
 UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
-                                         const GateRow& row, const FindComparison& comparison,
-                                         const MeasureRow& measure) {
+                                         const GateRow& row, const RowMeasures& measures) {
   UncertaintyContributions found;
   if (row.metric == Metric::cost_to_reach) return found;
-  found.statistics = repeat_spread(definition, runs, row, measure);
-  found.reference = of_reference(definition, runs, row, comparison, measure);
+  found.statistics = repeat_spread(definition, runs, row, measures.measure);
+  found.reference = of_reference(definition, runs, row, measures);
   found.discretisation =
       rests_on_experiment(definition, row)
-          ? numerical(definition, runs, row, Role::candidate, measure)
+          ? numerical(definition, runs, row, Role::candidate, measures.measure)
           : Contribution{0, "the candidate's discretisation error is what the row measures"};
-  found.input = of_inputs(definition, runs, row);
+  found.input = of_inputs(definition, row, measures);
   return found;
 }
 

@@ -13,6 +13,8 @@
 // What an error costs has the interval of its timings alone.
 #pragma once
 
+#include <functional>
+
 #include "verification/campaign/case_runs.hpp"
 #include "verification/campaign/refinement.hpp"
 #include "verification/case_file/case_definition.hpp"
@@ -25,9 +27,18 @@ namespace slosh {
 // Whether the row compares with what was measured of a real tank: a record, or published impacts.
 bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row);
 
-// `comparison` gives that of the row's candidate and reference.
+// What a row's uncertainty is measured by. The functions throw ComparisonError or ResultError where
+// there is nothing to measure.
+struct RowMeasures {
+  FindComparison comparison = {};  // of the row's candidate and reference
+  MeasureRow measure;
+  // Against the coarser run that potential flow leaves beside its own (run_case.hpp).
+  MeasureRow measure_against_coarser = {};
+  // Of a row that rests on an experiment: input_uncertainty().
+  std::function<Contribution(const GateRow&)> input = {};
+};
+
 UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
-                                         const GateRow& row, const FindComparison& comparison,
-                                         const MeasureRow& measure);
+                                         const GateRow& row, const RowMeasures& measures);
 
 }  // namespace slosh

@@ -78,6 +78,12 @@ enum class Verdict {
   not_supplied
 };
 
+// Whether the row was measured against its bound.
+inline bool is_judged(Verdict verdict) {
+  return verdict == Verdict::pass || verdict == Verdict::violated ||
+         verdict == Verdict::inconclusive;
+}
+
 struct GateOutcome {
   GateRow row;
   Verdict verdict;

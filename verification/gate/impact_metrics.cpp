@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <limits>
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
@@ -82,10 +82,9 @@ double impact_metric(Metric metric, const std::string& mode, const TimeSeries& p
   if (!peak && record && lacks_impact(*record, n, definition))
     throw not_in_record(*record, n, definition);
   if (metric == Metric::impact_time)
-    return peak ? peak->time - expected_time(n, pressure, record, definition)
-                : std::numeric_limits<double>::quiet_NaN();
+    return peak ? peak->time - expected_time(n, pressure, record, definition) : not_a_number;
   const Distribution repeats = repeated_peaks(definition, n);
-  return peak ? repeats.percentile(peak->pressure) / 100 : std::numeric_limits<double>::quiet_NaN();
+  return peak ? repeats.percentile(peak->pressure) / 100 : not_a_number;
 }
 
 }  // namespace slosh

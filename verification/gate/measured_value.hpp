@@ -1,17 +1,16 @@
 // What a gate row measures: its metric of one comparison, or the mean over an ensemble's.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "verification/gate/gate.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 
 // Of a row that was not measured.
-inline constexpr Estimate no_value{std::numeric_limits<double>::quiet_NaN(),
-                                   std::numeric_limits<double>::quiet_NaN()};
+inline constexpr Estimate no_value{not_a_number, not_a_number};
 
 // The row's metric of its candidate; where that or the reference is an ensemble the mean over all
 // pairs of their members with the interval of ensemble_mean.hpp, which takes the place of those of

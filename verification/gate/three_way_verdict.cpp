@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
@@ -14,8 +15,7 @@ constexpr double work_exponent = 3;  // of 1 / h: two dimensions and the time st
 // Inside positive, outside negative; NaN of an error that is not finite and of a bound that is NaN.
 double margin(double error, const AllowedRange& allowed) {
   const double above = error - allowed.lower, below = allowed.upper - error;
-  if (!std::isfinite(error) || std::isnan(above) || std::isnan(below))
-    return std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(error) || std::isnan(above) || std::isnan(below)) return not_a_number;
   return std::min(above, below);
 }
 
@@ -51,7 +51,7 @@ double validation_uncertainty(const UncertaintyContributions& contributions) {
   double squares = 0;
   for (const double one : {contributions.discretisation.known(), contributions.statistics.known(),
                            contributions.input.known(), contributions.reference.known()}) {
-    if (!(one >= 0)) return std::numeric_limits<double>::quiet_NaN();
+    if (!(one >= 0)) return not_a_number;
     squares += one * one;
   }
   return std::sqrt(squares);

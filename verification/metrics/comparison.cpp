@@ -9,6 +9,7 @@
 
 #include "verification/metrics/block_jackknife.hpp"
 #include "verification/metrics/cross_correlation.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -48,12 +49,14 @@ ModeComparison compare_tones(const Tone& candidate, const Tone& reference,
   return mode;
 }
 
-std::vector<ModeComparison> compare_fits(const SeriesFit& candidate, const SeriesFit& reference) {
-  const std::vector<PairedDifference> differences = paired_differences(candidate, reference);
+std::vector<ModeComparison> compare_fits(const SeriesFit& candidate, const SeriesFit& reference,
+                                         const std::set<std::string>& asked) {
+  const std::vector<Tone>& tones = reference.harmonics().tones;
   std::vector<ModeComparison> compared;
-  for (std::size_t k = 0; k < differences.size(); ++k)
-    compared.push_back(compare_tones(candidate.harmonics().tones[k], reference.harmonics().tones[k],
-                                     differences[k]));
+  for (std::size_t k = 0; k < tones.size(); ++k)
+    if (asked.empty() || asked.contains(tones[k].name))
+      compared.push_back(compare_tones(candidate.harmonics().tones[k], tones[k],
+                                       paired_difference(candidate, reference, k)));
   return compared;
 }
 
@@ -120,9 +123,10 @@ int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
 }
 
 void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
-               Comparison& result) {
+               const std::set<std::string>& asked, Comparison& result) {
   const std::vector<ToneRequest>& modes = reference.modes;
-  if (candidate.fit && reference.fit) result.modes = compare_fits(*candidate.fit, *reference.fit);
+  if (candidate.fit && reference.fit)
+    result.modes = compare_fits(*candidate.fit, *reference.fit, asked);
   result.cross_correlation_lag = cross_correlation_lag(
       candidate.series, reference.series, result.window, 2 * pi / modes.front().angular_frequency);
   result.cross_correlation_lag_degrees =
@@ -145,10 +149,11 @@ void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
 std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
                                           TimeWindow window,
                                           const std::vector<ToneRequest>& modes) {
-  return compare_fits({candidate, window, modes}, {reference, window, modes});
+  return compare_fits({candidate, window, modes}, {reference, window, modes}, {});
 }
 
-Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference) {
+Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference,
+                   const std::set<std::string>& asked) {
   const std::vector<ToneRequest>& modes = reference.modes;
   Comparison result{};
   result.quantity = reference.quantity;
@@ -161,13 +166,12 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
   const CommonSamples common = common_samples(candidate.series, reference.cut);
   compare_whole_window(common, blocks_of(result.window, modes), result);
   compare_waves(common, modes, result);
-  constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-  result.cross_correlation_lag = result.cross_correlation_lag_degrees = no_number;
-  result.alignment = {no_number, no_number};
+  result.cross_correlation_lag = result.cross_correlation_lag_degrees = not_a_number;
+  result.alignment = {not_a_number, not_a_number};
   if (modes.empty())
     result.alignment = align_in_time(candidate.series, reference.cut);
   else
-    add_modes(candidate, reference, result);
+    add_modes(candidate, reference, asked, result);
   return result;
 }
 

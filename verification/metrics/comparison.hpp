@@ -12,6 +12,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ struct Comparison {
   std::string candidate, reference;  // names of the runs, for the caller to fill in
   std::string quantity, unit;        // the reference's
   TimeWindow window;
-  std::vector<ModeComparison> modes;  // empty of spectra alone
+  std::vector<ModeComparison> modes;  // those that were asked for; empty of spectra alone
   // Of each mode's energies within a fifth of its frequency to either side (spectrum.hpp):
   // E_c / E_r - 1; NaN where the window cannot resolve that band.
   std::map<std::string, double> band_energy_error;
@@ -69,8 +70,10 @@ std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const Tim
 
 // Compares two series over their window. The candidate is interpolated (cubic) to the reference's
 // times. Throws ComparisonError when the units differ. Without modes the whole histories alone are
-// compared, and of spectra alone all but the modes.
-Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference);
+// compared, and of spectra alone all but the modes. `asked` names the modes that are compared; all
+// where it is empty.
+Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference,
+                   const std::set<std::string>& asked = {});
 
 // The same of two series that are prepared for it alone; throws as PreparedSeries does.
 Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, TimeWindow window,

@@ -213,26 +213,21 @@ SeriesFit::SeriesFit(TimeSeries series, TimeWindow window, const std::vector<Ton
   harmonics_ = harmonic_fit(*fit_, cut);
 }
 
-std::vector<PairedDifference> paired_differences(const SeriesFit& candidate,
-                                                 const SeriesFit& reference) {
+PairedDifference paired_difference(const SeriesFit& candidate, const SeriesFit& reference,
+                                   std::size_t k) {
   const CommonSamples common =
       common_samples(candidate.series(), cut_to_window(reference.series(), reference.fit().window));
-  std::vector<PairedDifference> differences;
-  for (std::size_t k = 0; k < candidate.fit().requests.size(); ++k) {
-    const Tone &of_c = candidate.harmonics().tones[k], &of_r = reference.harmonics().tones[k];
-    const LeftDifference left = left_difference(candidate.fit(), reference.fit(), k, common);
-    differences.push_back(unpaired(of_c, of_r));
-    if (!can_be_paired(of_c, of_r, left)) continue;
-    const PairedDifference difference = paired(candidate.fit(), reference.fit(), k,
-                                               candidate.fit().leftovers(common.time, left.left));
-    if (difference.beside)
-      differences.back().beside = difference.beside;
-    else if (each_told(of_c, of_r))
-      differences.back() = difference;
-    else
-      differences.back() = widened_by_the_rest(difference, left.reference_rest);
-  }
-  return differences;
+  const Tone &of_c = candidate.harmonics().tones[k], &of_r = reference.harmonics().tones[k];
+  const LeftDifference left = left_difference(candidate.fit(), reference.fit(), k, common);
+  PairedDifference apart = unpaired(of_c, of_r);
+  if (!can_be_paired(of_c, of_r, left)) return apart;
+  const PairedDifference difference = paired(candidate.fit(), reference.fit(), k,
+                                             candidate.fit().leftovers(common.time, left.left, k));
+  if (!difference.beside)
+    return each_told(of_c, of_r) ? difference
+                                 : widened_by_the_rest(difference, left.reference_rest);
+  apart.beside = difference.beside;
+  return apart;
 }
 
 }  // namespace slosh

@@ -13,15 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/time_series.hpp"
 
 namespace slosh {
-
-// A value and half the width of its 95 % confidence interval, in the same unit.
-struct Estimate {
-  double value;
-  double half_width;
-};
 
 // A mode to be fitted. The forced mode's frequency is known and it does not decay; a natural mode's
 // frequency and decay rate are refined from the data by nonlinear least squares.
@@ -104,13 +99,13 @@ struct PairedDifference {
   std::optional<double> beside = {};
 };
 
-// Tone by tone, in the order of the requests, of two fits of one window and the same requests. The
-// intervals are from what the fits leave of the one less what they leave of the other, scaled by
-// the ratio of the tone's amplitudes: what both show alike and neither fit takes (higher modes,
-// harmonics, beats) makes neither difference uncertain, nor corrects it, as it may correct the
-// tones themselves. To the first order, for tones that are near one another.
-std::vector<PairedDifference> paired_differences(const SeriesFit& candidate,
-                                                 const SeriesFit& reference);
+// Of the k-th tone of two fits of one window and the same requests. The intervals are from what the
+// fits leave of the one less what they leave of the other, scaled by the ratio of the tone's
+// amplitudes: what both show alike and neither fit takes (higher modes, harmonics, beats) makes
+// neither difference uncertain, nor corrects it, as it may correct the tones themselves. To the
+// first order, for tones that are near one another.
+PairedDifference paired_difference(const SeriesFit& candidate, const SeriesFit& reference,
+                                   std::size_t k);
 
 // Angle [rad] brought to [-pi, pi] by whole turns.
 double wrap_angle(double angle);

@@ -191,7 +191,8 @@ std::optional<double> nearest_beside(const ToneShape& tone, const std::vector<To
 
 LeftoverModel model_leftovers(const VectorXd& elapsed, const MatrixXd& jacobian,
                               const VectorXd& residual, const std::vector<ToneShape>& requested,
-                              const std::vector<ToneRange>& ranges, double span) {
+                              const std::vector<ToneRange>& ranges, double span,
+                              std::optional<std::size_t> asked) {
   double highest = 0;
   std::vector<ToneShape> refined;
   for (std::size_t k = 0; k < requested.size(); ++k) {
@@ -207,15 +208,18 @@ LeftoverModel model_leftovers(const VectorXd& elapsed, const MatrixXd& jacobian,
   const Search search(fit.elapsed, highest, span, refined);
   const ExtendedFit model = choose(fit, requested, search, span);
 
-  LeftoverModel found{.correction = VectorXd::Zero(jacobian.cols()), .noise = {}, .beside = {}};
+  LeftoverModel found{.correction = VectorXd::Zero(jacobian.cols()),
+                      .noise = std::vector<LocalNoise>(requested.size()),
+                      .beside = std::vector<std::optional<double>>(requested.size())};
   // Means of samples are not quite orthogonal to means of columns.
   if (!model.further.empty()) found.correction = model.coefficients.head(jacobian.cols());
-  const std::vector<LikelyNoise> noises = likely_noises(model.samples);
-  for (const ToneShape& tone : requested) {
-    found.noise.emplace_back(model.samples, tone.angular_frequency, span, noises);
-    found.beside.push_back(nearest_beside(tone, model.further, span));
-    if (!found.noise.back().known() && !found.beside.back())
-      found.beside.back() = tone.angular_frequency;
+  const ParameterNoise of_parameters(model.samples, likely_noises(model.samples));
+  for (std::size_t k = 0; k < requested.size(); ++k) {
+    if (asked && k != *asked) continue;
+    const double w = requested[k].angular_frequency;
+    found.noise[k] = LocalNoise(model.samples, w, span, of_parameters);
+    found.beside[k] = nearest_beside(requested[k], model.further, span);
+    if (!found.noise[k].known() && !found.beside[k]) found.beside[k] = w;
   }
   return found;
 }

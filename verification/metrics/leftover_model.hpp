@@ -36,10 +36,12 @@ struct LeftoverModel {
 
 // Of a fit with this Jacobian and these residuals at equally spaced times [s] of a window that is
 // `span` long. No further tone is taken beside a refined one, whose slopes by frequency and decay
-// rate fill the bins about it already.
+// rate fill the bins about it already. Of `asked` alone, one of the requested tones, the noise and
+// what is beside it are told; of all where it is none.
 LeftoverModel model_leftovers(const Eigen::VectorXd& elapsed, const Eigen::MatrixXd& jacobian,
                               const Eigen::VectorXd& residual,
                               const std::vector<ToneShape>& requested,
-                              const std::vector<ToneRange>& ranges, double span);
+                              const std::vector<ToneRange>& ranges, double span,
+                              std::optional<std::size_t> asked = {});
 
 }  // namespace slosh

@@ -34,17 +34,42 @@ double log_determinant(const MatrixXd& positive) {
   return positive.llt().matrixLLT().diagonal().array().log().sum() * 2;
 }
 
-// The level eliminated.
-double restricted_log_likelihood(const FittedSamples& fit, double correlation) {
-  const MatrixXd basis = whitened(fit.basis, correlation);
-  const VectorXd residual = whitened(fit.residual, correlation);
-  const MatrixXd normal = basis.transpose() * basis;
-  const VectorXd product = basis.transpose() * residual;
-  const double squares = residual.squaredNorm() - product.dot(normal.ldlt().solve(product));
-  const auto count = static_cast<double>(residual.size());
-  return -0.5 * ((count - 1) * std::log1p(-correlation * correlation) + log_determinant(normal) +
-                 (count - static_cast<double>(basis.cols())) * std::log(squares));
-}
+// The likelihoods of noises of one correlation after another: what does not depend on it is
+// computed once.
+class RestrictedLikelihood {
+ public:
+  explicit RestrictedLikelihood(const FittedSamples& fit)
+      : count_(static_cast<double>(fit.residual.size())), parameters_(fit.basis.cols()) {
+    MatrixXd columns(fit.basis.rows(), parameters_ + 1);
+    columns << fit.basis, fit.residual;
+    const Index after_first = columns.rows() - 1;
+    const auto later = columns.bottomRows(after_first), earlier = columns.topRows(after_first);
+    first_ = columns.row(0).transpose() * columns.row(0);
+    later_ = later.transpose() * later;
+    earlier_ = earlier.transpose() * earlier;
+    mixed_ = later.transpose() * earlier;
+    mixed_ += mixed_.transpose().eval();
+  }
+
+  // The logarithm, the level eliminated.
+  double log(double correlation) const {
+    const double square = correlation * correlation;
+    // The products of whitened() columns.
+    const MatrixXd products =
+        first_ + (later_ - correlation * mixed_ + square * earlier_) / (1 - square);
+    const MatrixXd normal = products.topLeftCorner(parameters_, parameters_);
+    const VectorXd product = products.col(parameters_).head(parameters_);
+    const double squares =
+        products(parameters_, parameters_) - product.dot(normal.ldlt().solve(product));
+    return -0.5 * ((count_ - 1) * std::log1p(-square) + log_determinant(normal) +
+                   (count_ - static_cast<double>(parameters_)) * std::log(squares));
+  }
+
+ private:
+  double count_;
+  Index parameters_;
+  MatrixXd first_, later_, earlier_, mixed_;
+};
 
 }  // namespace
 
@@ -70,10 +95,10 @@ MatrixXd band_about(const VectorXd& elapsed, double angular_frequency, double sp
 std::vector<LikelyNoise> likely_noises(const FittedSamples& fit) {
   if (fit.residual.squaredNorm() == 0) return {{0, 1}};
   // Correlation times of 0, then doubling from half a sample to twice the window.
-  std::vector<LikelyNoise> noises{{0, restricted_log_likelihood(fit, 0)}};
+  const RestrictedLikelihood likelihood(fit);
+  std::vector<LikelyNoise> noises{{0, likelihood.log(0)}};
   for (double samples = 0.5; samples < 2.0 * static_cast<double>(fit.elapsed.size()); samples *= 2)
-    noises.push_back(
-        {std::exp(-1 / samples), restricted_log_likelihood(fit, std::exp(-1 / samples))});
+    noises.push_back({std::exp(-1 / samples), likelihood.log(std::exp(-1 / samples))});
   double best = noises.front().weight, sum = 0;
   for (const LikelyNoise& noise : noises) best = std::max(best, noise.weight);
   for (LikelyNoise& noise : noises) sum += noise.weight = std::exp(noise.weight - best);
@@ -82,8 +107,20 @@ std::vector<LikelyNoise> likely_noises(const FittedSamples& fit) {
   return noises;
 }
 
+ParameterNoise::ParameterNoise(const FittedSamples& fit, std::vector<LikelyNoise> likely)
+    : noises(std::move(likely)) {
+  const VectorXd scale = inverse_lengths(fit.jacobian);
+  const MatrixXd scaled = fit.jacobian * scale.asDiagonal();
+  const MatrixXd inverse =
+      scale.asDiagonal() *
+      (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse();
+  const MatrixXd weights = scaled * inverse.transpose();  // one column per parameter
+  for (const LikelyNoise& noise : noises)
+    covariances.push_back(weights.transpose() * correlated(weights, noise.correlation));
+}
+
 LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, double span,
-                       const std::vector<LikelyNoise>& noises) {
+                       const ParameterNoise& of_parameters) {
   const MatrixXd band = band_about(fit.elapsed, angular_frequency, span, half_band);
   const MatrixXd outside = band - fit.basis * (fit.basis.transpose() * band);
   // Directions that the fit takes more than half of tell of the fit.
@@ -91,18 +128,13 @@ LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, doubl
   if (directions.cols() == 0) return;
   const auto count = static_cast<double>(directions.cols());
   level_ = (directions.transpose() * fit.residual).norm() / std::sqrt(count);
-  const VectorXd scale = inverse_lengths(fit.jacobian);
-  const MatrixXd scaled = fit.jacobian * scale.asDiagonal();
-  const MatrixXd inverse =
-      scale.asDiagonal() *
-      (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse();
-  const MatrixXd weights = scaled * inverse.transpose();  // one column per parameter
-  for (const auto& [correlation, weight] : noises) {
+  for (std::size_t i = 0; i < of_parameters.noises.size(); ++i) {
+    const auto& [correlation, weight] = of_parameters.noises[i];
     const MatrixXd variance = directions.transpose() * correlated(directions, correlation);
     const double trace = variance.trace();
     const double freedom = trace * trace / variance.squaredNorm();
     shapes_.push_back({weight * boost::math::quantile(boost::math::students_t(freedom), 0.975),
-                       count / trace * weights.transpose() * correlated(weights, correlation)});
+                       count / trace * of_parameters.covariances[i]});
   }
 }
 

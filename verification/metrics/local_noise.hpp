@@ -44,11 +44,20 @@ struct LikelyNoise {
 };
 std::vector<LikelyNoise> likely_noises(const FittedSamples& fit);
 
+// What each of these noises, of a variance of one, makes of the fit's parameters.
+struct ParameterNoise {
+  ParameterNoise(const FittedSamples& fit, std::vector<LikelyNoise> noises);
+
+  std::vector<LikelyNoise> noises;
+  std::vector<Eigen::MatrixXd> covariances;  // of the parameters, by noise
+};
+
 class LocalNoise {
  public:
-  // About this frequency [rad/s], of noises of these correlations.
+  LocalNoise() = default;  // unknown
+  // About this frequency [rad/s].
   LocalNoise(const FittedSamples& fit, double angular_frequency, double span,
-             const std::vector<LikelyNoise>& noises);
+             const ParameterNoise& of_parameters);
 
   // Whether the fit leaves a direction to tell the level by.
   bool known() const { return level_ >= 0; }

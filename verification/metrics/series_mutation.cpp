@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <utility>
 
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
@@ -70,11 +70,11 @@ TimeSeries chirped(const TimeSeries& series, TimeWindow window, double lead) {
 template <class Gain>
 TimeSeries with_mode_changed(TimeSeries series, const Mutation& mutation,
                              const MutationFrame& frame, const Gain& gain) {
-  const HarmonicFit fit = fit_harmonics(series, frame.window, frame.modes);
-  const auto tone = std::find_if(fit.tones.begin(), fit.tones.end(),
+  const std::vector<Tone> tones =
+      frame.tones.empty() ? fit_harmonics(series, frame.window, frame.modes).tones : frame.tones;
+  const auto tone = std::find_if(tones.begin(), tones.end(),
                                  [&](const Tone& one) { return one.name == mutation.mode; });
-  if (tone == fit.tones.end())
-    throw ComparisonError("the mode " + mutation.mode + " is not fitted");
+  if (tone == tones.end()) throw ComparisonError("the mode " + mutation.mode + " is not fitted");
   for (std::size_t i = 0; i < series.value.size(); ++i) {
     const double t = series.time[i], since = std::max(0.0, t - frame.window.begin);
     series.value[i] += gain(since, tone->decay_rate.value) * tone->amplitude.value *
@@ -103,15 +103,15 @@ TimeSeries poisoned_at(TimeSeries series, double time) {
   const auto nearest = std::min_element(
       series.time.begin(), series.time.end(),
       [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
-  series.value[static_cast<std::size_t>(nearest - series.time.begin())] =
-      std::numeric_limits<double>::quiet_NaN();
+  series.value[static_cast<std::size_t>(nearest - series.time.begin())] = not_a_number;
   return series;
 }
 
 }  // namespace
 
 TimeSeries mutated(const TimeSeries& series, const Mutation& mutation, const MutationFrame& frame) {
-  const auto& [window, period, datum, modes] = frame;
+  const TimeWindow window = frame.window;
+  const double period = frame.period, datum = frame.datum;
   const TimeSeries judged = cut_to_window(series, window);
   const double s = mutation.strength;
   TimeSeries result = series;

@@ -52,6 +52,9 @@ struct MutationFrame {
   // In the series' unit: the fill depth, or the pressure under it; 0 where the quantity has none.
   double datum = 0;
   std::vector<ToneRequest> modes = {};  // that are fitted
+  // The modes as fitted to the very series, once for all that changes a mode of it; where there are
+  // none, each such change fits them.
+  std::vector<Tone> tones = {};
 };
 
 // Throws ComparisonError as cut_to_window() does of the series before its mutation, and as

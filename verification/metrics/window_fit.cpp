@@ -87,9 +87,10 @@ VectorXd WindowFit::residual(const std::vector<double>& time,
   return vector_of(value) - basis_of(elapsed_of(time, window), window, shapes) * coefficients;
 }
 
-LeftoverModel WindowFit::leftovers(const std::vector<double>& time, const VectorXd& left) const {
+LeftoverModel WindowFit::leftovers(const std::vector<double>& time, const VectorXd& left,
+                                   std::optional<std::size_t> k) const {
   return model_leftovers(elapsed_of(time, window), jacobian(time), left, shapes, ranges,
-                         window.end - window.begin);
+                         window.end - window.begin, k);
 }
 
 WindowFit::ToneEstimates WindowFit::estimates(std::size_t k, const LeftoverModel& leftovers) const {

@@ -22,8 +22,10 @@ struct WindowFit {
   Eigen::MatrixXd jacobian(const std::vector<double>& time) const;
   // Values less the model.
   Eigen::VectorXd residual(const std::vector<double>& time, const std::vector<double>& value) const;
-  // What is left of values at these times, such as residual() gives, and what it says of the tones.
-  LeftoverModel leftovers(const std::vector<double>& time, const Eigen::VectorXd& left) const;
+  // What is left of values at these times, such as residual() gives, and what it says of the tones,
+  // or of the k-th alone.
+  LeftoverModel leftovers(const std::vector<double>& time, const Eigen::VectorXd& left,
+                          std::optional<std::size_t> k = {}) const;
 
   // The k-th tone's parameters with the corrections that a model of the leftovers makes to them,
   // and their 95 % intervals.

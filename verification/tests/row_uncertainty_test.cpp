@@ -367,7 +367,9 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
   row.reference.clear();
   const MeasureRow measure = [](const GateRow&) { return Estimate{0.1, 0}; };
   const auto reference = [&] {
-    return row_uncertainty(definition, surge_runs(), row, {}, measure).reference.half_width;
+    const RowMeasures measures{.measure = measure,
+                               .input = [](const GateRow&) { return Contribution{}; }};
+    return row_uncertainty(definition, surge_runs(), row, measures).reference.half_width;
   };
   EXPECT_FALSE(reference().has_value());
   definition.impacts->times_half_width = 0.002;
