@@ -27,7 +27,7 @@ Json rule_json(const Rule& rule) {
 }
 
 // Null: JSON has no number that is not finite.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json result_json(const GateEntry& entry, const Rule& rule, const std::string& message) {
   return {{"ruleId", rule.id},
@@ -38,8 +38,8 @@ Json result_json(const GateEntry& entry, const Rule& rule, const std::string& me
               {{"artifactLocation", {{"uri", entry.file}}},
                {"region", {{"startLine", entry.line}}}}}}}},
           {"properties",
-           {{"value", number(entry.value)},
-            {"uncertainty_95", number(entry.uncertainty)},
+           {{"value", number_or_null(entry.value)},
+            {"uncertainty_95", number_or_null(entry.uncertainty)},
             {"unit", entry.unit}}}};
 }
 

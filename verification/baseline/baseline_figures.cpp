@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "verification/baseline/baseline_diff.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
@@ -63,7 +63,7 @@ std::vector<const RowMovement*> worst_rows(const std::vector<RowMovement>& moved
 void add_point(double place, const std::optional<BaselineValue>& value, Curve& curve) {
   const std::optional<Estimate> at = value ? in_tolerance(*value) : std::nullopt;
   curve.x.push_back(place);
-  curve.y.push_back(at ? at->value : std::numeric_limits<double>::quiet_NaN());
+  curve.y.push_back(at ? at->value : not_a_number);
   curve.y_error.push_back(at ? at->half_width : 0);
 }
 

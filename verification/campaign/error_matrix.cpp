@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
 namespace {
-
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 // NaN of series that cannot be compared.
 double distance(const TimeSeries& one, const TimeSeries& other, TimeWindow window) try {
@@ -26,7 +24,7 @@ double distance(const TimeSeries& one, const TimeSeries& other, TimeWindow windo
   return rms(minus(common.candidate, common.reference)) /
          std::sqrt(rms(without_mean(common.candidate)) * rms(without_mean(common.reference)));
 } catch (const ComparisonError&) {
-  return no_number;
+  return not_a_number;
 }
 
 // In the order of the case file.
@@ -55,7 +53,7 @@ double mean_distance(const std::vector<double>& distances, std::size_t own, std:
     sum += distances[j];
     ++count;
   }
-  return count == 0 ? no_number : sum / count;
+  return count == 0 ? not_a_number : sum / count;
 }
 
 }  // namespace

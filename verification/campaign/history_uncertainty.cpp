@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "verification/campaign/refinement.hpp"
 #include "verification/metrics/error_expansion_fit.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 #include "verification/runs/run_case.hpp"
@@ -71,7 +71,7 @@ void add_in_quadrature(std::vector<double>& widths, const std::vector<double>& a
 // What a run of fewer nodes is apart from the run at its samples. Potential flow ends where it
 // leaves its range: NaN where only one of the two goes on.
 std::vector<double> apart_from(const TimeSeries& coarse, const TimeSeries& series) {
-  std::vector<double> apart(series.value.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> apart(series.value.size(), not_a_number);
   for (std::size_t i = 0; i < std::min(apart.size(), coarse.value.size()); ++i)
     if (coarse.time.at(i) == series.time.at(i)) apart[i] = coarse.value[i] - series.value[i];
   return apart;

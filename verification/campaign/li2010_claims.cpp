@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "verification/campaign/claim_evidence.hpp"
 #include "verification/campaign/claim_thresholds.hpp"
 #include "verification/campaign/surface_spectrum.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -101,7 +101,7 @@ Finding violent(const CaseAssessment& assessment, const std::string& run) {
       std::minmax_element(elevation.value.begin(), elevation.value.end());
   const double over_depth = *highest / definition.liquid.fill_depth;
   // A surface that never falls has no trough to compare with.
-  const double ratio = *lowest < 0 ? *highest / -*lowest : std::numeric_limits<double>::quiet_NaN();
+  const double ratio = *lowest < 0 ? *highest / -*lowest : not_a_number;
   return {
       both(at_least(over_depth, limit::violent_elevation_over_depth,
                     limit::violent_elevation_over_depth),

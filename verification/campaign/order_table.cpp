@@ -4,25 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/refinement.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
 
 constexpr std::size_t least_spacings = 3;
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
 bool has_size(const Estimate& error) {
   return std::isfinite(error.value) && std::abs(error.value) > error.half_width;
 }
 
 // The measures of one run whose order is asked for, in the order of the columns.
 struct Measures {
-  Estimate rms{no_number, 0}, frequency_error{no_number, 0}, decay_excess{no_number, 0};
+  Estimate rms{not_a_number, 0}, frequency_error{not_a_number, 0}, decay_excess{not_a_number, 0};
 };
 
 struct Column {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "verification/campaign/figure_kinds.hpp"
@@ -16,6 +15,7 @@
 #include "verification/campaign/row_tolerance.hpp"
 #include "verification/campaign/shown_quantity.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
@@ -24,8 +24,6 @@ using reports::Curve;
 using reports::Figure;
 
 constexpr double radian_per_degree = std::numbers::pi / 180;
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-
 void add_point(Curve& curve, double ratio, double lag) {
   curve.x.push_back(ratio * std::cos(lag));
   curve.y.push_back(-ratio * std::sin(lag));
@@ -72,7 +70,7 @@ void add_arc(Curve& curve, double ratio, double from, double to) {
   for (int i = 0; i <= pieces; ++i) add_point(curve, ratio, from + (to - from) * i / pieces);
 }
 
-void add_gap(Curve& curve) { add_point(curve, gap, 0); }
+void add_gap(Curve& curve) { add_point(curve, not_a_number, 0); }
 
 // A closed line round the sector; the edges of one row alone are open.
 Curve outline(const std::string& label, const Sector& sector) {

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "verification/campaign/order_table.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
-
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 bool all_finite(const std::vector<ErrorAtStep>& errors) {
   return std::all_of(errors.begin(), errors.end(), [](const ErrorAtStep& one) {
@@ -30,7 +28,7 @@ const ErrorAtStep& finest(const std::vector<ErrorAtStep>& errors) {
 // Throws ComparisonError where the metric has no value.
 double value_of(ProblemMetric metric, const std::vector<ErrorAtStep>& errors) {
   if (errors.empty()) throw ComparisonError("the measure has no errors");
-  if (!all_finite(errors)) return no_number;
+  if (!all_finite(errors)) return not_a_number;
   if (metric == ProblemMetric::error_at_finest) return std::abs(finest(errors).error);
   if (metric == ProblemMetric::largest_error) {
     double largest = 0;
@@ -74,25 +72,25 @@ std::optional<double> order_of(const std::vector<ErrorAtStep>& errors) {
 
 ProblemGateOutcome evaluate(const ProblemGateRow& row, const ProblemRun& run) {
   if (run.status.state == RunState::failed)
-    return {row, Verdict::solver_failed, no_number, "the problem failed: " + run.status.message};
+    return {row, Verdict::solver_failed, not_a_number, "the problem failed: " + run.status.message};
   if (run.status.state == RunState::not_selected)
-    return {row, Verdict::not_selected, no_number, "the problem is not selected"};
+    return {row, Verdict::not_selected, not_a_number, "the problem is not selected"};
   if (!run.result)
-    return {row, Verdict::not_compared, no_number,
+    return {row, Verdict::not_compared, not_a_number,
             "the problem has no result: " + run.status.message};
   const std::vector<MeasuredErrors>& measures = run.result->outcome.measures;
   const auto found = std::find_if(measures.begin(), measures.end(), [&](const MeasuredErrors& one) {
     return one.name == row.measure;
   });
   if (found == measures.end())
-    return {row, Verdict::not_compared, no_number, "the result has no measure " + row.measure};
+    return {row, Verdict::not_compared, not_a_number, "the result has no measure " + row.measure};
   try {
     const double value = value_of(row.metric, found->errors);
     const Bound bound = compare_to_bound(row, value);
     return {row, bound.holds ? Verdict::pass : Verdict::violated, value,
             bound.text + (row.kind == RowKind::regression ? " (regression)" : "")};
   } catch (const ComparisonError& error) {
-    return {row, Verdict::not_compared, no_number, error.what()};
+    return {row, Verdict::not_compared, not_a_number, error.what()};
   }
 }
 

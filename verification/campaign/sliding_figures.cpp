@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "verification/campaign/row_tolerance.hpp"
 #include "verification/campaign/shown_quantity.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/sliding_fit.hpp"
 
 namespace slosh {
@@ -49,11 +49,10 @@ std::optional<std::vector<FittedWindow>> fits_of(const CaseAssessment& assessmen
 // A gap where the mode is not resolved.
 Curve curve_of(const Comparison& pair, const std::vector<FittedWindow>& fits,
                Estimate ModeComparison::*measure, double offset) {
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   Curve curve{pair.candidate + " against " + pair.reference, {}, {}, {}, Curve::Style::line};
   for (const FittedWindow& fit : fits) {
     const ModeComparison& mode = fit.modes.front();
-    const Estimate value = mode.resolved() ? mode.*measure : Estimate{gap, 0};
+    const Estimate value = mode.resolved() ? mode.*measure : Estimate{not_a_number, 0};
     curve.x.push_back(fit.middle);
     curve.y.push_back(offset + value.value);
     curve.lower.push_back(offset + value.value - value.half_width);

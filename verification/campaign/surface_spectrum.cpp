@@ -3,22 +3,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "verification/campaign/claim_evidence.hpp"
 #include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/motion.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
 
 constexpr int sought_peaks = 8;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // Within the window's resolution: two peaks are further apart than that.
 SpectralPeak nearest(const std::vector<SpectralPeak>& peaks, double frequency, double resolution) {
-  SpectralPeak best{nan, nan};
+  SpectralPeak best{not_a_number, not_a_number};
   double distance = resolution;
   for (const SpectralPeak& peak : peaks) {
     if (!(std::abs(peak.frequency - frequency) < distance)) continue;
@@ -31,7 +29,7 @@ SpectralPeak nearest(const std::vector<SpectralPeak>& peaks, double frequency, d
 double amplitude(const CaseDefinition& definition) {
   const auto* sine =
       definition.motion.surge ? std::get_if<SineMotion>(&*definition.motion.surge) : nullptr;
-  return sine ? sine->amplitude : nan;
+  return sine ? sine->amplitude : not_a_number;
 }
 
 std::vector<std::string> cells(const SurfaceSpectrum& spectrum) {
@@ -99,7 +97,7 @@ reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseA
           "of the printed power is not known, so that only ratios compare. Growth: from the "
           "smaller "
           "to the larger amplitude b.",
-          smaller.definition.gauges.empty() ? nan : smaller.definition.gauges.front().x,
+          smaller.definition.gauges.empty() ? not_a_number : smaller.definition.gauges.front().x,
           smaller.definition.window_begin, smaller.definition.window_end),
       {"run", "b [m]", "first peak [Hz]", "its power", "second peak [Hz]", "its power",
        "first / second", "growth of the first", "growth of the second"},

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "verification/case_file/motion.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/runs/reference_tank.hpp"
 
 namespace slosh {
@@ -17,8 +17,7 @@ using std::numbers::pi;
 // NaN where the result does not tell it.
 double recorded(const RunResult& result, const char* name) {
   const auto found = result.diagnostics.find(name);
-  return found == result.diagnostics.end() ? std::numeric_limits<double>::quiet_NaN()
-                                           : found->second;
+  return found == result.diagnostics.end() ? not_a_number : found->second;
 }
 
 double amplitude_of(const MotionHistory& history) {

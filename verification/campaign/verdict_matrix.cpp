@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "verification/campaign/report_places.hpp"
 #include "verification/case_file/problem_table.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
@@ -110,7 +110,7 @@ VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems) {
            {.rows = 1,
             .verdict = outcome.verdict,
             .value = outcome.value,
-            .half_width = std::numeric_limits<double>::quiet_NaN(),
+            .half_width = not_a_number,
             .unit = outcome.row.unit,
             .found = found_text(outcome),
             .row_id = problem_row_id(one.definition.name, i),

@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "verification/campaign/claim_evidence.hpp"
 #include "verification/campaign/pressure_noise.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/impact_peaks.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double late_part = 0.2;  // of the run: what a treatment has settled to
 
 bool has_tag(const CaseDefinition& definition, const std::string& tag) {
@@ -26,25 +25,25 @@ bool has_tag(const CaseDefinition& definition, const std::string& tag) {
 double late_mean(const CaseAssessment& assessment, const std::string& run,
                  const std::string& series) {
   const double end = assessment.definition.duration;
-  if (!has_series(assessment.runs, run, series)) return nan;
+  if (!has_series(assessment.runs, run, series)) return not_a_number;
   try {
     return plateau_mean(assessment.runs.results.at(run).at(series), {(1 - late_part) * end, end});
   } catch (const ComparisonError&) {
-    return nan;
+    return not_a_number;
   }
 }
 
 // Of the case's first pressure gauge; NaN as above.
 double noise_of(const CaseAssessment& assessment, const std::string& run) {
   const CaseDefinition& definition = assessment.definition;
-  if (definition.pressure_gauges.empty()) return nan;
+  if (definition.pressure_gauges.empty()) return not_a_number;
   const std::string pressure = "wall_pressure@" + definition.pressure_gauges.front().name;
-  if (!has_series(assessment.runs, run, pressure)) return nan;
+  if (!has_series(assessment.runs, run, pressure)) return not_a_number;
   try {
     return pressure_noise(assessment.runs.results.at(run).at(pressure),
                           comparison_window(definition), noise_band(definition));
   } catch (const ComparisonError&) {
-    return nan;
+    return not_a_number;
   }
 }
 

@@ -6,25 +6,23 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/sample_moments.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
 double core_seconds(const RunCost& cost) { return cost.user_time + cost.system_time; }
 
 Estimate mean_with_interval(const std::vector<double>& values) {
   const double n = static_cast<double>(values.size());
-  if (values.size() < 2) return {mean(values), no_number};
+  if (values.size() < 2) return {mean(values), not_a_number};
   const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
   return {mean(values), t * rms(without_mean(values)) / std::sqrt(n - 1)};
 }
@@ -46,7 +44,7 @@ std::vector<WorkPoint> points_of(const WorkFamily& family, Estimate MeasuredCost
 }
 
 // Of the liquid alone: what sets a theory with the gas apart from one without it is no error.
-bool is_theory(const RunDefinition& run) {
+bool is_theory_of_liquid(const RunDefinition& run) {
   const LinearRun* linear = std::get_if<LinearRun>(&run.solver);
   return (linear && !linear->two_layer) || std::holds_alternative<ViscousWaveRun>(run.solver) ||
          std::holds_alternative<PotentialRun>(run.solver);
@@ -55,7 +53,7 @@ bool is_theory(const RunDefinition& run) {
 std::vector<const RunDefinition*> references_in_range(const CaseAssessment& assessment) {
   std::vector<const RunDefinition*> found;
   for (const RunDefinition& run : assessment.definition.runs)
-    if (is_theory(run) && assessment.runs.results.contains(run.name) &&
+    if (is_theory_of_liquid(run) && assessment.runs.results.contains(run.name) &&
         assessment.runs.status.at(run.name).state == RunState::finished)
       found.push_back(&run);
   return found;
@@ -107,7 +105,8 @@ MeasuredCost cost_of(const CaseRuns& runs, const std::string& run) {
   const auto timed = runs.timings.find(run);
   if (timed == runs.timings.end() || timed->second.empty()) {
     const RunCost& beside_others = runs.results.at(run).cost;
-    return {{core_seconds(beside_others), no_number}, {beside_others.peak_memory, no_number}, 0};
+    return {
+        {core_seconds(beside_others), not_a_number}, {beside_others.peak_memory, not_a_number}, 0};
   }
   std::vector<double> times, memories;
   for (const RunCost& one : timed->second) {

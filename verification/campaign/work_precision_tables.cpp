@@ -32,8 +32,8 @@ struct CostColumn {
   std::string unit;
 };
 
-const CostColumn core_seconds{by_core_seconds, 1, "s"};
-const CostColumn memory{by_memory, 1.0 / 1048576, "MiB"};
+const CostColumn time_column{by_core_seconds, 1, "s"};
+const CostColumn memory_column{by_memory, 1.0 / 1048576, "MiB"};
 
 std::string reached_text(const CostAtError& found, const CostColumn& column) {
   const std::string text = with_range(column.scale * found.cost, known_spread(found), column.unit);
@@ -192,8 +192,8 @@ std::vector<Table> work_precision_tables(const CaseAssessment& assessment) {
   const std::vector<WorkFamily> families = told_families(assessment);
   if (families.empty()) return {};
   const std::string& name = assessment.definition.name;
-  std::vector<Table> tables{cost_at_errors(assessment, families, core_seconds),
-                            cost_at_errors(assessment, families, memory), speed_table(families)};
+  std::vector<Table> tables{cost_at_errors(assessment, families, time_column),
+                            cost_at_errors(assessment, families, memory_column), speed_table(families)};
   tables[0].id = name + "-cost-to-reach";
   tables[0].title = "Run time to reach an error [core-seconds]";
   tables[1].id = name + "-memory-to-reach";

@@ -2,9 +2,9 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/sample_moments.hpp"
 
 namespace slosh {
@@ -37,7 +37,7 @@ double welch_freedom(const MeanVariance& a, const MeanVariance& b) {
 
 double half_width_of(double variance, double freedom) {
   if (variance == 0) return 0;  // members that are all alike
-  if (!std::isfinite(variance)) return std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(variance)) return not_a_number;
   return boost::math::quantile(boost::math::students_t(freedom), 0.975) * std::sqrt(variance);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/fourier_transform.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
@@ -81,7 +82,7 @@ std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, int count) {
 }
 
 double band_energy(const Spectrum& spectrum, double low, double high) {
-  if (!(high - low >= 2 * spectrum.resolution)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(high - low >= 2 * spectrum.resolution)) return not_a_number;
   double sum = 0;
   for (std::size_t i = 0; i < spectrum.power.size(); ++i)
     if (spectrum.frequency[i] >= low && spectrum.frequency[i] <= high) sum += spectrum.power[i];

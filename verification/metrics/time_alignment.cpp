@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
 namespace slosh {
@@ -49,8 +50,7 @@ TimeAlignment align_in_time(const TimeSeries& candidate, const TimeSeries& refer
     least = found;
     best = i;
   }
-  if (best == 0 || best == trial_lags)
-    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  if (best == 0 || best == trial_lags) return {not_a_number, not_a_number};
   const auto [lag, rms] = boost::math::tools::brent_find_minima(error, -range + (best - 1) * step,
                                                                 -range + (best + 1) * step, bits);
   return {lag, rms};

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/estimate.hpp"
 #include "verification/metrics/orthonormal.hpp"
 
 namespace slosh {
@@ -140,7 +141,7 @@ MatrixXd tone_columns(const VectorXd& elapsed, const ToneShape& shape) {
   const double rounding = 1e-12 * (1 + std::abs(elapsed[count - 1]));
   MatrixXd columns(count, 2);
   std::complex<double> now;
-  double expected = std::numeric_limits<double>::quiet_NaN();
+  double expected = not_a_number;
   for (Index i = 0; i < count; ++i) {
     now = i % turns != 0 && std::abs(elapsed[i] - expected) < rounding
               ? now * turn

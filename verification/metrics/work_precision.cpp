@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <set>
+
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double furthest_beyond = 2;  // the smallest error over the one asked for
 
 bool is_usable(const WorkPoint& point) {
@@ -52,7 +52,7 @@ CostAtError between(const WorkPoint& first, const WorkPoint& second, double erro
 CostAtError by_cheapest(const std::vector<WorkPoint>& front, double error) {
   const WorkPoint& cheapest = front.front();
   const double beyond = relative(cheapest.error) - (std::log(error) - log_error(cheapest));
-  double gain = no_number;
+  double gain = not_a_number;
   if (front.size() > 1)
     gain = (log_cost(front[1]) - log_cost(cheapest)) / (log_error(cheapest) - log_error(front[1]));
   return {Reach::by_cheapest,      cheapest.cost.value,
@@ -105,7 +105,7 @@ std::optional<Estimate> work_slope(const std::vector<WorkPoint>& points) {
   }
   if (!(ww > 0)) return std::nullopt;
   const double slope = wl / ww;
-  if (resolutions == 2) return Estimate{slope, no_number};
+  if (resolutions == 2) return Estimate{slope, not_a_number};
   const double left = std::max(0.0, ll - slope * wl);  // sum of the squared residuals
   const double t = boost::math::quantile(boost::math::students_t(n - 2), 0.975);
   return Estimate{slope, t * std::sqrt(left / (n - 2) / ww)};
@@ -118,7 +118,7 @@ double known_spread(const CostAtError& found) {
 
 CostAtError cost_at_error(const std::vector<WorkPoint>& points, double error) {
   const std::vector<WorkPoint> front = pareto_front(points);
-  CostAtError found{Reach::not_at_all, no_number, no_number, no_number, {}, {}};
+  CostAtError found{Reach::not_at_all, not_a_number, not_a_number, not_a_number, {}, {}};
   if (front.empty()) return found;
   const auto reached = std::find_if(front.begin(), front.end(), [&](const WorkPoint& point) {
     return point.error.value <= error;

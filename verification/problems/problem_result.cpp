@@ -1,8 +1,8 @@
 #include "verification/problems/problem_result.hpp"
 
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "verification/metrics/estimate.hpp"
 #include "verification/runs/content_hash.hpp"
 #include "verification/runs/sealed_json.hpp"
 
@@ -14,9 +14,7 @@ using nlohmann::json;  // its objects are sorted: one text per value
 constexpr const char* format = "slosh problem";
 constexpr int format_version = 2;
 
-double number(const json& value) {
-  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
+double number(const json& value) { return value.is_null() ? not_a_number : value.get<double>(); }
 
 std::vector<double> numbers(const json& values) {
   std::vector<double> all;

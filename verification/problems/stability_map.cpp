@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "sph/schemes.hpp"
+#include "verification/metrics/estimate.hpp"
 
 namespace slosh {
 namespace {
@@ -27,7 +27,7 @@ double limit_of(const StabilityMap& map, double up, const std::vector<Probe>& ro
   const auto first = std::find_if(row.begin(), row.end(), [](const Probe& probe) {
     return probe.stability != Stability::stable;
   });
-  if (first == row.begin() || first == row.end()) return std::numeric_limits<double>::quiet_NaN();
+  if (first == row.begin() || first == row.end()) return not_a_number;
   const auto k = static_cast<std::size_t>(first - row.begin());
   double low = map.across.values[k - 1], high = map.across.values[k];
   while (high - low > 0.02 * high) {

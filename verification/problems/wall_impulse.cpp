@@ -8,9 +8,9 @@
 // sph/walls/mirror_particles.hpp, p_b = p_owner + rho_owner g . (r_b - r_owner).
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sph/schemes.hpp"
+#include "verification/metrics/estimate.hpp"
 #include "verification/problems/flow.hpp"
 #include "verification/problems/problem_list.hpp"
 
@@ -127,8 +127,7 @@ Balance balance(int cells) {
   }
   result.imbalance /= largest;
   // A particle that a wall has put back has a push that is not in the sums.
-  if (flow.liquid.exchanged_at_walls() > 0)
-    result.imbalance = std::numeric_limits<double>::quiet_NaN();
+  if (flow.liquid.exchanged_at_walls() > 0) result.imbalance = not_a_number;
   return result;
 }
 

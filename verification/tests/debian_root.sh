@@ -41,10 +41,11 @@ mount --rbind /sys "$directory/sys"
 mount --rbind /dev "$directory/dev"
 cp /etc/resolv.conf "$directory/etc/resolv.conf"
 
-# What git tracks, or all but the builds where the tree is no checkout.
+# What git tracks, or all but the builds where the tree is no checkout. Every file is as new as this copy, so that
+# nothing of an earlier build is taken for one of these files.
 mkdir -p "$directory/slosh"
 (cd "$source_tree" && { git ls-files -z 2>/dev/null || find . -path ./build -prune -o -type f -print0; } |
-  tar --null -T - -cf -) | tar -C "$directory/slosh" -xf -
+  tar --null -T - -cf -) | tar -C "$directory/slosh" -xmf -
 
 inside() { chroot "$directory" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root sh -ec "cd /slosh; $*"; }
 inside ./slosh campaign verification --quick

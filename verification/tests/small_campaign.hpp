@@ -166,6 +166,12 @@ class SmallCampaign : public ::testing::Test {
   Ended tool(const std::vector<std::string>& arguments, const Environment& more = {}) const {
     return end_of(start(SLOSH_TOOL, arguments, more));
   }
+  // `slosh run` of the case small.toml, whose result stays in the directory.
+  Ended run(const std::string& name, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"run", "./small.toml", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return tool(arguments);
+  }
   Ended campaign() const { return tool({"campaign", "./surges.toml", "--output", "out"}); }
 
  private:

@@ -16,10 +16,6 @@ class ToolExport : public SmallCampaign {
  protected:
   ToolExport() { write_campaign(particles_case); }
 
-  void run(const std::string& name) const {
-    const Ended ended = tool({"run", "./small.toml", name});
-    ASSERT_EQ(ended.status, 0) << ended.err;
-  }
   // A program that notes the file it is to show, and its content's first letters.
   Environment browser() const {
     write("browser", "#!/bin/sh\necho \"$1\" >shown\n");
@@ -36,7 +32,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST_F(ToolExport, WritesEveryNumberOfAResultSoThatItReadsAsTheSame) {
-  run("theory");
+  ASSERT_EQ(run("theory").status, 0);
   const Ended table = tool({"export", "theory.h5", "--csv"}, {{"LC_ALL", "de_DE.UTF-8"}});
   ASSERT_EQ(table.status, 0) << table.err;
   ASSERT_EQ(tool({"export", "theory.h5", "--csv", "-o", "theory.csv"}).status, 0);
@@ -74,7 +70,7 @@ TEST_F(ToolExport, LeavesTheVerdictsAsATableWhereOneIsAskedFor) {
 }
 
 TEST_F(ToolExport, ShowsTheHistoriesThatAreThereAndTellsHowToComputeTheOthers) {
-  run("theory");
+  ASSERT_EQ(run("theory").status, 0);
   const Ended shown = tool({"show", "./small.toml"}, browser());
   EXPECT_EQ(shown.status, 0) << shown.err;
   EXPECT_TRUE(holds(shown.err, "particles is not there: `./slosh run "));
@@ -87,7 +83,7 @@ TEST_F(ToolExport, ShowsTheHistoriesThatAreThereAndTellsHowToComputeTheOthers) {
 }
 
 TEST_F(ToolExport, DrawsThePictureIntoAFile) {
-  run("theory");
+  ASSERT_EQ(run("theory").status, 0);
   ASSERT_EQ(tool({"show", "./small.toml", "-o", "a.png"}).status, 0);
   EXPECT_TRUE(read("a.png").starts_with("\x89PNG"));
   ASSERT_EQ(tool({"show", "./small.toml", "-o", "new/a.svg"}).status, 0);
@@ -111,7 +107,7 @@ TEST_F(ToolExport, HasNothingToShowWhereNoResultIsThere) {
 }
 
 TEST_F(ToolExport, TellsWhereThePictureIsWithoutABrowser) {
-  run("theory");
+  ASSERT_EQ(run("theory").status, 0);
   const Ended shown = tool({"show", "./small.toml"}, {{"BROWSER", "no_such_browser"}});
   EXPECT_EQ(shown.status, 0);
   EXPECT_TRUE(holds(shown.out, "picture: "));

@@ -13,11 +13,6 @@ class ToolStore : public SmallCampaign {
  protected:
   ToolStore() { write_campaign(particles_case); }
 
-  Ended run(const std::string& name, const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> arguments{"run", "./small.toml", name};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return tool(arguments);
-  }
   // What is under one of the store's keys, under that of a build that is none of this tree's.
   fs::path made_old(const fs::path& result) const {
     const fs::path old = result.parent_path() / (std::string(32, '0') + ".h5");
