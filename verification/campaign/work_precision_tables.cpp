@@ -193,7 +193,8 @@ std::vector<Table> work_precision_tables(const CaseAssessment& assessment) {
   if (families.empty()) return {};
   const std::string& name = assessment.definition.name;
   std::vector<Table> tables{cost_at_errors(assessment, families, time_column),
-                            cost_at_errors(assessment, families, memory_column), speed_table(families)};
+                            cost_at_errors(assessment, families, memory_column),
+                            speed_table(families)};
   tables[0].id = name + "-cost-to-reach";
   tables[0].title = "Run time to reach an error [core-seconds]";
   tables[1].id = name + "-memory-to-reach";
