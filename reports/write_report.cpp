@@ -11,11 +11,13 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "reports/check_report.hpp"
 #include "reports/draw_field.hpp"
 #include "reports/draw_figure.hpp"
 #include "reports/print_pdf.hpp"
+#include "reports/side_by_side.hpp"
 #include "reports/templates.hpp"
 #include "reports/temporary_directory.hpp"
 #include "reports/text_file.hpp"
@@ -35,18 +37,25 @@ constexpr std::array<std::string_view, 7> report_entries{
 Drawings draw(const Report& report, const fs::path& scratch, const fs::path& directory) {
   fs::create_directory(scratch);
   fs::create_directories(directory / "figures");
-  Drawings drawings;
+  std::vector<const Figure*> figures;
+  std::vector<const FieldFigure*> fields;
   for (const Section& section : report.sections) {
-    for (const Figure& figure : section.figures) {
-      drawings.figures.push_back(draw_figure(figure, scratch));
-      write_text(directory / "figures" / (figure.id + ".svg"),
-                 svg_element(figure, drawings.figures.back(), SvgPlace::own_file));
-    }
-    for (const FieldFigure& figure : section.fields) {
-      drawings.fields.push_back(draw_field(figure, scratch));
-      write_text(directory / "figures" / (figure.id + ".png"), drawings.fields.back().png);
-    }
+    for (const Figure& figure : section.figures) figures.push_back(&figure);
+    for (const FieldFigure& figure : section.fields) fields.push_back(&figure);
   }
+  const auto threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  Drawings drawings;
+  drawings.figures.resize(figures.size());
+  side_by_side(figures.size(), threads, [&](std::size_t i) {
+    drawings.figures[i] = draw_figure(*figures[i], scratch);
+    write_text(directory / "figures" / (figures[i]->id + ".svg"),
+               svg_element(*figures[i], drawings.figures[i], SvgPlace::own_file));
+  });
+  drawings.fields.resize(fields.size());
+  side_by_side(fields.size(), threads, [&](std::size_t i) {
+    drawings.fields[i] = draw_field(*fields[i], scratch);
+    write_text(directory / "figures" / (fields[i]->id + ".png"), drawings.fields[i].png);
+  });
   return drawings;
 }
 

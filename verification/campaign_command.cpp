@@ -7,7 +7,9 @@
 #include <iostream>
 
 #include "reports/print_pdf.hpp"
+#include "reports/side_by_side.hpp"
 #include "reports/write_report.hpp"
+#include "sph/threads.hpp"
 #include "verification/assessment_text.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_figures.hpp"
@@ -21,6 +23,7 @@
 #include "verification/named_paths.hpp"
 #include "verification/requested_campaign.hpp"
 #include "verification/runs/atomic_file.hpp"
+#include "verification/runs/content_hash.hpp"
 #include "verification/verdict_text.hpp"
 
 namespace slosh {
@@ -66,6 +69,7 @@ std::string report_lines(const fs::path& place, const CampaignOptions& options) 
 struct ReportSources {
   fs::path ledger;
   std::string campaign;  // as a command line names it
+  std::string judge;     // the content of this program
 };
 
 void leave_report(const AssessedCampaign& assessed, const CampaignOptions& options,
@@ -73,8 +77,10 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
   const std::string command =
       fmt::format("./slosh campaign {}{}{}", sources.campaign, selection_options(options.selection),
                   experiments_option(whole(options.experiments)));
+  KnownStrengths known(assessed.output / "strengths.json", sources.judge);
   reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
-                                           assessed.cases, assessed.problems);
+                                           assessed.cases, assessed.problems, &known);
+  known.write();
   add_baseline_figures(read_ledger(sources.ledger), assessed.cases, report);
   reports::write_report(report, assessed.output / "report", options.pdf);
 }
@@ -91,8 +97,10 @@ AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& sto
   CampaignRuns runs =
       run_campaign_jobs(campaign.cases, campaign.definition.problems, campaign.settings, stop);
   AssessedCampaign assessed{std::move(campaign.definition), campaign.place, {}, {}};
-  for (std::size_t i = 0; i < campaign.cases.size(); ++i)
-    assessed.cases.push_back(assess(campaign.cases[i], std::move(runs.cases[i])));
+  assessed.cases.resize(campaign.cases.size());
+  reports::side_by_side(campaign.cases.size(), sph::usable_cores(), [&](std::size_t i) {
+    assessed.cases[i] = assess(campaign.cases[i], std::move(runs.cases[i]));
+  });
   for (std::size_t i = 0; i < runs.problems.size(); ++i)
     assessed.problems.push_back(
         assess(assessed.definition.problems[i], std::move(runs.problems[i])));
@@ -147,13 +155,14 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     tell(standing->out);
     return ended(standing->status, options);
   }
+  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   const std::string rows = gate_lines(assessed.cases, assessed.problems);
   tell(rows);
   forget_standing(place);
   leave_report(assessed, options,
-               {ledger, name_or_path(assessed.definition.file, installation.campaigns)});
+               {ledger, name_or_path(assessed.definition.file, installation.campaigns), judge});
   leave_table(assessed, movements(baseline_of(read_ledger(ledger)), assessed.cases), options,
               installation.source);
   const int status = exit_status(assessed.cases, assessed.problems);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reports/side_by_side.hpp"
 #include "sph/threads.hpp"
 #include "verification/campaign/case_coverage.hpp"
 #include "verification/campaign/case_figures.hpp"
@@ -76,8 +77,8 @@ Section gate_section(const CaseAssessment& assessment) {
   return section;
 }
 
-Section case_section(const CaseAssessment& assessment) {
-  const std::vector<RowStrength> strengths = row_strengths(assessment, sph::usable_cores());
+Section case_section(const CaseAssessment& assessment, int threads, KnownStrengths* known) {
+  const std::vector<RowStrength> strengths = row_strengths(assessment, threads, known);
   const CaseDefinition& definition = assessment.definition;
   Section section;
   section.id = definition.name;
@@ -206,7 +207,8 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::string& command,
                                 const std::vector<CaseAssessment>& cases,
-                                const std::vector<ProblemAssessment>& problems) {
+                                const std::vector<ProblemAssessment>& problems,
+                                KnownStrengths* known) {
   const auto origin = provenance("");
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
@@ -219,11 +221,16 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
       summary_sections(cases, problems,
                        fmt::format("{} Repeat this campaign with `{}`. {}.",
                                    kinds_sentence(cases, problems), command, campaign.source));
-  for (const CaseAssessment& one : cases) {
-    if (!has_selected_runs(one)) continue;
-    report.pages.push_back(page_of(one));
-    report.sections.push_back(gate_section(one));
-    report.sections.push_back(case_section(one));
+  const int threads = sph::usable_cores();
+  std::vector<Section> case_sections(cases.size());
+  reports::side_by_side(cases.size(), threads, [&](std::size_t i) {
+    if (has_selected_runs(cases[i])) case_sections[i] = case_section(cases[i], threads, known);
+  });
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!has_selected_runs(cases[i])) continue;
+    report.pages.push_back(page_of(cases[i]));
+    report.sections.push_back(gate_section(cases[i]));
+    report.sections.push_back(std::move(case_sections[i]));
   }
   if (has_selected(problems))
     report.pages.push_back({problems_page, "Verification problems", verdict_sentence({}, problems),

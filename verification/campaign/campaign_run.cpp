@@ -139,7 +139,7 @@ std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
   for (const Pending& one : pending) jobs.push_back(one.job);
   // They share the cores by running side by side, one thread each.
   setenv("OMP_NUM_THREADS", "1", 0);
-  ProgressDisplay display(std::cerr, style_of(STDERR_FILENO), settings.at_once);
+  ProgressDisplay display(std::cerr, style_now_of(STDERR_FILENO), settings.at_once);
   std::vector<JobState> states =
       launch(jobs,
              {.directory = settings.output / "jobs",

@@ -4,13 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <iterator>
 #include <map>
 #include <numbers>
 
+#include "reports/side_by_side.hpp"
 #include "verification/campaign/case_evidence.hpp"
 #include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -113,12 +112,12 @@ bool have_one_frame(const MutationFrame& a, const MutationFrame& b) {
   return a.window.begin == b.window.begin && a.window.end == b.window.end && a.period == b.period;
 }
 
-std::vector<RowGroup> groups_of(const CaseAssessment& assessment) {
+// Of the rows with these numbers.
+std::vector<RowGroup> groups_of(const CaseAssessment& assessment,
+                                const std::vector<std::size_t>& rows) {
   std::vector<RowGroup> groups;
-  for (std::size_t i = 0; i < assessment.gate.size(); ++i) {
-    const GateOutcome& outcome = assessment.gate[i];
-    if (!can_be_mutated(assessment, outcome)) continue;
-    const GateRow& row = outcome.row;
+  for (const std::size_t i : rows) {
+    const GateRow& row = assessment.gate[i].row;
     const MutationFrame frame = frame_of(assessment.definition, row);
     const auto found = std::find_if(groups.begin(), groups.end(), [&](const RowGroup& group) {
       const GateRow& first = assessment.gate[group.rows.front()].row;
@@ -181,22 +180,28 @@ double datum_of(const CaseDefinition& definition, const std::string& quantity) {
   return is_a_length ? depth : 0;
 }
 
-std::vector<RowStrength> row_strengths(const CaseAssessment& assessment, int threads) {
-  const std::vector<RowGroup> groups = groups_of(assessment);
-  std::vector<std::vector<GateStrength>> found(groups.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < groups.size(); i = next++)
-      found[i] = strengths_of(assessment, groups[i]);
-  };
-  std::vector<std::future<void>> workers;
-  for (int i = 0; i < threads; ++i) workers.push_back(std::async(std::launch::async, work));
-  for (std::future<void>& worker : workers) worker.get();
+std::vector<RowStrength> row_strengths(const CaseAssessment& assessment, int threads,
+                                       KnownStrengths* known) {
+  const std::string evidence = known ? known->evidence_of(assessment) : "";
   std::map<std::size_t, GateStrength> by_row;
+  std::vector<std::size_t> to_try;
+  for (std::size_t i = 0; i < assessment.gate.size(); ++i) {
+    if (!can_be_mutated(assessment, assessment.gate[i])) continue;
+    if (auto strength = known ? known->find(evidence, assessment.gate[i].row) : std::nullopt)
+      by_row[i] = std::move(*strength);
+    else
+      to_try.push_back(i);
+  }
+  const std::vector<RowGroup> groups = groups_of(assessment, to_try);
+  std::vector<std::vector<GateStrength>> found(groups.size());
+  reports::side_by_side(groups.size(), threads,
+                        [&](std::size_t i) { found[i] = strengths_of(assessment, groups[i]); });
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (std::size_t k = 0; k < groups[g].rows.size(); ++k)
       by_row[groups[g].rows[k]] = std::move(found[g][k]);
   std::vector<RowStrength> strengths;
+  for (const auto& [i, strength] : by_row)
+    if (known) known->keep(evidence, assessment.gate[i].row, strength);
   for (auto& [i, strength] : by_row)
     strengths.push_back({assessment.gate[i].row, std::move(strength)});
   return strengths;

@@ -8,6 +8,7 @@
 
 #include "reports/report_model.hpp"
 #include "verification/campaign/case_assessment.hpp"
+#include "verification/campaign/known_strengths.hpp"
 #include "verification/gate/gate_strength.hpp"
 
 namespace slosh {
@@ -22,8 +23,9 @@ struct RowStrength {
 double datum_of(const CaseDefinition& definition, const std::string& quantity);
 
 // Of the rows that were judged on a series: of one that does not pass as it is, it says only that.
-// They are tried side by side on that many threads.
-std::vector<RowStrength> row_strengths(const CaseAssessment& assessment, int threads);
+// They are tried side by side on that many threads; those that are known, null for none, are not.
+std::vector<RowStrength> row_strengths(const CaseAssessment& assessment, int threads,
+                                       KnownStrengths* known = nullptr);
 
 // Per row the smallest change that it detects, and what it does not notice at all.
 reports::Table strength_table(const CaseAssessment& assessment,
