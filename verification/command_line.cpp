@@ -144,7 +144,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   const ExpectedCost expected =
       expected_cost(definition, run, key, ResultStore(usual_store(installation)));
   const auto compute = [&] {
-    RunDisplay display(std::cerr, style_of(STDERR_FILENO), definition.name + "/" + run.name,
+    RunDisplay display(std::cerr, style_now_of(STDERR_FILENO), definition.name + "/" + run.name,
                        expected.wall_time);
     const Progress write = progress_writer(options.progress_file, definition.duration);
     return execute(definition, run, settings, [&](double time, double steps) {

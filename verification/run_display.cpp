@@ -4,13 +4,13 @@
 
 namespace slosh {
 
-RunDisplay::RunDisplay(std::ostream& stream, const DisplayStyle& style, const std::string& name,
+RunDisplay::RunDisplay(std::ostream& stream, const AskStyle& style, const std::string& name,
                        double expected_time)
     : display_(stream, style, 1) {
   state_.job.name = name;
   state_.job.expected_time = expected_time;
   state_.phase = JobPhase::running;
-  if (style.live) thread_ = std::thread([this] { draw(); });
+  if (style().live) thread_ = std::thread([this] { draw(); });
 }
 
 RunDisplay::~RunDisplay() {

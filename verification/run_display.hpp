@@ -14,7 +14,7 @@ namespace slosh {
 class RunDisplay {
  public:
   // `expected_time` [s]: of the wall, for a solver that does not tell how far it is.
-  RunDisplay(std::ostream& stream, const DisplayStyle& style, const std::string& name,
+  RunDisplay(std::ostream& stream, const AskStyle& style, const std::string& name,
              double expected_time);
   ~RunDisplay();  // takes the line away
   RunDisplay(const RunDisplay&) = delete;

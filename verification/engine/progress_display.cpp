@@ -64,11 +64,12 @@ std::string running_line(const JobState& state, std::size_t name_width, std::siz
   return line.substr(0, columns);
 }
 
-ProgressDisplay::ProgressDisplay(std::ostream& stream, const DisplayStyle& style, int at_once)
-    : stream_(stream), style_(style), at_once_(at_once) {}
+ProgressDisplay::ProgressDisplay(std::ostream& stream, AskStyle style, int at_once)
+    : stream_(stream), ask_style_(std::move(style)), style_(ask_style_()), at_once_(at_once) {}
 
 void ProgressDisplay::show(const std::vector<JobState>& states, Clock::time_point now) {
   if (phases_.empty()) written_ = now;
+  style_ = ask_style_();
   phases_.resize(states.size(), JobPhase::waiting);
   erase_live_lines();
   const Sums sums = sums_of(states, at_once_);
@@ -120,8 +121,18 @@ void ProgressDisplay::show_plain_progress(const std::vector<JobState>& states, c
 }
 
 void ProgressDisplay::erase_live_lines() {
-  for (; live_lines_ > 0; --live_lines_) stream_ << line_up_and_erase;
+  // A terminal that has become narrower shows a line in several rows.
+  const auto columns = static_cast<std::size_t>(std::max(style_.columns, 1));
+  for (const std::size_t length : live_lines_)
+    for (std::size_t row = 0; row < std::max<std::size_t>(length, 1); row += columns)
+      stream_ << line_up_and_erase;
+  live_lines_.clear();
   stream_.flush();
+}
+
+void ProgressDisplay::draw_live_line(const std::string& line) {
+  stream_ << line << '\n';
+  live_lines_.push_back(line.size());
 }
 
 void ProgressDisplay::draw_live_lines(const std::vector<JobState>& states, const Sums& sums) {
@@ -132,12 +143,10 @@ void ProgressDisplay::draw_live_lines(const std::vector<JobState>& states, const
     if (state.phase == JobPhase::running) width = std::max(width, state.job.name.size());
   for (const JobState& state : states) {
     if (state.phase != JobPhase::running) continue;
-    stream_ << running_line(state, width, columns) << '\n';
-    ++live_lines_;
+    draw_live_line(running_line(state, width, columns));
   }
-  if (live_lines_ == 0 || sums.ended.empty()) return;
-  stream_ << (sums.ended + sums.left).substr(0, columns) << '\n';
-  ++live_lines_;
+  if (live_lines_.empty() || sums.ended.empty()) return;
+  draw_live_line((sums.ended + sums.left).substr(0, columns));
 }
 
 std::string ProgressDisplay::paint(const char* colour, const std::string& text) const {

@@ -18,7 +18,7 @@ class ProgressDisplay {
   using Clock = std::chrono::steady_clock;
 
   // The jobs share `at_once` cores.
-  ProgressDisplay(std::ostream& stream, const DisplayStyle& style, int at_once);
+  ProgressDisplay(std::ostream& stream, AskStyle style, int at_once);
 
   // To be called with the states of the same jobs each time: an ObserveJobs.
   void show(const std::vector<JobState>& states, Clock::time_point now = Clock::now());
@@ -35,15 +35,17 @@ class ProgressDisplay {
   static Sums sums_of(const std::vector<JobState>& states, int at_once);
   void show_end(const JobState& state, JobPhase before, const Sums& sums);
   void show_plain_progress(const std::vector<JobState>& states, const Sums& sums);
+  void draw_live_line(const std::string& line);
   void draw_live_lines(const std::vector<JobState>& states, const Sums& sums);
   std::string paint(const char* colour, const std::string& text) const;
 
   std::ostream& stream_;
+  AskStyle ask_style_;
   DisplayStyle style_;
   int at_once_;
-  int live_lines_ = 0;
-  std::vector<JobPhase> phases_;  // as last shown
-  Clock::time_point written_;     // when the last line was that stays
+  std::vector<std::size_t> live_lines_;  // their lengths
+  std::vector<JobPhase> phases_;         // as last shown
+  Clock::time_point written_;            // when the last line was that stays
 };
 
 // "running  NAME  5.00 of 20 s, 0.5 simulated s per s, 0:30 left" in at most `columns`, the time

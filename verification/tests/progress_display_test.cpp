@@ -24,13 +24,16 @@ JobState state_of(const std::string& name, JobPhase phase) {
 
 std::string shown(const std::vector<JobState>& states, const DisplayStyle& style) {
   std::ostringstream stream;
-  ProgressDisplay(stream, style, 2).show(states);
+  ProgressDisplay(
+      stream, [&] { return style; }, 2)
+      .show(states);
   return stream.str();
 }
 
 TEST(ProgressDisplay, SaysTheEndOfARunOnceInAPlainLine) {
   std::ostringstream stream;
-  ProgressDisplay display(stream, plain, 1);
+  ProgressDisplay display(
+      stream, [] { return plain; }, 1);
   for (int i = 0; i < 3; ++i) display.show({state_of("sph", JobPhase::running)});
   for (int i = 0; i < 3; ++i) display.show({state_of("sph", JobPhase::exited)});
   EXPECT_EQ(stream.str(), "finished sph in 0:10\n");
@@ -43,7 +46,8 @@ TEST(ProgressDisplay, TellsWithEachPlainLineHowFarTheCampaignIs) {
 
 TEST(ProgressDisplay, WritesAPlainLineAMinuteWhereNoRunEnds) {
   std::ostringstream stream;
-  ProgressDisplay display(stream, plain, 2);
+  ProgressDisplay display(
+      stream, [] { return plain; }, 2);
   const std::vector<JobState> states{state_of("sph", JobPhase::running),
                                      state_of("vof", JobPhase::running)};
   const auto start = ProgressDisplay::Clock::now();
@@ -75,7 +79,8 @@ TEST(ProgressDisplay, DrawsALineForTheWholeCampaignBelowThoseOfItsRuns) {
 
 TEST(ProgressDisplay, ErasesItsLiveLinesBeforeItWritesAnew) {
   std::ostringstream stream;
-  ProgressDisplay display(stream, live, 2);
+  ProgressDisplay display(
+      stream, [] { return live; }, 2);
   display.show({state_of("sph", JobPhase::running), state_of("vof", JobPhase::running)});
   stream.str("");
   display.show({state_of("sph", JobPhase::exited), state_of("vof", JobPhase::running)});
@@ -84,6 +89,25 @@ TEST(ProgressDisplay, ErasesItsLiveLinesBeforeItWritesAnew) {
   stream.str("");
   display.erase_live_lines();
   EXPECT_EQ(stream.str(), up + up);
+}
+
+TEST(ProgressDisplay, FollowsATerminalThatIsResized) {
+  std::ostringstream stream;
+  DisplayStyle style = live;
+  ProgressDisplay display(
+      stream, [&] { return style; }, 2);
+  const std::vector<JobState> states{
+      state_of("a_run_with_a_name_of_some_length", JobPhase::running)};
+  display.show(states);
+  const std::size_t length = stream.str().size() - 1;  // without the line's end
+  ASSERT_GT(length, 60u);
+  stream.str("");
+  style.columns = 30;
+  display.show(states);
+  EXPECT_TRUE(stream.str().starts_with(up + up + up + "running"))
+      << "the line of " << length << " columns stands in three rows of 30";
+  EXPECT_EQ(stream.str().find('\n', 3 * up.size()), stream.str().size() - 1);
+  EXPECT_LT(stream.str().size(), 3 * up.size() + 31);
 }
 
 TEST(ProgressDisplay, KeepsTheTimeLeftInEveryWidthThatHoldsIt) {
