@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Index, Eigen::VectorXd;
 
-VectorXd vector_of(std::vector<double> values) {
+VectorXd eigen_vector(std::vector<double> values) {
   remove_trend(values);
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
 }
@@ -40,7 +40,8 @@ double cross_correlation_lag(const TimeSeries& candidate, const TimeSeries& refe
                     reference.name, end - begin, period));
   }
   const auto times = uniform_times(begin, end, r.time.size());
-  const VectorXd late = vector_of(interpolate(c, times)), early = vector_of(interpolate(r, times));
+  const VectorXd late = eigen_vector(interpolate(c, times)),
+                 early = eigen_vector(interpolate(r, times));
 
   const double interval = times[1] - times[0];
   const int most = static_cast<int>(std::ceil(0.5 * period / interval)) - 1;

@@ -10,17 +10,17 @@
 namespace slosh {
 namespace {
 
-constexpr double rounding_s = 1e-12;       // of sample times
-constexpr std::size_t fewest_samples = 4;  // makima's stencil
+constexpr double rounding_s = 1e-12;  // of sample times
+constexpr std::size_t makima_stencil = 4;
 
 void require_sound_samples(const TimeSeries& series) {
   if (series.time.size() != series.value.size()) {
     throw ComparisonError(fmt::format("{}: {} times but {} values; expected as many of both",
                                       series.name, series.time.size(), series.value.size()));
   }
-  if (series.time.size() < fewest_samples) {
+  if (series.time.size() < makima_stencil) {
     throw ComparisonError(fmt::format("{}: only {} samples; expected at least {}", series.name,
-                                      series.time.size(), fewest_samples));
+                                      series.time.size(), makima_stencil));
   }
   for (std::size_t i = 0; i < series.time.size(); ++i) {
     if (!std::isfinite(series.time[i]) || !std::isfinite(series.value[i])) {
@@ -58,10 +58,10 @@ TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window) {
   require_coverage(series, window);
   const auto first = std::lower_bound(series.time.begin(), series.time.end(), window.begin);
   const auto last = std::upper_bound(first, series.time.end(), window.end);
-  if (last - first < static_cast<std::ptrdiff_t>(fewest_samples)) {
+  if (last - first < static_cast<std::ptrdiff_t>(makima_stencil)) {
     throw ComparisonError(
         fmt::format("{}: only {} samples between {} s and {} s; expected at least {}", series.name,
-                    last - first, window.begin, window.end, fewest_samples));
+                    last - first, window.begin, window.end, makima_stencil));
   }
   const auto value_at = [&](auto time) {
     return series.value.begin() + (time - series.time.begin());
