@@ -15,6 +15,7 @@
 #include <memory>
 #include <thread>
 
+#include "openfoam_cases/preloaded_library.hpp"
 #include "openfoam_cases/process_tree.hpp"
 #include "openfoam_cases/read_log.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
@@ -33,13 +34,26 @@ constexpr auto progress_interval = 100ms;
 // this name for any process's working directory.
 constexpr const char* plain_path = "/proc/self/cwd";
 
-bp::environment child_environment() {
+// By a link in the working directory, as the dynamic linker takes a space or a colon for the end of
+// a name.
+void preload(const fs::path& library, const fs::path& directory, bp::environment& environment) {
+  constexpr const char* link = "./libslosh_dictionary_digest.so";
+  std::error_code failure;
+  if (library.empty()) return;
+  if (!fs::is_symlink(directory / link)) fs::create_symlink(library, directory / link, failure);
+  if (failure) return;  // the runs then rest on OpenFOAM's own
+  const std::string others = environment["LD_PRELOAD"].to_string();
+  environment["LD_PRELOAD"] = others.empty() ? link : others + ":" + link;
+}
+
+bp::environment child_environment(const fs::path& directory) {
   bp::environment environment = boost::this_process::environment();
   environment["PWD"] = plain_path;
   // Where Debian's package keeps its etc/; without it no OpenFOAM program starts.
   if (environment.count("WM_PROJECT_DIR") == 0) {
     environment["WM_PROJECT_DIR"] = "/usr/share/openfoam";
   }
+  preload(preloaded_library(), directory, environment);
   return environment;
 }
 
@@ -58,7 +72,7 @@ class Child {
  public:
   Child(const std::vector<std::string>& command, const fs::path& directory, const fs::path& log)
       : process_(
-            find_program(command.front()), bp::args(tail(command)), child_environment(),
+            find_program(command.front()), bp::args(tail(command)), child_environment(directory),
             bp::start_dir(directory.string()),
             bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(),
             // Also where its owner is killed and can end nothing: mpirun ends its ranks.

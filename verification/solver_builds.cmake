@@ -34,7 +34,7 @@ set(reference $<TARGET_OBJECTS:slosh_reference>)
 set(problems $<TARGET_OBJECTS:slosh_problems>)
 
 hash_build(sph ${sph} ${sph_run} ${sph_parts} ${motion} ${results})
-hash_build(interfoam $<TARGET_OBJECTS:slosh_openfoam> ${interfoam_run} ${motion} ${results})
+hash_build(interfoam $<TARGET_OBJECTS:slosh_openfoam> $<TARGET_OBJECTS:slosh_dictionary_digest> ${interfoam_run} ${motion} ${results})
 hash_build(linear ${reference} ${linear_run} ${motion} ${results})
 hash_build(potential ${reference} ${potential_run} ${motion} ${results})
 hash_build(viscous_wave ${reference} ${viscous_wave_run} ${results})

@@ -1,4 +1,5 @@
 // Stages that do not end, played by scripts under OpenFOAM's names.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -6,6 +7,7 @@
 
 #include <iterator>
 
+#include "openfoam_cases/preloaded_library.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
@@ -55,6 +57,17 @@ class RunLimits : public ::testing::Test {
 
 void expect_in(const std::string& words, const std::string& part) {
   EXPECT_NE(words.find(part), std::string::npos) << words;
+}
+
+// dictionary_digest.cpp: whether it is the one that OpenFOAM's programs call.
+TEST_F(RunLimits, AreOfProgramsThatPreloadTheDigestOfDictionaries) {
+  void* const library = dlopen(preloaded_library().c_str(), RTLD_NOW);
+  ASSERT_NE(library, nullptr) << dlerror();
+  EXPECT_NE(dlsym(library, "_ZNK4Foam10dictionary6digestEv"), nullptr);
+  dlclose(library);
+  script("interFoam", "grep -c libslosh_dictionary_digest.so /proc/self/maps; exit 3");
+  end_of_run(small_tank(), {});
+  EXPECT_NE(contents(directory_.path() / "run/log.interFoam").substr(0, 1), "0");
 }
 
 TEST_F(RunLimits, EndAUtilityWithTheTailOfItsLog) {
