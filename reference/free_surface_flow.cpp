@@ -64,7 +64,7 @@ ArrayXd FreeSurfaceFlow::potential_rate(const Flow& flow, const State& state) co
   const auto& [now, potential, u, w, elevation_rate] = flow;
   const ArrayXd u_tank = along_x(now.velocity, state.elevation);
   const ArrayXd w_tank = along_z(now.velocity, x().nodes);
-  const auto height = [&](double x, double z) { return now.height(x, z); };
+  const auto height = [&now = now](double x, double z) { return now.height(x, z); };
   const ArrayXd heights = x().nodes.binaryExpr(state.elevation, height);
   return u_tank * u + w_tank * w - (u * u + w * w) / 2 - tank_.gravity * heights +
          w * elevation_rate;

@@ -138,12 +138,12 @@ constexpr SchemeNumbers recommended_at(double courant_number) {
 }
 constexpr SchemeNumbers recommended_without_viscosity() {
   SchemeNumbers numbers = Recommended::numbers;
-  numbers.artificial_viscosity.reset();
+  numbers.artificial_viscosity = std::optional<double>();
   return numbers;
 }
 constexpr SchemeNumbers recommended_without_diffusion() {
   SchemeNumbers numbers = Recommended::numbers;
-  numbers.density_diffusion.reset();
+  numbers.density_diffusion = std::optional<double>();
   return numbers;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,6 @@
 #include "verification/case_file/complaints.hpp"
 #include "verification/case_file/nearest_name.hpp"
 #include "verification/case_file/toml_letters.hpp"
-
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
 
 namespace slosh {
 

@@ -146,7 +146,7 @@ ErrorEstimate from_fit(const Values& values, std::size_t asked) {
       fit.deviation < range
           ? safety_factor(order) * error + fit.deviation + residual
           : cautious_safety_factor * fit.deviation / range * (error + fit.deviation + residual);
-  const auto refitted = [&fit, asked](const Values& moved) {
+  const auto refitted = [&fit = fit, asked](const Values& moved) {
     return (fit.expansion == Expansion::power
                 ? fit_power_law(moved, fit.weighted, reliable_orders)
                 : fit_fixed_orders(moved, fit.weighted, fit.expansion))

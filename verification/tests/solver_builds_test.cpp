@@ -41,7 +41,7 @@ std::set<std::string> files_behind(const std::string& kind) {
   std::string objects;
   for (const std::string& input : lines_of(ninja + "inputs verification/slosh.builds/" + kind)) {
     add(input);
-    if (input.ends_with(".cpp.o")) objects += " " + input;
+    if (input.ends_with(".o")) objects += " " + input;
   }
   for (const std::string& line : lines_of(ninja + "deps" + objects)) add(line);
   return files;
