@@ -65,9 +65,9 @@ TEST_F(RunLimits, AreOfProgramsThatPreloadTheDigestOfDictionaries) {
   ASSERT_NE(library, nullptr) << dlerror();
   EXPECT_NE(dlsym(library, "_ZNK4Foam10dictionary6digestEv"), nullptr);
   dlclose(library);
-  script("interFoam", "grep -c libslosh_dictionary_digest.so /proc/self/maps; exit 3");
+  script("interFoam", "grep -m 1 -o libslosh_dictionary_digest.so /proc/self/maps; exit 3");
   end_of_run(small_tank(), {});
-  EXPECT_NE(contents(directory_.path() / "run/log.interFoam").substr(0, 1), "0");
+  expect_in(contents(directory_.path() / "run/log.interFoam"), "libslosh_dictionary_digest.so");
 }
 
 TEST_F(RunLimits, EndAUtilityWithTheTailOfItsLog) {

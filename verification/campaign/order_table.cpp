@@ -14,6 +14,7 @@ namespace slosh {
 namespace {
 
 constexpr std::size_t least_spacings = 3;
+
 bool has_size(const Estimate& error) {
   return std::isfinite(error.value) && std::abs(error.value) > error.half_width;
 }

@@ -24,6 +24,7 @@ using reports::Curve;
 using reports::Figure;
 
 constexpr double radian_per_degree = std::numbers::pi / 180;
+
 void add_point(Curve& curve, double ratio, double lag) {
   curve.x.push_back(ratio * std::cos(lag));
   curve.y.push_back(-ratio * std::sin(lag));
