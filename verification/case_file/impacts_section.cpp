@@ -68,11 +68,8 @@ ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& d
   read.peak_means = read_of_each_impact(impacts, "peaks_Pa", read.times.size());
   read.peak_deviations = read_of_each_impact(impacts, "peaks_sd_Pa", read.times.size());
   read.plateau_begin = impacts.get("plateau_begin_s", not_negative("s"));
-  read.plateau_end = impacts.get<double>(
-      "plateau_end_s",
-      {fmt::format("a number above plateau_begin_s ({}) and <= the duration ({}), in s",
-                   read.plateau_begin, definition.duration),
-       [&](double end) { return end > read.plateau_begin && end <= definition.duration; }});
+  read.plateau_end = impacts.get(
+      "plateau_end_s", end_after("plateau_begin_s", read.plateau_begin, definition.duration));
   read.plateau = impacts.get("plateau_Pa", positive("Pa"));
   read.times_half_width = impacts.find("times_half_width_s", positive("s"));
   read.plateau_half_width = impacts.find("plateau_half_width_Pa", positive("Pa"));

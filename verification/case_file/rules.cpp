@@ -23,6 +23,12 @@ Rule<double> not_negative(std::string_view unit) {
   return {"a number >= 0, " + in(unit), [](double value) { return value >= 0; }, 0};
 }
 
+Rule<double> end_after(std::string_view begin_key, double begin, double duration) {
+  return {fmt::format("a number above {} ({}) and <= the duration ({}), in s", begin_key, begin,
+                      duration),
+          [=](double end) { return end > begin && end <= duration; }};
+}
+
 Rule<double> not_zero(std::string_view unit) {
   return {"a number other than 0, " + in(unit), [](double value) { return value != 0; }, 1};
 }

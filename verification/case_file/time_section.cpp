@@ -59,11 +59,8 @@ void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
   comparison.allow_only(
       {"window_begin_s", "window_end_s", "natural_modes", "forcing_angular_frequency_rad_s"});
   definition.window_begin = comparison.get("window_begin_s", not_negative("s"));
-  definition.window_end = comparison.get<double>(
-      "window_end_s",
-      {fmt::format("a number above window_begin_s ({}) and <= the duration ({}), in s",
-                   definition.window_begin, definition.duration),
-       [&](double end) { return end > definition.window_begin && end <= definition.duration; }});
+  definition.window_end = comparison.get(
+      "window_end_s", end_after("window_begin_s", definition.window_begin, definition.duration));
   definition.natural_modes = comparison.get("natural_modes", natural_modes_to_fit(definition));
   definition.declared_forcing_frequency =
       comparison.find("forcing_angular_frequency_rad_s", positive("rad/s"));
