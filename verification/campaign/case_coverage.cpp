@@ -17,14 +17,6 @@ int judged_rows(const CaseAssessment& assessment) {
                     [](const GateOutcome& outcome) { return is_judged(outcome.verdict); }));
 }
 
-std::string bound_text(const GateRow& row) {
-  std::string text = fmt::format("{}\n{}\n", row_name(row), row.unit);
-  if (row.limit) text += fmt::format("limit {}\n", *row.limit);
-  if (row.between) text += fmt::format("between {} {}\n", row.between->first, row.between->second);
-  if (row.error) text += fmt::format("error {}\n", *row.error);
-  return text;
-}
-
 CaseCoverage::Detection detection_of(const RequiredDetection& required,
                                      const CaseDefinition& definition,
                                      const std::vector<RowStrength>& strengths) {
@@ -46,6 +38,14 @@ bool CaseCoverage::is_complete() const {
 
 bool is_moved(const CaseDefinition& definition) {
   return !definition.motion.still() || definition.initial_wave || definition.liquid.column_width;
+}
+
+std::string bound_text(const GateRow& row) {
+  std::string text = fmt::format("{}\n{}\n", row_name(row), row.unit);
+  if (row.limit) text += fmt::format("limit {}\n", *row.limit);
+  if (row.between) text += fmt::format("between {} {}\n", row.between->first, row.between->second);
+  if (row.error) text += fmt::format("error {}\n", *row.error);
+  return text;
 }
 
 std::string hash_of_rows(const CaseDefinition& definition) {

@@ -51,6 +51,9 @@ struct CaseCoverage {
 // Whether anything moves the liquid: the tank's motion, a wave, a dam that breaks.
 bool is_moved(const CaseDefinition& definition);
 
+// What a row judges: its name, unit and bounds.
+std::string bound_text(const GateRow& row);
+
 // Of the rows as the case declares them: candidate, reference, quantity, metric and bounds.
 std::string hash_of_rows(const CaseDefinition& definition);
 

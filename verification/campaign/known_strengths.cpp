@@ -1,9 +1,11 @@
 #include "verification/campaign/known_strengths.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "verification/gate/gate.hpp"
+#include "verification/campaign/case_coverage.hpp"
 #include "verification/runs/atomic_file.hpp"
 #include "verification/runs/content_hash.hpp"
 
@@ -94,13 +96,9 @@ class Evidence {
   ContentHash hash_;
 };
 
-// In all its parts but its reason and its source, which are words.
+// A regression row has other uncertainties than a validation row.
 std::string row_text(const GateRow& row) {
-  json text{row_name(row), row.unit, static_cast<int>(row.kind), nullptr, nullptr, nullptr};
-  if (row.limit) text[3] = *row.limit;
-  if (row.between) text[4] = {row.between->first, row.between->second};
-  if (row.error) text[5] = *row.error;
-  return text.dump();
+  return fmt::format("{}kind {}\n", bound_text(row), static_cast<int>(row.kind));
 }
 
 }  // namespace
