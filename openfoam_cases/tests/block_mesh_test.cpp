@@ -6,7 +6,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::block_mesh_test {
 namespace {
 
 std::ptrdiff_t entries(const std::string& list) {
@@ -39,4 +39,4 @@ TEST(BlockMesh, GivesAnObstacleInTheMiddleItsWalls) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::block_mesh_test

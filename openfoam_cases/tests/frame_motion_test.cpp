@@ -8,7 +8,7 @@
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::frame_motion_test {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -103,4 +103,4 @@ TEST(FrameMotion, RefusesAMotionThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::frame_motion_test

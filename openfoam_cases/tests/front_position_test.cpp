@@ -7,7 +7,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::front_position_test {
 namespace {
 
 SloshingTank metre_tank() {
@@ -82,4 +82,4 @@ TEST(FrontPosition, StopsAtAnObstacleAndGoesOnBehindIt) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::front_position_test

@@ -4,7 +4,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::gauge_columns_test {
 namespace {
 
 SloshingTank metre_tank(int cells_x) {
@@ -86,4 +86,4 @@ TEST(SurfaceLevel, IsLiftedByWhatIsBelowIt) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::gauge_columns_test

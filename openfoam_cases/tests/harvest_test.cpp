@@ -8,7 +8,7 @@
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::harvest_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -315,4 +315,4 @@ TEST_F(Harvested, RefusesALogThatDoesNotEnd) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::harvest_test

@@ -7,7 +7,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::highest_surface_test {
 namespace {
 
 // Cells of 0.05 m.
@@ -61,4 +61,4 @@ TEST(HighestSurface, IsProbedInTheNearestColumnOfEachGaugeOnce) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::highest_surface_test

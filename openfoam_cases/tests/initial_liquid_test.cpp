@@ -4,7 +4,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::initial_liquid_test {
 namespace {
 
 double volume_of_cells(const SloshingTank& tank) {
@@ -55,4 +55,4 @@ TEST(InitialLiquid, LeavesOutWhatObstaclesDisplace) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::initial_liquid_test

@@ -8,7 +8,7 @@
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::plain_tank_test {
 namespace {
 
 constexpr const char* block_mesh_dictionary =
@@ -154,4 +154,4 @@ TEST_F(PlainTank, HasTheInitialFieldThatItAlwaysHad) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::plain_tank_test

@@ -7,7 +7,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::read_log_test {
 namespace {
 
 const std::string banner = R"(
@@ -150,4 +150,4 @@ TEST(Log, WithAFatalErrorAfterAWarningShowsTheErrorWithAllItsLines) {
 TEST(Log, ThatIsMissingIsARunError) { EXPECT_THROW(read_log("/no/such/log.interFoam"), RunError); }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::read_log_test

@@ -10,7 +10,7 @@
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::run_case_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -159,4 +159,4 @@ TEST(RunCaseWithoutOpenFoam, NamesTheProgramAndThePackage) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::run_case_test

@@ -11,7 +11,7 @@
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::run_limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST_F(RunLimits, AreNotNeededForAnAnswerOfAnyLengthAboutTheVersion) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::run_limits_test

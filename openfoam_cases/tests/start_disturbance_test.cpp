@@ -12,7 +12,7 @@
 #include "openfoam_cases/tests/run_fixture.hpp"
 #include "openfoam_cases/time_step.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::start_disturbance_test {
 namespace {
 
 SloshingTank disturbed_tank(unsigned seed) {
@@ -65,4 +65,4 @@ TEST(StartDisturbance, IsRefusedWhereTheLevelIsNoPlainOne) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::start_disturbance_test

@@ -6,7 +6,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::tank_mesh_test {
 namespace {
 
 SloshingTank tank_with(std::vector<Obstacle> obstacles) {
@@ -84,4 +84,4 @@ TEST(TankMesh, TakesTheReferencePressureUnderTheRoofOutsideTheObstacles) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::tank_mesh_test

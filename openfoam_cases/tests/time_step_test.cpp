@@ -7,7 +7,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::time_step_test {
 namespace {
 
 TEST(TimeStep, IsAHundredthOfTheFirstModesInverseFrequencyOrOfTheWavesOwn) {
@@ -37,4 +37,4 @@ TEST(PressureCorrections, AreTwoOfWaterAndMoreTheMoreViscousTheLiquidIs) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::time_step_test

@@ -4,7 +4,7 @@
 
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::wall_faces_test {
 namespace {
 
 using Wall = PressureGauge::Wall;
@@ -89,4 +89,4 @@ TEST(WallFaces, RefuseAGaugeThatAnObstacleCovers) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::wall_faces_test

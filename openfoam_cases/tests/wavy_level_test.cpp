@@ -11,7 +11,7 @@
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::wavy_level_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -76,4 +76,4 @@ TEST(WavyLevel, IsRefusedWhereTheTankCannotHoldIt) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::wavy_level_test

@@ -9,7 +9,7 @@
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::write_case_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -295,4 +295,4 @@ TEST_F(WrittenCase, RefusesATemplateThatNamesWhatNothingDefines) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::write_case_test

@@ -12,7 +12,7 @@
 #include "reference/tests/li_tank.hpp"
 #include "reference/tests/mode_by_odeint.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::duhamel_test {
 namespace {
 
 const std::vector<double> times{0.01, 0.305, 1, 2.7041, 5, 8, 12};
@@ -104,4 +104,4 @@ TEST(Duhamel, RefusesWhatItCannotSample) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::duhamel_test

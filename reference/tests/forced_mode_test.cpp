@@ -8,7 +8,7 @@
 #include "reference/tests/li_tank.hpp"
 #include "reference/tests/mode_by_odeint.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::forced_mode_test {
 namespace {
 
 const std::vector<double> times{0.01, 0.3, 1, 2.7, 5, 8, 12};
@@ -87,4 +87,4 @@ TEST(ForcedMode, HasRatesThatAreItsDerivatives) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::forced_mode_test

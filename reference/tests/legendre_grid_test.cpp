@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace slosh::reference {
+namespace slosh::reference::legendre_grid_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -62,4 +62,4 @@ TEST(LegendreGrid, RefusesTooFewNodes) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::legendre_grid_test

@@ -13,7 +13,7 @@
 #include "reference/linear_surge.hpp"
 #include "reference/tests/li_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::li_2010_series_test {
 namespace {
 
 double printed_elevation(double A, double x, double t, int modes) {
@@ -44,4 +44,4 @@ TEST(Li2010Series, IsOursWithMinusTheVelocityAmplitudeAndItsOppositeWithPlus) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::li_2010_series_test

@@ -10,7 +10,7 @@
 #include "reference/tests/quadrature.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::linear_roll_field_test {
 namespace {
 
 constexpr double a = zhao_tank.length / 2, h = zhao_tank.fill_depth;
@@ -128,4 +128,4 @@ TEST(LinearRollField, BalancesTheLiquidsMomentum) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::linear_roll_field_test

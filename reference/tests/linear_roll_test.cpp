@@ -15,7 +15,7 @@
 #include "reference/tests/quadrature.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::linear_roll_test {
 namespace {
 
 constexpr double wall = zhao_tank.length / 2, pi = std::numbers::pi;
@@ -279,4 +279,4 @@ TEST(LinearRoll, NamesTheArgumentThatItRefuses) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::linear_roll_test

@@ -7,7 +7,7 @@
 #include "reference/tests/li_tank.hpp"
 #include "reference/tests/quadrature.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::linear_surge_field_test {
 namespace {
 
 constexpr double wall = 0.5, bottom = -0.35, t = 3.3;
@@ -127,4 +127,4 @@ TEST(LinearSurgeField, BalancesTheLiquidsMomentum) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::linear_surge_field_test

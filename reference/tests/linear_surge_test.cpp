@@ -11,7 +11,7 @@
 
 #include "reference/tests/li_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::linear_surge_test {
 namespace {
 
 // The published values come out to their last printed digit with this many modes; the converged
@@ -164,4 +164,4 @@ TEST(LinearSurge, NamesTheArgumentThatItRefuses) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::linear_surge_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace slosh::reference {
+namespace slosh::reference::mapped_laplace_test {
 namespace {
 
 using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::VectorXd;
@@ -110,4 +110,4 @@ TEST(MappedLaplace, SaysWhyThereIsNoSolution) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::mapped_laplace_test

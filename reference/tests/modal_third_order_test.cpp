@@ -7,7 +7,7 @@
 
 #include "reference/tests/nonlinear_cases.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::modal_third_order_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -164,4 +164,4 @@ TEST(ModalThirdOrder, RefusesImpossibleInput) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::modal_third_order_test

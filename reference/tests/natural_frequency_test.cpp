@@ -8,7 +8,7 @@
 #include "reference/linear_surge.hpp"
 #include "reference/tests/li_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::natural_frequency_test {
 namespace {
 
 // Published tanks: Li et al. 2010; SPHERIC benchmark 10; Akyildiz & Unal 2006. Frequencies in
@@ -55,4 +55,4 @@ TEST(NaturalFrequency, RefusesWhatIsImpossible) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::natural_frequency_test

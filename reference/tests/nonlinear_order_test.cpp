@@ -5,7 +5,7 @@
 #include "reference/tests/nonlinear_cases.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::nonlinear_order_test {
 namespace {
 
 constexpr double duration = 1.8, sampling = 1e-3;  // [s]; linear theory errs by 1e-6 of itself
@@ -135,4 +135,4 @@ TEST(NonlinearOrder, HasTheFrequencyOfTadjbakhshAndKeller) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::nonlinear_order_test

@@ -7,7 +7,7 @@
 #include "reference/tests/nonlinear_cases.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::nonlinear_potential_flow_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -197,4 +197,4 @@ TEST(NonlinearPotentialFlow, KeepsTheVolumeAndBalancesTheEnergyAgainstTheWallsWo
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::nonlinear_potential_flow_test

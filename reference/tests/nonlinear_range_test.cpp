@@ -7,7 +7,7 @@
 
 #include "reference/tests/nonlinear_cases.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::nonlinear_range_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -132,4 +132,4 @@ TEST(NonlinearRange, RefusesImpossibleInput) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::nonlinear_range_test

@@ -10,7 +10,7 @@
 #include "reference/tests/li_tank.hpp"
 #include "reference/tests/quadrature.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::standing_wave_test {
 namespace {
 
 TEST(StandingWave, StartsAsACosineFromTheLeftWall) {
@@ -73,4 +73,4 @@ TEST(StandingWave, RefusesWhatIsImpossible) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::standing_wave_test

@@ -12,7 +12,7 @@
 #include "reference/tests/quadrature.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::stokes_joukowski_test {
 namespace {
 
 constexpr RollAxis axis{0.11, zhao_axis_z};
@@ -152,4 +152,4 @@ TEST(StokesJoukowski, HasTheMomentOfItsOwnWallPressure) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::stokes_joukowski_test

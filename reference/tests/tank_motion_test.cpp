@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace slosh::reference {
+namespace slosh::reference::tank_motion_test {
 namespace {
 
 // A surge of 0.3 sin(2 t) and a roll of 0.8 sin(t) about (0.1, -0.2).
@@ -81,4 +81,4 @@ TEST(TankMotion, RefusesHalfAMotionAndWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::tank_motion_test

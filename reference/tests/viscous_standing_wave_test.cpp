@@ -10,7 +10,7 @@
 
 #include "reference/tests/linear_navier_stokes.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::viscous_standing_wave_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -98,4 +98,4 @@ TEST(ViscousStandingWave, RefusesWhatIsImpossibleOrTooViscousToSwing) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::viscous_standing_wave_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace slosh::reports {
+namespace slosh::reports::axes_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -133,4 +133,4 @@ TEST(LogarithmicTicks, NamePowersOfTenOverManyDecades) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::axes_test

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace slosh::reports {
+namespace slosh::reports::csv_text_test {
 namespace {
 
 TEST(CsvText, QuotesWhatWouldBreakALine) {
@@ -22,4 +22,4 @@ TEST(CsvText, WritesNumbersThatReadAsTheSame) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::csv_text_test

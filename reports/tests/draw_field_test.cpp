@@ -15,7 +15,7 @@
 #include "reports/tests/scratch_directory.hpp"
 #include "reports/write_report.hpp"
 
-namespace slosh::reports {
+namespace slosh::reports::draw_field_test {
 namespace {
 
 constexpr Colour lowest{0x44, 0x01, 0x54}, highest{0xfd, 0xe7, 0x25};  // of the palette
@@ -245,4 +245,4 @@ TEST(IncompletePicture, IsAnErrorThatNamesTheFigure) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::draw_field_test

@@ -18,7 +18,7 @@
 #include "reports/tests/scratch_directory.hpp"
 #include "reports/write_report.hpp"
 
-namespace slosh::reports {
+namespace slosh::reports::draw_figure_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -344,4 +344,4 @@ TEST(EndlessGnuplot, IsEndedAtItsTimeLimitWithItsOwnWords) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::draw_figure_test

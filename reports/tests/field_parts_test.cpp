@@ -11,7 +11,7 @@
 #include "reports/field_raster.hpp"
 #include "reports/tests/sample_report.hpp"
 
-namespace slosh::reports {
+namespace slosh::reports::field_parts_test {
 namespace {
 
 FieldFigure one_panel() {
@@ -255,4 +255,4 @@ TEST(Arrows, OfWaterAtRestAreNone) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::field_parts_test

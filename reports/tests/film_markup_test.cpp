@@ -12,7 +12,7 @@
 #include "reports/write_html.hpp"
 #include "reports/write_report.hpp"
 
-namespace slosh::reports {
+namespace slosh::reports::film_markup_test {
 namespace {
 
 FieldFigure film() {
@@ -95,4 +95,4 @@ TEST(FilmReport, NeedsAFrameForEachRow) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::film_markup_test

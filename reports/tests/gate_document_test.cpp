@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace slosh::reports {
+namespace slosh::reports::gate_document_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -176,4 +176,4 @@ TEST(GateDocument, PointsInSarifAtTheRowInItsCaseFile) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::gate_document_test

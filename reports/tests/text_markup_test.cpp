@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slosh::reports {
+namespace slosh::reports::text_markup_test {
 namespace {
 
 TEST(HtmlText, MayBreakALongNameAfterItsUnderscoresButNoCode) {
@@ -78,4 +78,4 @@ TEST(NumericCells, AreNumbersWithOrWithoutUnitAndUncertainty) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::text_markup_test

@@ -18,7 +18,7 @@
 #include "reports/text_file.hpp"
 #include "reports/write_html.hpp"
 
-namespace slosh::reports {
+namespace slosh::reports::write_report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -326,4 +326,4 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::write_report_test

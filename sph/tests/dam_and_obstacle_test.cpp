@@ -12,7 +12,7 @@
 #include "sph/tests/surging_scene.hpp"
 #include "sph/walls/solid_particles.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::dam_and_obstacle_test {
 namespace {
 
 constexpr double dp = 0.025;
@@ -196,4 +196,4 @@ TEST(DamOntoObstacle, LeavesNoParticleInTheObstacle) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::dam_and_obstacle_test

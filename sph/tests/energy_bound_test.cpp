@@ -8,7 +8,7 @@
 #include "sph/simulation.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::energy_bound_test {
 namespace {
 
 // Two particles of 100 kg/m each; the slack is 0.005 rho g h^2 L = 6.0086 J/m.
@@ -82,4 +82,4 @@ TEST(EnergyBoundOfARun, StopsAnUnstableStepThatLeavesEveryDensityInRange) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::energy_bound_test

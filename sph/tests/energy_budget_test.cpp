@@ -10,7 +10,7 @@
 
 #include "sph/tests/rolling_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::energy_budget_test {
 namespace {
 
 const History& budget(const RunOutput& output, const std::string& name) {
@@ -80,4 +80,4 @@ TEST(EnergyBudget, LeavesTheRunAsItIs) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::energy_budget_test

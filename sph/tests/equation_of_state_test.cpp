@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slosh::sph {
+namespace slosh::sph::equation_of_state_test {
 namespace {
 
 const Tait water(1000, 20);
@@ -62,4 +62,4 @@ TEST(PowerLawStates, AreThatPower) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::equation_of_state_test

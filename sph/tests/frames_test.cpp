@@ -9,7 +9,7 @@
 #include "sph/schemes.hpp"
 #include "sph/tests/rolling_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::frames_test {
 namespace {
 
 // Of a free fall's place in the tank, by differences of the rolling tank's own map.
@@ -184,4 +184,4 @@ TEST(Simulation, RefusesARollForWallsThatCannotTurn) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::frames_test

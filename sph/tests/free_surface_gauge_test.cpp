@@ -8,7 +8,7 @@
 
 #include "sph/tests/waved_lattice.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::free_surface_gauge_test {
 namespace {
 
 double gauge(const Particles& particles, double x) {
@@ -106,4 +106,4 @@ TEST(HighestSurface, IsTheUpperEdgeOfTheHighestParticleNearby) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::free_surface_gauge_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slosh::sph {
+namespace slosh::sph::front_position_test {
 namespace {
 
 constexpr double dp = 0.01;
@@ -72,4 +72,4 @@ TEST(FrontPosition, IsTheWallWhereNothingStandsBeforeIt) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::front_position_test

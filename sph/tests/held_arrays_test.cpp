@@ -9,7 +9,7 @@
 #include "sph/neighbours/particles.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::held_arrays_test {
 namespace {
 
 using Names = std::set<std::string>;
@@ -104,4 +104,4 @@ TEST(HeldArrays, AreCountedByWhatTheyHaveTaken) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::held_arrays_test

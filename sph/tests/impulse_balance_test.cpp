@@ -14,7 +14,7 @@
 #include "sph/schemes.hpp"
 #include "sph/tests/rolling_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::impulse_balance_test {
 namespace {
 
 // A drop far from all walls: turning, in motion, and unevenly compressed.
@@ -188,4 +188,4 @@ TEST_P(RollingScheme, AnswersTheMirroredMotionWithTheMirroredFlow) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::impulse_balance_test

@@ -9,7 +9,7 @@
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::initial_lattice_test {
 namespace {
 
 const Tait state(1000, 18.8);
@@ -114,4 +114,4 @@ TEST(InitialLattice, RefusesASurfaceSpacingThatIsNotFinerOrLeavesNoRoom) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::initial_lattice_test

@@ -10,7 +10,7 @@
 #include "sph/schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::initial_state_test {
 namespace {
 
 RunOutput run_from(InitialState start, Scene scene) {
@@ -147,4 +147,4 @@ TEST(StartDisorder, MakesRepeatsThatDifferAndTheSameOneAgain) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::initial_state_test

@@ -12,7 +12,7 @@
 #include "sph/schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::initial_surface_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -122,4 +122,4 @@ TEST(InitialWave, SwingsWithItsNaturalFrequencyUnderEveryKindOfWalls) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::initial_surface_test

@@ -14,7 +14,7 @@
 #include "sph/schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::instruction_sets_test {
 namespace {
 
 constexpr double spacing = 0.025;
@@ -58,4 +58,4 @@ TYPED_TEST(InstructionSets, MoveTheParticlesAlikeToABillionthOfTheirSpacing) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::instruction_sets_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slosh::sph {
+namespace slosh::sph::integrators_test {
 namespace {
 
 // One acoustic mode of a column, in the place of a liquid: dv/dt = -b (rho - 1), drho/dt = a v, and
@@ -148,4 +148,4 @@ TEST(Symplectic, KeepsTheDensityPositive) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::integrators_test

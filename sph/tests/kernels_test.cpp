@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slosh::sph {
+namespace slosh::sph::kernels_test {
 namespace {
 
 template <class Kernel>
@@ -63,4 +63,4 @@ TEST(CubicSpline, IsTheOneThatLiPrints) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::kernels_test

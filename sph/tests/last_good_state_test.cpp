@@ -8,7 +8,7 @@
 #include "sph/saved_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::last_good_state_test {
 namespace {
 
 // A tank whose motion is no number from a time on, sampled every 0.01 s.
@@ -76,4 +76,4 @@ TEST(LastGoodState, IsNotGivenOfARunThatEnds) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::last_good_state_test

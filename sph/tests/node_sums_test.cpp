@@ -10,7 +10,7 @@
 #include "sph/tests/disordered_liquid.hpp"
 #include "sph/walls/solids.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::node_sums_test {
 namespace {
 
 constexpr double support = 0.03;  // of the recommended scheme at this spacing
@@ -110,4 +110,4 @@ TEST_F(NodeSums, FindNothingWhereTheSupportIsEmpty) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::node_sums_test

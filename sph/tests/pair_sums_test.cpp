@@ -14,7 +14,7 @@
 #include "sph/tests/formulas_of_choice.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::pair_sums_test {
 namespace {
 
 constexpr double spacing = small_spacing;
@@ -278,4 +278,4 @@ TEST(NeighbourSources, NameTheParticleThatIsNotInTheTank) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::pair_sums_test

@@ -11,7 +11,7 @@
 #include "sph/tests/disordered_liquid.hpp"
 #include "sph/tests/formulas_of_choice.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::particle_shifting_test {
 namespace {
 
 constexpr double dp = small_spacing, h = 1.5 * dp;
@@ -183,4 +183,4 @@ TEST_F(Shifting, MovesParticlesAlongTheFreeSurfaceAndThoseOnItNotAtAll) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::particle_shifting_test

@@ -11,7 +11,7 @@
 
 #include "sph/tests/rolling_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::saved_state_test {
 namespace {
 
 struct Named {
@@ -220,4 +220,4 @@ TEST_F(RefusedState, WithAPartThatIsMissingOrOfAnotherLength) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::saved_state_test

@@ -11,7 +11,7 @@
 #include "sph/schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::scheme_test {
 namespace {
 
 constexpr double dp = 0.025;
@@ -160,4 +160,4 @@ TEST(Simulation, HasTwentyFiveVariantsOfTheRecommendedScheme) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::scheme_test

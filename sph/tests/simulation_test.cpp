@@ -9,7 +9,7 @@
 
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::simulation_test {
 namespace {
 
 double largest(const std::vector<double>& values) {
@@ -225,4 +225,4 @@ TEST(Simulation, RefusesALatticeThatDoesNotFitTheTank) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::simulation_test

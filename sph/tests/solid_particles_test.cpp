@@ -11,7 +11,7 @@
 #include "sph/terms/kernels.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::solid_particles_test {
 namespace {
 
 constexpr double dp = 0.05, depth = 0.15;  // three layers
@@ -223,4 +223,4 @@ TEST(NeighbourSources, LeaveOutImagesInsideObstacles) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::solid_particles_test

@@ -13,7 +13,7 @@
 #include "sph/tests/disordered_liquid.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::solids_test {
 namespace {
 
 constexpr double dp = 0.025, fill_depth = 0.35;
@@ -268,4 +268,4 @@ TEST(NoSolids, TakeNoObstacles) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::solids_test

@@ -11,7 +11,7 @@
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::stability_guard_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -157,4 +157,4 @@ TEST(StabilityGuard, LetsPassOnlyFixedStepsThatAreStable) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::stability_guard_test

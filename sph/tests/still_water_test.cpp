@@ -9,7 +9,7 @@
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::still_water_test {
 namespace {
 
 constexpr double dp = 0.025, fill_depth = 0.35, rho = 1000, g = 9.81;
@@ -116,4 +116,4 @@ TEST_F(StillWaterSeries, SeeNoGapWhereAnObstacleStands) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::still_water_test

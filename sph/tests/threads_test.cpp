@@ -11,7 +11,7 @@
 
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::threads_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST(Threads, OfARunAreOneForASmallLiquidAndWhatTheSceneAsksFor) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::threads_test

@@ -9,7 +9,7 @@
 #include "sph/schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::wall_contact_test {
 namespace {
 
 const TankWalls moving_tank{
@@ -115,4 +115,4 @@ TEST(RepulsiveWall, PushesTheHarderTheNearer) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::wall_contact_test

@@ -8,7 +8,7 @@
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/rolling_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::wall_pressure_gauge_test {
 namespace {
 
 const Tait state(1000, 18.5);
@@ -81,4 +81,4 @@ TEST(Forces, BearTheWeightOfALiquidThatRestsInARollingTankAndItsMomentAboutTheAx
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::wall_pressure_gauge_test

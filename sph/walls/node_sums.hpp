@@ -45,21 +45,22 @@ struct NodeProjection {
   }
 };
 
-template <class Scheme, double Source::*value>
-void sum_at_nodes_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+// Of the scheme it takes the kernel alone, so that schemes of one kernel share its builds.
+template <class Kernel, double Source::*value>
+void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, const Source* sources,
                              const SolidPlace* places, const TankWalls* walls, NodeSum* nodes) {
   Lanes node_x{}, node_z{};
   for (std::size_t i = 0; i < cluster->size; ++i) {
     node_x[i] = walls->left + places[cluster->first + i].node_x;
     node_z[i] = walls->bottom + places[cluster->first + i].node_z;
   }
-  const double inverse_h = 1.0 / scheme->setting.smoothing_length();
+  const double inverse_h = 1.0 / smoothing_length;
   NodeMoments moments;
   NodeProjection field, u, w;
   for (std::size_t k = 0; k < cluster->source_count; ++k) {
     const Source& b = sources[cluster->sources[k]];
     const Lanes dx = (b.x - node_x) * inverse_h, dz = (b.z - node_z) * inverse_h;
-    const Lanes weight = b.weight * Scheme::Kernel::shape(square_root(dx * dx + dz * dz));
+    const Lanes weight = b.weight * Kernel::shape(square_root(dx * dx + dz * dz));
     moments.m += weight;
     moments.x += weight * dx;
     moments.z += weight * dz;
@@ -87,8 +88,9 @@ void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours,
                   const std::vector<SolidPlace>& places, const TankWalls& walls,
                   std::vector<NodeSum>& nodes, InstructionSet set) {
   neighbours.solid_clusters().for_each([&](const Cluster& cluster) {
-    call<&sum_at_nodes_of_cluster<Scheme, value>>(set, &scheme, &cluster, neighbours.sources(),
-                                                  places.data(), &walls, nodes.data());
+    call<&sum_at_nodes_of_cluster<typename Scheme::Kernel, value>>(
+        set, scheme.setting.smoothing_length(), &cluster, neighbours.sources(), places.data(),
+        &walls, nodes.data());
   });
 }
 

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "verification/metrics/dense_algebra.hpp"
 #include "verification/metrics/sample_moments.hpp"
 #include "verification/metrics/windowed_series.hpp"
 
@@ -32,7 +32,7 @@ FittedTone fit_tone(const Values& time, const Values& value, double omega) {
   const Eigen::Map<const Eigen::ArrayXd> t(time.data(), count), y(value.data(), count);
   Eigen::MatrixXd basis(count, 3);
   basis << Eigen::ArrayXd::Ones(count), (omega * t).cos(), (omega * t).sin();
-  const Eigen::Vector3d x = basis.colPivHouseholderQr().solve(y.matrix());
+  const Eigen::VectorXd x = least_squares(basis, y.matrix());
   const double sum = (y.matrix() - basis * x).squaredNorm();
   // Of samples spread over whole periods: each coefficient's variance is 2 s^2 / n.
   const double n = static_cast<double>(count);

@@ -1,10 +1,11 @@
 #include "verification/metrics/error_expansion_fit.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <initializer_list>
+
+#include "verification/metrics/dense_algebra.hpp"
 
 namespace slosh {
 namespace {
@@ -39,8 +40,7 @@ LinearFit solve(const std::vector<ValueAtStep>& values, bool weighted,
   basis << Eigen::VectorXd::Ones(n), columns;
   const Eigen::VectorXd roots = weights.cwiseSqrt();
   LinearFit fit;
-  fit.coefficients =
-      (roots.asDiagonal() * basis).colPivHouseholderQr().solve(roots.cwiseProduct(data));
+  fit.coefficients = least_squares(roots.asDiagonal() * basis, roots.cwiseProduct(data));
   fit.fitted = basis * fit.coefficients;
   fit.weighted_squares = weights.dot((data - fit.fitted).cwiseAbs2());
   return fit;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "verification/metrics/orthonormal.hpp"
+#include "verification/metrics/dense_algebra.hpp"
 #include "verification/metrics/trial_spectrum.hpp"
 
 namespace slosh {
@@ -123,7 +123,7 @@ struct BandEnergy {
 
 BandEnergy left_in(const MatrixXd& band, const WhiteFit& fit) {
   return {(band.transpose() * fit.residual).squaredNorm(),
-          static_cast<double>(band.cols()) - (fit.basis.transpose() * band).squaredNorm()};
+          static_cast<double>(band.cols()) - transposed_product(fit.basis, band).squaredNorm()};
 }
 
 // That noise alone loses as much of its energy.

@@ -1,13 +1,12 @@
 #include "verification/metrics/local_noise.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "verification/metrics/orthonormal.hpp"
+#include "verification/metrics/dense_algebra.hpp"
 
 namespace slosh {
 namespace {
@@ -30,10 +29,6 @@ MatrixXd correlated(const MatrixXd& columns, double correlation) {
   return ahead + behind - columns;
 }
 
-double log_determinant(const MatrixXd& positive) {
-  return positive.llt().matrixLLT().diagonal().array().log().sum() * 2;
-}
-
 // The likelihoods of noises of one correlation after another: what does not depend on it is
 // computed once.
 class RestrictedLikelihood {
@@ -45,9 +40,9 @@ class RestrictedLikelihood {
     const Index after_first = columns.rows() - 1;
     const auto later = columns.bottomRows(after_first), earlier = columns.topRows(after_first);
     first_ = columns.row(0).transpose() * columns.row(0);
-    later_ = later.transpose() * later;
-    earlier_ = earlier.transpose() * earlier;
-    mixed_ = later.transpose() * earlier;
+    later_ = transposed_product(later, later);
+    earlier_ = transposed_product(earlier, earlier);
+    mixed_ = transposed_product(later, earlier);
     mixed_ += mixed_.transpose().eval();
   }
 
@@ -60,7 +55,7 @@ class RestrictedLikelihood {
     const MatrixXd normal = products.topLeftCorner(parameters_, parameters_);
     const VectorXd product = products.col(parameters_).head(parameters_);
     const double squares =
-        products(parameters_, parameters_) - product.dot(normal.ldlt().solve(product));
+        products(parameters_, parameters_) - product.dot(SymmetricFactors(normal).solve(product));
     return -0.5 * ((count_ - 1) * std::log1p(-square) + log_determinant(normal) +
                    (count_ - static_cast<double>(parameters_)) * std::log(squares));
   }
@@ -111,18 +106,16 @@ ParameterNoise::ParameterNoise(const FittedSamples& fit, std::vector<LikelyNoise
     : noises(std::move(likely)) {
   const VectorXd scale = inverse_lengths(fit.jacobian);
   const MatrixXd scaled = fit.jacobian * scale.asDiagonal();
-  const MatrixXd inverse =
-      scale.asDiagonal() *
-      (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse();
-  const MatrixXd weights = scaled * inverse.transpose();  // one column per parameter
+  const MatrixXd inverse = scale.asDiagonal() * pseudo_inverse(transposed_product(scaled, scaled));
+  const MatrixXd weights = product(scaled, inverse.transpose());  // one column per parameter
   for (const LikelyNoise& noise : noises)
-    covariances.push_back(weights.transpose() * correlated(weights, noise.correlation));
+    covariances.push_back(transposed_product(weights, correlated(weights, noise.correlation)));
 }
 
 LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, double span,
                        const ParameterNoise& of_parameters) {
   const MatrixXd band = band_about(fit.elapsed, angular_frequency, span, half_band);
-  const MatrixXd outside = band - fit.basis * (fit.basis.transpose() * band);
+  const MatrixXd outside = band - product(fit.basis, transposed_product(fit.basis, band));
   // Directions that the fit takes more than half of tell of the fit.
   const MatrixXd directions = orthonormal(outside, 0.5);
   if (directions.cols() == 0) return;
@@ -130,7 +123,7 @@ LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, doubl
   level_ = (directions.transpose() * fit.residual).norm() / std::sqrt(count);
   for (std::size_t i = 0; i < of_parameters.noises.size(); ++i) {
     const auto& [correlation, weight] = of_parameters.noises[i];
-    const MatrixXd variance = directions.transpose() * correlated(directions, correlation);
+    const MatrixXd variance = transposed_product(directions, correlated(directions, correlation));
     const double trace = variance.trace();
     const double freedom = trace * trace / variance.squaredNorm();
     shapes_.push_back({weight * boost::math::quantile(boost::math::students_t(freedom), 0.975),

@@ -1,14 +1,13 @@
 #include "verification/metrics/tone_search.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/dense_algebra.hpp"
 #include "verification/metrics/estimate.hpp"
-#include "verification/metrics/orthonormal.hpp"
 
 namespace slosh {
 namespace {
@@ -58,7 +57,7 @@ MatrixXd columns_of(const VectorXd& elapsed, const std::vector<ToneShape>& shape
 // of them.
 struct ReducedFit {
   MatrixXd tones, in_basis;  // the tones' columns, and their products with the basis
-  Eigen::LDLT<MatrixXd> normal;
+  SymmetricFactors normal;
   VectorXd coefficients, residual;
 };
 
@@ -66,8 +65,9 @@ ReducedFit reduced_fit(const VectorXd& elapsed, const VectorXd& left, const Matr
                        const std::vector<ToneShape>& shapes) {
   ReducedFit fit;
   fit.tones = columns_of(elapsed, shapes);
-  fit.in_basis = basis.transpose() * fit.tones;
-  fit.normal.compute(fit.tones.transpose() * fit.tones - fit.in_basis.transpose() * fit.in_basis);
+  fit.in_basis = transposed_product(basis, fit.tones);
+  fit.normal = SymmetricFactors(transposed_product(fit.tones, fit.tones) -
+                                transposed_product(fit.in_basis, fit.in_basis));
   fit.coefficients = VectorXd::Zero(fit.tones.cols());
   fit.residual = left;
   // Once more, of what the squared condition number has left.
@@ -104,10 +104,11 @@ struct ReducedNormal {
 };
 
 ReducedNormal reduced_normal(const ReducedFit& fit, const MatrixXd& basis, const MatrixXd& slope) {
-  const MatrixXd in_basis = basis.transpose() * slope;
-  const MatrixXd cross = fit.tones.transpose() * slope - fit.in_basis.transpose() * in_basis;
-  return {slope.transpose() * slope - in_basis.transpose() * in_basis -
-              cross.transpose() * fit.normal.solve(cross),
+  const MatrixXd in_basis = transposed_product(basis, slope);
+  const MatrixXd cross =
+      transposed_product(fit.tones, slope) - transposed_product(fit.in_basis, in_basis);
+  return {transposed_product(slope, slope) - transposed_product(in_basis, in_basis) -
+              transposed_product(cross, fit.normal.solve_columns(cross)),
           slope.transpose() * fit.residual};
 }
 
@@ -163,7 +164,7 @@ ToneFit fit_tones(const VectorXd& elapsed, const VectorXd& value, const MatrixXd
     fit.basis.middleCols<2>(next) = tone_columns(elapsed, shape);
     next += 2;
   }
-  const Eigen::LDLT<MatrixXd> normal((fit.basis.transpose() * fit.basis).eval());
+  const SymmetricFactors normal(transposed_product(fit.basis, fit.basis));
   fit.coefficients = normal.solve(fit.basis.transpose() * value);
   // Once more, of what the squared condition number has left.
   fit.residual = value - fit.basis * fit.coefficients;
@@ -191,16 +192,16 @@ TrialTones::TrialTones(const VectorXd& elapsed, std::vector<ToneShape> shapes)
     : shapes_(std::move(shapes)), columns_(columns_of(elapsed, shapes_)) {}
 
 ToneShape TrialTones::best(const VectorXd& value, const MatrixXd& basis) const {
-  const MatrixXd in_basis = basis.transpose() * columns_;
+  const MatrixXd in_basis = transposed_product(basis, columns_);
   const VectorXd products = columns_.transpose() * orthogonal_part(value, basis);
   double most = -1;
   std::size_t best = 0;
   for (std::size_t k = 0; k < shapes_.size(); ++k) {
     const Index column = 2 * static_cast<Index>(k);
     const auto tone = columns_.middleCols<2>(column), taken = in_basis.middleCols<2>(column);
-    const Eigen::Matrix2d square = tone.transpose() * tone - taken.transpose() * taken;
-    const Eigen::Vector2d product = products.segment<2>(column);
-    const double explained = product.dot(square.ldlt().solve(product));
+    const MatrixXd square = transposed_product(tone, tone) - transposed_product(taken, taken);
+    const VectorXd with_value = products.segment<2>(column);
+    const double explained = with_value.dot(SymmetricFactors(square).solve(with_value));
     if (explained > most) {
       most = explained;
       best = k;
@@ -223,7 +224,7 @@ std::vector<ToneShape> refine_tones(const VectorXd& elapsed, const VectorXd& val
     const VectorXd scale = normal.matrix.diagonal().cwiseMax(
         1e-12 * normal.matrix.diagonal().maxCoeff() + std::numeric_limits<double>::min());
     normal.matrix.diagonal() += damping * scale;
-    const VectorXd change = normal.matrix.ldlt().solve(normal.gradient);
+    const VectorXd change = SymmetricFactors(normal.matrix).solve(normal.gradient);
     if (!(change.dot(normal.gradient) > least_gain * fit.residual.squaredNorm())) break;
     ReducedFit next = reduced_fit(elapsed, left, basis, shapes_of(ranges, angles + change));
     const double gain = fit.residual.squaredNorm() - next.residual.squaredNorm();

@@ -5,8 +5,8 @@
 #include <complex>
 #include <numbers>
 
+#include "verification/metrics/dense_algebra.hpp"
 #include "verification/metrics/fourier_transform.hpp"
-#include "verification/metrics/orthonormal.hpp"
 
 namespace slosh {
 

@@ -4,7 +4,7 @@
 #include "verification/case_file/field_times.hpp"
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::animation_section_test {
 namespace {
 
 std::string animated(const std::string& begin, const std::string& end,
@@ -64,4 +64,4 @@ TEST(FieldTimes, AreSnapshotsAndMomentsEachOnce) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::animation_section_test

@@ -8,7 +8,7 @@
 #include "verification/baseline/baseline_proposal.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::baseline_diff_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -140,4 +140,4 @@ TEST(BaselineProposal, ThatIsNotThereIsAnError) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::baseline_diff_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slosh {
+namespace slosh::baseline_figures_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -110,4 +110,4 @@ TEST(BaselineFigure, ShowsTheLatestTwelveApprovalsAndSixOfTheirDates) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::baseline_figures_test

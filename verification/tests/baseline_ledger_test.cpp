@@ -10,7 +10,7 @@
 #include "verification/runs/content_hash.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::baseline_ledger_test {
 namespace {
 
 const BaselineValue first{0.01, 0.002, -0.05, 0.05}, second{0.012, 0.002, -0.05, 0.05};
@@ -198,4 +198,4 @@ TEST_F(BaselineLedger, RefusesChangesThatDoNotFollowFromOneAnother) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::baseline_ledger_test

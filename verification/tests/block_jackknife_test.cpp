@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace slosh {
+namespace slosh::block_jackknife_test {
 namespace {
 
 double rms_ratio(const BlockIntegrals& of) { return std::sqrt(of.residual / of.variation); }
@@ -61,4 +61,4 @@ TEST(BlockJackknife, OfASingleBlockSaysNothing) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::block_jackknife_test

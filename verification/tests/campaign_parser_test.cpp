@@ -10,7 +10,7 @@
 
 #include "verification/case_file/case_parser.hpp"
 
-namespace slosh {
+namespace slosh::campaign_parser_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ TEST_F(CampaignParser, NamesTheNearestCaseAndTheNearestCampaign) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::campaign_parser_test

@@ -10,10 +10,12 @@
 #include <stdexcept>
 
 #include "reports/check_report.hpp"
+#include "verification/campaign/known_strengths.hpp"
 #include "verification/campaign/results_json.hpp"
 #include "verification/tests/surge_results.hpp"
+#include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::campaign_report_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -26,17 +28,30 @@ CampaignDefinition surge_campaign() {
   return campaign;
 }
 
-CaseAssessment good() { return assess(surge_case(), surge_runs()); }
-
-CaseAssessment not_comparable() {
-  TimeSeries broken = elevation_of({});
-  broken.value[500] = nan;
-  return assess(surge_case(), surge_runs_with("particles", broken));
+// Judged once for all tests of this program, as the fits take most of their time.
+const CaseAssessment& good() {
+  static const CaseAssessment assessment = assess(surge_case(), surge_runs());
+  return assessment;
 }
 
+const CaseAssessment& not_comparable() {
+  static const CaseAssessment assessment = [] {
+    TimeSeries broken = elevation_of({});
+    broken.value[500] = nan;
+    return assess(surge_case(), surge_runs_with("particles", broken));
+  }();
+  return assessment;
+}
+
+// What the rows detect is found out once, too.
 reports::Report report_of(const CampaignDefinition& campaign,
                           const std::vector<CaseAssessment>& cases) {
-  return campaign_report(campaign, false, "./slosh campaign surges", cases);
+  static const TemporaryDirectory directory;
+  KnownStrengths known(directory.path() / "strengths.json", "this judge");
+  const reports::Report report =
+      campaign_report(campaign, false, "./slosh campaign surges", cases, {}, &known);
+  known.write();
+  return report;
 }
 
 TEST(VerdictSentence, CountsTheRowsThatHold) {
@@ -357,4 +372,4 @@ TEST(ResultsJson, StandsWithAMessageThatIsNotUtf8) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::campaign_report_test

@@ -10,7 +10,7 @@
 
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::case_assessment_test {
 namespace {
 
 constexpr double forcing_period = 2 * 3.14159265358979 / (0.3 * 4.94488);
@@ -369,4 +369,4 @@ TEST(FittedModes, HaveNoForcingWhereAMotionHasNoFrequency) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_assessment_test

@@ -7,7 +7,7 @@
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::case_coverage_test {
 namespace {
 
 const std::vector<GateRow> complete{surge_row("forced", Metric::amplitude_error, "1", 0.05),
@@ -131,4 +131,4 @@ TEST(SelftestRecord, ThatIsNotThereOrNoneIsAnError) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_coverage_test

@@ -6,7 +6,7 @@
 
 #include "verification/tests/sample_case.hpp"
 
-namespace slosh {
+namespace slosh::case_explanation_test {
 namespace {
 
 // However the lines are broken.
@@ -91,4 +91,4 @@ TEST(CaseExplanation, TellsEveryKindOfBound) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_explanation_test

@@ -10,7 +10,7 @@
 #include "verification/tests/figure_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::case_fields_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -166,4 +166,4 @@ TEST(CaseAnimation, LeavesOutARunThatLacksAMoment) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_fields_test

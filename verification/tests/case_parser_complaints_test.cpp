@@ -5,7 +5,7 @@
 #include "verification/case_file/complaints.hpp"
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::case_parser_complaints_test {
 namespace {
 
 std::string with_edits(const std::vector<Edit>& edits) {
@@ -134,4 +134,4 @@ TEST(CaseParserComplaints, AreOneALine) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_parser_complaints_test

@@ -4,7 +4,7 @@
 
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::case_parser_refusal_test {
 namespace {
 
 struct Mistake {
@@ -493,4 +493,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_parser_refusal_test

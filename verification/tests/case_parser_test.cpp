@@ -14,7 +14,7 @@
 #include "verification/tests/temporary_directory.hpp"
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::case_parser_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -473,4 +473,4 @@ TEST(Ensemble, IsNamedInAGateRowByItsFirstMember) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_parser_test

@@ -3,7 +3,7 @@
 
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::case_record_test {
 namespace {
 
 // A dam about to break, whose last run is a record of its front; lines as in `valid_text` plus one
@@ -125,4 +125,4 @@ TEST(GateOnAFront, NeedsADam) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::case_record_test

@@ -11,7 +11,7 @@
 #include "verification/campaign/results_json.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::choice_table_test {
 namespace {
 
 struct Choice {
@@ -175,4 +175,4 @@ TEST(ChoiceReport, IsAValidReportAndTellsTheChoicesInItsJson) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::choice_table_test

@@ -12,7 +12,7 @@
 #include "verification/campaign/claim_evidence.hpp"
 #include "verification/tests/impact_runs.hpp"
 
-namespace slosh {
+namespace slosh::claims_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -173,4 +173,4 @@ TEST(ClaimEvidence, NamesWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::claims_test

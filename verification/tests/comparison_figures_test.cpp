@@ -10,7 +10,7 @@
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/tests/figure_results.hpp"
 
-namespace slosh {
+namespace slosh::comparison_figures_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -184,4 +184,4 @@ TEST(ComparisonFigures, AreFitForAReport) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::comparison_figures_test

@@ -5,7 +5,7 @@
 #include "verification/metrics/cross_correlation.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::comparison_test {
 namespace {
 
 constexpr double forced = 1.48346, natural = 4.96646;
@@ -246,4 +246,4 @@ TEST(ComparisonWithoutModes, IsOfTheWholeHistoriesAlone) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::comparison_test

@@ -13,7 +13,7 @@
 #include "verification/runs/run_key.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::convergence_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ TEST_F(SpacingStudies, NameTheirRunsBySpacing) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::convergence_test

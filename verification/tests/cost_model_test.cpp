@@ -14,7 +14,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/runs/run_case.hpp"
 
-namespace slosh {
+namespace slosh::cost_model_test {
 namespace {
 
 struct Measured {
@@ -170,4 +170,4 @@ TEST(CostModel, KnowsTheSolversOfEveryShippedCase) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::cost_model_test

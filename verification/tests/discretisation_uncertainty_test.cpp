@@ -10,7 +10,7 @@
 
 #include "verification/metrics/time_series.hpp"
 
-namespace slosh {
+namespace slosh::discretisation_uncertainty_test {
 namespace {
 
 using Values = std::vector<ValueAtStep>;
@@ -253,4 +253,4 @@ TEST(DiscretisationUncertainty, NamesEveryBehaviour) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::discretisation_uncertainty_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace slosh {
+namespace slosh::distribution_test {
 namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
@@ -145,4 +145,4 @@ TEST(AreaMetric, SeesATailThatWasCutOff) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::distribution_test

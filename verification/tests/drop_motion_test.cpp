@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slosh {
+namespace slosh::drop_motion_test {
 namespace {
 
 TEST(DropMotion, HasTheKnownPeriods) {
@@ -37,4 +37,4 @@ TEST(DropMotion, KeepsTheAreaAndTheEnergy) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::drop_motion_test

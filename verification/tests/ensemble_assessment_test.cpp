@@ -11,7 +11,7 @@
 #include "verification/case_file/ensemble.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::ensemble_assessment_test {
 namespace {
 
 TimeSeries scaled(TimeSeries series, double factor) {
@@ -102,4 +102,4 @@ TEST(EnsembleAssessment, IsTabulatedWithItsSpread) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::ensemble_assessment_test

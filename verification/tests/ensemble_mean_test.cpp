@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace slosh {
+namespace slosh::ensemble_mean_test {
 namespace {
 
 using Values = std::vector<std::vector<double>>;
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& scenario) { return scenario.param.name; });
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::ensemble_mean_test

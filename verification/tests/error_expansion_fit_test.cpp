@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-namespace slosh {
+namespace slosh::error_expansion_fit_test {
 namespace {
 
 using Values = std::vector<ValueAtStep>;
@@ -99,4 +99,4 @@ TEST(ChosenExpansion, HasNoOrderOfAnomalousData) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::error_expansion_fit_test

@@ -7,7 +7,7 @@
 
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::error_matrix_test {
 namespace {
 
 TEST(ErrorMatrix, NamesTheOneThatStandsApart) {
@@ -43,4 +43,4 @@ TEST(ErrorMatrix, ComparesTheFinestOfEachKind) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::error_matrix_test

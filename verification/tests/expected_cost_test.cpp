@@ -8,7 +8,7 @@
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::expected_cost_test {
 namespace {
 
 const RunDefinition particles = sample_run(
@@ -84,4 +84,4 @@ TEST_F(ExpectedCostTest, IsUnknownOfAnExternalProgram) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::expected_cost_test

@@ -7,7 +7,7 @@
 
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::experiment_record_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -189,4 +189,4 @@ TEST(PublishedRecord, OfAkyildizAndUnalIsInPascal) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::experiment_record_test

@@ -4,7 +4,7 @@
 
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::external_run_section_test {
 namespace {
 
 // Its keys stand from line 55 on.
@@ -104,4 +104,4 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::external_run_section_test

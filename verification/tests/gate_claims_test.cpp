@@ -4,7 +4,7 @@
 
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::gate_claims_test {
 namespace {
 
 constexpr double period = 2;  // [s]
@@ -172,4 +172,4 @@ TEST(GateClaims, OfWaveStatisticsFollowTheScaleAndTheNoise) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::gate_claims_test

@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
 
 #include "verification/gate/gate.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::gate_strength_test {
 namespace {
 
 constexpr double forced = 3, natural = 4.96646;  // [rad/s]
@@ -40,13 +44,13 @@ GateRow row_of(Metric metric, const std::string& mode, const std::string& unit, 
 const PreparedSeries prepared("reference", reference, window, modes);
 
 // As the gate judges a campaign's rows.
-GateOutcome judge(const GateRow& row, const TimeSeries& series) {
-  Comparison comparison;
+GateOutcome judge(const GateRow& row, const FindComparison& comparison) {
   return evaluate(row, {{"sph", {RunState::finished, ""}}, {"linear", {RunState::finished, ""}}},
-                  {[&](const auto&, const auto&, const auto&) -> const Comparison& {
-                     return comparison = compare({"candidate", series, window, modes}, prepared);
-                   },
-                   {}});
+                  {comparison, {}});
+}
+
+Comparison comparison_of(const TimeSeries& series) {
+  return compare({"candidate", series, window, modes}, prepared);
 }
 
 constexpr double depth = 0.35;  // [m]
@@ -59,11 +63,27 @@ TimeSeries candidate_with(const Mutation* mutation, const MutationFrame& frame) 
   return mutation ? mutated(candidate, *mutation, frame) : candidate;
 }
 
+// Each mutant is compared once for all tests of this program, as the fits take most of their time.
+GateOutcome judge(const GateRow& row, const Mutation* mutation) {
+  using Mutant = std::tuple<double, std::optional<MutationKind>, double, std::string>;
+  static std::map<Mutant, Comparison> known;
+  return judge(row, [&](const auto&, const auto&, const auto&) -> const Comparison& {
+    const MutationFrame frame = frame_of(row);
+    const Mutant mutant =
+        mutation ? Mutant{frame.period, mutation->kind, mutation->strength, mutation->mode}
+                 : Mutant{};
+    const auto found = known.find(mutant);
+    if (found != known.end()) return found->second;
+    return known[mutant] = comparison_of(candidate_with(mutation, frame));
+  });
+}
+
+double measured(const GateRow& row) { return judge(row, nullptr).value.value; }
+
 GateStrength strength_of(const GateRow& row) {
-  return gate_strengths({{row, judge(row, candidate).value.value}}, candidate, frame_of(row),
+  return gate_strengths({{row, measured(row)}}, candidate, frame_of(row),
                         [&](const Mutation* mutation) {
-                          const TimeSeries series = candidate_with(mutation, frame_of(row));
-                          return std::vector<Verdict>{judge(row, series).verdict};
+                          return std::vector<Verdict>{judge(row, mutation).verdict};
                         })
       .at(0);
 }
@@ -157,7 +177,11 @@ TEST(GateStrength, FindsOutAJudgeThatIgnoresNaN) {
     TimeSeries cleaned = candidate_with(mutation, frame_of(amplitude));
     for (double& value : cleaned.value)
       if (std::isnan(value)) value = 0;
-    return std::vector<Verdict>{judge(amplitude, cleaned).verdict};
+    Comparison comparison;
+    const auto compared = [&](const auto&, const auto&, const auto&) -> const Comparison& {
+      return comparison = comparison_of(cleaned);
+    };
+    return std::vector<Verdict>{judge(amplitude, compared).verdict};
   };
   const auto broken = broken_claims(
       gate_strengths({{amplitude, 0.01}}, candidate, frame_of(amplitude), careless).at(0));
@@ -220,13 +244,12 @@ TEST(GateStrength, TellsTheGainOfANaturalModeFromThatOfTheForcedOne) {
 }
 
 TEST(GateStrength, JudgesRowsTogetherAsEachAlone) {
-  const auto together = gate_strengths(
-      {{amplitude, judge(amplitude, candidate).value.value},
-       {rms, judge(rms, candidate).value.value}},
-      candidate, frame_of(amplitude), [&](const Mutation* mutation) {
-        const TimeSeries series = candidate_with(mutation, frame_of(amplitude));
-        return std::vector<Verdict>{judge(amplitude, series).verdict, judge(rms, series).verdict};
-      });
+  const auto together =
+      gate_strengths({{amplitude, measured(amplitude)}, {rms, measured(rms)}}, candidate,
+                     frame_of(amplitude), [&](const Mutation* mutation) {
+                       return std::vector<Verdict>{judge(amplitude, mutation).verdict,
+                                                   judge(rms, mutation).verdict};
+                     });
   for (const auto& [one, alone] :
        {std::pair{together[0], strength_of(amplitude)}, std::pair{together[1], strength_of(rms)}}) {
     ASSERT_EQ(one.outcomes.size(), alone.outcomes.size());
@@ -256,4 +279,4 @@ TEST(GateStrength, CountsFromWhereNothingStrongerIsMissed) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::gate_strength_test

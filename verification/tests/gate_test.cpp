@@ -8,7 +8,7 @@
 
 #include "verification/metrics/windowed_series.hpp"
 
-namespace slosh {
+namespace slosh::gate_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -767,4 +767,4 @@ TEST(Gate, RefusesWaveStatisticsOfTooFewPeriods) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::gate_test

@@ -7,7 +7,7 @@
 
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::harmonic_fit_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -225,4 +225,4 @@ TEST(HarmonicFit, RefusesSeriesThatAreNotSound) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::harmonic_fit_test

@@ -10,7 +10,7 @@
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/tests/figure_results.hpp"
 
-namespace slosh {
+namespace slosh::history_figures_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -228,4 +228,4 @@ TEST(EnergyFigure, IsLeftOutWithoutTheWholeBudget) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::history_figures_test

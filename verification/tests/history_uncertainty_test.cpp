@@ -9,7 +9,7 @@
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/figure_results.hpp"
 
-namespace slosh {
+namespace slosh::history_uncertainty_test {
 namespace {
 
 TimeSeries scaled(TimeSeries series, double factor) {
@@ -130,4 +130,4 @@ TEST(ResidualFigure, ShadesWhatIsNotComparedAndHasTheHistorysAxis) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::history_uncertainty_test

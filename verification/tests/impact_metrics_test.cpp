@@ -10,7 +10,7 @@
 #include "verification/gate/gate.hpp"
 #include "verification/tests/impact_results.hpp"
 
-namespace slosh {
+namespace slosh::impact_metrics_test {
 namespace {
 
 GateRow row_of(Metric metric, const std::string& mode) {
@@ -204,4 +204,4 @@ TEST(ImpactMetrics, TimeOfTheFilteredPressureIsThatOfTheRecordFilteredAlike) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::impact_metrics_test

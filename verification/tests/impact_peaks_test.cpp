@@ -10,7 +10,7 @@
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::impact_peaks_test {
 namespace {
 
 constexpr double period = 1.636;
@@ -166,4 +166,4 @@ TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::impact_peaks_test

@@ -11,7 +11,7 @@
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/tests/impact_runs.hpp"
 
-namespace slosh {
+namespace slosh::impact_table_test {
 namespace {
 
 const SphRun sph{"recommended", 0.004, 0.004};
@@ -139,4 +139,4 @@ TEST(CaseWithImpacts, IsReportedWithThem) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::impact_table_test

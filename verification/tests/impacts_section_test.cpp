@@ -4,7 +4,7 @@
 
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::impacts_section_test {
 namespace {
 
 const std::string gauge =
@@ -229,4 +229,4 @@ TEST(GateOnImpacts, NeedsThem) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::impacts_section_test

@@ -9,7 +9,7 @@
 #include "verification/runs/hdf5_handles.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::import_formats_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::import_formats_test

@@ -8,7 +8,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::import_refusal_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ TEST(ImportRefusal, ASeriesIsRefusedWhereItsProgramBeganAnewOrFoundNothing) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::import_refusal_test

@@ -5,7 +5,7 @@
 #include "verification/case_file/natural_modes.hpp"
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::initial_wave_section_test {
 namespace {
 
 const std::string third_mode = "[initial_wave]\nmode = 3\namplitude_m = -0.02\n";
@@ -119,4 +119,4 @@ TEST(InitialWaveSection, MayBeComparedWithAViscousWave) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::initial_wave_section_test

@@ -4,7 +4,7 @@
 
 #include "verification/problems/interval_scenarios.hpp"
 
-namespace slosh {
+namespace slosh::interval_coverage_test {
 namespace {
 
 const IntervalScenario& scenario_of(const std::string& name) {
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(Unresolved, BeyondTheWindow,
                          [](const auto& one) { return one.param; });
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::interval_coverage_test

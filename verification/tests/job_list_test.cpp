@@ -8,7 +8,7 @@
 #include "verification/engine/slurm_array.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::job_list_test {
 namespace {
 
 constexpr double mebibyte = 1024 * 1024;
@@ -134,4 +134,4 @@ TEST(SbatchArguments, SayWhatTheArrayNeedsAndWhatItWaitsFor) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::job_list_test

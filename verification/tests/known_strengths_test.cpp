@@ -9,7 +9,7 @@
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::known_strengths_test {
 namespace {
 
 class KnownStrengthsTest : public ::testing::Test {
@@ -106,4 +106,4 @@ TEST_F(KnownStrengthsTest, OfADamagedFileAreNone) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::known_strengths_test

@@ -8,7 +8,7 @@
 
 #include "sph/terms/kernels.hpp"
 
-namespace slosh {
+namespace slosh::lattice_stability_test {
 namespace {
 
 const LatticeScheme quintic{&gradient_shape_of<sph::QuinticSpline>, 1.5};
@@ -74,4 +74,4 @@ TEST(LatticeStability, FallsWithDiffusionAndViscosity) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::lattice_stability_test

@@ -14,7 +14,7 @@
 #include "verification/campaign/surface_spectrum.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::li2010_claims_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -232,4 +232,4 @@ TEST(SectionOfLi2010, StandsWithAndWithoutItsCases) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::li2010_claims_test

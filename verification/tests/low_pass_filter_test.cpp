@@ -7,7 +7,7 @@
 
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::low_pass_filter_test {
 namespace {
 
 constexpr double cutoff = 5;                                        // [Hz]
@@ -183,4 +183,4 @@ TEST(LowPass, RefusesWhatItCannotFilter) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::low_pass_filter_test

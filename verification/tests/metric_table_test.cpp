@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace slosh {
+namespace slosh::metric_table_test {
 namespace {
 
 using Modes = std::vector<std::string>;
@@ -69,4 +69,4 @@ TEST(MetricTable, NoLimitIsSoWideThatNothingViolatesIt) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::metric_table_test

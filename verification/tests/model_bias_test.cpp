@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace slosh {
+namespace slosh::model_bias_test {
 namespace {
 
 std::vector<PredictedValue> with_ratios(const std::vector<double>& ratios, double deviation = 0) {
@@ -90,4 +90,4 @@ TEST(ModelBias, IsRefusedOfValuesThatHaveNoLogarithm) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::model_bias_test

@@ -7,7 +7,7 @@
 #include "verification/case_file/motion.hpp"
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::motion_section_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -223,4 +223,4 @@ TEST(MotionSection, TakesADeclaredFrequencyOfATableAlone) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::motion_section_test

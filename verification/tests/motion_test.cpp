@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace slosh {
+namespace slosh::motion_test {
 namespace {
 
 CaseDefinition moved_by(MotionDefinition motion) {
@@ -195,4 +195,4 @@ TEST(ForcingFrequency, IsWhatTheCaseDeclaresOfATable) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::motion_test

@@ -6,7 +6,7 @@
 
 #include "verification/campaign/problem_assessment.hpp"
 
-namespace slosh {
+namespace slosh::operator_errors_test {
 namespace {
 
 // The pressure's part of the momentum equation a twentieth too large.
@@ -74,4 +74,4 @@ TEST(KeptOfWave, FallsWithTheSquareOfTheWaveNumber) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::operator_errors_test

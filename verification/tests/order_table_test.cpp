@@ -7,7 +7,7 @@
 
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::order_table_test {
 namespace {
 
 ErrorAtSpacing at(double spacing, double error, double half_width = 0) {
@@ -71,4 +71,4 @@ TEST(OrderTable, LeavesOutARunThatChangesItsScheme) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::order_table_test

@@ -11,7 +11,7 @@
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::peak_table_test {
 namespace {
 
 const std::string head = "Pressure in mBar\t\t\t\n1st peak\t2nd peak\t3th peak\t4th peak\n";
@@ -116,4 +116,4 @@ TEST(Tables, ThatCannotBeReadToTheirEndAreNoShorterOnes) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::peak_table_test

@@ -7,7 +7,7 @@
 
 #include "verification/metrics/time_series.hpp"
 
-namespace slosh {
+namespace slosh::power_law_line_test {
 namespace {
 
 TEST(PowerLawLine, OfAnExactLawIsThatLawWithoutABand) {
@@ -44,4 +44,4 @@ TEST(PowerLawLine, RefusesWhatHasNoLogarithmOrNoSpread) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::power_law_line_test

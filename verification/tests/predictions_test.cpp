@@ -7,7 +7,7 @@
 #include "verification/campaign/bias_section.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::predictions_test {
 namespace {
 
 TimeSeries higher_by(double factor) {
@@ -110,4 +110,4 @@ TEST(BiasSection, SaysWhereThereAreTooFewComparisons) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::predictions_test

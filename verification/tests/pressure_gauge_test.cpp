@@ -7,7 +7,7 @@
 #include "verification/case_file/quantities.hpp"
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::pressure_gauge_test {
 namespace {
 
 // Before [comparison], line 31: the keys stand from line 32 on. The tank is 2 m long and 1 m high,
@@ -222,4 +222,4 @@ TEST(SnapshotTimes, AreRefusedByTheirOwnLine) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::pressure_gauge_test

@@ -11,7 +11,7 @@
 #include "verification/tests/impact_results.hpp"
 #include "verification/tests/sample_case.hpp"
 
-namespace slosh {
+namespace slosh::pressure_noise_test {
 namespace {
 
 constexpr TimeWindow window{1, 9};
@@ -93,4 +93,4 @@ TEST(NoiseBand, IsThreeTimesTheThirdModeOrFiveHertz) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::pressure_noise_test

@@ -15,7 +15,7 @@
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/problems/problem.hpp"
 
-namespace slosh {
+namespace slosh::problem_assessment_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -180,4 +180,4 @@ TEST(ProblemGate, CallsEachShippedRowOnAMeasuredLimitARegressionRow) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::problem_assessment_test

@@ -11,7 +11,7 @@
 #include "verification/runs/run_key.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::problem_result_test {
 namespace {
 
 ProblemResult sample() {
@@ -96,4 +96,4 @@ TEST_F(ProblemResultFile, IsKeyedByProblemFormAndBuild) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::problem_result_test

@@ -9,7 +9,7 @@
 #include "verification/campaign/problem_assessment.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 
-namespace slosh {
+namespace slosh::problem_test {
 namespace {
 
 // Of both campaigns that have problems.
@@ -81,4 +81,4 @@ TEST_P(QuickProblem, LeavesItsMeasuresAndHoldsItsGate) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::problem_test

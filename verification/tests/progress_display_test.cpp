@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-namespace slosh {
+namespace slosh::progress_display_test {
 namespace {
 
 constexpr DisplayStyle plain{.live = false, .colour = false, .columns = 80};
@@ -146,4 +146,4 @@ TEST(ProgressDisplay, NeitherMovesTheCursorNorColoursOutsideATerminal) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::progress_display_test

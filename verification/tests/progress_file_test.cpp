@@ -6,7 +6,7 @@
 
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::progress_file_test {
 namespace {
 
 TEST(ProgressFile, GivesBackWhatWasWrittenLast) {
@@ -34,4 +34,4 @@ TEST(ProgressFile, MayBeAbsentOrDamaged) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::progress_file_test

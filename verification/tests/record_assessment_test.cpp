@@ -9,7 +9,7 @@
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::record_assessment_test {
 namespace {
 
 constexpr double width = 0.1, acceleration = 2, duration = 1;  // [m], [m/s2], [s]
@@ -269,4 +269,4 @@ TEST(RecordReport, DrawsTheRecordAsPointsWithItsUncertainty) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::record_assessment_test

@@ -3,7 +3,7 @@
 
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::refinement_section_test {
 namespace {
 
 const std::string runs = R"([[run]]
@@ -71,4 +71,4 @@ TEST(RefinementSection, RefusesAPathThatIsNone) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::refinement_section_test

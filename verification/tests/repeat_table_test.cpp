@@ -8,7 +8,7 @@
 
 #include "verification/tests/impact_runs.hpp"
 
-namespace slosh {
+namespace slosh::repeat_table_test {
 namespace {
 
 SphRun repeat(int seed, double spacing = 0.004) {
@@ -89,4 +89,4 @@ TEST(RepeatTable, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::repeat_table_test

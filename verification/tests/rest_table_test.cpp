@@ -6,7 +6,7 @@
 
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::rest_table_test {
 namespace {
 
 // The surge's case and window (from 1 s); its run `particles` records these values from 0 s on, one
@@ -43,4 +43,4 @@ TEST(RestTable, TellsAValueThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::rest_table_test

@@ -10,7 +10,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::result_content_test {
 namespace {
 
 using hdf5::Handle;
@@ -123,4 +123,4 @@ TEST_F(ResultContent, IsRefusedWithTextsForNumbers) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::result_content_test

@@ -14,7 +14,7 @@
 #include "verification/runs/content_hash.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::result_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ TEST_F(ResultFile, IsNeverSeenHalfWrittenThoughItsWriterIsKilled) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::result_file_test

@@ -13,7 +13,7 @@
 #include "verification/runs/content_hash.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::result_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST_F(Store, KeepsTimingsAndComparesThoseOfOneProcessor) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::result_store_test

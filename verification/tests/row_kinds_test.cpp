@@ -5,7 +5,7 @@
 
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::row_kinds_test {
 namespace {
 
 TEST(RowKinds, AreCountedApartWithWhatTheirRowsRestOn) {
@@ -44,4 +44,4 @@ TEST(RowKinds, CountProblemsAsExactSolutions) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::row_kinds_test

@@ -5,7 +5,7 @@
 
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::row_strength_test {
 namespace {
 
 CaseAssessment surge_with(const std::vector<GateRow>& gate) {
@@ -73,4 +73,4 @@ TEST(RowStrength, FindsOutARowThatLetsPassWhatItMustDetect) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::row_strength_test

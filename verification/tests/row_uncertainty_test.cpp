@@ -14,7 +14,7 @@
 #include "verification/metrics/windowed_series.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::row_uncertainty_test {
 namespace {
 
 TimeSeries scaled(TimeSeries series, double factor) {
@@ -427,4 +427,4 @@ TEST(ValidityEnvelope, KeepsPotentialFlowFromGatingBeyondItsEnd) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::row_uncertainty_test

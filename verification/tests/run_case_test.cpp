@@ -11,7 +11,7 @@
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::run_case_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -448,4 +448,4 @@ TEST_F(SphRunOfACase, LeavesNoSnapshotsWhereTheyAreRefused) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::run_case_test

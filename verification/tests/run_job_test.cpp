@@ -11,7 +11,7 @@
 
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::run_job_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -136,4 +136,4 @@ TEST_F(RunJob, KillsWhatDoesNotHeedTermination) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::run_job_test

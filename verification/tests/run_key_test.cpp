@@ -9,7 +9,7 @@
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::run_key_test {
 namespace {
 
 class RunKey : public ::testing::Test {
@@ -326,4 +326,4 @@ TEST_F(RunKey, OfAnExternalRunChangesWithAnArgumentThatIsAFile) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::run_key_test

@@ -5,7 +5,7 @@
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/tests/sample_case.hpp"
 
-namespace slosh {
+namespace slosh::run_selection_test {
 namespace {
 
 RunDefinition run_of(const std::string& name, decltype(RunDefinition::solver) solver,
@@ -143,4 +143,4 @@ TEST(RunSelection, TellsItselfInWordsAndAsTheOptionsThatRepeatIt) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::run_selection_test

@@ -7,7 +7,7 @@
 
 #include "verification/tests/sample_case.hpp"
 
-namespace slosh {
+namespace slosh::run_summary_test {
 namespace {
 
 bool holds(const std::string& text, const std::string& part) {
@@ -82,4 +82,4 @@ TEST(RunSummary, TellsNoStepsOfAnotherSolver) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::run_summary_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slosh {
+namespace slosh::sample_moments_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -27,4 +27,4 @@ TEST(SampleMoments, AreNoNumberOfNoSamples) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::sample_moments_test

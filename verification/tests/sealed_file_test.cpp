@@ -11,7 +11,7 @@
 #include "verification/runs/state_file.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::sealed_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ INSTANTIATE_TEST_SUITE_P(EachKind, SealedFile, ::testing::ValuesIn(kinds),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::sealed_file_test

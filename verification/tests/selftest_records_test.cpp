@@ -12,7 +12,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/problems/problem.hpp"
 
-namespace slosh {
+namespace slosh::selftest_records_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ INSTANTIATE_TEST_SUITE_P(Shipped, SelftestRecords, ::testing::ValuesIn(shipped_c
                          [](const auto& info) { return info.param.stem().string(); });
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::selftest_records_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slosh {
+namespace slosh::series_csv_test {
 namespace {
 
 RunResult result_of(const std::vector<TimeSeries>& series) {
@@ -33,4 +33,4 @@ TEST(SeriesCsv, RefusesTimesThatDoNotIncrease) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::series_csv_test

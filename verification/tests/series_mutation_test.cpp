@@ -9,7 +9,7 @@
 #include "verification/metrics/comparison.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::series_mutation_test {
 namespace {
 
 constexpr double period = 2;    // [s]
@@ -173,4 +173,4 @@ TEST(SeriesMutation, HasANameForEachKind) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::series_mutation_test

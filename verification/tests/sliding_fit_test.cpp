@@ -6,7 +6,7 @@
 
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::sliding_fit_test {
 namespace {
 
 constexpr double forcing = two_pi / 1.25;  // [rad/s]
@@ -78,4 +78,4 @@ TEST(ResolvedTones, AreThoseThatAWindowTellsFromTheOnesBefore) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::sliding_fit_test

@@ -8,7 +8,7 @@
 
 #include "verification/tests/trial_case.hpp"
 
-namespace slosh {
+namespace slosh::solver_keys_test {
 namespace {
 
 using Keys = std::vector<std::string>;
@@ -84,4 +84,4 @@ TEST(SolverKeys, AMisspeltSolverIsToldByTheNearestKey) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::solver_keys_test

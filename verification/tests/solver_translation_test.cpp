@@ -1,10 +1,12 @@
 // Each solver, coarse, against linear theory on the same case: a sign, a frame or a gauge
-// translated wrongly shows.
+// translated wrongly shows. And all runs that are shipped are such as their solvers take.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "openfoam_cases/sloshing_tank.hpp"
+#include "verification/case_file/case_parser.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -197,6 +199,16 @@ TEST(SolverTranslation, InterFoamWithoutItsTemplatesIsASolverError) {
                         .command = {}},
                        [](double, double) {}),
                SolverError);
+}
+
+TEST(ShippedCases, HoldNoRunThatItsSolverRefuses) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(SLOSH_SOURCE_DIR "/verification/cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    const CaseDefinition definition = read_case(entry.path());
+    for (const RunDefinition& run : definition.runs)
+      EXPECT_NO_THROW(require_runnable(definition, run)) << definition.name << "/" << run.name;
+  }
 }
 
 }  // namespace

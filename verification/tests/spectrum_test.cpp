@@ -6,7 +6,7 @@
 
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::spectrum_test {
 namespace {
 
 TEST(PowerSpectrum, PeaksAtHalfTheSquaredAmplitudeWithMeanAndDriftRemoved) {
@@ -104,4 +104,4 @@ TEST(BandEnergy, IsNoNumberWhereTheWindowCannotResolveTheBand) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::spectrum_test

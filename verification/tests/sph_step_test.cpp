@@ -8,7 +8,7 @@
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/sample_case.hpp"
 
-namespace slosh {
+namespace slosh::sph_step_test {
 namespace {
 
 SphRun coarse(const std::string& scheme, const std::string& variant = "") {
@@ -91,4 +91,4 @@ TEST(SphStep, IsUnknownOfAnotherSolverAndOfARunThatIsRefused) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::sph_step_test

@@ -14,7 +14,7 @@
 #include "verification/case_file/time_table.hpp"
 #include "verification/tests/published_records.hpp"
 
-namespace slosh {
+namespace slosh::spheric10_roll_test {
 namespace {
 
 constexpr double join = 0.75;  // [s]
@@ -156,4 +156,4 @@ TEST(Spheric10Roll, IsNearerToTheRecordThanTheRecordsOwnUncertainty) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::spheric10_roll_test

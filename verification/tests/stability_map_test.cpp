@@ -6,7 +6,7 @@
 
 #include "sph/schemes.hpp"
 
-namespace slosh {
+namespace slosh::stability_map_test {
 namespace {
 
 // Stable below 3 + up; beyond 5 no guard tells.
@@ -71,4 +71,4 @@ TEST(ProbeOfWave, TellsAStableStepFromAnUnstableOne) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::stability_map_test

@@ -8,7 +8,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::state_file_test {
 namespace {
 
 sph::SavedState sample_state() {
@@ -74,4 +74,4 @@ TEST(StateFile, IsRefusedWhenTruncatedOrAltered) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::state_file_test

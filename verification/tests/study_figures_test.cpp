@@ -5,7 +5,7 @@
 
 #include "verification/tests/figure_results.hpp"
 
-namespace slosh {
+namespace slosh::study_figures_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -99,4 +99,4 @@ TEST(StudyFigures, NeedTwoRunsThatStand) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::study_figures_test

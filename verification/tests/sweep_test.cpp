@@ -10,7 +10,7 @@
 #include "verification/tests/small_campaign.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::sweep_test {
 namespace {
 
 const std::string head =
@@ -123,4 +123,4 @@ TEST_F(Sweep, IsReadWithTheCampaignsTiming) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::sweep_test

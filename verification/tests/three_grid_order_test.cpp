@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slosh {
+namespace slosh::three_grid_order_test {
 namespace {
 
 // The sample calculations of Celik et al. 2008, table 1: N1 to N3 cells in a plane, h ~ N^-1/2.
@@ -69,4 +69,4 @@ TEST(ThreeGridOrder, StopsAtTen) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::three_grid_order_test

@@ -8,7 +8,7 @@
 #include "verification/metrics/comparison.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::three_way_verdict_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -215,4 +215,4 @@ TEST(ThreeWayVerdict, HasAName) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::three_way_verdict_test

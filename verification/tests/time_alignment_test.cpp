@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slosh {
+namespace slosh::time_alignment_test {
 namespace {
 
 // The place of a body that starts at `begin`, accelerates for a second and then runs on.
@@ -40,4 +40,4 @@ TEST(TimeAlignment, HasNoNumbersWhereTheBestLagIsOutOfItsRange) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::time_alignment_test

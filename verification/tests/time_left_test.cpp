@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace slosh {
+namespace slosh::time_left_test {
 namespace {
 
 JobState job(JobPhase phase, double expected, double wall = 0) {
@@ -65,4 +65,4 @@ TEST(TimeLeft, IsToldInTheUnitThatItHas) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::time_left_test

@@ -5,7 +5,7 @@
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/case_file/toml_reader.hpp"
 
-namespace slosh {
+namespace slosh::toml_letters_test {
 namespace {
 
 TEST(TomlLetters, AreFoundWithTheirPlaceWhereTheyStandOutsideStrings) {
@@ -41,4 +41,4 @@ TEST(TomlLetters, AreRefusedByTheReaderWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::toml_letters_test

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/metrics/dense_algebra.hpp"
 #include "verification/metrics/fourier_transform.hpp"
-#include "verification/metrics/orthonormal.hpp"
 
-namespace slosh {
+namespace slosh::trial_spectrum_test {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
@@ -92,4 +92,4 @@ TEST(FourierTransforms, HaveLengthsWithoutLargePrimeFactors) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::trial_spectrum_test

@@ -9,7 +9,7 @@
 #include "verification/campaign/worst_first.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::verdict_matrix_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -156,4 +156,4 @@ TEST(WorstFirst, LeavesOutOnlyRowsThatPassAndSaysHowManyThereAre) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::verdict_matrix_test

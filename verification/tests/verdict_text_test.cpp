@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace slosh {
+namespace slosh::verdict_text_test {
 namespace {
 
 const std::string lines =
@@ -56,4 +56,4 @@ TEST(VerdictText, ColoursTheVerdictThatALineBeginsWith) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::verdict_text_test

@@ -10,7 +10,7 @@
 #include "reports/check_report.hpp"
 #include "verification/tests/impact_runs.hpp"
 
-namespace slosh {
+namespace slosh::wall_treatments_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -116,4 +116,4 @@ TEST(WallTreatments, AreDrawnByNoiseAndCostWithACurveForEach) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::wall_treatments_test

@@ -9,7 +9,7 @@
 #include "verification/campaign/case_assessment.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::wave_assessment_test {
 namespace {
 
 constexpr double viscosity = 0.004;  // [m2/s], at k = pi a damping of 0.0706 1/s in unit gravity
@@ -142,4 +142,4 @@ TEST(WaveAssessment, MarksAWaveThatIsTooHighForItsTheory) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::wave_assessment_test

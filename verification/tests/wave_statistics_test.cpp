@@ -6,7 +6,7 @@
 
 #include "verification/tests/synthetic_series.hpp"
 
-namespace slosh {
+namespace slosh::wave_statistics_test {
 namespace {
 
 constexpr double period = 1.3;
@@ -72,4 +72,4 @@ TEST(NoiseShare, RefusesWhatDoesNotVaryAndTooFewSamples) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::wave_statistics_test

@@ -14,7 +14,7 @@
 #include "verification/campaign/work_precision_tables.hpp"
 #include "verification/tests/figure_results.hpp"
 
-namespace slosh {
+namespace slosh::work_points_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -309,4 +309,4 @@ TEST(ResultsJson, TellTimingsAndWorkPrecision) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::work_points_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace slosh {
+namespace slosh::work_precision_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -200,4 +200,4 @@ TEST(CostBeyondTheMostExactRun, IsNotToldFromTwoResolutionsOrWithoutASlopeThatFa
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::work_precision_test

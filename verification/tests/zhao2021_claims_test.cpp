@@ -13,7 +13,7 @@
 #include "verification/campaign/zhao2021_paper.hpp"
 #include "verification/tests/impact_runs.hpp"
 
-namespace slosh {
+namespace slosh::zhao2021_claims_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -298,4 +298,4 @@ TEST(ErrataOfZhao2021, SetTheMeasuredRollBesideTheSine) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::zhao2021_claims_test
