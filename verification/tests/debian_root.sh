@@ -1,15 +1,20 @@
 #!/bin/sh
 # The README's first steps on another Debian: a bare root of the release SUITE (bookworm, trixie, sid), made by
 # debootstrap from this machine's own mirror, in which ./slosh installs what it needs, builds the tool and runs
-# `campaign verification --quick`; then the release unit tests are built and run. DIRECTORY is kept, and taken again
-# where it holds a root already. Exit status: that of the first step that fails; 77 (skipped) without root's rights,
-# debootstrap or the mirror.
-# Usage: debian_root.sh SOURCE_TREE SUITE DIRECTORY
+# `campaign verification --quick`; then the release unit tests are built and run. With `readme` it runs the README's two
+# commands instead, whole: `campaign small_amplitude`, then `test`. DIRECTORY is kept, and taken again where it holds a
+# root already. Exit status: that of the first step that fails; 77 (skipped) without root's rights, debootstrap or the
+# mirror.
+# Usage: debian_root.sh SOURCE_TREE SUITE DIRECTORY [readme]
 set -eu
 
 source_tree=$(readlink -f -- "$1")
 suite=$2
 directory=$3
+if [ "${4-readme}" != readme ]; then
+  echo "the fourth argument is '$4'; expected 'readme' or none"
+  exit 2
+fi
 
 skip() {
   echo "skipped: $*"
@@ -48,6 +53,10 @@ mkdir -p "$directory/slosh"
   tar --null -T - -cf -) | tar -C "$directory/slosh" -xmf -
 
 inside() { chroot "$directory" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root sh -ec "cd /slosh; $*"; }
+if [ "${4-}" = readme ]; then
+  inside 'date; ./slosh campaign small_amplitude; date; ./slosh test; date'
+  exit
+fi
 inside ./slosh campaign verification --quick
 inside 'cmake --preset release -DSLOSH_UNIT_TESTS=ON && cmake --build build/release --target unit_tests &&
         ctest --test-dir build/release -j "$(nproc)" -L "^unit$" --output-on-failure --no-tests=error'
