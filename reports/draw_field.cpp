@@ -10,14 +10,14 @@
 #include "reports/field_range.hpp"
 #include "reports/field_script.hpp"
 #include "reports/png_file.hpp"
-#include "reports/run_gnuplot.hpp"
 #include "reports/write_report.hpp"
 
 namespace slosh::reports {
 
-DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory) {
+DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory,
+                      const Gnuplot& gnuplot) {
   const FieldLayout layout = field_layout(figure);
-  std::string png = run_gnuplot(field_script(figure, layout), figure.id, scratch_directory);
+  std::string png = gnuplot(field_script(figure, layout), figure.id, scratch_directory);
   if (!is_whole_png(png))
     throw ReportError(broken_output(figure.id, "PNG file", scratch_directory));
   return {std::move(png), layout.width, layout.height};

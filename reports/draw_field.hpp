@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reports/report_model.hpp"
+#include "reports/run_gnuplot.hpp"
 
 namespace slosh::reports {
 
@@ -13,8 +14,9 @@ struct DrawnField {
   int width, height;  // px
 };
 
-// As draw_figure: throws ReportError with gnuplot's own words when it is missing or fails.
-DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory);
+// Throws as draw_figure() does.
+DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory,
+                      const Gnuplot& gnuplot = run_gnuplot);
 
 // The picture in words, for those who do not see it: title, panels, what the colours and the arrows
 // show.

@@ -9,7 +9,6 @@
 #include "reports/figure_palette.hpp"
 #include "reports/gnuplot_script.hpp"
 #include "reports/png_file.hpp"
-#include "reports/run_gnuplot.hpp"
 #include "reports/svg_markup.hpp"
 #include "reports/templates.hpp"
 #include "reports/write_report.hpp"
@@ -32,8 +31,9 @@ std::string description(const Figure& figure) {
 
 }  // namespace
 
-DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory) {
-  const std::string output = run_gnuplot(gnuplot_script(figure), figure.id, scratch_directory);
+DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory,
+                        const Gnuplot& gnuplot) {
+  const std::string output = gnuplot(gnuplot_script(figure), figure.id, scratch_directory);
   if (output.find("</svg>") == output.npos)
     throw ReportError(broken_output(figure.id, "SVG document", scratch_directory));
   return {shared_markup(output, figure.id), canvas_width, canvas_height(figure)};

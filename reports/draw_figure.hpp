@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reports/report_model.hpp"
+#include "reports/run_gnuplot.hpp"
 
 namespace slosh::reports {
 
@@ -20,10 +21,9 @@ struct DrawnFigure {
   int width, height;   // px
 };
 
-// Starts gnuplot (found on the PATH, without a shell and without the user's start-up files) on a
-// script in the scratch directory. Throws ReportError with gnuplot's own words when it is missing
-// or fails.
-DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory);
+// Throws ReportError as run_gnuplot() does, and where the output breaks off.
+DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scratch_directory,
+                        const Gnuplot& gnuplot = run_gnuplot);
 
 // The whole file of a PNG picture on white paper. Throws as draw_figure() does.
 std::string draw_png(const Figure& figure, const std::filesystem::path& scratch_directory);

@@ -32,9 +32,17 @@ bool ends_within(process::child& child, double time_limit) {
 
 }  // namespace
 
+std::filesystem::path gnuplot_program() { return process::search_path("gnuplot").string(); }
+
 std::string run_gnuplot(const std::string& script, const std::string& figure_id,
-                        const std::filesystem::path& scratch_directory, double time_limit) {
-  const auto gnuplot = process::search_path("gnuplot");
+                        const std::filesystem::path& scratch_directory) {
+  return run_gnuplot_within(120, script, figure_id, scratch_directory);
+}
+
+std::string run_gnuplot_within(double time_limit, const std::string& script,
+                               const std::string& figure_id,
+                               const std::filesystem::path& scratch_directory) {
+  const std::filesystem::path gnuplot = gnuplot_program();
   if (gnuplot.empty()) {
     throw ReportError(
         "gnuplot, which draws the report's figures, is not on the PATH (Debian: apt-get install "
@@ -47,7 +55,7 @@ std::string run_gnuplot(const std::string& script, const std::string& figure_id,
   for (const auto& file : {output, messages})
     std::filesystem::remove(file);  // one that is there would be overwritten, but not cut
   std::error_code failure;
-  process::child child(gnuplot, "--default-settings", program.string(),
+  process::child child(gnuplot.string(), "--default-settings", program.string(),
                        process::std_in<process::null, process::std_out> output.string(),
                        process::std_err > messages.string(), failure);
   if (failure)

@@ -11,7 +11,6 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
-#include <thread>
 
 #include "reports/check_report.hpp"
 #include "reports/draw_field.hpp"
@@ -34,7 +33,8 @@ constexpr std::array<std::string_view, 7> report_entries{
     "report.pdf", "report.pdf.log", "figures"};
 
 // Each once. `scratch` and `directory` are created here; only the latter is worth keeping.
-Drawings draw(const Report& report, const fs::path& scratch, const fs::path& directory) {
+Drawings draw(const Report& report, const WriteOptions& options, const fs::path& scratch,
+              const fs::path& directory) {
   fs::create_directory(scratch);
   fs::create_directories(directory / "figures");
   std::vector<const Figure*> figures;
@@ -43,21 +43,20 @@ Drawings draw(const Report& report, const fs::path& scratch, const fs::path& dir
     for (const Figure& figure : section.figures) figures.push_back(&figure);
     for (const FieldFigure& figure : section.fields) fields.push_back(&figure);
   }
-  const auto threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   Drawings drawings;
   drawings.fields.resize(fields.size());
   drawings.figures.resize(figures.size());
   const auto draw_one_field = [&](std::size_t i) {
-    drawings.fields[i] = draw_field(*fields[i], scratch);
+    drawings.fields[i] = draw_field(*fields[i], scratch, options.gnuplot);
     write_text(directory / "figures" / (fields[i]->id + ".png"), drawings.fields[i].png);
   };
   const auto draw_one_figure = [&](std::size_t i) {
-    drawings.figures[i] = draw_figure(*figures[i], scratch);
+    drawings.figures[i] = draw_figure(*figures[i], scratch, options.gnuplot);
     write_text(directory / "figures" / (figures[i]->id + ".svg"),
                svg_element(*figures[i], drawings.figures[i], SvgPlace::own_file));
   };
   // A film takes seconds, a figure a tenth of one: the films begin.
-  side_by_side(fields.size() + figures.size(), threads, [&](std::size_t i) {
+  side_by_side(fields.size() + figures.size(), options.threads, [&](std::size_t i) {
     i < fields.size() ? draw_one_field(i) : draw_one_figure(i - fields.size());
   });
   return drawings;
@@ -122,7 +121,8 @@ void swap_in(const fs::path& complete, const fs::path& target, const fs::path& a
 
 }  // namespace
 
-void write_report(const Report& report, const fs::path& directory, bool pdf) try {
+void write_report(const Report& report, const fs::path& directory,
+                  const WriteOptions& options) try {
   check_report(report);
   // Through links and without a trailing slash, so that the temporary directory is truly beside it.
   fs::path target = fs::weakly_canonical(fs::absolute(directory));
@@ -132,10 +132,10 @@ void write_report(const Report& report, const fs::path& directory, bool pdf) try
   const TemporaryDirectory temporary(target.string() + ".writing-");
   const fs::path complete = temporary.path() / "report";
   const fs::path scratch = temporary.path() / "drawing";
-  const Drawings drawings = draw(report, scratch, complete);
+  const Drawings drawings = draw(report, options, scratch, complete);
   write_files(report, drawings, complete);
   std::optional<ReportError> no_pdf;
-  if (pdf) no_pdf = write_pdf(report, drawings, scratch, complete);
+  if (options.pdf) no_pdf = write_pdf(report, drawings, scratch, complete);
   swap_in(complete, target, temporary.path() / "old");
   if (!no_pdf) return;
   const fs::path log = target / "report.pdf.log";

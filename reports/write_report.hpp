@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "reports/report_model.hpp"
+#include "reports/run_gnuplot.hpp"
 
 namespace slosh::reports {
 
@@ -18,9 +19,16 @@ struct ReportError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+struct WriteOptions {
+  bool pdf = false;
+  int threads = 1;  // that draw, each by a gnuplot of its own
+  Gnuplot gnuplot = run_gnuplot;
+};
+
 // Replaces an earlier report under the same name. A directory that holds anything else is never
 // replaced: ReportError. After any error what was under the name is as it was, but for one of the
 // PDF alone: then the new report stands there without it.
-void write_report(const Report& report, const std::filesystem::path& directory, bool pdf = false);
+void write_report(const Report& report, const std::filesystem::path& directory,
+                  const WriteOptions& options = {});
 
 }  // namespace slosh::reports

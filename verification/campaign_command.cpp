@@ -15,6 +15,8 @@
 #include "verification/baseline/baseline_figures.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/case_coverage.hpp"
+#include "verification/campaign/known_drawings.hpp"
+#include "verification/campaign/known_strengths.hpp"
 #include "verification/campaign/row_kinds.hpp"
 #include "verification/campaign_plan_text.hpp"
 #include "verification/campaign_standing.hpp"
@@ -82,7 +84,14 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
                                            assessed.cases, assessed.problems, &known);
   known.write();
   add_baseline_figures(read_ledger(sources.ledger), assessed.cases, report);
-  reports::write_report(report, assessed.output / "report", options.pdf);
+  KnownDrawings drawings(assessed.output / "drawings");
+  reports::write_report(report, assessed.output / "report",
+                        {.pdf = options.pdf,
+                         .threads = sph::usable_cores(),
+                         .gnuplot = [&](const auto& script, const auto& id, const auto& scratch) {
+                           return drawings.draw(script, id, scratch);
+                         }});
+  drawings.write();
 }
 
 // The verdicts as a table, where one is asked for.

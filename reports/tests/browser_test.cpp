@@ -121,7 +121,7 @@ int pages_of_pdf(const std::string& pdf) {
 }
 
 TEST_F(Browser, PrintsTheWholeReportToOnePdf) {
-  write_report(paged_report(), scratch_ / "report", true);
+  write_report(paged_report(), scratch_ / "report", {.pdf = true});
   const std::string pdf = read_text(scratch_ / "report/report.pdf");
   EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
   EXPECT_GE(pages_of_pdf(pdf), 4);  // each page starts anew, and five figures do not go on three

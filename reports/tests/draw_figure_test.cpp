@@ -335,7 +335,7 @@ TEST(EndlessGnuplot, IsEndedAtItsTimeLimitWithItsOwnWords) {
   std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
   const PathVariable path(scratch.path().string() + ":/usr/bin:/bin");
   try {
-    run_gnuplot("", "a", scratch.path(), 0.3);
+    run_gnuplot_within(0.3, "", "a", scratch.path());
     FAIL() << "no error";
   } catch (const ReportError& error) {
     EXPECT_STREQ(error.what(),

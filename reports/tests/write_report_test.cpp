@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/process/search_path.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -209,7 +210,7 @@ TEST(PagedReport, StandsWithoutItsPdfWhereThereIsNoBrowser) {
   fs::create_symlink(boost::process::search_path("gnuplot").string(), scratch / "bin/gnuplot");
   const PathVariable path((scratch / "bin").string());
   EXPECT_FALSE(can_print_pdf());
-  EXPECT_THROW(write_report(paged_report(), scratch / "report", true), ReportError);
+  EXPECT_THROW(write_report(paged_report(), scratch / "report", {.pdf = true}), ReportError);
   EXPECT_TRUE(fs::exists(scratch / "report/waves.html"));
   EXPECT_FALSE(fs::exists(scratch / "report/report.pdf"));
 }
@@ -238,6 +239,26 @@ TEST(WrittenReport, KeepsTheOldOneWhenGnuplotIsMissing) {
   }
   EXPECT_EQ(read_text(scratch / "report/index.html"), old);
   EXPECT_EQ(entries(scratch.path()), 1u);
+}
+
+// Whether two gnuplots ran at the same time.
+bool draws_together(int threads) {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch / "bin");
+  const std::string busy = (scratch / "busy").string(), together = (scratch / "together").string();
+  std::ofstream(scratch / "bin/gnuplot")
+      << "#!/bin/sh\nmkdir " << busy << " 2>/dev/null || touch " << together << "\nsleep 0.2\n"
+      << boost::process::search_path("gnuplot").string() << " \"$@\"\nstatus=$?\nrmdir " << busy
+      << " 2>/dev/null\nexit $status\n";
+  fs::permissions(scratch / "bin/gnuplot", fs::perms::owner_all);
+  const PathVariable path((scratch / "bin").string() + ":" + std::getenv("PATH"));
+  write_report(sample_report(), scratch / "report", {.threads = threads});
+  return fs::exists(together);
+}
+
+TEST(WrittenReport, IsDrawnByAsManyGnuplotsAsItIsTold) {
+  EXPECT_FALSE(draws_together(1));
+  EXPECT_TRUE(draws_together(3));
 }
 
 TEST(WrittenReport, NeverReplacesADirectoryOfOtherThings) {

@@ -221,10 +221,12 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
       summary_sections(cases, problems,
                        fmt::format("{} Repeat this campaign with `{}`. {}.",
                                    kinds_sentence(cases, problems), command, campaign.source));
-  const int threads = sph::usable_cores();
+  // The cores that the cases leave try a case's rows side by side.
+  const int cores = sph::usable_cores(),
+            of_one_case = std::max(1, cores / std::max(1, static_cast<int>(cases.size())));
   std::vector<Section> case_sections(cases.size());
-  reports::side_by_side(cases.size(), threads, [&](std::size_t i) {
-    if (has_selected_runs(cases[i])) case_sections[i] = case_section(cases[i], threads, known);
+  reports::side_by_side(cases.size(), cores, [&](std::size_t i) {
+    if (has_selected_runs(cases[i])) case_sections[i] = case_section(cases[i], of_one_case, known);
   });
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!has_selected_runs(cases[i])) continue;

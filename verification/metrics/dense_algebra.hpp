@@ -10,19 +10,19 @@ namespace slosh {
 // A matrix, or a block of the rows or columns of one.
 using MatrixView = Eigen::Ref<const Eigen::MatrixXd>;
 
-// a b.
+// a b, of m x k and k x n.
 Eigen::MatrixXd product(const MatrixView& a, const MatrixView& b);
 
-// a^T b.
+// a^T b, of k x m and k x n.
 Eigen::MatrixXd transposed_product(const MatrixView& a, const MatrixView& b);
 
-// Of a symmetric matrix that is positive semidefinite.
+// Solves equations of one symmetric positive semidefinite matrix (Cholesky, L D L^T).
 class SymmetricFactors {
  public:
   SymmetricFactors() = default;
   explicit SymmetricFactors(const Eigen::MatrixXd& matrix);
 
-  // x of matrix x = right.
+  // x of matrix x = right; of each column of `right`.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& right) const;
 
@@ -33,10 +33,10 @@ class SymmetricFactors {
 // The logarithm of the determinant of a symmetric positive definite matrix.
 double log_determinant(const Eigen::MatrixXd& positive);
 
-// The Moore-Penrose inverse.
+// The Moore-Penrose inverse of any matrix.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix);
 
-// x of least |columns x - values|.
+// The x for which |columns x - values| is least (QR with pivots).
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values);
 
 // One over each column's length.

@@ -1,0 +1,35 @@
+// What gnuplot drew for earlier reports of a campaign, so that a report after a small change draws
+// only what that changes. A drawing is kept under its script, which holds the data, and under the
+// gnuplot that drew it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace slosh {
+
+class KnownDrawings {
+ public:
+  // Keeps them in this directory, which need not be there yet.
+  explicit KnownDrawings(std::filesystem::path directory);
+
+  // A reports::Gnuplot: what was kept, else what gnuplot draws now. A kept file that was cut short
+  // or changed is drawn anew.
+  std::string draw(const std::string& script, const std::string& figure_id,
+                   const std::filesystem::path& scratch_directory);
+
+  // Keeps what was asked for, and nothing else. To be called once a report has come of it: a
+  // drawing that breaks off is no report's. Throws std::filesystem::filesystem_error where the
+  // directory cannot be written.
+  void write() const;
+
+ private:
+  std::filesystem::path directory_;
+  std::string gnuplot_;  // tells one from another
+  std::mutex mutex_;     // of what was drawn
+  std::map<std::string, std::string> drawn_;
+};
+
+}  // namespace slosh
