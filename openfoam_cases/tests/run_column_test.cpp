@@ -5,7 +5,7 @@
 
 #include "openfoam_cases/tests/run_fixture.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::run_column_test {
 namespace {
 
 // The column of Martin & Moyce 1952, figure 3: 2.25 in wide and twice as high, in a tank that the
@@ -78,4 +78,4 @@ TEST_F(RunColumn, RunsItsFrontBetweenTheExperimentsAndTheIdealOne) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::run_column_test

@@ -5,7 +5,7 @@
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::run_loads_test {
 namespace {
 
 using RunLoads = RunCase;
@@ -90,4 +90,4 @@ TEST_F(RunLoads, ChangeTheMomentum) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::run_loads_test

@@ -5,7 +5,7 @@
 
 #include "openfoam_cases/tests/run_fixture.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::run_obstacles_test {
 namespace {
 
 using RunObstacles = RunCase;
@@ -107,4 +107,4 @@ TEST_F(RunObstacles, GiveTheSameOnTwoProcessesAsOnOne) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::run_obstacles_test

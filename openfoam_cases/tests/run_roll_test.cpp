@@ -4,7 +4,7 @@
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::run_roll_test {
 namespace {
 
 using RunRoll = RunCase;
@@ -180,4 +180,4 @@ TEST_F(RunRoll, GivesTheSameOnTwoProcessesAsOnOne) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::run_roll_test

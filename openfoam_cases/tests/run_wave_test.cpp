@@ -7,7 +7,7 @@
 
 #include "openfoam_cases/tests/run_fixture.hpp"
 
-namespace slosh::openfoam {
+namespace slosh::openfoam::run_wave_test {
 namespace {
 
 // H = 1, g = 1, k = pi, nu = 1/50: the complete solution of the linear Navier-Stokes equations
@@ -39,4 +39,4 @@ TEST_F(RunCase, DampsAWaveByTheLiquidsViscosity) {
 }
 
 }  // namespace
-}  // namespace slosh::openfoam
+}  // namespace slosh::openfoam::run_wave_test

@@ -5,7 +5,7 @@
 #include "reference/tank_mode.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
 
-namespace slosh::reference {
+namespace slosh::reference::nonlinear_convergence_test {
 namespace {
 
 NonlinearRecord run(NonlinearSloshing sloshing, int nodes_x, int nodes_z,
@@ -103,4 +103,4 @@ TEST(NonlinearConvergence, FollowsThePapersCaseForTwentySeconds) {
 }
 
 }  // namespace
-}  // namespace slosh::reference
+}  // namespace slosh::reference::nonlinear_convergence_test

@@ -12,7 +12,7 @@
 #include "reports/text_file.hpp"
 #include "reports/write_report.hpp"
 
-namespace slosh::reports {
+namespace slosh::reports::browser_test {
 namespace {
 
 class Browser : public testing::Test {
@@ -180,4 +180,4 @@ TEST_F(Browser, SeesAPageThatIsBroken) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::browser_test

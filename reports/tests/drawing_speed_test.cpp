@@ -8,7 +8,7 @@
 #include "reports/tests/scratch_directory.hpp"
 #include "reports/write_report.hpp"
 
-namespace slosh::reports {
+namespace slosh::reports::drawing_speed_test {
 namespace {
 
 TEST(HeavyReport, IsDrawnInSecondsAndStaysSmall) {
@@ -40,4 +40,4 @@ TEST(FieldOfTwelvePanels, IsDrawnInSecondsAndStaysSmall) {
 }
 
 }  // namespace
-}  // namespace slosh::reports
+}  // namespace slosh::reports::drawing_speed_test

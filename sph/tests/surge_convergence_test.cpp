@@ -11,7 +11,7 @@
 #include "sph/simulation.hpp"
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::surge_convergence_test {
 namespace {
 
 const reference::Tank tank{.length = 1, .fill_depth = 0.35, .gravity = 9.81, .density = 1000};
@@ -150,4 +150,4 @@ TEST(Li2010, DampsTheFirstModeByItsArtificialViscosity) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::surge_convergence_test

@@ -8,7 +8,7 @@
 
 #include "sph/tests/surging_scene.hpp"
 
-namespace slosh::sph {
+namespace slosh::sph::violent_roll_test {
 namespace {
 
 Scene violent_scene(const std::string& scheme) {
@@ -54,4 +54,4 @@ TEST_P(ViolentRoll, KeepsEveryParticleInTheTank) {
 }
 
 }  // namespace
-}  // namespace slosh::sph
+}  // namespace slosh::sph::violent_roll_test

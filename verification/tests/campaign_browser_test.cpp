@@ -6,7 +6,7 @@
 #include "reports/tests/headless_browser.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::campaign_browser_test {
 namespace {
 
 class CampaignInBrowser : public SmallCampaign {};
@@ -81,4 +81,4 @@ TEST_F(CampaignInBrowser, IsNotBegunWhereAPdfIsAskedForAndNothingCanPrintIt) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::campaign_browser_test

@@ -11,7 +11,7 @@
 #include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::campaign_engine_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,4 +229,4 @@ TEST_F(CampaignEngine, TimesRunsAloneAndOnlyWhereTheAnswerIsTheSame) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::campaign_engine_test

@@ -5,7 +5,7 @@
 
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::external_run_test {
 namespace {
 
 std::string own_run(const std::string& kind, const std::string& more = "") {
@@ -218,4 +218,4 @@ TEST_F(ExternalRun, LeavesNoDetachedProcessBehind) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::external_run_test

@@ -9,7 +9,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::foreign_results_test {
 namespace {
 
 using std::numbers::pi;
@@ -231,4 +231,4 @@ TEST_F(ForeignResults, NeverPassWhereThereIsNothingToCompare) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::foreign_results_test

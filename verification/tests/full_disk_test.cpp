@@ -4,7 +4,7 @@
 
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::full_disk_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ TEST_F(FullDisk, IsToldOfALimitOnTheSizeOfFilesToo) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::full_disk_test

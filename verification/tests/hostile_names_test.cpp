@@ -4,7 +4,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::hostile_names_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ TEST_F(HostileNames, AreRefusedWhereTheyBecomeArgumentsOrFiles) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::hostile_names_test

@@ -3,7 +3,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::locale_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST_F(Locale, WithDecimalCommasChangesNoNumber) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::locale_test

@@ -11,7 +11,7 @@
 #include "verification/runs/snapshots.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::result_readers_test {
 namespace {
 
 class ResultReaders : public ::testing::Test {
@@ -116,4 +116,4 @@ assert len(items) == 8
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::result_readers_test

@@ -14,7 +14,7 @@
 #include "verification/problems/problem.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh {
+namespace slosh::results_schema_test {
 namespace {
 
 using nlohmann::json;
@@ -112,4 +112,4 @@ TEST(ResultsSchema, RefusesAValueOfAnotherTypeAndAKeyThatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::results_schema_test

@@ -4,7 +4,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/slurm_cluster.hpp"
 
-namespace slosh {
+namespace slosh::slurm_campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,4 +33,4 @@ TEST_F(SlurmCampaign, GivesTheSameBitsAsThisMachine) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::slurm_campaign_test

@@ -5,7 +5,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/slurm_cluster.hpp"
 
-namespace slosh {
+namespace slosh::slurm_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,4 +62,4 @@ TEST_F(SlurmCampaign, SaysWhatSlurmDidToAJobThatWasCancelled) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::slurm_faults_test

@@ -2,7 +2,7 @@
 // gravity never does. Takes minutes.
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::small_amplitude_campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,4 +64,4 @@ TEST_F(SmallAmplitudeCampaign, PassesAndNeverWithACandidateOfAnotherGravity) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::small_amplitude_campaign_test

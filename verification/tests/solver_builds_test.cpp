@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace slosh {
+namespace slosh::solver_builds_test {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& command) {
@@ -85,4 +85,4 @@ TEST(SolverBuilds, OfProblemsTellThoseOfTheMetricsApart) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::solver_builds_test

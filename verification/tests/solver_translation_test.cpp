@@ -11,7 +11,7 @@
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
-namespace slosh {
+namespace slosh::solver_translation_test {
 namespace {
 
 // Linear theory is the truth to a few percent here; 30 % lets a coarse solver pass, a wrong sign or
@@ -212,4 +212,4 @@ TEST(ShippedCases, HoldNoRunThatItsSolverRefuses) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::solver_translation_test

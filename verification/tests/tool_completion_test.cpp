@@ -7,7 +7,7 @@
 
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_completion_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -83,4 +83,4 @@ TEST_F(ToolCompletion, PrintsScriptsThatTheirShellsRead) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_completion_test

@@ -7,7 +7,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST_F(ToolExport, TellsWhereThePictureIsWithoutABrowser) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_export_test

@@ -9,7 +9,7 @@
 #include "verification/gate/gate.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_help_test {
 namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -118,4 +118,4 @@ TEST_F(ToolHelp, TellsItsVersion) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_help_test

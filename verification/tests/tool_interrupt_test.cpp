@@ -10,7 +10,7 @@
 #include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_interrupt_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ TEST_F(ToolInterrupted, SaysWhichSolverWasKilledAndByWhat) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_interrupt_test

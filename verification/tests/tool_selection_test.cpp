@@ -6,7 +6,7 @@
 
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_selection_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -171,4 +171,4 @@ TEST_F(ToolSelection, RefusesAStudyOfConvergenceThatCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_selection_test

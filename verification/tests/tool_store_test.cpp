@@ -4,7 +4,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST_F(ToolStore, CallsAResultOldThatCannotBeReadUnderAKeyOfNoBuild) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_store_test

@@ -10,7 +10,7 @@
 
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_terminal_test {
 namespace {
 
 constexpr unsigned short columns = 80;
@@ -133,4 +133,4 @@ TEST_F(ToolTerminal, EndsASingleRunWithItsSummary) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_terminal_test

@@ -7,7 +7,7 @@
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -542,4 +542,4 @@ TEST_F(Tool, ColoursATerminalUnlessToldNotTo) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_test

@@ -6,7 +6,7 @@
 
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::tool_workflow_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ TEST_F(ToolWorkflow, FailsAChangeThatDoesNotAndStillTellsWhy) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::tool_workflow_test

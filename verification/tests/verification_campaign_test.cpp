@@ -4,7 +4,7 @@
 
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::verification_campaign_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST_F(VerificationCampaign, NamesTheNearestProblemOfAWrongName) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::verification_campaign_test

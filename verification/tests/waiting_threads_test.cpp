@@ -2,7 +2,7 @@
 // how.
 #include "verification/tests/small_campaign.hpp"
 
-namespace slosh {
+namespace slosh::waiting_threads_test {
 namespace {
 
 class WaitingThreads : public SmallCampaign {
@@ -29,4 +29,4 @@ TEST_F(WaitingThreads, WaitAsTheUserSays) {
 }
 
 }  // namespace
-}  // namespace slosh
+}  // namespace slosh::waiting_threads_test
