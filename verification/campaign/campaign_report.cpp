@@ -222,8 +222,9 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                        fmt::format("{} Repeat this campaign with `{}`. {}.",
                                    kinds_sentence(cases, problems), command, campaign.source));
   // The cores that the cases leave try a case's rows side by side.
+  const auto selected = std::count_if(cases.begin(), cases.end(), has_selected_runs);
   const int cores = sph::usable_cores(),
-            of_one_case = std::max(1, cores / std::max(1, static_cast<int>(cases.size())));
+            of_one_case = std::max(1, cores / std::max(1, static_cast<int>(selected)));
   std::vector<Section> case_sections(cases.size());
   reports::side_by_side(cases.size(), cores, [&](std::size_t i) {
     if (has_selected_runs(cases[i])) case_sections[i] = case_section(cases[i], of_one_case, known);

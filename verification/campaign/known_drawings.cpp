@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A program that is replaced has another size or another time.
+// By its path, size and time: a program that is replaced differs in one of them.
 std::string identity_of(const fs::path& program) {
   std::error_code absent;
   const fs::path file = fs::canonical(program, absent);
@@ -36,6 +36,12 @@ std::optional<std::string> drawing_in(const fs::path& file) try {
   return std::nullopt;
 }
 
+// The directory may hold files of the user's own.
+bool is_named_by_a_hash(const std::string& name) {
+  return name.size() == content_hash("").size() &&
+         name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 }  // namespace
 
 KnownDrawings::KnownDrawings(fs::path directory)
@@ -44,19 +50,24 @@ KnownDrawings::KnownDrawings(fs::path directory)
 std::string KnownDrawings::draw(const std::string& script, const std::string& figure_id,
                                 const fs::path& scratch_directory) {
   const std::string name = content_hash(gnuplot_ + script);
-  std::optional<std::string> drawing = drawing_in(directory_ / name);
-  if (!drawing) drawing = reports::run_gnuplot(script, figure_id, scratch_directory);
+  if (std::optional<std::string> drawing = drawing_in(directory_ / name)) {
+    const std::lock_guard lock(mutex_);
+    taken_.insert(name);
+    return std::move(*drawing);
+  }
+  std::string drawing = reports::run_gnuplot(script, figure_id, scratch_directory);
   const std::lock_guard lock(mutex_);
-  return drawn_[name] = std::move(*drawing);
+  return drawn_[name] = std::move(drawing);
 }
 
 void KnownDrawings::write() const {
   fs::create_directories(directory_);
-  for (const auto& entry : fs::directory_iterator(directory_))
-    if (drawn_.count(entry.path().filename().string()) == 0) fs::remove(entry.path());
+  for (const auto& entry : fs::directory_iterator(directory_)) {
+    const std::string name = entry.path().filename().string();
+    if (is_named_by_a_hash(name) && !taken_.contains(name)) fs::remove(entry.path());
+  }
   for (const auto& [name, drawing] : drawn_)
-    if (!drawing_in(directory_ / name))
-      replace_file(directory_ / name, guarded(drawing), Durability::process_crash);
+    replace_file(directory_ / name, guarded(drawing), Durability::process_crash);
 }
 
 }  // namespace slosh

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 
 namespace slosh {
@@ -20,16 +21,17 @@ class KnownDrawings {
   std::string draw(const std::string& script, const std::string& figure_id,
                    const std::filesystem::path& scratch_directory);
 
-  // Keeps what was asked for, and nothing else. To be called once a report has come of it: a
-  // drawing that breaks off is no report's. Throws std::filesystem::filesystem_error where the
-  // directory cannot be written.
+  // Keeps the drawings that were asked for and removes all others; files that are no drawings stay.
+  // It is called once the report is complete: a drawing that breaks off must not be kept. Throws
+  // std::filesystem::filesystem_error where the directory cannot be written.
   void write() const;
 
  private:
   std::filesystem::path directory_;
-  std::string gnuplot_;  // tells one from another
-  std::mutex mutex_;     // of what was drawn
-  std::map<std::string, std::string> drawn_;
+  std::string gnuplot_;                       // path, size and time of the program
+  std::mutex mutex_;                          // of the two below
+  std::set<std::string> taken_;               // names of kept files that were asked for
+  std::map<std::string, std::string> drawn_;  // by the name that the file will have
 };
 
 }  // namespace slosh

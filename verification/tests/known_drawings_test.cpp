@@ -95,6 +95,16 @@ TEST_F(KnownDrawingsTest, AreThoseOfTheLastReportAlone) {
   EXPECT_EQ(starts(), 3u);
 }
 
+TEST_F(KnownDrawingsTest, LeaveTheUsersOwnFilesAlone) {
+  fs::create_directories(kept() / "of the tank");
+  reports::write_text(kept() / "tank.svg", "a week of work");
+  draw("plot x\n");
+  draw("plot 2 * x\n");
+  EXPECT_EQ(reports::read_text(kept() / "tank.svg"), "a week of work");
+  EXPECT_TRUE(fs::exists(kept() / "of the tank"));
+  EXPECT_EQ(files(), 3u);
+}
+
 TEST_F(KnownDrawingsTest, AreNotKeptOfAReportThatFailed) {
   KnownDrawings drawings(kept());
   draw(drawings, "plot x\n");

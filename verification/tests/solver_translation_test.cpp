@@ -1,5 +1,5 @@
 // Each solver, coarse, against linear theory on the same case: a sign, a frame or a gauge
-// translated wrongly shows. And all runs that are shipped are such as their solvers take.
+// translated wrongly shows. Every shipped run is also one that its solver accepts.
 #include <gtest/gtest.h>
 
 #include <cmath>
