@@ -128,7 +128,8 @@ PlotRanges plot_ranges(const Figure& figure) {
 }
 
 std::string logarithmic_ticks(const AxisRange& range) {
-  const double decades = std::log10(range.upper / range.lower);
+  // The quotient of the two may exceed the largest number; the difference is rounded.
+  const double decades = std::log10(range.upper) - std::log10(range.lower) - 1e-9;
   const int step =
       std::max(1, static_cast<int>(std::ceil(decades / 8)));  // at most nine labels fit
   const std::vector<double> multiples =

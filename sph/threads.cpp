@@ -1,6 +1,7 @@
 #include "sph/threads.hpp"
 
 #include <omp.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,15 @@ fs::path group_name(const fs::path& membership) {
   return {};
 }
 
+// Those of the calling thread's affinity mask, as it is now: not every OpenMP asks again after its
+// start.
+int cores_of_affinity() {
+  cpu_set_t mask;
+  if (sched_getaffinity(0, sizeof mask, &mask) != 0)
+    return omp_get_num_procs();  // more than CPU_SETSIZE cores
+  return CPU_COUNT(&mask);
+}
+
 }  // namespace
 
 int cores_of_control_groups(const fs::path& membership, const fs::path& root) {
@@ -46,8 +56,8 @@ int cores_of_control_groups(const fs::path& membership, const fs::path& root) {
 
 int usable_cores() {
   const int limit = cores_of_control_groups("/proc/self/cgroup", "/sys/fs/cgroup");
-  const int processors = std::max(1, omp_get_num_procs());
-  return limit > 0 ? std::min(limit, processors) : processors;
+  const int cores = cores_of_affinity();
+  return limit > 0 ? std::min(limit, cores) : cores;
 }
 
 int threads_for(std::size_t particles) {

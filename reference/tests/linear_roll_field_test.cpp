@@ -38,7 +38,9 @@ TEST(LinearRollField, HasAHarmonicPressure) {
   const double d = 1e-3;
   for (const double t : instants) {
     for (const auto& [x, z] : {std::pair{0.1, -0.1}, {-0.4, -0.3}, {0.44, -0.05}}) {
-      const auto p = [&](double dx, double dz) { return waves().pressure(x + dx, z + dz, t); };
+      const auto p = [&, x = x, z = z](double dx, double dz) {
+        return waves().pressure(x + dx, z + dz, t);
+      };
       const double curvature = (p(d, 0) + p(-d, 0) - 2 * p(0, 0)) / (d * d);
       EXPECT_GT(std::abs(curvature), 0.1);
       EXPECT_NEAR(curvature + (p(0, d) + p(0, -d) - 2 * p(0, 0)) / (d * d), 0, 0.02);

@@ -132,5 +132,10 @@ TEST(LogarithmicTicks, NamePowersOfTenOverManyDecades) {
   EXPECT_LE(std::count(ticks.begin(), ticks.end(), ','), 8);
 }
 
+TEST(LogarithmicTicks, AreFewWhereTheQuotientOfTheEndsIsBeyondTheLargestNumber) {
+  const std::string ticks = logarithmic_ticks({1e-200, 1e250});
+  EXPECT_LE(std::count(ticks.begin(), ticks.end(), ','), 9) << ticks;
+}
+
 }  // namespace
 }  // namespace slosh::reports::axes_test

@@ -76,7 +76,7 @@ Figure spectrum() {
     Curve curve{.label = label, .x = {}, .y = {}, .y_error = {}};
     for (double w = 0.02; w < 20; w += 0.02) {
       curve.x.push_back(w);
-      const auto peak = [&](double centre, double power) {
+      const auto peak = [&, width = width](double centre, double power) {
         return power / (1 + std::pow((w - centre) / width, 2));
       };
       curve.y.push_back(peak(1.4835, 30) + peak(4.9665, 12) + peak(9.5757, 0.4) + 1e-5);

@@ -64,7 +64,7 @@ TEST(SchemesCampaign, ChangesEachNumberOfTheScheme) {
   const std::vector<SphRun> runs = sph_runs(cases_of("schemes").front());
   for (const auto& [name, number] : sph_number_names)
     EXPECT_GE(std::count_if(runs.begin(), runs.end(),
-                            [number](const SphRun& run) {
+                            [number = number](const SphRun& run) {
                               return run.variant.empty() && (run.numbers.*number).has_value();
                             }),
               2)
