@@ -133,7 +133,7 @@ struct Report {
   std::string subtitle;  // date, version, machine
   std::vector<Section> sections;
   std::string
-      results_json;  // the machine-readable document, already serialised (schema in the README)
+      results_json;  // the machine-readable document, already serialised (docs/results.md)
   std::vector<Page> pages = {};  // beside the first, in their order
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
@@ -25,7 +26,7 @@ Rule<double> sampled(const CaseDefinition& definition) {
 }  // namespace
 
 std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition) {
-  animation.allow_only({"begin_s", "end_s", "interval_s"});
+  animation.allow_only(keys_of("animation"));
   const Rule<double> rule = sampled(definition);
   const double begin = animation.get("begin_s", rule), end = animation.get("end_s", rule),
                interval = animation.get("interval_s", rule);

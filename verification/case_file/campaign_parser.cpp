@@ -4,6 +4,7 @@
 
 #include "verification/case_file/complaints.hpp"
 #include "verification/case_file/definition_file.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/problem_table.hpp"
 #include "verification/case_file/toml_reader.hpp"
 
@@ -39,7 +40,7 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
 }
 
 TimingDefinition read_timing(const TomlTable& timing) {
-  timing.allow_only({"repeats", "longest_run_s", "only"});
+  timing.allow_only(keys_of("timing"));
   TimingDefinition read;
   read.repeats = timing.get("repeats", at_least(1));
   read.longest_run = timing.find("longest_run_s", positive("s")).value_or(read.longest_run);
@@ -49,8 +50,7 @@ TimingDefinition read_timing(const TomlTable& timing) {
 }
 
 void read_head(const TomlTable& head, CampaignDefinition& campaign) {
-  head.allow_only({"schema_version", "name", "title", "source", "paper", "cases", "problem",
-                   "sweep", "timing"});
+  head.allow_only(keys_of("campaign"));
   campaign.name = head.get("name", file_safe_name());
   campaign.title = head.get("title", any_text());
   campaign.source = head.get("source", any_text());

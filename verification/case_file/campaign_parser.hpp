@@ -1,11 +1,5 @@
 // The reader of campaign files (TOML, verification/campaigns/*.toml), as strict as that of case
-// files. The schema, version 1:  schema_version = 1, name, title, source, paper? = "li2010" |
-// "zhao2021", cases? = [...], each the name of a shipped case or a path (it holds a / or ends in
-// .toml) relative to the campaign file, [[problem]]? with the name of a problem and its gate rows
-// [[problem.gate]]: measure (one of the problem's), metric = "order_at_least" | "error_at_finest" |
-// "largest_error" with limit, or "order_within" with lower and upper; unit, reason, source. At
-// least one case or problem. [[sweep]]? as sweep.hpp says; [timing]? with repeats, longest_run_s?
-// and only? = [patterns CASE or CASE/RUN]: which runs are repeated for their timings.
+// files. key_table.hpp lists the keys; sweep.hpp reads [[sweep]].
 #pragma once
 
 #include <filesystem>

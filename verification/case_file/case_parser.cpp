@@ -10,6 +10,7 @@
 #include "verification/case_file/changed_input.hpp"
 #include "verification/case_file/complaints.hpp"
 #include "verification/case_file/definition_file.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/toml_reader.hpp"
 
 namespace slosh {
@@ -111,13 +112,7 @@ class CaseReader {
   }
 
   void read_head() {
-    only_known_keys_ = allow([&] {
-      root_.allow_only({"schema_version", "name",       "title",  "source",     "tags",
-                        "gravity_m_s2",   "tank",       "liquid", "gas",        "obstacle",
-                        "initial_wave",   "motion",     "time",   "gauge",      "pressure_gauge",
-                        "impacts",        "comparison", "run",    "refinement", "gate",
-                        "animation",      "input"});
-    });
+    only_known_keys_ = allow([&] { root_.allow_only(keys_of("case")); });
     allow_at("name", [&] { definition_.name = root_.get("name", file_safe_name()); });
     allow_at("title", [&] { definition_.title = root_.get("title", any_text()); });
     allow_at("source", [&] { definition_.source = root_.get("source", any_text()); });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/case_file/units.hpp"
 
@@ -12,8 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition) {
-  series.allow_only({"quantity", "file", "format", "column", "unit", "time_column", "time_unit",
-                     "scale", "offset"});
+  series.allow_only(keys_of("run.series"));
   SeriesSource source;
   source.quantity =
       series.choice("quantity", "a compared quantity", compared_quantities(definition));

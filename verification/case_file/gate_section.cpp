@@ -6,6 +6,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/metric_table.hpp"
 #include "verification/case_file/motion.hpp"
 #include "verification/case_file/quantities.hpp"
@@ -195,8 +196,7 @@ void read_impact_series(const TomlTable& row, const MetricEntry& metric,
 }  // namespace
 
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
-  row.allow_only({"candidate", "reference", "quantity", "mode", "metric", "unit", "limit", "lower",
-                  "upper", "improves_on", "error", "kind", "reason", "source"});
+  row.allow_only(keys_of("gate"));
   GateRow gate_row{};
   gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);

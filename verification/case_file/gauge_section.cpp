@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
@@ -16,7 +17,7 @@ Wall read_wall(const TomlTable& gauge) {
 }  // namespace
 
 GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definition) {
-  gauge.allow_only({"name", "x_m"});
+  gauge.allow_only(keys_of("gauge"));
   const Rule<double> inside_tank{
       fmt::format("a number from 0 to the tank's length ({}), in m from the left wall",
                   definition.tank.length),
@@ -26,7 +27,7 @@ GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definit
 
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition) {
-  gauge.allow_only({"name", "wall", "position_m", "width_m", "filter_cutoff_Hz"});
+  gauge.allow_only(keys_of("pressure_gauge"));
   PressureGaugeDefinition read{};
   read.name = gauge.get("name", file_safe_name());
   read.wall = read_wall(gauge);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/peak_table.hpp"
 
 namespace slosh {
@@ -58,9 +59,7 @@ void read_repeats(const TomlTable& impacts, const std::filesystem::path& experim
 
 ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
                                const std::filesystem::path& experiments) {
-  impacts.allow_only({"gauge", "times_s", "period_s", "peaks_Pa", "peaks_sd_Pa", "plateau_begin_s",
-                      "plateau_end_s", "plateau_Pa", "times_half_width_s", "plateau_half_width_Pa",
-                      "peak_table", "source"});
+  impacts.allow_only(keys_of("impacts"));
   ImpactsDefinition read{};
   read.gauge = impacts.choice("gauge", "a pressure gauge", pressure_gauge_names(definition));
   read.period = impacts.get("period_s", positive("s"));

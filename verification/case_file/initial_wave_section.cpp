@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
@@ -21,7 +22,7 @@ Rule<double> inside_tank(const TankDefinition& tank, double fill_depth) {
 }  // namespace
 
 InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition) {
-  wave.allow_only({"mode", "amplitude_m"});
+  wave.allow_only(keys_of("initial_wave"));
   if (definition.liquid.column_width)
     wave.refuse_table("a wave on a dam about to break",
                       "liquid without column_width_m, which stands from wall to wall");

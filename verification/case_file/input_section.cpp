@@ -5,6 +5,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/inputs.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
@@ -59,7 +60,7 @@ std::string input_unit(Input input, const MotionDefinition& motion) {
 }
 
 InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition) {
-  table.allow_only({"name", "half_width", "unit", "source", "coarse_run"});
+  table.allow_only(keys_of("input"));
   const InputEntry& entry = read_name(table, definition);
   if (entry.input == Input::amplitude && definition.motion.surge && definition.motion.roll)
     table.refuse("name", "an input of one motion: this tank surges and rolls");

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/motion_table.hpp"
 
 namespace slosh {
@@ -22,6 +23,7 @@ struct HistoryForm {
   double si_per_unit;
   TableMotion (*read_table)(const std::filesystem::path&, double);
   std::vector<std::string> other_keys;
+  std::string table;  // of key_table.hpp
 };
 
 std::filesystem::path file_beside(const TomlTable& table, const std::filesystem::path& case_file) {
@@ -39,7 +41,7 @@ MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
     keys.insert(keys.end(), form.other_keys.begin(), form.other_keys.end());
     table.allow_only(keys);
   };
-  allow({"type", form.amplitude_key, "angular_frequency_rad_s", "ramp_periods", "file"});
+  table.allow_only(keys_of(form.table));
   if (table.choice("type", "a motion", {"sine", "table"}) == "table") {
     allow({"type", "file"});
     return form.read_table(file_beside(table, scope.case_file), scope.duration);
@@ -52,7 +54,8 @@ MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
 }
 
 MotionHistory read_surge(const TomlTable& surge, const TableScope& scope) {
-  return read_history(surge, {"amplitude_m", positive("m"), 1, read_surge_table, {}}, scope);
+  return read_history(surge, {"amplitude_m", positive("m"), 1, read_surge_table, {}, "surge"},
+                      scope);
 }
 
 Rule<double> near_the_tank(double tank_length, const char* unit) {
@@ -66,8 +69,8 @@ RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double 
   const Rule<double> amplitude{
       fmt::format("a number > 0 and <= {}, in deg", largest_angle),
       [](double degrees) { return degrees > 0 && degrees <= largest_angle; }, largest_angle};
-  const HistoryForm form{
-      "amplitude_deg", amplitude, radians_per_degree, read_roll_table, {"axis_x_m", "axis_z_m"}};
+  const HistoryForm form{"amplitude_deg",          amplitude, radians_per_degree, read_roll_table,
+                         {"axis_x_m", "axis_z_m"}, "roll"};
   return {.angle = read_history(roll, form, scope),
           .axis_x = roll.get("axis_x_m", near_the_tank(tank_length, "m from the left wall")),
           .axis_z = roll.get("axis_z_m", near_the_tank(tank_length, "m from the bottom"))};
@@ -76,7 +79,7 @@ RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double 
 }  // namespace
 
 MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition) {
-  motion.allow_only({"still", "surge", "roll"});
+  motion.allow_only(keys_of("motion"));
   const TableScope scope{definition.file, definition.duration};
   MotionDefinition read;
   if (motion.has("surge")) read.surge = read_surge(motion.table("surge"), scope);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
@@ -51,7 +52,7 @@ bool overlap(const ObstacleDefinition& a, const ObstacleDefinition& b) {
 }  // namespace
 
 ObstacleDefinition read_obstacle(const TomlTable& table, const CaseDefinition& definition) {
-  table.allow_only({"name", "left_m", "right_m", "bottom_m", "top_m"});
+  table.allow_only(keys_of("obstacle"));
   const TankDefinition& tank = definition.tank;
   ObstacleDefinition obstacle{};
   obstacle.name = table.get("name", file_safe_name());

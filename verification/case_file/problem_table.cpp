@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "verification/case_file/complaints.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/row_kind.hpp"
 
 namespace slosh {
@@ -75,8 +76,7 @@ void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
 }
 
 ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
-  row.allow_only(
-      {"measure", "metric", "unit", "limit", "lower", "upper", "kind", "reason", "source"});
+  row.allow_only(keys_of("problem.gate"));
   ProblemGateRow gate_row{};
   gate_row.measure = row.choice("measure", fmt::format("a measure of {}", problem.name),
                                 names_of(problem.measures));
@@ -108,7 +108,7 @@ void add_row(const TomlTable& table, const KnownProblem& known, ProblemDefinitio
 
 ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownProblem>& known,
                                const std::vector<ProblemDefinition>& others) {
-  table.allow_only({"name", "gate"});
+  table.allow_only(keys_of("problem"));
   ProblemDefinition problem;
   problem.name = table.choice("name", "a problem", names_of(known));
   for (const ProblemDefinition& other : others)

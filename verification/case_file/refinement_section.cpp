@@ -5,6 +5,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
@@ -66,7 +67,7 @@ std::vector<std::string> runs_of(const CaseDefinition& definition, bool of_mesh)
 
 RefinementDefinition read_refinement(const TomlTable& refinement,
                                      const CaseDefinition& definition) {
-  refinement.allow_only({"name", "number", "runs"});
+  refinement.allow_only(keys_of("refinement"));
   RefinementDefinition path;
   path.name = refinement.get("name", file_safe_name());
   path.number = read_number(refinement);

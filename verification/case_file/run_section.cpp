@@ -6,6 +6,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/case_file/time_table.hpp"
 #include "verification/case_file/units.hpp"
@@ -14,8 +15,6 @@ namespace slosh {
 namespace {
 
 using Keys = std::vector<std::string>;
-
-const Keys keys_of_all{"name", "solver", "quick"};
 
 Keys together(Keys keys, const Keys& more) {
   keys.insert(keys.end(), more.begin(), more.end());
@@ -179,54 +178,36 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
 
 using Solver = decltype(RunDefinition::solver);
 
-// A solver: the keys of its runs beside keys_of_all, and what reads them.
+// A solver, or one form of it, and what reads its runs.
 struct SolverSection {
   std::string name;
-  Keys keys;
   std::function<Solver(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments)>
       read;
   std::string form = {};  // the key that tells this form from the solver's other one
+
+  // Beside those that the runs of all solvers have.
+  Keys keys() const { return keys_of("run." + (form.empty() ? name : form)); }
 };
 
 const std::vector<SolverSection> solver_sections{
-    {"sph",
-     {"scheme", "particle_spacing_m", "surface_particle_spacing_m", "variant", "initial_state",
-      "smoothing_length_ratio", "sound_speed_ratio", "courant_number", "artificial_viscosity",
-      "density_diffusion", "start_disorder", "start_seed", "repeats", "energy_budget"},
-     [](const auto& run, const auto& definition, const auto&) {
-       return read_sph(run, definition.liquid);
-     }},
-    {"interfoam",
-     {"cells_x", "cells_z", "processes", "start_disorder", "start_seed", "repeats"},
-     [](const auto& run, const auto& definition, const auto&) {
-       return read_interfoam(run, definition);
-     }},
-    {"linear",
-     {"modes", "two_layer", "valid_elevation_over_depth"},
-     [](const auto& run, const auto& definition, const auto&) {
-       return read_linear(run, definition);
-     }},
+    {"sph", [](const auto& run, const auto& definition,
+               const auto&) { return read_sph(run, definition.liquid); }},
+    {"interfoam", [](const auto& run, const auto& definition,
+                     const auto&) { return read_interfoam(run, definition); }},
+    {"linear", [](const auto& run, const auto& definition,
+                  const auto&) { return read_linear(run, definition); }},
     {"viscous_wave",
-     {"valid_elevation_over_depth"},
      [](const auto& run, const auto&, const auto&) { return read_viscous_wave(run); }},
-    {"potential",
-     {"nodes_x", "nodes_z"},
-     [](const auto& run, const auto&, const auto&) { return read_potential(run); }},
+    {"potential", [](const auto& run, const auto&, const auto&) { return read_potential(run); }},
+    {"record", [](const auto& run, const auto& definition,
+                  const auto&) { return read_shipped_record(run, definition); }},
     {"record",
-     {"file", "earlier_run", "uncertainty"},
-     [](const auto& run, const auto& definition, const auto&) {
-       return read_shipped_record(run, definition);
-     }},
-    {"record",
-     {"experiment", "time_column", "value_column", "quantity", "unit", "uncertainty"},
      [](const auto& run, const auto& definition, const auto& experiments) {
        return read_experiment(run, definition, experiments);
      },
      "experiment"},
-    {"external",
-     {"command", "directory", "time_limit_s", "inputs", "series"},
-     [](const auto& run, const auto& definition, const auto&) {
+    {"external", [](const auto& run, const auto& definition, const auto&) {
        return read_external_run(run, definition);
      }}};
 
@@ -238,16 +219,16 @@ Keys solver_names() {
 }
 
 Keys keys_of_any_solver() {
-  Keys all = keys_of_all;
-  for (const SolverSection& section : solver_sections) all = together(all, section.keys);
+  Keys all = keys_of("run");
+  for (const SolverSection& section : solver_sections) all = together(all, section.keys());
   return all;
 }
 
 // Of all forms of its runs: a misspelt key may be what tells the form.
 Keys keys_of_solver(const std::string& name) {
-  Keys all = keys_of_all;
+  Keys all = keys_of("run");
   for (const SolverSection& section : solver_sections)
-    if (section.name == name) all = together(all, section.keys);
+    if (section.name == name) all = together(all, section.keys());
   return all;
 }
 
@@ -264,7 +245,7 @@ const SolverSection& section_of(const TomlTable& run) {
 RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments) {
   const SolverSection& section = section_of(run);
-  run.allow_only(together(keys_of_all, section.keys));
+  run.allow_only(together(keys_of("run"), section.keys()));
   return {.name = run.get("name", file_safe_name()),
           .solver = section.read(run, definition, experiments),
           .quick = run.flag("quick"),

@@ -1,18 +1,18 @@
 #include <fmt/format.h>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 
 TankDefinition read_tank(const TomlTable& tank) {
-  tank.allow_only({"length_m", "height_m"});
+  tank.allow_only(keys_of("tank"));
   return {.length = tank.get("length_m", positive("m")),
           .height = tank.get("height_m", positive("m"))};
 }
 
 LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank) {
-  liquid.allow_only(
-      {"fill_depth_m", "density_kg_m3", "kinematic_viscosity_m2_s", "column_width_m"});
+  liquid.allow_only(keys_of("liquid"));
   const Rule<double> inside_tank{
       fmt::format("a number > 0 and below the tank's height ({}), in m", tank.height),
       [height = tank.height](double depth) { return depth > 0 && depth < height; },
@@ -28,7 +28,7 @@ LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank
 }
 
 GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid) {
-  gas.allow_only({"density_kg_m3", "kinematic_viscosity_m2_s"});
+  gas.allow_only(keys_of("gas"));
   const Rule<double> lighter{
       fmt::format("a number > 0 and below the liquid's density ({}), in kg/m3", liquid.density),
       [most = liquid.density](double density) { return density > 0 && density < most; },

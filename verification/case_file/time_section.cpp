@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
@@ -34,7 +35,7 @@ Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
 }  // namespace
 
 void read_time(const TomlTable& time, CaseDefinition& definition) {
-  time.allow_only({"start", "duration_s", "sample_interval_s", "snapshot_times_s"});
+  time.allow_only(keys_of("time"));
   definition.start = time.choice("start", "the frame in which the liquid is first at rest",
                                  {"earth", "tank"}) == "earth"
                          ? Start::earth
@@ -56,8 +57,7 @@ void read_time(const TomlTable& time, CaseDefinition& definition) {
 }
 
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
-  comparison.allow_only(
-      {"window_begin_s", "window_end_s", "natural_modes", "forcing_angular_frequency_rad_s"});
+  comparison.allow_only(keys_of("comparison"));
   definition.window_begin = comparison.get("window_begin_s", not_negative("s"));
   definition.window_end = comparison.get(
       "window_end_s", end_after("window_begin_s", definition.window_begin, definition.duration));

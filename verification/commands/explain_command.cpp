@@ -1,10 +1,12 @@
-// The subcommand explain: a case in words, with what its runs took where a campaign left a result.
+// The subcommand explain: a case in words, with what its runs took where a campaign left a result;
+// and the keys of case files.
 
 #include <iostream>
 #include <memory>
 
 #include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/commands/case_explanation.hpp"
 #include "verification/commands/command_tree.hpp"
 #include "verification/gate/gate.hpp"
@@ -33,19 +35,37 @@ int explain(const std::string& name, const Installation& installation) {
   return exit_pass;
 }
 
+int print_keys() {
+  std::cout << key_reference();
+  return exit_pass;
+}
+
+struct ExplainOptions {
+  std::string name;
+  bool keys = false;
+};
+
 }  // namespace
 
 void add_explain_command(const CommandTree& tree) {
-  auto name = std::make_shared<std::string>();
-  CLI::App& command = add_command(
-      tree,
-      {"explain",
-       "What a case solves, by what, what gates it and what it costs",
-       {"./slosh explain li2010_small_amplitude"}},
-      [name, &installation = tree.installation] { return explain(*name, installation); });
-  command.add_option("case", *name, "A case of `slosh list`, or the path of a case file")
-      ->type_name(case_type)
-      ->required();
+  auto options = std::make_shared<ExplainOptions>();
+  CLI::App& command =
+      add_command(tree,
+                  {"explain",
+                   "What a case solves, by what, what gates it and what it costs",
+                   {"./slosh explain li2010_small_amplitude", "./slosh explain --keys"}},
+                  [options, &installation = tree.installation] {
+                    return options->keys ? print_keys() : explain(options->name, installation);
+                  });
+  CLI::Option* name =
+      command
+          .add_option("case", options->name, "A case of `slosh list`, or the path of a case file")
+          ->type_name(case_type);
+  CLI::Option* keys =
+      command.add_flag("--keys", options->keys,
+                       "Instead of a case: all keys of case and campaign files, as Markdown");
+  keys->excludes(name);
+  command.require_option(1);
 }
 
 }  // namespace slosh

@@ -34,7 +34,7 @@ struct ExitMeaning {
   const char* meaning;
 };
 
-// The one list of them: --help ends with it, and the README's table is held to it by a test.
+// The one list of them: --help ends with it, and a test holds the table of docs/commands.md to it.
 inline constexpr ExitMeaning exit_meanings[] = {
     {exit_pass, "all gate rows hold"},
     {exit_violated, "a tolerance is violated"},

@@ -132,7 +132,7 @@ CostAtError cost_at_error(const std::vector<WorkPoint>& points, double error) {
 }
 
 CostAtError cost_at_error_or_beyond(const std::vector<WorkPoint>& points, double error) {
-  const CostAtError within = cost_at_error(points, error);
+  CostAtError within = cost_at_error(points, error);
   if (within.reach != Reach::not_at_all || !within.most_exact) return within;
   const auto slope = work_slope(points);
   const bool falls = slope && slope->value + slope->half_width < 0;

@@ -22,7 +22,7 @@ struct Measured {
   double taken;  // processor time [s], one thread
 };
 
-// README, "What it reaches": a quiet 2-core virtual machine (AMD EPYC, Zen 5, AVX-512).
+// docs/accuracy.md: a quiet 2-core virtual machine (AMD EPYC, Zen 5, AVX-512).
 const std::vector<Measured> quiet_machine{{"li2010_small_amplitude", "recommended_25mm", 0.8},
                                           {"li2010_small_amplitude", "recommended_10mm", 11},
                                           {"li2010_small_amplitude", "recommended_5mm", 85},

@@ -1,4 +1,4 @@
-// What --help promises: examples that run, exit statuses that the README tells too, names that are
+// What --help promises: examples that run, exit statuses that docs/commands.md has too, names that are
 // nearest to a wrong one.
 #include <gtest/gtest.h>
 
@@ -64,10 +64,10 @@ TEST_F(ToolHelp, GivesEveryCommandExamplesThatRun) {
   }
 }
 
-TEST_F(ToolHelp, TellsTheExitStatusesAsTheReadmeDoes) {
+TEST_F(ToolHelp, TellsTheExitStatusesAsTheDocumentsDo) {
   const std::string help = tool({"--help"}).out;
-  std::ifstream stream(SLOSH_SOURCE_DIR "/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(stream), {}};
+  std::ifstream stream(SLOSH_SOURCE_DIR "/docs/commands.md");
+  const std::string page{std::istreambuf_iterator<char>(stream), {}};
   std::string table = "| exit status | meaning |\n|---|---|\n";
   std::set<int> statuses;
   for (const auto& [status, meaning] : exit_meanings) {
@@ -77,7 +77,7 @@ TEST_F(ToolHelp, TellsTheExitStatusesAsTheReadmeDoes) {
     table += "| " + std::to_string(status) + " | " + meaning + " |\n";
     EXPECT_TRUE(statuses.insert(status).second) << status << " has two meanings";
   }
-  EXPECT_TRUE(holds(readme, table + "\n"));
+  EXPECT_TRUE(holds(page, table + "\n"));
 }
 
 TEST_F(ToolHelp, NamesTheCommandsOfTheLauncher) {

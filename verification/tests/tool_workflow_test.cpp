@@ -1,4 +1,4 @@
-// The workflow that the README shows: its steps run as a forge runs them, on a small campaign.
+// The workflow that docs/gating.md shows: its steps run as a forge runs them, on a small campaign.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,12 +18,12 @@ class ToolWorkflow : public SmallCampaign {
     bool always;  // also after a step that has failed
   };
 
-  // The "run:" steps of the README's one yaml block, in their order.
+  // The "run:" steps of the page's one yaml block, in their order.
   static std::vector<Step> steps() {
-    std::ifstream readme(SLOSH_SOURCE_DIR "/README.md");
+    std::ifstream page(SLOSH_SOURCE_DIR "/docs/gating.md");
     std::vector<Step> found;
     bool inside = false, always = false;
-    for (std::string line; std::getline(readme, line);) {
+    for (std::string line; std::getline(page, line);) {
       if (line.starts_with("```")) inside = line == "```yaml";
       if (!inside) continue;
       const std::string text = line.substr(std::min(line.find_first_not_of(" -"), line.size()));

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include "verification/case_file/key_table.hpp"
+#include "verification/case_file/metric_table.hpp"
+#include "verification/case_file/quantities.hpp"
+
+namespace slosh {
+namespace {
+
+// A '|' would end a cell of the table.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (letter == '|') escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
+}
+
+std::string section(const KeyTable& table) {
+  const char* quote = table.heading.starts_with('[') ? "`" : "";
+  std::string text = fmt::format("### {0}{1}{0}\n\nRequired: {2}.{3}{4}\n\n", quote, table.heading,
+                                 table.needed, table.meaning.empty() ? "" : " ", table.meaning);
+  text += "| key | value | required | meaning |\n|---|---|---|---|\n";
+  for (const KeyEntry& key : table.keys)
+    text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(key.value), cell(key.needed),
+                        cell(key.meaning));
+  return text + "\n";
+}
+
+std::string measured_on(const MetricEntry& metric) {
+  switch (metric.measured_on) {
+    case MeasuredOn::any_mode:
+      return "the forced or a natural mode";
+    case MeasuredOn::natural_mode:
+      return "a natural mode";
+    case MeasuredOn::whole_window:
+      return "the whole window";
+    case MeasuredOn::wave:
+      return "the whole window of an oscillating quantity";
+    case MeasuredOn::run_away:
+      return "the whole window of a quantity without modes";
+    case MeasuredOn::own_series:
+      return "the candidate alone";
+    case MeasuredOn::impact:
+      return "a published impact";
+    case MeasuredOn::plateau:
+      return "the published plateau";
+    case MeasuredOn::cost:
+      return "the candidate's method";
+  }
+  return "";
+}
+
+std::string widest(const MetricEntry& metric) {
+  switch (metric.scale) {
+    case BoundScale::unit:
+      return fmt::format("{:g}", metric.below);
+    case BoundScale::window:
+      return fmt::format("{:g} of the window", metric.below);
+    case BoundScale::impact_period:
+      return fmt::format("{:g} of the impacts' period", metric.below);
+  }
+  return "";
+}
+
+std::string metrics() {
+  std::string text =
+      "## Metrics\n\nA limit lies below the widest bound: a wider one would let every candidate "
+      "pass.\n[Concepts](concepts.md) explains the metrics.\n\n"
+      "| metric | unit | measured on | widest bound | because |\n|---|---|---|---|---|\n";
+  for (const MetricEntry& metric : metric_table())
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", metric.name,
+                        *metric.unit ? metric.unit : "the quantity's", measured_on(metric),
+                        widest(metric), metric.because);
+  return text + "\n";
+}
+
+std::string quantities() {
+  std::string text =
+      "## Compared quantities\n\nGAUGE stands for the name of a gauge. A pressure gauge with a "
+      "cutoff has `wall_pressure@GAUGE/filtered` too.\n\n"
+      "| quantity | unit | modes |\n|---|---|---|\n";
+  for (const std::string& name : quantity_names())
+    text += fmt::format("| `{}` | {} | {} |\n", name, unit_of(name),
+                        has_modes(name) ? "forced and natural" : "none");
+  return text;
+}
+
+}  // namespace
+
+std::string key_reference() {
+  std::string text =
+      "# Case-file reference\n\n"
+      "This page lists every key of case and campaign files. `./slosh explain --keys` prints it "
+      "from "
+      "the tables that\nthe parser reads; a test compares the two.\n\n"
+      "The files are TOML. The parser refuses an unknown or missing key, a wrong type and an "
+      "impossible value with\n`file:line: key = value: expected ...`, and names up to 20 mistakes "
+      "at "
+      "once. A name is made of letters, digits, `_`\nand `-`, without a `-` in front. The unit of "
+      "a "
+      "number is part of its key.\n\n## Case files\n\n";
+  for (const KeyTable& table : case_key_tables()) text += section(table);
+  text += "## Campaign files\n\n";
+  for (const KeyTable& table : campaign_key_tables()) text += section(table);
+  return text + metrics() + quantities();
+}
+
+}  // namespace slosh

@@ -1,0 +1,107 @@
+// The table of keys says of each key whether it is required, and the reference that is shipped is
+// made from it.
+#include "verification/case_file/key_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh::key_table_test {
+namespace {
+
+const KeyEntry& entry(const std::string& table_id, const std::string& key) {
+  for (const KeyTable& table : case_key_tables())
+    if (table.id == table_id)
+      for (const KeyEntry& one : table.keys)
+        if (one.name == key) return one;
+  throw std::logic_error("no key " + key + " in " + table_id);
+}
+
+// The id of the table that a line of the trial case opens, "" of any other line.
+std::string opened_table(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of('['), end = line.find(']');
+  if (begin == 0 || end == std::string::npos) return "";
+  const std::string name = line.substr(begin, end - begin);
+  return name.substr(name.find('.') + 1);
+}
+
+std::string key_of(const std::string& line) { return line.substr(0, line.find(" = ")); }
+
+struct Line {
+  std::string table, text;
+  int number;
+};
+
+// The lines "key = value" of the trial case, each with the id of its table; of a run, that of its
+// solver where the solver has the key.
+std::vector<Line> assignments() {
+  std::vector<Line> lines;
+  std::istringstream text(valid_text);
+  std::string table = "case", solver_table;
+  int number = 0;
+  for (std::string line; std::getline(text, line); ++number) {
+    if (const std::string opened = opened_table(line); !opened.empty()) {
+      table = solver_table = opened;
+    } else {
+      if (key_of(line) == "solver") {
+        const std::size_t quote = line.find('"') + 1;
+        solver_table = "run." + line.substr(quote, line.size() - 1 - quote);
+      }
+      const std::vector<std::string> common = keys_of(table);
+      const bool is_common = std::count(common.begin(), common.end(), key_of(line)) > 0;
+      lines.push_back({is_common ? table : solver_table, line, number});
+    }
+  }
+  return lines;
+}
+
+std::string without_line(int number) {
+  std::istringstream text(valid_text);
+  std::string rest;
+  int i = 0;
+  for (std::string line; std::getline(text, line); ++i)
+    if (i != number) rest += line + "\n";
+  return rest;
+}
+
+TEST(KeyTable, SaysOfEachKeyWhetherACaseCanBeWithoutIt) {
+  const Workspace workspace;
+  int required = 0, optional = 0;
+  for (const Line& line : assignments()) {
+    const std::string needed = entry(line.table, key_of(line.text)).needed;
+    const std::string found = complaint(workspace.write("trial.toml", without_line(line.number)));
+    const bool is_optional = needed == "no";
+    EXPECT_EQ(found.empty(), is_optional)
+        << line.table << "." << line.text << " is needed: " << needed << "; " << found;
+    ++(is_optional ? optional : required);
+  }
+  EXPECT_GE(required, 40);
+  EXPECT_GE(optional, 3);
+}
+
+TEST(KeyTable, NamesEachKeyOfATableOnceAndSaysWhatItHolds) {
+  for (const auto* tables : {&case_key_tables(), &campaign_key_tables()})
+    for (const KeyTable& table : *tables) {
+      std::set<std::string> names;
+      for (const KeyEntry& key : table.keys) {
+        EXPECT_TRUE(names.insert(key.name).second) << table.id << "." << key.name;
+        EXPECT_FALSE(key.value.empty() || key.needed.empty()) << table.id << "." << key.name;
+      }
+    }
+}
+
+TEST(KeyTable, ThatDoesNotExistHasNoKeys) { EXPECT_THROW(keys_of("tankk"), std::logic_error); }
+
+TEST(KeyReference, IsTheOneThatIsShipped) {
+  std::ifstream file(SLOSH_SOURCE_DIR "/docs/case_file.md");
+  const std::string shipped{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_TRUE(shipped == key_reference())
+      << "docs/case_file.md is out of date: ./slosh explain --keys > docs/case_file.md";
+}
+
+}  // namespace
+}  // namespace slosh::key_table_test
