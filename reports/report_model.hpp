@@ -132,8 +132,7 @@ struct Report {
   Link decided_by = {};  // the row that decides the outcome; without a text where none does
   std::string subtitle;  // date, version, machine
   std::vector<Section> sections;
-  std::string
-      results_json;  // the machine-readable document, already serialised (docs/results.md)
+  std::string results_json;  // the machine-readable document, already serialised (docs/results.md)
   std::vector<Page> pages = {};  // beside the first, in their order
 };
 

@@ -76,7 +76,7 @@ Particles initial_lattice(const Scene& scene, const DensityAt& density_at) {
   return particles;
 }
 
-void stir(Particles& p, double middle, double distance) {
+void perturb_symmetrically(Particles& p, double middle, double distance) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double from_middle = p.x[i] - middle, side = from_middle < 0 ? -1 : 1;
     // By the particle's lattice cell, whose number round-off does not change.
@@ -88,7 +88,7 @@ void stir(Particles& p, double middle, double distance) {
   }
 }
 
-void scatter(Particles& p, double share, unsigned seed) {
+void perturb_randomly(Particles& p, double share, unsigned seed) {
   if (!(share >= 0 && share <= largest_disorder))
     throw std::invalid_argument(
         fmt::format("start_disorder = {}: expected a share of the particle spacing from 0 to {}",

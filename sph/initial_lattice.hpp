@@ -26,11 +26,11 @@ inline constexpr double largest_stretch = 0.05;
 Particles initial_lattice(const Scene& scene, const std::function<double(double)>& density_at);
 
 // Moves every particle by up to `distance` [m], alike on both sides of x = middle.
-void stir(Particles& lattice, double middle, double distance);
+void perturb_symmetrically(Particles& lattice, double middle, double distance);
 
 // Moves every particle along x and z by up to `share` of its spacing, the same way for the same
 // seed. Throws std::invalid_argument for a share that is not within 0 and largest_disorder.
-void scatter(Particles& lattice, double share, unsigned seed);
+void perturb_randomly(Particles& lattice, double share, unsigned seed);
 
 // Neighbours that meet it stay half a spacing apart.
 inline constexpr double largest_disorder = 0.25;

@@ -197,7 +197,7 @@ Particles settled(const Scene& scene, const Scheme<Choice>& scheme, const Partic
   Liquid<Scheme<Choice>> liquid(still, scheme, start);
   Particles& p = liquid.particles;
   const double middle = liquid.tank_at(0).in_frame(0.5 * scene.tank_length, 0).x;
-  stir(p, middle, 0.02 * scene.particle_spacing);
+  perturb_symmetrically(p, middle, 0.02 * scene.particle_spacing);
   std::fill(p.velocity_x.begin(), p.velocity_x.end(), 0.0);
   // Measured at a depth of 0.35 m, where this is 3 s: what motion is left, and comes up later,
   // stays below 3e-6 of the potential energy at 10 mm and 8e-6 at 25 mm.
@@ -251,7 +251,7 @@ Particles start_lattice(const Scene& scene, const Scheme<Choice>& scheme) {
   require_initial_state<Choice>(scene);
   Particles lattice =
       initial_lattice(scene, [&](double pressure) { return scheme.state.density(pressure); });
-  scatter(lattice, scene.start_disorder, scene.start_seed);
+  perturb_randomly(lattice, scene.start_disorder, scene.start_seed);
   enter<typename Choice::Frame>(scene, lattice);
   return lattice;
 }

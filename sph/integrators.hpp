@@ -3,9 +3,9 @@
 // time t. `advances_solids`: whether the density of dynamic
 // boundary particles is carried too; `carries_earlier_state`: whether the particles of a step
 // earlier are; for_each_number tells what else is kept from step to step. liquid.kick, drift and
-// densify add dt times the rates to velocities, positions and densities; kick_and_drift and
-// densify_and_drift do two of them in one pass over the memory. The neighbour search is renewed,
-// and the particles thereby reordered, only at the start of a step.
+// update_density add dt times the rates to velocities, positions and densities; kick_and_drift and
+// update_density_and_drift do two of them in one pass over the memory. The neighbour search is
+// renewed, and the particles thereby reordered, only at the start of a step.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ struct StaggeredLeapfrog {
     liquid.accelerate(liquid.time);
     liquid.kick_and_drift(0.5 * (previous_dt + dt), 0.5 * dt);
     liquid.compress(liquid.time + 0.5 * dt);
-    liquid.densify_and_drift(dt, 0.5 * dt);
+    liquid.update_density_and_drift(dt, 0.5 * dt);
     previous_dt = dt;
   }
 };
@@ -53,7 +53,7 @@ void evaluate_midpoint(Liquid& liquid, double dt) {
   liquid.compress(liquid.time);
   liquid.drift(0.5 * dt);
   liquid.kick(0.5 * dt);
-  liquid.densify(0.5 * dt);
+  liquid.update_density(0.5 * dt);
   liquid.accelerate(liquid.time + 0.5 * dt);
   liquid.compress(liquid.time + 0.5 * dt);
 }
@@ -79,7 +79,7 @@ struct PredictorCorrector {
   void advance(Liquid& liquid, double dt) {
     evaluate_midpoint(liquid, dt);
     move_from_start(liquid, dt);
-    liquid.densify(dt);
+    liquid.update_density(dt);
   }
 };
 
@@ -132,7 +132,7 @@ struct Verlet {
     p.density.swap(p.earlier_density);
     const double whole = euler ? dt : previous_dt + dt;
     liquid.kick(whole);
-    liquid.densify(whole);
+    liquid.update_density(whole);
     since_euler = (since_euler + 1) % 40;
     previous_dt = dt;
   }

@@ -77,7 +77,7 @@ class Liquid {
     add_scaled(particles.x, dt, particles.velocity_x);
     add_scaled(particles.z, dt, particles.velocity_z);
   }
-  void densify(double dt) {
+  void update_density(double dt) {
     add_scaled(particles.density, dt, rates.density_rate);
     if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, dt);
   }
@@ -93,15 +93,15 @@ class Liquid {
       p.z[i] += drift_dt * p.velocity_z[i];
     }
   }
-  void densify_and_drift(double densify_dt, double drift_dt) {
+  void update_density_and_drift(double density_dt, double drift_dt) {
     Particles& p = particles;
 #pragma omp parallel for simd schedule(static)
     for (std::size_t i = 0; i < p.size(); ++i) {
-      p.density[i] += densify_dt * rates.density_rate[i];
+      p.density[i] += density_dt * rates.density_rate[i];
       p.x[i] += drift_dt * p.velocity_x[i];
       p.z[i] += drift_dt * p.velocity_z[i];
     }
-    if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, densify_dt);
+    if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, density_dt);
   }
 
   // For integrators that return to the start of a step.
@@ -136,7 +136,7 @@ class Liquid {
     visit("acceleration_z", rates.acceleration_z);
     if constexpr (Scheme::Solids::has_density) visit("solid_density", solids_.density());
   }
-  void tell_held(HeldArrays& held) {
+  void report_memory(HeldArrays& held) {
     held.add_all("state", particles);
     held.add_all("rates", rates);
     held.add_all("saved state", saved_);

@@ -73,7 +73,7 @@ class Recorder {
     if (energy_budget_) energy_budget_->for_each_number(visit);
   }
 
-  void tell_held(HeldArrays& held) {
+  void report_memory(HeldArrays& held) {
     held.add_all("record", seen_);
     if (energy_budget_) held.add_all("energy budget", *energy_budget_);
   }

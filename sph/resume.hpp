@@ -57,7 +57,7 @@ SavedState saved_state(RunMemory<Choice>& run, const Scene& scene) {
 // `run` at its start, whose particles it replaces. Throws std::invalid_argument as
 // require_state_of does.
 template <class Choice>
-void go_on_from(RunMemory<Choice>& run, const Scene& scene, const SavedState& state) {
+void resume_from(RunMemory<Choice>& run, const Scene& scene, const SavedState& state) {
   if constexpr (Choice::Integrator::carries_earlier_state)
     run.liquid.particles.make_earlier_state();
   require_state_of(saved_state(run, scene), scene, state);

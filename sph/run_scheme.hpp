@@ -67,8 +67,8 @@ std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& 
 template <class Choice>
 std::vector<HeldArray> held_arrays(RunMemory<Choice>& run) {
   HeldArrays arrays;
-  run.liquid.tell_held(arrays);
-  run.recorder.tell_held(arrays);
+  run.liquid.report_memory(arrays);
+  run.recorder.report_memory(arrays);
   return arrays.held();
 }
 
@@ -147,7 +147,7 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
   output.particles = run.liquid.particles.size();
   output.active_terms = terms_of_run(scene, scheme);
   if (scene.resume) {
-    go_on_from(run, scene, *scene.resume);
+    resume_from(run, scene, *scene.resume);
     ++run.sample;
   }
   check_state(run.liquid.particles, scene.rest_density, run.liquid.time);

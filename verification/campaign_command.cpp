@@ -13,13 +13,13 @@
 #include "verification/assessment_text.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_figures.hpp"
+#include "verification/cached_verdict.hpp"
 #include "verification/campaign/campaign_report.hpp"
 #include "verification/campaign/case_coverage.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/campaign/known_strengths.hpp"
 #include "verification/campaign/row_kinds.hpp"
 #include "verification/campaign_plan_text.hpp"
-#include "verification/campaign_standing.hpp"
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/gate_files.hpp"
 #include "verification/named_paths.hpp"
@@ -158,18 +158,18 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                             judges = judges_of(campaign.settings, ledger)] {
     return fingerprint_of(definition, cases, settings, judges);
   };
-  if (const auto standing = read_standing(place); options.csv.empty() && standing &&
-                                                  report_stands(place, options) &&
-                                                  standing->fingerprint == fingerprint()) {
-    tell(standing->out);
-    return ended(standing->status, options);
+  if (const auto cached = read_cached_verdict(place); options.csv.empty() && cached &&
+                                                      report_stands(place, options) &&
+                                                      cached->fingerprint == fingerprint()) {
+    tell(cached->out);
+    return ended(cached->status, options);
   }
   const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   const std::string rows = gate_lines(assessed.cases, assessed.problems);
   tell(rows);
-  forget_standing(place);
+  forget_cached_verdict(place);
   leave_report(assessed, options,
                {ledger, name_or_path(assessed.definition.file, installation.campaigns), judge});
   leave_table(assessed, movements(baseline_of(read_ledger(ledger)), assessed.cases), options,
@@ -181,7 +181,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
       kinds_sentence(assessed.cases, assessed.problems), report_lines(place, options));
   tell(verdict);
   if (const auto now = fingerprint(); now && is_settled(assessed))
-    write_standing({*now, status, rows + verdict}, place);
+    write_cached_verdict({*now, status, rows + verdict}, place);
   return ended(status, options);
 }
 

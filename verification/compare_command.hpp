@@ -16,9 +16,9 @@ struct CompareOptions {
   std::string gauge, quantity;                 // at most one of the two
   std::string case_name;                       // empty: none
   std::vector<double> frequencies;             // [Hz], of the modes to fit where no case tells
-  std::vector<double> window;                  // [s] begin and end; empty: see docs/other_solvers.md
-  std::vector<std::string> limits;             // "METRIC=VALUE", "MODE:METRIC=VALUE"
-  std::filesystem::path json;                  // empty: none
+  std::vector<double> window;       // [s] begin and end; empty: see docs/other_solvers.md
+  std::vector<std::string> limits;  // "METRIC=VALUE", "MODE:METRIC=VALUE"
+  std::filesystem::path json;       // empty: none
 };
 
 int compare_results(const CompareOptions& options, const Installation& installation);

@@ -48,8 +48,9 @@ void use_no_locale() { setenv("LC_ALL", "C", 1); }
 
 // OpenMP's threads look for new work 300,000 times before they sleep. That keeps a core busy which
 // another process needs, and counts as the run's cost. Sleeping at each wait takes up to seventeen
-// times as long. With 3000 looks an idle machine takes 0.7 to 1.7 times as long (docs/performance.md).
-// OpenMP reads the number when the program starts: hence the program starts once more.
+// times as long. With 3000 looks an idle machine takes 0.7 to 1.7 times as long
+// (docs/performance.md). OpenMP reads the number when the program starts: hence the program starts
+// once more.
 void bound_waiting_of_threads(char** argv) {
   if (getenv("GOMP_SPINCOUNT") || getenv("OMP_WAIT_POLICY")) return;
   setenv("GOMP_SPINCOUNT", "3000", 0);

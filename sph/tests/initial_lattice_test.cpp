@@ -82,10 +82,10 @@ TEST(InitialLattice, RefusesASpacingThatWouldStretchItByMoreThanFivePerCent) {
 TEST(Scatter, MovesEveryParticleByUpToItsShareAsTheSeedHasIt) {
   const Particles lattice = initial_lattice(still_scene(0.02, 0), water);
   Particles one = lattice, same = lattice, other = lattice, none = lattice;
-  scatter(one, 0.1, 1);
-  scatter(same, 0.1, 1);
-  scatter(other, 0.1, 2);
-  scatter(none, 0, 1);
+  perturb_randomly(one, 0.1, 1);
+  perturb_randomly(same, 0.1, 1);
+  perturb_randomly(other, 0.1, 2);
+  perturb_randomly(none, 0, 1);
   EXPECT_EQ(one.x, same.x);
   EXPECT_EQ(one.z, same.z);
   EXPECT_NE(one.x, other.x);
@@ -102,7 +102,7 @@ TEST(Scatter, MovesEveryParticleByUpToItsShareAsTheSeedHasIt) {
   // Of 1800 numbers, even within +-0.002 m: four standard deviations of their mean.
   EXPECT_LE(std::abs(sum / 1800), 4 * 0.002 / std::sqrt(3 * 1800.0));
   for (const double share : {-0.1, 0.26, std::nan("")})
-    EXPECT_THROW(scatter(none, share, 1), std::invalid_argument) << share;
+    EXPECT_THROW(perturb_randomly(none, share, 1), std::invalid_argument) << share;
 }
 
 TEST(InitialLattice, RefusesASurfaceSpacingThatIsNotFinerOrLeavesNoRoom) {

@@ -118,7 +118,7 @@ TEST(Settled, SparesStillWaterTheRearrangementOfTheLattice) {
 TEST(Stir, MovesBothHalvesOfTheTankAlike) {
   Particles p = initial_lattice(still_scene(0.025, 0), [](double) { return 1000.0; });
   const Particles before = p;
-  stir(p, 0.5, 1e-3);
+  perturb_symmetrically(p, 0.5, 1e-3);
   double largest = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const std::size_t row = i / 40, column = i % 40, mirrored = row * 40 + (39 - column);

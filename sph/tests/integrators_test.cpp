@@ -46,13 +46,13 @@ struct AcousticMode {
     add_scaled(particles.x, dt, particles.velocity_x);
     add_scaled(particles.z, dt, particles.velocity_z);
   }
-  void densify(double dt) { add_scaled(particles.density, dt, rates.density_rate); }
+  void update_density(double dt) { add_scaled(particles.density, dt, rates.density_rate); }
   void kick_and_drift(double kick_dt, double drift_dt) {
     kick(kick_dt);
     drift(drift_dt);
   }
-  void densify_and_drift(double densify_dt, double drift_dt) {
-    densify(densify_dt);
+  void update_density_and_drift(double density_dt, double drift_dt) {
+    update_density(density_dt);
     drift(drift_dt);
   }
   void save() { saved_ = particles; }

@@ -7,11 +7,11 @@
 
 #include "reports/side_by_side.hpp"
 #include "sph/threads.hpp"
+#include "verification/campaign/ablation_table.hpp"
 #include "verification/campaign/case_coverage.hpp"
 #include "verification/campaign/case_figures.hpp"
 #include "verification/campaign/case_tables.hpp"
 #include "verification/campaign/case_text.hpp"
-#include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/ensemble_table.hpp"
 #include "verification/campaign/error_matrix.hpp"
 #include "verification/campaign/impact_table.hpp"
@@ -114,7 +114,7 @@ Section case_section(const CaseAssessment& assessment, int threads, KnownStrengt
   if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));
   if (auto ensembles = ensemble_table(assessment)) section.tables.push_back(std::move(*ensembles));
   if (auto repeats = repeat_table(assessment)) section.tables.push_back(std::move(*repeats));
-  if (auto choices = choice_table(assessment)) section.tables.push_back(std::move(*choices));
+  if (auto choices = ablation_table(assessment)) section.tables.push_back(std::move(*choices));
   if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
   if (!assessment.comparisons.empty()) {
     if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));

@@ -73,7 +73,7 @@ void take_stock(std::vector<PlannedRun>& plan, const CampaignSettings& settings,
 void take_over(const JobState& state, PlannedRun& planned, const CampaignSettings& settings,
                CaseRuns& runs) {
   if (state.phase == JobPhase::exited && state.status == exit_usage)
-    throw CaseFileError(complaint_in(state.job.log_file));
+    throw CaseFileError(first_error_line(state.job.log_file));
   RunStatus& status = runs.status[planned.run->name];
   if (!has_succeeded(state)) {
     status = status_without_result(state, settings.store.file(planned.key, failure_extension));

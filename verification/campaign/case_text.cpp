@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ablation_table.hpp"
 #include "verification/case_file/motion_table.hpp"
 
 namespace slosh {

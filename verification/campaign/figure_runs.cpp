@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ablation_table.hpp"
 #include "verification/case_file/quantities.hpp"
 
 namespace slosh {

@@ -64,11 +64,13 @@ RunFailure failure_of(const JobState& state) {
 
 }  // namespace
 
-std::string complaint_in(const std::filesystem::path& log) { return read_complaint(log).message; }
+std::string first_error_line(const std::filesystem::path& log) {
+  return read_complaint(log).message;
+}
 
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file) {
   if (state.phase == JobPhase::exited && state.status == exit_not_compared)
-    return {RunState::missing, description(state) + ": " + complaint_in(state.job.log_file)};
+    return {RunState::missing, description(state) + ": " + first_error_line(state.job.log_file)};
   const bool has_told = state.phase == JobPhase::exited && state.status == exit_solver_failed;
   std::optional<RunFailure> failure = has_told ? read_failure(failure_file) : std::nullopt;
   if (!failure) {

@@ -11,7 +11,7 @@
 namespace slosh {
 
 // The first line of the tool's message in a job's log, or else the last line that it wrote.
-std::string complaint_in(const std::filesystem::path& log);
+std::string first_error_line(const std::filesystem::path& log);
 
 // Of a job that did not succeed. A result that the store could not keep is missing. A run whose
 // solver failed has left why in `failure_file` (run_failure.hpp); of any other end it is left there

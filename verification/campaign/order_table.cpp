@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ablation_table.hpp"
 #include "verification/campaign/refinement.hpp"
 #include "verification/metrics/estimate.hpp"
 

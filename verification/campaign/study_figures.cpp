@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-#include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ablation_table.hpp"
 #include "verification/campaign/figure_kinds.hpp"
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/campaign/shown_quantity.hpp"

@@ -7,8 +7,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "verification/campaign/ablation_table.hpp"
 #include "verification/campaign/case_evidence.hpp"
-#include "verification/campaign/choice_table.hpp"
 #include "verification/campaign/figure_runs.hpp"
 #include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/quantities.hpp"

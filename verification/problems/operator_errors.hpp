@@ -119,7 +119,7 @@ class OperatorTrial {
 
   static sph::Particles disordered(const Box& box, double share) {
     sph::Particles p = full_lattice(box);
-    sph::scatter(p, share, 1);
+    sph::perturb_randomly(p, share, 1);
     return p;
   }
 

@@ -23,7 +23,7 @@ sph::Particles particles_after(const Box& box) {
   constexpr double k = 2 * std::numbers::pi;
   const sph::Scheme<Choice> scheme = scheme_of<Choice>(box);
   sph::Particles p = full_lattice(box);
-  sph::scatter(p, 0.1, 1);
+  sph::perturb_randomly(p, 0.1, 1);
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double x = p.x[i], z = p.z[i];
     p.velocity_x[i] = box.velocity + std::sin(k * x) * std::cos(k * z);

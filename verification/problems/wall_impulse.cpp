@@ -28,7 +28,7 @@ Box box_of(int cells) {
 sph::Particles start(const Box& box) {
   const Scheme scheme = scheme_of<Choice>(box);
   sph::Particles p = lattice(box, [](double, double z) { return z < 0.5; });
-  sph::scatter(p, 0.1, 1);
+  sph::perturb_randomly(p, 0.1, 1);
   for (std::size_t i = 0; i < p.size(); ++i) {
     p.velocity_x[i] = std::cos(3 * p.z[i]);
     p.velocity_z[i] = std::sin(5 * p.x[i]) * p.z[i];

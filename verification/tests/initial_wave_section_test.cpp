@@ -24,7 +24,7 @@ std::string still_with_wave(const std::string& section) {
   return text.replace(text.find(fitted), fitted.size(), "natural_modes = 1");
 }
 
-std::string complaint_in(const std::string& text) {
+std::string first_error_line(const std::string& text) {
   const Workspace workspace;
   return complaint(workspace.write("trial.toml", text));
 }
@@ -57,7 +57,8 @@ TEST(InitialWaveSection, JoinsTheModesThatTheTanksMotionExcites) {
 
 TEST(InitialWaveSection, RefusesAWaveThatTheTankCannotHold) {
   const auto of_amplitude = [](const std::string& amplitude) {
-    return complaint_in(with_wave("[initial_wave]\nmode = 1\namplitude_m = " + amplitude + "\n"));
+    return first_error_line(
+        with_wave("[initial_wave]\nmode = 1\namplitude_m = " + amplitude + "\n"));
   };
   for (const std::string amplitude : {"0.5", "-0.5", "0.7"})
     EXPECT_EQ(of_amplitude(amplitude),
@@ -72,25 +73,26 @@ TEST(InitialWaveSection, RefusesAWaveThatTheTankCannotHold) {
 
 TEST(InitialWaveSection, RefusesAModeThatIsNoWholeNumberOfHalfWaves) {
   for (const std::string mode : {"0", "-1", "1.5"})
-    EXPECT_EQ(complaint_in(with_wave("[initial_wave]\nmode = " + mode + "\namplitude_m = 0.02\n")),
-              "trial.toml:22: initial_wave.mode = " + mode + ": expected an integer >= 1");
-  EXPECT_TRUE(complaint_in(with_wave("[initial_wave]\namplitude_m = 0.02\n"))
+    EXPECT_EQ(
+        first_error_line(with_wave("[initial_wave]\nmode = " + mode + "\namplitude_m = 0.02\n")),
+        "trial.toml:22: initial_wave.mode = " + mode + ": expected an integer >= 1");
+  EXPECT_TRUE(first_error_line(with_wave("[initial_wave]\namplitude_m = 0.02\n"))
                   .starts_with("trial.toml:21: initial_wave.mode is missing"));
 }
 
 TEST(InitialWaveSection, RefusesUnknownKeys) {
-  EXPECT_TRUE(complaint_in(with_wave(third_mode + "phase = 1\n"))
+  EXPECT_TRUE(first_error_line(with_wave(third_mode + "phase = 1\n"))
                   .starts_with("trial.toml:24: initial_wave.phase = 1: expected "));
 }
 
 TEST(InitialWaveSection, RefusesADamAndObstaclesBesideIt) {
   const std::string obstacle =
       "[[obstacle]]\nname = \"baffle\"\nleft_m = 1.0\nright_m = 1.2\nbottom_m = 0.0\ntop_m = 0.2\n";
-  EXPECT_EQ(complaint_in(with_wave(obstacle + third_mode)),
+  EXPECT_EQ(first_error_line(with_wave(obstacle + third_mode)),
             "trial.toml:27: initial_wave = a wave over an [[obstacle]]: expected a tank without "
             "one, whose modes are cosines from wall to wall");
   const std::string dam = edited({"fill_depth_m = 0.5", "fill_depth_m = 0.5\ncolumn_width_m = 1"});
-  EXPECT_EQ(complaint_in(with_wave(third_mode, dam)),
+  EXPECT_EQ(first_error_line(with_wave(third_mode, dam)),
             "trial.toml:22: initial_wave = a wave on a dam about to break: expected liquid without "
             "column_width_m, which stands from wall to wall");
 }
@@ -98,12 +100,12 @@ TEST(InitialWaveSection, RefusesADamAndObstaclesBesideIt) {
 TEST(InitialWaveSection, RefusesModesThatAStillTankDoesNotHave) {
   std::string text = still_with_wave(third_mode);
   const std::string fitted = "natural_modes = 1", solver = "solver = \"linear\"\n";
-  EXPECT_TRUE(
-      complaint_in(std::string(text).replace(text.find(fitted), fitted.size(), "natural_modes = 2"))
-          .ends_with(": comparison.natural_modes = 2: expected 0 or 1: a tank that stands "
-                     "has the mode of its initial wave alone"));
-  EXPECT_TRUE(complaint_in(std::string(text).replace(text.find(solver), solver.size(),
-                                                     solver + "modes = 500\n"))
+  EXPECT_TRUE(first_error_line(
+                  std::string(text).replace(text.find(fitted), fitted.size(), "natural_modes = 2"))
+                  .ends_with(": comparison.natural_modes = 2: expected 0 or 1: a tank that stands "
+                             "has the mode of its initial wave alone"));
+  EXPECT_TRUE(first_error_line(std::string(text).replace(text.find(solver), solver.size(),
+                                                         solver + "modes = 500\n"))
                   .ends_with(": run.modes = 500: expected no such key of a tank that stands: its "
                              "initial wave is one mode"));
 }
@@ -115,7 +117,7 @@ TEST(InitialWaveSection, MayBeComparedWithAViscousWave) {
   const CaseDefinition definition = read_text(text);
   EXPECT_EQ(std::get<ViscousWaveRun>(definition.runs.at(0).solver).valid_elevation_over_depth, 0.1);
   text.insert(text.find("valid_elevation_over_depth"), "two_layer = true\n");
-  EXPECT_NE(complaint_in(text).find("run.two_layer"), std::string::npos);
+  EXPECT_NE(first_error_line(text).find("run.two_layer"), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What --help promises: examples that run, exit statuses that docs/commands.md has too, names that are
-// nearest to a wrong one.
+// What --help promises: examples that run, exit statuses that docs/commands.md has too, names that
+// are nearest to a wrong one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

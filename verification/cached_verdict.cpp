@@ -1,4 +1,4 @@
-#include "verification/campaign_standing.hpp"
+#include "verification/cached_verdict.hpp"
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -62,7 +62,7 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
   return content_hash(all.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-std::optional<CampaignStanding> read_standing(const fs::path& output) {
+std::optional<CachedVerdict> read_cached_verdict(const fs::path& output) {
   const fs::path file = output / file_name;
   if (!fs::is_regular_file(file)) return std::nullopt;
   const json read = json::parse(read_bytes(file), nullptr, false);
@@ -71,17 +71,17 @@ std::optional<CampaignStanding> read_standing(const fs::path& output) {
   };
   if (has("fingerprint", json::value_t::string) && has("out", json::value_t::string) &&
       has("status", json::value_t::number_unsigned))
-    return CampaignStanding{read.at("fingerprint"), read.at("status"), read.at("out")};
+    return CachedVerdict{read.at("fingerprint"), read.at("status"), read.at("out")};
   std::cerr << file.string() << ": no verdict of an earlier start can be read from it; the results "
             << "are judged again\n";
   return std::nullopt;
 }
 
-void forget_standing(const fs::path& output) { fs::remove(output / file_name); }
+void forget_cached_verdict(const fs::path& output) { fs::remove(output / file_name); }
 
-void write_standing(const CampaignStanding& standing, const fs::path& output) {
+void write_cached_verdict(const CachedVerdict& cached, const fs::path& output) {
   const json all{
-      {"fingerprint", standing.fingerprint}, {"status", standing.status}, {"out", standing.out}};
+      {"fingerprint", cached.fingerprint}, {"status", cached.status}, {"out", cached.out}};
   replace_file(output / file_name, all.dump(1, ' ', false, json::error_handler_t::replace),
                Durability::process_crash);
 }

@@ -15,6 +15,6 @@ std::string changes_of(const SphRun& run);
 // Of each SPH run its errors against theory or a record, its cost, and what both are of those of
 // the unchanged run of the same scheme and spacing. Nothing where no SPH run of the case changes
 // anything or none is compared with theory or a record.
-std::optional<reports::Table> choice_table(const CaseAssessment& assessment);
+std::optional<reports::Table> ablation_table(const CaseAssessment& assessment);
 
 }  // namespace slosh

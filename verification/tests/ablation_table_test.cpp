@@ -1,5 +1,5 @@
 // The table of choices, and what else shows a run that changes something of its scheme.
-#include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ablation_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "verification/campaign/results_json.hpp"
 #include "verification/tests/surge_results.hpp"
 
-namespace slosh::choice_table_test {
+namespace slosh::ablation_table_test {
 namespace {
 
 struct Choice {
@@ -61,12 +61,12 @@ TEST(ChangesOfARun, AreItsVariantAndItsNumbers) {
   EXPECT_EQ(changes_of(run), "shifting, courant_number = 0.4, density_diffusion = 0");
 }
 
-TEST(ChoiceTable, IsLeftOutWhereNothingIsChanged) {
-  EXPECT_FALSE(choice_table(assess_choices({{"plain", changed(""), 1.1, 2}})));
+TEST(AblationTable, IsLeftOutWhereNothingIsChanged) {
+  EXPECT_FALSE(ablation_table(assess_choices({{"plain", changed(""), 1.1, 2}})));
 }
 
-TEST(ChoiceTable, SetsEachChoiceBesideTheUnchangedRun) {
-  const auto table = choice_table(assess_choices(
+TEST(AblationTable, SetsEachChoiceBesideTheUnchangedRun) {
+  const auto table = ablation_table(assess_choices(
       {{"plain", changed(""), 1.1, 1.5}, {"faster", with_courant_number(0.4), 1.2, 0.5}}));
   ASSERT_TRUE(table);
   ASSERT_EQ(table->rows.size(), 2u);
@@ -88,7 +88,7 @@ TEST(ChoiceTable, SetsEachChoiceBesideTheUnchangedRun) {
   EXPECT_EQ(cell(*table, 1, "peak memory [byte per particle]"), "2000");
 }
 
-TEST(ChoiceTable, NamesTheTermsThatAVariantAndANumberChange) {
+TEST(AblationTable, NamesTheTermsThatAVariantAndANumberChange) {
   CaseAssessment assessment = assess_choices({{"plain", changed(""), 1.1, 1.5},
                                               {"kernel", changed("wendland_c2"), 1.2, 0.5},
                                               {"inviscid", changed("no_viscosity"), 1.2, 0.5},
@@ -100,7 +100,7 @@ TEST(ChoiceTable, NamesTheTermsThatAVariantAndANumberChange) {
   results["inviscid"].active_terms = {"quintic kernel", "leapfrog"};
   results["shifted"].active_terms = {"quintic kernel", "viscosity", "shifting", "leapfrog"};
   results["faster"].active_terms = results["plain"].active_terms;
-  const auto table = choice_table(assessment);
+  const auto table = ablation_table(assessment);
   EXPECT_EQ(cell(*table, 0, "which is"), "");
   EXPECT_EQ(cell(*table, 1, "which is"), "Wendland kernel instead of quintic kernel");
   EXPECT_EQ(cell(*table, 2, "which is"), "without viscosity");
@@ -108,20 +108,20 @@ TEST(ChoiceTable, NamesTheTermsThatAVariantAndANumberChange) {
   EXPECT_EQ(cell(*table, 4, "which is"), "time step: dt c0 / h");
 }
 
-TEST(ChoiceTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
-  const auto table = choice_table(assess_choices(
+TEST(AblationTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
+  const auto table = ablation_table(assess_choices(
       {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("shifting"), 1.2, 0.5}}));
   EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "");
   EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "");
 }
 
-TEST(ChoiceTable, TellsHowARunWithoutAResultEnded) {
+TEST(AblationTable, TellsHowARunWithoutAResultEnded) {
   CaseAssessment assessment = assess_choices(
       {{"plain", changed(""), 1.1, 1.5}, {"broken", changed("no_diffusion"), 1.2, 0.5}});
   CaseRuns runs = assessment.runs;
   runs.results.erase("broken");
   runs.status["broken"] = {RunState::failed, "diverged"};
-  const auto table = choice_table(assess(assessment.definition, runs));
+  const auto table = ablation_table(assess(assessment.definition, runs));
   EXPECT_EQ(cell(*table, 1, "reference"), "solver failed");
   EXPECT_EQ(cell(*table, 1, "CPU [s]"), "");
 }
@@ -175,4 +175,4 @@ TEST(ChoiceReport, IsAValidReportAndTellsTheChoicesInItsJson) {
 }
 
 }  // namespace
-}  // namespace slosh::choice_table_test
+}  // namespace slosh::ablation_table_test

@@ -1,4 +1,4 @@
-#include "verification/campaign/choice_table.hpp"
+#include "verification/campaign/ablation_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -147,7 +147,7 @@ std::string changes_of(const SphRun& run) {
   return fmt::format("{}", fmt::join(changes, ", "));
 }
 
-std::optional<reports::Table> choice_table(const CaseAssessment& assessment) {
+std::optional<reports::Table> ablation_table(const CaseAssessment& assessment) {
   const std::vector<ChoiceRun> runs = choice_runs(assessment);
   const bool any_changed = std::any_of(
       runs.begin(), runs.end(), [](const ChoiceRun& one) { return !changes_of(*one.sph).empty(); });

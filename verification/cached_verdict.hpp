@@ -12,7 +12,7 @@
 
 namespace slosh {
 
-struct CampaignStanding {
+struct CachedVerdict {
   std::string fingerprint;  // of all that the verdict and the report were made from
   int status;               // the exit status
   std::string out;          // what was told of it
@@ -31,9 +31,9 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::string& judges);
 
 // <output>/standing.json. Nothing where it is absent, nor, which is told, where it is no such file.
-std::optional<CampaignStanding> read_standing(const std::filesystem::path& output);
+std::optional<CachedVerdict> read_cached_verdict(const std::filesystem::path& output);
 // To be called before the report is replaced: what is said again must be of the report that stands.
-void forget_standing(const std::filesystem::path& output);
-void write_standing(const CampaignStanding& standing, const std::filesystem::path& output);
+void forget_cached_verdict(const std::filesystem::path& output);
+void write_cached_verdict(const CachedVerdict& cached, const std::filesystem::path& output);
 
 }  // namespace slosh
