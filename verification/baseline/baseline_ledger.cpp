@@ -7,8 +7,8 @@
 
 #include "verification/baseline/baseline_json.hpp"
 #include "verification/engine/file_lock.hpp"
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 namespace {

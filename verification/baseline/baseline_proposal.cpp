@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "verification/baseline/baseline_json.hpp"
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 namespace {

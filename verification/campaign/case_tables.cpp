@@ -92,7 +92,7 @@ Table gate_table(const CaseAssessment& assessment) {
   const std::string& name = assessment.definition.name;
   Table table{name + "-gate",
               "Gate rows",
-              "A value that is no number, a series that ends early and a reference that is missing "
+              "NaN, a series that ends early and a reference that is missing "
               "or out of its range never pass.",
               {"verdict", "candidate", "reference", "measure", "found"},
               {}};

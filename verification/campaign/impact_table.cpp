@@ -24,7 +24,7 @@ Row published_row(const ImpactsDefinition& impacts) {
   return row;
 }
 
-// A plateau that the series does not reach or that is no number is told as such.
+// The table says where the series does not reach the plateau, or where the plateau is NaN.
 std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& definition) try {
   const double error = plateau_error(pressure, definition);
   return fmt::format("{:.0f} ({:+.0f} %)", (1 + error) * definition.impacts->plateau, 100 * error);

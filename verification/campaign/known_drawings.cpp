@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "reports/run_gnuplot.hpp"
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 namespace {

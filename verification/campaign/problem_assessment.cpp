@@ -45,7 +45,7 @@ struct Bound {
   std::string text;
 };
 
-// A value that is no number holds no bound.
+// NaN holds no bound.
 Bound compare_to_bound(const ProblemGateRow& row, double value) {
   const std::string unit = row.unit == "1" ? "" : " " + row.unit;
   if (row.metric == ProblemMetric::order_within) {

@@ -34,7 +34,7 @@ struct ProblemAssessment {
 // nothing where fewer than three are, or where an error is no number.
 std::optional<double> order_of(const std::vector<ErrorAtStep>& errors);
 
-// A single error that is no number violates whatever is asked of the measure.
+// A single NaN error violates every row of the measure.
 ProblemGateOutcome evaluate(const ProblemGateRow& row, const ProblemRun& run);
 
 ProblemAssessment assess(const ProblemDefinition& definition, ProblemRun run);

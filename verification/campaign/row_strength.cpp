@@ -159,7 +159,7 @@ std::string detected_text(const GateStrength& strength,
                           const std::pair<MutationKind, MutationKind>& ways) {
   const auto one = detected_from(strength, ways.first),
              other = detected_from(strength, ways.second);
-  return one && other ? fmt::format("{:.3g}", 100 * std::max(*one, *other)) : "no strength tried";
+  return one && other ? fmt::format("{:.3g}", 100 * std::max(*one, *other)) : "not detected";
 }
 
 std::string unnoticed(const GateStrength& strength) {

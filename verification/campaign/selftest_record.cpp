@@ -6,8 +6,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 namespace {

@@ -75,8 +75,8 @@ Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& t
   for (std::size_t i = 1; i < tones.size(); ++i) others += (i > 1 ? ", " : "") + tones[i].name;
   figure.caption = fmt::format(
       "The {}, mode {}: harmonic least squares over windows of {:.3g} s ({:.0f} periods) every "
-      "{:.2g} s, drawn at their middles{}; ribbons are 95 % intervals. What such a window cannot "
-      "tell from the mode, a beat with a neighbour, counts to it.",
+      "{:.2g} s, drawn at their middles{}; ribbons are 95 % intervals. A window cannot "
+      "separate the mode from a neighbour that beats with it: the curve holds that beat too.",
       shown_quantity(definition, compared_quantities(definition).front()).word, tones[0].name,
       sliding.length, periods_per_window, sliding.step,
       others.empty() ? "" : ", fitted together with " + others);
@@ -96,10 +96,10 @@ std::vector<Figure> sliding_figures(const CaseAssessment& assessment) {
   const std::vector<ToneRequest> tones = resolved_tones(modes, sliding.length);
   Figure ratio = frame(definition, tones, sliding), lag = ratio;
   ratio.id = definition.name + "-sliding-amplitude";
-  ratio.title = "Amplitude ratio as time goes on";
+  ratio.title = "Amplitude ratio over time";
   ratio.y_label = "amplitude over the reference's [1]";
   lag.id = definition.name + "-sliding-lag";
-  lag.title = "Phase lag as time goes on";
+  lag.title = "Phase lag over time";
   lag.y_label = "phase lag [deg], positive: late";
   for (const Comparison* pair : shown_comparisons(assessment)) {
     const auto fits = fits_of(assessment, *pair, sliding, tones);

@@ -59,7 +59,7 @@ struct Crossings {
   std::string count, verdict;
 };
 
-// Written so that a count that is no number or was not made confirms nothing.
+// Written so that a count that is NaN or was not made confirms nothing.
 Crossings crossings_of(const RunResult& result) {
   const auto found = result.diagnostics.find("wall_crossings");
   if (found == result.diagnostics.end()) return {"not counted", "not decidable"};

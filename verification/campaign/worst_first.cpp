@@ -94,10 +94,10 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
     table.links.push_back({"row-" + row.row_id, "", "", "", "", "", ""});
   }
   table.caption = fmt::format(
-      "By verdict, then by how much of what a row allows its error takes, to the end of the 95 % "
-      "interval that the verdict rests on; above 100 the bound is left. {} of the {} rows that "
-      "were judged.",
-      table.rows.size() == rows.size() ? "All" : fmt::format("{}", table.rows.size()), rows.size());
+      "The rows are sorted by verdict, then by the error as a share of the tolerance, taken at the "
+      "far end of the 95 % interval that the verdict uses. Above 100 % the error is outside its "
+      "tolerance. The table has {} of the {} rows that were judged.",
+      table.rows.size() == rows.size() ? "all" : fmt::format("{}", table.rows.size()), rows.size());
   return table;
 }
 

@@ -26,7 +26,7 @@ std::string unit_of(const std::string& quantity);
 std::vector<std::string> quantity_names();
 
 // Whether linear theory's modes make up the quantity, so that they can be fitted to it: a front
-// runs away, and vertical force and momentum are of second order.
+// advances, and vertical force and momentum are of second order.
 bool has_modes(const std::string& quantity);
 
 // Whether a gauge of the case asks for it, so that a run without it is told of; the others are

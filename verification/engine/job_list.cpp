@@ -7,8 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 namespace {

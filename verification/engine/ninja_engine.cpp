@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "verification/engine/watch.hpp"
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/child_process.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/child_process.hpp"
 
 namespace slosh {
 namespace {

@@ -9,8 +9,8 @@
 #include "verification/engine/slurm_array.hpp"
 #include "verification/engine/slurm_queue.hpp"
 #include "verification/engine/watch.hpp"
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verification/runs/sealed_json.hpp"
+#include "verification/files/sealed_json.hpp"
 
 namespace slosh {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "verification/runs/hdf5_handles.hpp"
+#include "verification/files/hdf5_handles.hpp"
 
 namespace slosh {
 namespace {

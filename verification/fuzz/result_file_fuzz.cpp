@@ -7,10 +7,10 @@
 #include <array>
 #include <cstdlib>
 
+#include "verification/files/content_hash.hpp"
+#include "verification/files/hdf5_handles.hpp"
 #include "verification/fuzz/hdf5_edits.hpp"
 #include "verification/fuzz/memory_file.hpp"
-#include "verification/runs/content_hash.hpp"
-#include "verification/runs/hdf5_handles.hpp"
 #include "verification/runs/result_file.hpp"
 #include "verification/runs/state_file.hpp"
 #include "verification/tests/temporary_directory.hpp"

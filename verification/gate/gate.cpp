@@ -32,7 +32,7 @@ bool improves(const Estimate& estimate, const Estimate& other) {
   return gain > 0 && (clearly || to_zero);
 }
 
-// Written so that a value that is no number is not better.
+// Written so that NaN is not better.
 Verdict verdict_on_improvement(const Estimate& estimate, const Estimate& other) {
   if (improves(estimate, other)) return Verdict::pass;
   const double loss = std::abs(estimate.value) - std::abs(other.value);

@@ -7,7 +7,7 @@
 
 #include "verification/case_file/case_file_error.hpp"
 #include "verification/case_file/nearest_name.hpp"
-#include "verification/runs/hdf5_handles.hpp"
+#include "verification/files/hdf5_handles.hpp"
 
 namespace slosh {
 namespace {

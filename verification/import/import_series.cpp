@@ -11,9 +11,9 @@
 #include "verification/case_file/nearest_name.hpp"
 #include "verification/case_file/quantities.hpp"
 #include "verification/case_file/units.hpp"
+#include "verification/files/result_error.hpp"
 #include "verification/import/hdf5_series.hpp"
 #include "verification/import/table_head.hpp"
-#include "verification/runs/result_file.hpp"
 
 namespace slosh {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "verification/files/content_hash.hpp"
+#include "verification/files/sealed_json.hpp"
 #include "verification/metrics/estimate.hpp"
-#include "verification/runs/content_hash.hpp"
-#include "verification/runs/sealed_json.hpp"
 
 namespace slosh {
 namespace {

@@ -14,9 +14,9 @@
 #include <thread>
 
 #include "verification/case_file/table_reader.hpp"
+#include "verification/files/child_process.hpp"
+#include "verification/files/content_hash.hpp"
 #include "verification/import/import_series.hpp"
-#include "verification/runs/child_process.hpp"
-#include "verification/runs/content_hash.hpp"
 #include "verification/runs/external_command.hpp"
 #include "verification/runs/solver_runs.hpp"
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "verification/runs/atomic_file.hpp"
+#include "verification/files/atomic_file.hpp"
 
 namespace slosh {
 

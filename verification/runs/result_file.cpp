@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "verification/runs/hdf5_handles.hpp"
-#include "verification/runs/sealed_file.hpp"
+#include "verification/files/hdf5_handles.hpp"
+#include "verification/files/sealed_file.hpp"
 
 namespace slosh {
 namespace {

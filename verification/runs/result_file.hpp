@@ -18,10 +18,10 @@
 
 #include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "verification/files/result_error.hpp"
 #include "verification/metrics/time_series.hpp"
 
 namespace slosh {
@@ -61,12 +61,6 @@ struct RunResult {
 
   // Throws ResultError when there is no such series.
   const TimeSeries& at(const std::string& series_name) const;
-};
-
-// A result file that is absent, truncated, altered, of another version, or that could not be
-// written.
-struct ResultError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 // Makes the directory if need be. Throws ResultError, also for a series without a name, of a name

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "verification/files/sealed_json.hpp"
 #include "verification/runs/result_file.hpp"
-#include "verification/runs/sealed_json.hpp"
 
 namespace slosh {
 namespace {

@@ -6,7 +6,7 @@
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "verification/case_file/changed_input.hpp"
 #include "verification/case_file/field_times.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/content_hash.hpp"
 #include "verification/runs/external_command.hpp"
 #include "verification/runs/run_case.hpp"
 

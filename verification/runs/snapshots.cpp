@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
-#include "verification/runs/atomic_file.hpp"
-#include "verification/runs/hdf5_handles.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/hdf5_handles.hpp"
 #include "verification/runs/result_file.hpp"
 
 namespace slosh {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "verification/runs/hdf5_handles.hpp"
+#include "verification/files/hdf5_handles.hpp"
+#include "verification/files/sealed_file.hpp"
 #include "verification/runs/result_file.hpp"
-#include "verification/runs/sealed_file.hpp"
 
 namespace slosh {
 namespace {

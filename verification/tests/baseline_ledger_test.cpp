@@ -7,7 +7,7 @@
 #include <future>
 #include <sstream>
 
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/content_hash.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::baseline_ledger_test {

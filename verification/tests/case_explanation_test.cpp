@@ -1,4 +1,4 @@
-#include "verification/commands/case_explanation.hpp"
+#include "verification/texts/case_explanation.hpp"
 
 #include <gtest/gtest.h>
 

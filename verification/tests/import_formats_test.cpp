@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "verification/case_file/case_file_error.hpp"
+#include "verification/files/hdf5_handles.hpp"
 #include "verification/import/import_series.hpp"
-#include "verification/runs/hdf5_handles.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::import_formats_test {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The developer's kit says what is so: each preset is a tree of the launcher, the forge runs what CI runs, and what
-# CONTRIBUTING.md names is there.
+# CONTRIBUTING.md and the architecture name is there.
 # Usage: kit_test.sh SOURCE_TREE
 set -eu
 cd "$1"
@@ -17,11 +17,13 @@ for preset in $(cmake --list-presets | sed -nE 's/^ +"([a-z]+)".*/\1/p'); do
 done
 
 # Paths in backquotes name files that are there, or patterns that match some; NAME stands for any name.
-names=$(grep -oE '`[a-z_./]+/[A-Za-z_./*]*`' CONTRIBUTING.md | tr -d '`' | sort -u | grep -v '^\./slosh\|^build/\|NAME')
-[ "$(echo "$names" | wc -l)" -ge 15 ] || fail "CONTRIBUTING.md names too few files: $names"
-for name in $names; do
-  found=
-  for file in $name; do if [ -e "$file" ]; then found=yes; fi; done
-  [ -n "$found" ] || fail "CONTRIBUTING.md names '$name', which is not there"
+for document in CONTRIBUTING.md docs/architecture.md; do
+  names=$(grep -oE '`[a-z_./]+/[A-Za-z_./*]*`' "$document" | tr -d '`' | sort -u | grep -v '^\./slosh\|^build/\|NAME')
+  [ "$(echo "$names" | wc -l)" -ge 15 ] || fail "$document names too few files: $names"
+  for name in $names; do
+    found=
+    for file in $name; do if [ -e "$file" ]; then found=yes; fi; done
+    [ -n "$found" ] || fail "$document names '$name', which is not there"
+  done
 done
 exit $failed

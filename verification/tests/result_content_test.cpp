@@ -5,8 +5,8 @@
 #include <fstream>
 #include <functional>
 
-#include "verification/runs/content_hash.hpp"
-#include "verification/runs/hdf5_handles.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/files/hdf5_handles.hpp"
 #include "verification/runs/result_file.hpp"
 #include "verification/tests/temporary_directory.hpp"
 

@@ -11,7 +11,7 @@
 #include <limits>
 #include <thread>
 
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/content_hash.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::result_file_test {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "verification/runs/child_process.hpp"
+#include "verification/files/child_process.hpp"
 #include "verification/runs/result_file.hpp"
 #include "verification/runs/snapshots.hpp"
 #include "verification/tests/temporary_directory.hpp"

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "verification/engine/timings.hpp"
-#include "verification/runs/content_hash.hpp"
+#include "verification/files/content_hash.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::result_store_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "verification/case_file/case_parser.hpp"
-#include "verification/runs/hdf5_handles.hpp"
+#include "verification/files/hdf5_handles.hpp"
 #include "verification/runs/state_file.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"

@@ -1,4 +1,4 @@
-#include "verification/run_summary.hpp"
+#include "verification/texts/run_summary.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Results and saved states that were cut, altered, appended to or taken for one another.
-#include "verification/runs/sealed_file.hpp"
+#include "verification/files/sealed_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "verification/files/content_hash.hpp"
 #include "verification/fuzz/memory_file.hpp"
-#include "verification/runs/content_hash.hpp"
 #include "verification/runs/result_file.hpp"
 #include "verification/runs/state_file.hpp"
 #include "verification/tests/temporary_directory.hpp"

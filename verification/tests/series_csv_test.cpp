@@ -1,4 +1,4 @@
-#include "verification/series_csv.hpp"
+#include "verification/texts/series_csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "verification/verdict_text.hpp"
+#include "verification/texts/verdict_text.hpp"
 
 #include <gtest/gtest.h>
 

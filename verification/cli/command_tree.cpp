@@ -1,0 +1,145 @@
+#include "verification/cli/command_tree.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "sph/threads.hpp"
+#include "verification/case_file/nearest_name.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/runs/provenance.hpp"
+
+namespace slosh {
+namespace {
+
+std::vector<std::string> subcommand_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (!one->get_group().empty()) names.push_back(one->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string not_known_text(const std::string& wrong, const std::vector<std::string>& known,
+                           const char* what) {
+  constexpr std::size_t suggestions = 2;
+  return fmt::format("{} '{}' is not known; did you mean '{}'?", what, wrong,
+                     fmt::join(nearest_names(wrong, known, suggestions), "' or '"));
+}
+
+}  // namespace
+
+CLI::App& add_command(const CommandTree& tree, const CommandText& text, Action action) {
+  CLI::App& added = *tree.app.add_subcommand(text.name, text.description);
+  added.callback([&chosen = tree.action, action = std::move(action)] { chosen = action; });
+  give_examples(added, text.examples);
+  return added;
+}
+
+void give_examples(CLI::App& command, const std::vector<std::string>& examples) {
+  if (!examples.empty())
+    command.footer(fmt::format("Examples:\n  {}", fmt::join(examples, "\n  ")));
+}
+
+CLI::Validator unnamed(CLI::Validator validator) { return validator.description(""); }
+
+CLI::Validator one_of(const std::string& expected, const std::vector<std::string>& names) {
+  return {[=](const std::string& text) {
+            const bool is_known = std::find(names.begin(), names.end(), text) != names.end();
+            return is_known ? ""
+                            : fmt::format("{}: expected {}{}", text, one_of_text(expected, names),
+                                          nearest_text(text, names));
+          },
+          fmt::format("{{{}}}", fmt::join(names, ","))};
+}
+
+void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
+  command
+      .add_option("--experiments", experiments,
+                  "Directory of the experimental records that you have; without it the runs that "
+                  "need one are told as not supplied")
+      ->type_name(directory_type)
+      ->envname("SLOSH_EXPERIMENTS")
+      ->check(unnamed(CLI::ExistingDirectory));
+}
+
+void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
+                             const Installation& installation) {
+  store = usual_store(installation);
+  command
+      .add_option("--store", store,
+                  "Directory of the results, which campaigns share (default: build/store)")
+      ->type_name(directory_type)
+      ->envname(store_variable);
+}
+
+void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
+  at_once = sph::usable_cores();
+  command.add_option("-j,--jobs", at_once, fmt::format("{} (default: one a core)", what))
+      ->type_name("N")
+      ->check(keeps(at_least(1)));
+}
+
+namespace {
+
+std::string launcher_text() {
+  std::string text = "The launcher ./slosh also knows:\n";
+  for (const auto& [name, description] : launcher_commands)
+    text += fmt::format("  {:<26}  {}\n", name, description);
+  return text;
+}
+
+std::string exit_status_text() {
+  std::string text = "Exit status:\n";
+  for (const auto& [status, meaning] : exit_meanings)
+    text += fmt::format("  {:>3}  {}\n", status, meaning);
+  return text;
+}
+
+}  // namespace
+
+void add_all_commands(const CommandTree& tree) {
+  tree.app.require_subcommand(1);
+  tree.app.set_version_flag("--version", "Slosh " + provenance("").at("slosh_version"));
+  add_campaign_commands(tree);
+  add_baseline_commands(tree);
+  add_execution_commands(tree);
+  add_foreign_commands(tree);
+  add_export_command(tree);
+  add_show_command(tree);
+  add_store_command(tree);
+  add_list_command(tree);
+  add_explain_command(tree);
+  add_converge_command(tree);
+  add_completion_commands(tree);
+  tree.app.footer(launcher_text() + "\n" + exit_status_text() +
+                  "\nExamples:\n"
+                  "  ./slosh list 'li2010_*'\n"
+                  "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
+                  "  ./slosh problem kernels --quick --output kernels.json");
+}
+
+std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string name = words[i].substr(0, words[i].find('='));
+    const std::vector<std::string> options = option_names(app), commands = subcommand_names(app);
+    const auto is_in = [&](const std::vector<std::string>& known) {
+      return std::find(known.begin(), known.end(), name) != known.end();
+    };
+    if (name.starts_with("--") && !is_in(options)) return not_known_text(name, options, "option");
+    if (name.starts_with("-") || commands.empty()) continue;
+    if (!is_in(commands)) return not_known_text(name, commands, "command");
+    return suggestion(*app.get_subcommand(name),
+                      {words.begin() + static_cast<long>(i) + 1, words.end()});
+  }
+  return "";
+}
+
+}  // namespace slosh

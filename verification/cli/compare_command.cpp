@@ -1,0 +1,208 @@
+#include "verification/cli/compare_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+
+#include "verification/campaign/case_evidence.hpp"
+#include "verification/campaign/results_json.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/nearest_name.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/cli/limit_option.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/metrics/comparison.hpp"
+#include "verification/runs/result_file.hpp"
+#include "verification/texts/verdict_text.hpp"
+
+namespace slosh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> common_series(const RunResult& candidate, const RunResult& reference) {
+  std::vector<std::string> names;
+  for (const TimeSeries& one : candidate.series)
+    for (const TimeSeries& other : reference.series)
+      if (one.name == other.name) names.push_back(one.name);
+  return names;
+}
+
+std::string compared_quantity(const CompareOptions& options, const RunResult& candidate,
+                              const RunResult& reference) {
+  if (!options.quantity.empty()) return options.quantity;
+  if (!options.gauge.empty()) return "elevation@" + options.gauge;
+  const std::vector<std::string> common = common_series(candidate, reference);
+  if (common.empty())
+    throw ComparisonError(fmt::format("{} and {} have no series in common",
+                                      options.candidate.string(), options.reference.string()));
+  if (common.size() == 1) return common.front();
+  throw CaseFileError(fmt::format("--quantity is missing: expected one of {}, which both have",
+                                  fmt::join(common, ", ")));
+}
+
+// A series that is not there is told with those that are.
+const TimeSeries& series_of(const RunResult& result, const std::filesystem::path& file,
+                            const std::string& quantity) {
+  std::vector<std::string> names;
+  for (const TimeSeries& one : result.series) {
+    if (one.name == quantity) return one;
+    names.push_back(one.name);
+  }
+  throw ResultError(fmt::format("{}: no series {}; nearest: {}", file.string(), quantity,
+                                fmt::join(nearest_names(quantity, names, 3), ", ")));
+}
+
+std::vector<ToneRequest> modes_to_fit(const CompareOptions& options,
+                                      const std::optional<CaseDefinition>& definition,
+                                      const std::string& quantity) {
+  if (definition)
+    return has_modes(quantity) ? fitted_modes(*definition) : std::vector<ToneRequest>{};
+  std::vector<ToneRequest> modes;
+  for (const double frequency : options.frequencies)
+    modes.push_back({modes.empty() ? "forced" : fmt::format("tone_{}", modes.size() + 1),
+                     2 * std::numbers::pi * frequency, false});
+  return modes;
+}
+
+// A candidate that was cut short would be judged on what it has and pass: that part is compared
+// only where the user asks for it.
+void require_whole_reference(const TimeSeries& candidate, const TimeSeries& reference) {
+  const auto &has = candidate.time, &expected = reference.time;
+  const double intervals = std::max(1.0, static_cast<double>(has.size()) - 1);
+  const double sample = (has.back() - has.front()) / intervals * (1 + 1e-6);  // but for rounding
+  if (has.front() <= expected.front() + sample && has.back() >= expected.back() - sample) return;
+  throw ComparisonError(
+      fmt::format("{}: the candidate spans {} to {} s, the reference {} to {} s; expected a "
+                  "candidate that covers the reference to within one sample, or --window BEGIN END "
+                  "for the part to compare",
+                  candidate.name, has.front(), has.back(), expected.front(), expected.back()));
+}
+
+TimeWindow window_of(const CompareOptions& options, const std::optional<CaseDefinition>& definition,
+                     const TimeSeries& candidate, const TimeSeries& reference) {
+  if (!options.window.empty()) {
+    const TimeWindow asked{options.window[0], options.window[1]};
+    if (!(asked.begin < asked.end))
+      throw CaseFileError(fmt::format("--window {} {}: expected a begin before its end, in s",
+                                      asked.begin, asked.end));
+    return asked;
+  }
+  if (definition) return {definition->window_begin, definition->window_end};
+  if (candidate.time.empty() || reference.time.empty())
+    throw ComparisonError("a series without a sample");
+  require_whole_reference(candidate, reference);
+  return {std::max(candidate.time.front(), reference.time.front()),
+          std::min(candidate.time.back(), reference.time.back())};
+}
+
+std::string with_interval(const Estimate& estimate, const std::string& unit) {
+  const std::string value = in_unit(estimate.value, unit);
+  if (!(estimate.half_width > 0)) return value;  // none of the whole window without modes
+  return value + " +- " + in_unit(estimate.half_width, unit);
+}
+
+std::string peaks_text(const std::vector<SpectralPeak>& peaks) {
+  std::vector<std::string> texts;
+  for (const SpectralPeak& peak : peaks) texts.push_back(fmt::format("{:.4g} Hz", peak.frequency));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void print_modes(const Comparison& comparison) {
+  std::cout << fmt::format("lag by cross-correlation: {:.4g} s\n",
+                           comparison.cross_correlation_lag);
+  for (const ModeComparison& mode : comparison.modes) {
+    std::cout << fmt::format("mode {} ({:.4g} Hz){}\n", mode.mode,
+                             mode.reference.angular_frequency.value / (2 * std::numbers::pi),
+                             mode.resolved() ? "" : ", cannot be told from the rest");
+    std::cout << "  amplitude error: " << with_interval(mode.amplitude_error, "1") << "\n"
+              << "  phase lag: " << with_interval(mode.phase_lag_degrees, "deg") << " ("
+              << with_interval(mode.phase_lag, "s") << ")\n";
+    if (mode.mode.starts_with("natural_"))
+      std::cout << "  frequency error: " << with_interval(mode.frequency_error, "1") << "\n"
+                << "  decay rate: " << with_interval(mode.decay_rate, "1/s") << "\n";
+  }
+  std::cout << "spectral peaks of the candidate: " << peaks_text(comparison.candidate_peaks)
+            << "\nspectral peaks of the reference: " << peaks_text(comparison.reference_peaks)
+            << "\n";
+}
+
+void print(const Comparison& comparison) {
+  std::cout << fmt::format("{} of {} against {}, {:.6g} to {:.6g} s\n", comparison.quantity,
+                           comparison.candidate, comparison.reference, comparison.window.begin,
+                           comparison.window.end);
+  std::cout << "normalised rms: " << with_interval(comparison.normalised_rms, "1") << "\n"
+            << "largest residual: " << in_unit(comparison.maximum_residual, comparison.unit) << "\n"
+            << "Sprague and Geers: magnitude "
+            << with_interval(comparison.sprague_geers_magnitude, "1") << ", phase "
+            << with_interval(comparison.sprague_geers_phase, "1") << "\n";
+  if (!comparison.modes.empty()) return print_modes(comparison);
+  std::cout << fmt::format("lag that fits best: {:.4g} s, normalised rms without it: {}\n",
+                           comparison.alignment.lag,
+                           in_unit(comparison.alignment.normalised_rms, "1"));
+}
+
+Json outcome_entry(const GateOutcome& outcome) {
+  return {{"verdict", verdict_name(outcome.verdict)},
+          {"mode", outcome.row.mode},
+          {"metric", metric_name(outcome.row.metric)},
+          {"unit", outcome.row.unit},
+          {"value", outcome.value.value},
+          {"half_width_95", outcome.value.half_width},
+          {"limit", *outcome.row.limit},
+          {"message", outcome.message}};
+}
+
+void write_json(const Comparison& comparison, const std::vector<GateOutcome>& outcomes, int status,
+                const std::filesystem::path& file) {
+  Json document{{"schema", "slosh comparison"},
+                {"schema_version", 1},
+                {"exit_status", status},
+                {"comparison", comparison_entry(comparison)},
+                {"gate", Json::array()}};
+  for (const GateOutcome& outcome : outcomes) document["gate"].push_back(outcome_entry(outcome));
+  replace_file(file, document.dump(2) + "\n", Durability::process_crash);
+}
+
+Comparison compared(const CompareOptions& options, const Installation& installation) {
+  const RunResult candidate = read_result(options.candidate);
+  const RunResult reference = read_result(options.reference);
+  const std::string quantity = compared_quantity(options, candidate, reference);
+  std::optional<CaseDefinition> definition;
+  if (!options.case_name.empty())
+    definition = read_case(find_case(options.case_name, installation.cases));
+  const TimeSeries& of_candidate = series_of(candidate, options.candidate, quantity);
+  const TimeSeries& of_reference = series_of(reference, options.reference, quantity);
+  Comparison comparison = compare(of_candidate, of_reference,
+                                  window_of(options, definition, of_candidate, of_reference),
+                                  modes_to_fit(options, definition, quantity));
+  comparison.candidate = options.candidate.string();
+  comparison.reference = options.reference.string();
+  return comparison;
+}
+
+}  // namespace
+
+int compare_results(const CompareOptions& options, const Installation& installation) {
+  const Comparison comparison = compared(options, installation);
+  const std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
+  print(comparison);
+  for (const GateOutcome& outcome : outcomes)
+    std::cout << as_shown(
+        fmt::format("{}: {} {}: {}\n", verdict_name(outcome.verdict), outcome.row.mode,
+                    metric_name(outcome.row.metric), outcome.message),
+        style_of(STDOUT_FILENO));
+  const int status = outcomes.empty() ? static_cast<int>(exit_pass) : exit_status(outcomes);
+  if (!options.json.empty()) write_json(comparison, outcomes, status, options.json);
+  return status;
+}
+
+}  // namespace slosh

@@ -1,0 +1,167 @@
+// The subcommand converge: an SPH scheme of a case at several spacings against a reference, run and
+// compared as a campaign is, on a case file made for it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "verification/campaign/campaign_run.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/case_file/spacing_study.hpp"
+#include "verification/cli/command_tree.hpp"
+#include "verification/cli/named_paths.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/texts/convergence_text.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ConvergeOptions {
+  std::string case_name, quantity;
+  SpacingStudy study;
+  fs::path output, experiments, store;
+  int at_once = 1;
+  bool as_json = false;
+};
+
+// Two-layer theory is that of the solvers that see the gas.
+bool can_refer(const RunDefinition& run) {
+  if (const auto* record = std::get_if<RecordRun>(&run.solver)) return record->supplied;
+  if (std::holds_alternative<ExternalRun>(run.solver)) return false;  // its files lie elsewhere
+  const auto* linear = std::get_if<LinearRun>(&run.solver);
+  return !std::holds_alternative<SphRun>(run.solver) && !(linear && linear->two_layer);
+}
+
+// The first theory or record that the case declares, or else its last interFoam run: case files
+// list meshes from coarse to fine.
+std::string default_reference(const CaseDefinition& definition) {
+  std::string mesh;
+  for (const RunDefinition& run : definition.runs) {
+    if (!can_refer(run)) continue;
+    if (!std::holds_alternative<InterFoamRun>(run.solver)) return run.name;
+    mesh = run.name;
+  }
+  if (mesh.empty())
+    throw CaseFileError(definition.file.string() +
+                        ": expected a run that the scheme can be compared with, of any solver but "
+                        "SPH");
+  return mesh;
+}
+
+std::string asked_quantity(const CaseDefinition& definition, const std::string& asked) {
+  const std::vector<std::string> known = compared_quantities(definition);
+  if (asked.empty()) return known.front();
+  if (std::find(known.begin(), known.end(), asked) != known.end()) return asked;
+  std::string names;
+  for (const std::string& one : known) names += (names.empty() ? "" : ", ") + one;
+  throw CaseFileError(fmt::format("quantity = {}: expected one of {}", asked, names));
+}
+
+// Reads the made case, too, so that all it gets wrong is told before anything runs.
+CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& study,
+                         const fs::path& directory, const fs::path& experiments) {
+  const fs::path file = directory / (definition.name + ".toml");
+  replace_file(file, spacing_study_text(definition, study), Durability::process_crash);
+  CaseDefinition made = read_case(file, experiments);
+  for (const RunDefinition& run : made.runs) require_runnable(made, run);
+  return made;
+}
+
+// As of a campaign: a solver that failed, then a reference out of its range or nothing measured.
+int status_of(const ConvergenceStudy& study) {
+  const auto& states = study.assessment.runs.status;
+  for (const auto& [run, status] : states)
+    if (status.state == RunState::failed) return exit_solver_failed;
+  const bool may_judge = states.at(study.question.reference).state == RunState::finished;
+  return may_judge && !study.found.metrics.empty() ? exit_pass : exit_not_compared;
+}
+
+int converge(const ConvergeOptions& options, const CommandTree& tree) {
+  if (options.study.candidate.empty() && options.study.family.empty())
+    throw CaseFileError("expected --candidate RUN or --family SCHEME: what is to converge");
+  tree.stop_on_signals();
+  const fs::path experiments = whole(options.experiments);
+  const CaseDefinition definition =
+      read_case(find_case(options.case_name, tree.installation.cases), experiments);
+  SpacingStudy study = options.study;
+  if (study.reference.empty()) study.reference = default_reference(definition);
+  const std::string quantity = asked_quantity(definition, options.quantity);
+  const std::string scheme = study.candidate.empty() ? study.family : study.candidate;
+  const fs::path output =
+      fs::absolute(options.output.empty()
+                       ? tree.installation.build / "converge" / (definition.name + "-" + scheme)
+                       : options.output);
+  const CaseDefinition made = made_case(definition, study, output, experiments);
+  const CampaignSettings settings{.output = output,
+                                  .store = ResultStore(whole(options.store)),
+                                  .campaign_file = {},
+                                  .executable = tree.installation.executable,
+                                  .builds = tree.installation.builds,
+                                  .openfoam_templates = tree.installation.openfoam_templates,
+                                  .experiments = experiments,
+                                  .at_once = options.at_once};
+  const double finest = *std::min_element(study.spacings.begin(), study.spacings.end());
+  ConvergenceStudy done{
+      assess(made, run_campaign_jobs({made}, {}, settings, tree.stop).cases.front()),
+      {study_run_name(study, finest), study.reference, quantity},
+      {}};
+  done.found = convergence_of(done.assessment, done.question);
+  std::cout << (options.as_json ? json_of(done) : text_of(done));
+  return status_of(done);
+}
+
+}  // namespace
+
+void add_converge_command(const CommandTree& tree) {
+  auto options = std::make_shared<ConvergeOptions>();
+  const std::string example =
+      "./slosh converge li2010_small_amplitude --family recommended --spacings 0.05,0.035,0.025 "
+      "-o orders";
+  CLI::App& command = add_command(
+      tree,
+      {"converge",
+       "Runs an SPH scheme of a case at several spacings and tells the order of its errors",
+       {example, example + " --json"}},
+      [options, tree] { return converge(*options, tree); });
+  command.add_option("case", options->case_name, "A case of `slosh list`, or a case file's path")
+      ->type_name(case_type)
+      ->required();
+  CLI::Option* candidate =
+      command
+          .add_option("--candidate", options->study.candidate,
+                      "A run of the case, all of whose settings but the spacing are kept")
+          ->type_name(run_type);
+  command.add_option("--family", options->study.family, "Or a scheme as it is")
+      ->type_name("SCHEME")
+      ->excludes(candidate);
+  command.add_option("--spacings", options->study.spacings, "Three or more particle spacings [m]")
+      ->type_name("M,M,M")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->required();
+  command
+      .add_option("--reference", options->study.reference,
+                  "The run of the case to compare with (default: its first theory or record)")
+      ->type_name(run_type);
+  command
+      .add_option("--quantity", options->quantity,
+                  "What is compared (default: what the case is about)")
+      ->type_name("QUANTITY");
+  command
+      .add_option("-o,--output", options->output,
+                  "Directory of the case file that is made and its results (default: "
+                  "build/converge/CASE-SCHEME)")
+      ->type_name(directory_type);
+  command.add_flag("--json", options->as_json, "As JSON");
+  add_jobs_option(command, options->at_once, "Runs side by side");
+  add_experiments_option(command, options->experiments);
+  add_shared_store_option(command, options->store, tree.installation);
+}
+
+}  // namespace slosh

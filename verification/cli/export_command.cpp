@@ -1,0 +1,46 @@
+// The subcommand export: a result file for programs that read tables.
+
+#include <iostream>
+#include <memory>
+
+#include "verification/cli/command_tree.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/texts/series_csv.hpp"
+
+namespace slosh {
+namespace {
+
+struct ExportOptions {
+  std::filesystem::path result, output;  // no output: standard output
+  bool csv = false;
+};
+
+int export_result(const ExportOptions& options) {
+  const std::string text = series_csv(read_result(options.result));
+  if (!options.output.empty()) {
+    replace_file(options.output, text, Durability::process_crash);
+    return exit_pass;
+  }
+  if (!(std::cout << text << std::flush))
+    throw ResultError("standard output: expected a place that takes the whole table");
+  return exit_pass;
+}
+
+}  // namespace
+
+void add_export_command(const CommandTree& tree) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App& command = add_command(tree,
+                                  {"export",
+                                   "All series of a result file as a table of CSV",
+                                   {"./slosh run li2010_small_amplitude linear",
+                                    "./slosh export linear.h5 --csv -o linear.csv"}},
+                                  [options] { return export_result(*options); });
+  command.add_option("result", options->result, "A result file")->type_name(file_type)->required();
+  command.add_flag("--csv", options->csv, "As comma-separated values")->required();
+  command.add_option("-o,--output", options->output, "The table (default: standard output)")
+      ->type_name(file_type);
+}
+
+}  // namespace slosh

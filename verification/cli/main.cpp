@@ -1,0 +1,106 @@
+// The tool `slosh`: reads the command line, starts a subcommand, turns errors into messages and
+// exit statuses.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "verification/campaign/campaign_run.hpp"
+#include "verification/case_file/case_file_error.hpp"
+#include "verification/cli/command_tree.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace {
+
+std::atomic<bool> stop_requested{false};
+
+void request_stop(int) { stop_requested = true; }
+
+slosh::Installation installation() {
+  namespace fs = std::filesystem;
+  const fs::path source = SLOSH_SOURCE_DIR;
+  const fs::path executable = fs::read_symlink("/proc/self/exe");
+  return {executable,
+          executable.parent_path() / "slosh.builds",
+          source,
+          source / "verification/cases",
+          source / "verification/campaigns",
+          source / "verification/baselines",
+          source / "openfoam_cases/sloshing_tank",
+          source / "build"};
+}
+
+// A run that is ended ends; a campaign ends its runs first.
+void stop_on_signals() {
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
+}
+
+// No number and no path of the tool, or of a program that it starts, may depend on the locale that
+// the user has: its decimals may be commas, and boost::filesystem throws where it is not installed.
+void use_no_locale() { setenv("LC_ALL", "C", 1); }
+
+// OpenMP's threads look for new work 300,000 times before they sleep. That keeps a core busy which
+// another process needs, and counts as the run's cost. Sleeping at each wait takes up to seventeen
+// times as long. With 3000 looks an idle machine takes 0.7 to 1.7 times as long
+// (docs/performance.md). OpenMP reads the number when the program starts: hence the program starts
+// once more.
+void bound_waiting_of_threads(char** argv) {
+  if (getenv("GOMP_SPINCOUNT") || getenv("OMP_WAIT_POLICY")) return;
+  setenv("GOMP_SPINCOUNT", "3000", 0);
+  std::error_code unknown;
+  const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  if (!unknown) execv(executable.c_str(), argv);  // where it fails, the threads wait as they do
+}
+
+int dispatch(int argc, char** argv) {
+  const slosh::Installation data = installation();
+  CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam.",
+               "./slosh"};
+  slosh::Action action;
+  slosh::add_all_commands({app, data, stop_requested, stop_on_signals, action});
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for_help = error.get_exit_code() == 0;
+    const std::string meant = asked_for_help ? "" : slosh::suggestion(app, {argv + 1, argv + argc});
+    // What the parser misses then is a consequence of the wrong word.
+    if (meant.empty())
+      app.exit(error);
+    else
+      std::cerr << meant << "\nRun with --help for more information.\n";
+    return asked_for_help ? slosh::exit_pass : slosh::exit_usage;
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto fail = [](const std::exception& error, int status) {
+    std::cerr << "slosh: " << error.what() << "\n";
+    return status;
+  };
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, as a full disk
+  use_no_locale();
+  bound_waiting_of_threads(argv);
+  try {
+    return dispatch(argc, argv);
+  } catch (const slosh::CaseFileError& error) {
+    return fail(error, slosh::exit_usage);
+  } catch (const slosh::InterruptedError& error) {
+    return fail(error, slosh::exit_interrupted);
+  } catch (const slosh::SolverError& error) {
+    return fail(error, slosh::exit_solver_failed);
+  } catch (const std::exception& error) {
+    // A result or a report that could not be written: nothing was compared. An interrupt ends the
+    // plotter too, and then is the cause.
+    return fail(error, stop_requested ? slosh::exit_interrupted : slosh::exit_not_compared);
+  }
+}

@@ -1,0 +1,22 @@
+#include "verification/cli/named_paths.hpp"
+
+#include "verification/case_file/shell_word.hpp"
+
+namespace slosh {
+
+namespace fs = std::filesystem;
+
+std::string name_or_path(const fs::path& file, const fs::path& shipped) {
+  if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();
+  return shell_word(fs::absolute(file).lexically_normal().string());
+}
+
+fs::path whole(const fs::path& path) {
+  return path.empty() ? path : fs::absolute(path).lexically_normal();
+}
+
+std::string experiments_option(const fs::path& experiments) {
+  return experiments.empty() ? "" : " --experiments " + shell_word(experiments.string());
+}
+
+}  // namespace slosh

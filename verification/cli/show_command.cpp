@@ -1,0 +1,167 @@
+// The subcommand show: a picture of a case's histories, of the results that there are. It throws
+// CaseFileError for what the command line makes impossible, ResultError where there is nothing to
+// show, and ReportError where it cannot be drawn.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "reports/draw_figure.hpp"
+#include "reports/figure_page.hpp"
+#include "reports/temporary_directory.hpp"
+#include "verification/campaign/campaign_plan.hpp"
+#include "verification/campaign/case_figures.hpp"
+#include "verification/campaign/shown_quantity.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/quantities.hpp"
+#include "verification/cli/command_tree.hpp"
+#include "verification/cli/named_paths.hpp"
+#include "verification/cli/open_browser.hpp"
+#include "verification/files/atomic_file.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShowOptions {
+  std::string case_name;
+  std::string quantity;               // of the picture; empty: the one that the case is about
+  std::filesystem::path output;       // .png, .svg or .html; empty: a page, shown by a browser
+  std::filesystem::path store;        // of the results
+  std::filesystem::path experiments;  // empty: none is named
+};
+
+struct Stored {
+  CaseRuns runs;
+  std::vector<std::string> remarks;  // on runs that are not there, or not as they would be now
+};
+
+std::string how_to_compute(const CaseDefinition& definition, const RunDefinition& run,
+                           const ShowOptions& options, const Installation& installation) {
+  return fmt::format("`./slosh run {} {}{}` computes it",
+                     name_or_path(definition.file, installation.cases), run.name,
+                     std::holds_alternative<RecordRun>(run.solver)
+                         ? experiments_option(whole(options.experiments))
+                         : "");
+}
+
+void take(const PlannedRun& planned, const std::string& way, Stored& stored) {
+  const std::string& name = planned.run->name;
+  RunStatus& status = stored.runs.status[name] = planned.status;
+  if (status.state == RunState::finished) try {
+      stored.runs.results[name] = read_result(planned.file);
+      if (!status.message.empty()) stored.remarks.push_back(name + " was " + status.message);
+      return;
+    } catch (const ResultError& error) {
+      status = {RunState::missing, error.what()};
+    }
+  const bool can_be_computed = status.state != RunState::not_supplied;
+  stored.remarks.push_back(
+      fmt::format("{} is not there: {}", name, can_be_computed ? way : status.message));
+}
+
+Stored stored_runs(const CaseDefinition& definition, const ShowOptions& options,
+                   const Installation& installation) {
+  const std::vector<CaseDefinition> cases{definition};
+  CampaignSettings settings;
+  settings.store = ResultStore(whole(options.store));
+  settings.builds = installation.builds;
+  settings.openfoam_templates = installation.openfoam_templates;
+  settings.solve = false;
+  Stored stored;
+  for (const PlannedRun& planned : plan_runs(cases, settings))
+    take(planned, how_to_compute(definition, *planned.run, options, installation), stored);
+  return stored;
+}
+
+const reports::Figure& figure_of(const std::string& quantity, const CaseDefinition& definition,
+                                 const std::vector<reports::Figure>& figures) {
+  const std::vector<std::string> known = compared_quantities(definition);
+  if (quantity.empty()) return figures.front();
+  const std::string id =
+      definition.name + "-" + (quantity == known.front() ? "history" : id_of(quantity));
+  for (const reports::Figure& figure : figures)
+    if (figure.id == id) return figure;
+  if (std::find(known.begin(), known.end(), quantity) == known.end())
+    throw CaseFileError(
+        fmt::format("--quantity: {}: expected one of {}", quantity, fmt::join(known, ", ")));
+  throw ResultError(fmt::format("{}: no result that is there has it", quantity));
+}
+
+enum class Form { png, svg, page };
+
+Form form_of(const fs::path& file) {
+  if (file.empty() || file.extension() == ".html") return Form::page;
+  if (file.extension() == ".png") return Form::png;
+  if (file.extension() == ".svg") return Form::svg;
+  throw CaseFileError("--output: " + file.string() +
+                      ": expected a name that ends in .png, .svg "
+                      "or .html");
+}
+
+std::string drawn(Form form, const reports::Figure& figure, const fs::path& scratch) {
+  return form == Form::png ? reports::draw_png(figure, scratch)
+                           : reports::svg_element(figure, reports::draw_figure(figure, scratch),
+                                                  reports::SvgPlace::own_file);
+}
+
+int show_case(const ShowOptions& options, const Installation& installation) {
+  const Form form = form_of(options.output);
+  const CaseDefinition definition =
+      read_case(find_case(options.case_name, installation.cases), whole(options.experiments));
+  Stored stored = stored_runs(definition, options, installation);
+  for (const std::string& remark : stored.remarks) std::cerr << remark << "\n";
+  const std::vector<reports::Figure> figures = case_histories(definition, std::move(stored.runs));
+  if (figures.empty()) throw ResultError(definition.name + ": no result is there to be shown");
+  const fs::path file = options.output.empty()
+                            ? installation.build / "shown" / (definition.name + ".html")
+                            : fs::absolute(options.output);
+  fs::create_directories(file.parent_path());
+  const reports::TemporaryDirectory scratch((file.parent_path() / ".drawing-").string());
+  const std::string text =
+      form == Form::page
+          ? reports::figure_page(definition.title, figures, stored.remarks, scratch.path())
+          : drawn(form, figure_of(options.quantity, definition, figures), scratch.path());
+  replace_file(file, text, Durability::process_crash);
+  std::cout << "picture: " << file.string() << std::endl;
+  if (!options.output.empty()) return exit_pass;
+  const std::string why = open_browser(file);
+  if (!why.empty()) std::cerr << "no browser shows it: " << why << "\n";
+  return exit_pass;
+}
+
+}  // namespace
+
+void add_show_command(const CommandTree& tree) {
+  auto options = std::make_shared<ShowOptions>();
+  CLI::App& command = add_command(
+      tree,
+      {"show",
+       "A picture of a case's histories, of the results that there are",
+       {"./slosh run li2010_small_amplitude linear",
+        "./slosh show li2010_small_amplitude -o histories.png"}},
+      [options, &installation = tree.installation] { return show_case(*options, installation); });
+  command
+      .add_option("case", options->case_name, "A case of `slosh list`, or the path of a case file")
+      ->type_name(case_type)
+      ->required();
+  CLI::Option* output =
+      command
+          .add_option("-o,--output", options->output,
+                      "The picture, .png or .svg, or a page of all, .html (default: such a page in "
+                      "build/shown, which $BROWSER or xdg-open then shows)")
+          ->type_name(file_type);
+  command
+      .add_option("--quantity", options->quantity,
+                  "What the picture is of, as elevation@right (default: the first that the case "
+                  "compares)")
+      ->needs(output);
+  add_experiments_option(command, options->experiments);
+  add_shared_store_option(command, options->store, tree.installation);
+}
+
+}  // namespace slosh

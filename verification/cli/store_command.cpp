@@ -1,0 +1,102 @@
+// The subcommand store: how much the shared results take, and which of them are of earlier builds.
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "verification/cli/command_tree.hpp"
+#include "verification/cli/old_results.hpp"
+#include "verification/gate/gate.hpp"
+
+namespace slosh {
+namespace {
+
+struct StoreOptions {
+  std::filesystem::path store;
+  bool remove = false, total_alone = false;
+};
+
+std::string size_text(std::uintmax_t bytes) {
+  const double size = static_cast<double>(bytes);
+  if (size >= 1e9) return fmt::format("{:.1f} GB", size / 1e9);
+  if (size >= 1e6) return fmt::format("{:.1f} MB", size / 1e6);
+  return fmt::format("{:.1f} kB", size / 1e3);
+}
+
+struct Sum {
+  std::size_t count = 0;
+  std::uintmax_t size = 0;
+
+  void add(std::uintmax_t bytes) {
+    ++count;
+    size += bytes;
+  }
+};
+
+Sum all_in(const ResultStore& store) {
+  Sum sum;
+  for (const std::string& key : store.keys()) sum.add(store.size(key));
+  return sum;
+}
+
+void print_line(const char* word, const OldResult& one) {
+  std::cout << fmt::format("{:<10} {:>9}  {}, {}\n", word, size_text(one.size), one.name, one.key);
+}
+
+int remove_old(const ResultStore& store, const std::vector<OldResult>& old) {
+  Sum removed;
+  for (const OldResult& one : old) {
+    if (!store.remove(one.key)) {
+      print_line("in use", one);
+      continue;
+    }
+    print_line("removed", one);
+    removed.add(one.size);
+  }
+  const Sum left = all_in(store);
+  std::cout << fmt::format("{}: {} results removed, {}; {} are left, {}\n", store.root().string(),
+                           removed.count, size_text(removed.size), left.count,
+                           size_text(left.size));
+  return exit_pass;
+}
+
+int tell_of_store(const StoreOptions& options, const Installation& installation) {
+  const ResultStore store(std::filesystem::absolute(options.store));
+  const std::vector<OldResult> old =
+      old_results(store, present_answers(installation.builds, installation.openfoam_templates));
+  if (options.remove) return remove_old(store, old);
+  Sum of_old;
+  for (const OldResult& one : old) {
+    if (!options.total_alone) print_line("old", one);
+    of_old.add(one.size);
+  }
+  const Sum all = all_in(store);
+  std::cout << fmt::format("{}: {} results, {}; {} of them, {}, are of earlier builds{}\n",
+                           store.root().string(), all.count, size_text(all.size), of_old.count,
+                           size_text(of_old.size),
+                           old.empty() ? "" : ": './slosh store --remove' removes these");
+  return exit_pass;
+}
+
+}  // namespace
+
+void add_store_command(const CommandTree& tree) {
+  auto options = std::make_shared<StoreOptions>();
+  CLI::App& command =
+      add_command(tree,
+                  {"store",
+                   "Tells how much the kept results take, and which of them earlier builds left",
+                   {"./slosh store", "./slosh store --remove"}},
+                  [options, &installation = tree.installation] {
+                    return tell_of_store(*options, installation);
+                  });
+  add_shared_store_option(command, options->store, tree.installation);
+  CLI::Option* remove = command.add_flag(
+      "--remove", options->remove,
+      "Remove what earlier builds left, but for what is in use, and tell each; results of external "
+      "programs stay, and those of interFoam where none is installed");
+  command.add_flag("--total", options->total_alone, "Only the last line")->excludes(remove);
+}
+
+}  // namespace slosh

@@ -1,0 +1,105 @@
+#include "verification/cli/stored_run.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "verification/engine/timings.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What cannot be used is computed again.
+template <class Read>
+bool stands(const fs::path& file, Read read) try {
+  read(file);
+  return true;
+} catch (const ResultError&) {
+  return false;
+}
+
+// One whose series differ, or none.
+std::string difference(const RunResult& one, const RunResult& other) {
+  if (one.series.size() != other.series.size()) return "number of series";
+  for (const TimeSeries& series : one.series) {
+    const TimeSeries& twin = other.at(series.name);
+    if (series.time != twin.time || series.value != twin.value) return series.name;
+  }
+  return "";
+}
+
+// What `compute` gives. Where its solver fails, why is left in the file, which tells of the last
+// try alone.
+template <class Result>
+Result computed(const std::function<Result()>& compute, const fs::path& failure_file) {
+  fs::remove(failure_file);
+  try {
+    return compute();
+  } catch (const SolverError& error) {
+    try {
+      write_failure(error.failure, failure_file);
+    } catch (const ResultError&) {  // a full disk hides no failure
+    }
+    throw;
+  }
+}
+
+}  // namespace
+
+void keep_run(const ResultStore& store, const std::string& key,
+              const std::function<RunResult()>& compute) {
+  const StoreLock lock(store, key);
+  const fs::path file = store.file(key, ".h5");
+  if (!stands(file, read_result))
+    write_result(computed(compute, store.file(key, failure_extension)), file);
+  std::cout << "result: " << file.string() << "\n";
+}
+
+void keep_problem(const ResultStore& store, const std::string& key,
+                  const std::function<ProblemResult()>& compute) {
+  const StoreLock lock(store, key);
+  const fs::path file = store.file(key, ".json");
+  if (!stands(file, read_problem_result))
+    write_problem_result(computed(compute, store.file(key, failure_extension)), file);
+  std::cout << "result: " << file.string() << "\n";
+}
+
+void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result) {
+  struct Held {};
+  const fs::path file = store.file(key, ".h5");
+  try {
+    const StoreLock lock(store, key, [] { throw Held(); });
+    if (stands(file, read_result)) return;
+    write_result(result, file);
+    fs::remove(store.file(key, failure_extension));
+  } catch (const Held&) {
+  } catch (const std::runtime_error& error) {
+    std::cerr << "slosh: no campaign can take the result: " << error.what() << "\n";
+  }
+}
+
+void time_run(const ResultStore& store, const std::string& key, double longest,
+              const std::function<RunResult()>& compute) {
+  const StoreLock lock(store, key);
+  if (!fs::exists(store.file(key, ".h5"))) {
+    std::cout << "no result stands that could be timed\n";
+    return;
+  }
+  const RunResult kept = read_result(store.file(key, ".h5"));
+  if (kept.cost.user_time + kept.cost.system_time > longest) {
+    std::cout << fmt::format("not repeated: it takes more than {} s\n", longest);
+    return;
+  }
+  const RunResult again = compute();
+  if (const std::string series = difference(kept, again); !series.empty())
+    throw ResultError(fmt::format("{}: expected the same {} of a repeated run, for its timing",
+                                  store.file(key, ".h5").string(), series));
+  const fs::path file = store.file(key, ".timings.json");
+  add_timing({again.cost, again.provenance.at("processor"), again.provenance.at("date_utc")}, file);
+  std::cout << "timing: " << file.string() << "\n";
+}
+
+}  // namespace slosh

@@ -1,0 +1,14 @@
+// The error of the files that the project keeps.
+#pragma once
+
+#include <stdexcept>
+
+namespace slosh {
+
+// A result file, or another file that the project keeps, is absent, truncated, altered, of another
+// version, or could not be written.
+struct ResultError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace slosh

@@ -1,0 +1,228 @@
+#include "verification/texts/case_explanation.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "reference/linear_surge.hpp"
+#include "verification/campaign/case_text.hpp"
+#include "verification/campaign/expected_cost.hpp"
+#include "verification/case_file/ensemble.hpp"
+#include "verification/case_file/inputs.hpp"
+#include "verification/case_file/motion.hpp"
+#include "verification/case_file/natural_modes.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/runs/reference_tank.hpp"
+#include "verification/texts/run_summary.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr std::size_t columns = 80;
+
+// The words of a text in lines that start `indent` columns in.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::istringstream stream(text);
+  std::string lines, line(indent, ' ');
+  for (std::string word; stream >> word;) {
+    if (line.size() > indent && line.size() + 1 + word.size() > columns) {
+      lines += line + "\n";
+      line.assign(indent, ' ');
+    }
+    line += (line.size() > indent ? " " : "") + word;
+  }
+  return lines + line + "\n";
+}
+
+std::string entry(const std::string& label, const std::string& text) {
+  constexpr std::size_t indent = 15;
+  std::string lines = wrapped(text, indent);
+  return lines.replace(2, label.size(), label);
+}
+
+const char* wall_name(Wall wall) {
+  return wall == Wall::left ? "left wall" : wall == Wall::right ? "right wall" : "bottom";
+}
+
+std::string gauges_text(const CaseDefinition& definition) {
+  std::vector<std::string> texts;
+  for (const GaugeDefinition& gauge : definition.gauges)
+    texts.push_back(fmt::format("elevation@{} {:g} m from the left wall", gauge.name, gauge.x));
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    texts.push_back(fmt::format(
+        "wall_pressure@{} on the {} at {:g} m{}", gauge.name, wall_name(gauge.wall), gauge.position,
+        gauge.filter_cutoff ? fmt::format(", also filtered at {:g} Hz", *gauge.filter_cutoff)
+                            : ""));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string frequency_text(double omega) {
+  return fmt::format("{:.4g} rad/s ({:.4g} Hz, {:.4g} s)", omega, omega / (2 * std::numbers::pi),
+                     2 * std::numbers::pi / omega);
+}
+
+std::string frequencies_text(const CaseDefinition& definition) {
+  if (definition.gravity == 0) return "none without gravity";
+  const reference::Tank tank = tank_of(definition);
+  std::string text;
+  for (int m = 1; m <= 3; ++m)
+    text += fmt::format("{}{} {}", m == 1 ? "" : "; ", m,
+                        frequency_text(reference::natural_frequency(tank, m)));
+  text += " for 1, 2 and 3 half waves between the walls, linear theory of still water";
+  if (const double forcing = forcing_frequency(definition); forcing > 0)
+    text += fmt::format("; the motion has {:.3g} times the first",
+                        forcing / reference::natural_frequency(tank, 1));
+  return text;
+}
+
+std::string solved(const CaseDefinition& definition) {
+  std::string text = "What is solved\n";
+  text += entry("tank", fmt::format("{:g} m long, {:g} m high", definition.tank.length,
+                                    definition.tank.height));
+  text += entry("liquid",
+                fmt::format("{}; {:g} kg/m3, {:g} m2/s", liquid_text(definition),
+                            definition.liquid.density, definition.liquid.kinematic_viscosity));
+  text += entry("motion", motion_text(definition));
+  text += entry("start", fmt::format("at rest in the {}'s frame",
+                                     definition.start == Start::earth ? "earth" : "tank"));
+  text += entry("time", fmt::format("{:g} s, a sample every {:g} s; compared from {:g} to {:g} s",
+                                    definition.duration, definition.sample_interval,
+                                    definition.window_begin, definition.window_end));
+  text += entry("gauges", gauges_text(definition));
+  text += entry("frequencies", frequencies_text(definition));
+  return text;
+}
+
+std::string number_of_elements(const RunDefinition& run, const KnownRun& known) {
+  if (known.start) return fmt::format(", {} particles", known.start->particles);
+  if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
+    return fmt::format(" ({})", static_cast<long>(mesh->cells_x) * mesh->cells_z);
+  return "";
+}
+
+std::string purpose_text(const InputEnd& end, const CaseDefinition& definition) {
+  return fmt::format("repeats {} with {} {} by {}, for u_input", end.repeated_run,
+                     input_name(end.input), end.change < 0 ? "less" : "more",
+                     in_unit(std::abs(end.change), input_unit(end.input, definition.motion)));
+}
+
+constexpr double told_loss = 0.005;  // of a step
+
+std::string by_what(const CaseDefinition& definition,
+                    const std::map<std::string, KnownRun>& known) {
+  std::string text = "By what, at what cost\n";
+  std::map<std::string, std::string> told;  // the terms, by the run that has told them
+  for (const RunDefinition& run : definition.runs) {
+    const auto found = known.find(run.name);
+    const KnownRun of_run = found == known.end() ? KnownRun{} : found->second;
+    if (is_later_member(run)) continue;
+    const std::size_t repeats = members_of(definition, run.name).size();
+    text += fmt::format("  {}{}{}\n", run.name,
+                        repeats > 1 ? fmt::format("  (an ensemble of {}, each:)", repeats) : "",
+                        run.quick ? "  (quick form too)" : "");
+    if (run.at_input) text += wrapped(purpose_text(*run.at_input, definition), 6);
+    text += wrapped(
+        solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run.cost), 6);
+    if (of_run.step && of_run.step->lost_to_samples() >= told_loss)
+      text += wrapped("steps: " + step_text(*of_run.step, definition.sample_interval), 6);
+    if (!of_run.start) continue;
+    const std::string terms = fmt::format("{}", fmt::join(of_run.start->active_terms, "; "));
+    const auto [first, is_new] = told.try_emplace(terms, run.name);
+    text += wrapped(is_new ? "terms: " + terms : "terms: those of " + first->second, 6);
+  }
+  return text;
+}
+
+const char* words_for(Metric metric) {
+  switch (metric) {
+    case Metric::amplitude_error:
+      return "error of the amplitude";
+    case Metric::phase_lag:
+      return "phase lag";
+    case Metric::frequency_error:
+      return "error of the frequency";
+    case Metric::decay_rate:
+      return "decay rate";
+    case Metric::decay_error:
+      return "error of the decay rate";
+    case Metric::normalised_rms:
+      return "normalised rms of the difference";
+    case Metric::maximum_residual:
+      return "largest difference";
+    case Metric::time_lag:
+      return "time lag";
+    case Metric::aligned_rms:
+      return "normalised rms of the difference without the time lag";
+    case Metric::largest_magnitude:
+      return "largest magnitude";
+    case Metric::band_energy_error:
+      return "error of the energy near the mode's frequency";
+    case Metric::cross_correlation_lag:
+      return "lag of the highest cross-correlation";
+    case Metric::spectral_peak_error:
+      return "error of the frequency of the highest spectral peak";
+    case Metric::rms_error:
+      return "error of the root mean square about the mean";
+    case Metric::crest_error:
+      return "error of the mean crest";
+    case Metric::trough_error:
+      return "error of the mean trough";
+    case Metric::mean_offset:
+      return "mean less the reference's";
+    case Metric::noise_share:
+      return "white noise over the standard deviation";
+    case Metric::initial_value:
+      return "value at the start";
+    case Metric::impact_time:
+      return "time of the peak less the published one";
+    case Metric::plateau_error:
+      return "error of the mean over the plateau";
+    case Metric::impact_percentile:
+      return "share of the experiment's repeats that peak lower";
+    case Metric::cost_to_reach:
+      return "processor time to reach an error";
+  }
+  throw std::logic_error("a metric without words");
+}
+
+std::string bound_text(const GateRow& row) {
+  if (row.improves_on) return "must be nearer to zero than that of " + *row.improves_on;
+  if (row.between)
+    return fmt::format("must lie between {} and {}", in_unit(row.between->first, row.unit),
+                       in_unit(row.between->second, row.unit));
+  return "must not exceed " + in_unit(row.limit.value(), row.unit) + " either way";
+}
+
+std::string gates(const CaseDefinition& definition) {
+  if (definition.gate.empty()) return "What gates\n  nothing: the case is only shown\n";
+  std::string text = "What gates\n";
+  for (const GateRow& row : definition.gate) {
+    text += wrapped(row_text(row), 2);
+    text += wrapped(row.reason + " [" + row.source + "]", 6);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string row_text(const GateRow& row) {
+  const std::string mode = row.mode == "whole" ? "" : fmt::format(" ({})", row.mode);
+  const std::string against = row.reference.empty() ? "" : " against " + row.reference;
+  return fmt::format("{}: {} of {}{}{} {}.", row.candidate, words_for(row.metric), row.quantity,
+                     mode, against, bound_text(row));
+}
+
+std::string explanation(const CaseDefinition& definition,
+                        const std::map<std::string, KnownRun>& known) {
+  std::string text = definition.name + "\n" + wrapped(definition.title, 0);
+  text += wrapped("Source: " + definition.source, 0);
+  if (!definition.tags.empty())
+    text += wrapped(fmt::format("Tags: {}", fmt::join(definition.tags, ", ")), 0);
+  return text + "\n" + solved(definition) + "\n" + by_what(definition, known) + "\n" +
+         gates(definition);
+}
+
+}  // namespace slosh

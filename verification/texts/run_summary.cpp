@@ -1,0 +1,86 @@
+#include "verification/texts/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "verification/case_file/quantities.hpp"
+#include "verification/metrics/spectrum.hpp"
+
+namespace slosh {
+namespace {
+
+// ", period 1.3 s (spectral peak)"; nothing where the series is too short or has no peak.
+std::string period_text(const TimeSeries& series) try {
+  const Spectrum spectrum = power_spectrum(series, {series.time.front(), series.time.back()});
+  const std::vector<SpectralPeak> peaks = spectral_peaks(spectrum, 1);
+  if (peaks.empty() || !(peaks.front().frequency > 0)) return "";
+  return fmt::format(", period {:.3g} s (spectral peak)", 1 / peaks.front().frequency);
+} catch (const ComparisonError&) {
+  return "";
+}
+
+std::string extreme_text(const TimeSeries& series, std::vector<double>::const_iterator at) {
+  return fmt::format("{:.3g} {} at {:.4g} s", *at, series.unit,
+                     series.time[static_cast<std::size_t>(at - series.value.begin())]);
+}
+
+std::string gauge_text(const TimeSeries& series) {
+  const auto [lowest, highest] = std::minmax_element(series.value.begin(), series.value.end());
+  return fmt::format("{}: highest {}, lowest {}{}\n", series.name, extreme_text(series, highest),
+                     extreme_text(series, lowest), period_text(series));
+}
+
+std::string cost_text(const RunResult& result) {
+  constexpr double mebibyte = 1024 * 1024;
+  const RunCost& cost = result.cost;
+  std::string text =
+      fmt::format("cost: {:.3g} core-seconds in {:.3g} s of wall time, {:.0f} MiB",
+                  cost.user_time + cost.system_time, cost.wall_time, cost.peak_memory / mebibyte);
+  if (cost.elements > 0)
+    text += fmt::format("; {:.0f} {}", cost.elements,
+                        result.solver == "sph"         ? "particles"
+                        : result.solver == "interfoam" ? "cells"
+                                                       : "nodes");
+  return text + "\n";
+}
+
+// The samples' share of the shortening, and what the flow itself adds.
+std::string steps_text(const RunResult& result, const CaseDefinition& definition,
+                       const SphStep& step) {
+  const double mean = definition.duration / result.cost.steps;
+  constexpr double told = 0.005;  // of the step, as the percentages are rounded
+  const bool flow_shortens = mean < (1 - told) * step.between_samples;
+  return fmt::format(
+      "steps: {:.0f} of {}{}\n", result.cost.steps, step_text(step, definition.sample_interval),
+      flow_shortens ? fmt::format("; the flow's accelerations to a mean of {:.3g} ms", 1000 * mean)
+                    : "");
+}
+
+}  // namespace
+
+std::string step_text(const SphStep& step, double sample_interval) {
+  const double percent = 100 * step.lost_to_samples();
+  const std::string each = fmt::format("{:.3g} ms", 1000 * step.between_samples),
+                    samples =
+                        fmt::format("landing on the samples every {:g} ms", 1000 * sample_interval);
+  if (percent < 0.5) return fmt::format("{} each: {} costs nothing", each, samples);
+  return fmt::format("{} each: {} shortens the stable {:.3g} ms by {:.0f} %", each, samples,
+                     1000 * step.stable, percent);
+}
+
+std::string run_summary(const RunResult& result, const CaseDefinition& definition,
+                        const RunDefinition& run) {
+  std::string text;
+  for (const std::string& quantity : compared_quantities(definition))
+    for (const TimeSeries& series : result.series)
+      if (series.name == quantity && is_gauged(quantity) && !series.value.empty())
+        text += gauge_text(series);
+  text += cost_text(result);
+  const std::optional<SphStep> step = sph_step(definition, run);
+  if (step && result.cost.steps > 0) text += steps_text(result, definition, *step);
+  return text;
+}
+
+}  // namespace slosh
