@@ -113,7 +113,8 @@ class DocumentedCommands : public SmallCampaign {
     if (const auto known = helps_.find(name); known != helps_.end()) return known->second;
     command.push_back("--help");
     const Ended run = tool(command);
-    return helps_[name] = run.status == 0 ? run.out : "";
+    // Beside a wrong word --help gives the help of what is above it.
+    return helps_[name] = holds(run.out, "Usage: ./slosh " + name) ? run.out : "";
   }
 
   // What is wrong with a command line, "" where nothing is.
