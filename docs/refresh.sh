@@ -1,0 +1,14 @@
+#!/bin/sh
+# Makes anew what the documents take from the product: the case-file reference, the tutorial's picture, the gallery's
+# figures. It takes about half an hour on two cores.
+# Usage: docs/refresh.sh
+set -eu
+cd "$(dirname -- "$0")/.."
+./slosh explain --keys >docs/case_file.md.new
+mv docs/case_file.md.new docs/case_file.md
+./slosh campaign docs/tutorial/campaign.toml -o build/own_tank
+./slosh show docs/tutorial/own_tank.toml -o docs/own_tank.png
+./slosh campaign small_amplitude
+for figure in docs/gallery/*.svg; do
+  cp "build/campaigns/small_amplitude/report/figures/$(basename "$figure")" docs/gallery/
+done
