@@ -42,7 +42,7 @@ struct GateStrength {
 
 // All that are tried: scale 1 to 20 %, shift 0.5 to 10 % of a period, frequency 0.1 to 5 %, an
 // offset of 0.5 to 10 % of the datum, a drift of 10 to 100 % of the values' standard deviation, a
-// chirp of 2 to 20 % of a period, each natural mode gained by 2 to 50 % and damped 1.1 to 3 times
+// chirp of 2 to 20 % of a period, each natural mode gained by 2 to 50 % and damped 1.1 to 6 times
 // as fast, noise of 1 to 50 % of the deviation.
 std::vector<Mutation> mutations_tried(const MutationFrame& frame);
 
