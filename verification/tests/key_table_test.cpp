@@ -31,6 +31,25 @@ std::string opened_table(const std::string& line) {
 
 std::string key_of(const std::string& line) { return line.substr(0, line.find(" = ")); }
 
+std::string with_line_after(const std::string& text, const std::string& line,
+                            const std::string& added) {
+  const std::size_t at = text.find("\n" + line + "\n");
+  if (at == std::string::npos) throw std::logic_error("no such line: " + line);
+  std::string longer = text;
+  return longer.insert(at + line.size() + 2, added);
+}
+
+// The trial case with keys that it could do without.
+const std::string full_text = [] {
+  std::string text = with_line_after(valid_text, "amplitude_m = 0.02", "ramp_periods = 1\n");
+  text = with_line_after(text, "modes = 500", "two_layer = true\n");
+  text = with_line_after(text, "cells_z = 40", "processes = 2\n");
+  text = with_line_after(text, "limit = 0.05", "kind = \"regression\"\n");
+  return with_line_after(text, "scheme = \"any\"",
+                         "variant = \"any\"\ninitial_state = \"settled\"\n"
+                         "artificial_viscosity = 0.1\nstart_disorder = 0.1\n");
+}();
+
 struct Line {
   std::string table, text;
   int number;
@@ -40,7 +59,7 @@ struct Line {
 // solver where the solver has the key.
 std::vector<Line> assignments() {
   std::vector<Line> lines;
-  std::istringstream text(valid_text);
+  std::istringstream text(full_text);
   std::string table = "case", solver_table;
   int number = 0;
   for (std::string line; std::getline(text, line); ++number) {
@@ -60,7 +79,7 @@ std::vector<Line> assignments() {
 }
 
 std::string without_line(int number) {
-  std::istringstream text(valid_text);
+  std::istringstream text(full_text);
   std::string rest;
   int i = 0;
   for (std::string line; std::getline(text, line); ++i)
@@ -80,7 +99,7 @@ TEST(KeyTable, SaysOfEachKeyWhetherACaseCanBeWithoutIt) {
     ++(is_optional ? optional : required);
   }
   EXPECT_GE(required, 40);
-  EXPECT_GE(optional, 3);
+  EXPECT_GE(optional, 10);
 }
 
 TEST(KeyTable, NamesEachKeyOfATableOnceAndSaysWhatItHolds) {
