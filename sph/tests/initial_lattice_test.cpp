@@ -79,7 +79,7 @@ TEST(InitialLattice, RefusesASpacingThatWouldStretchItByMoreThanFivePerCent) {
     EXPECT_THROW(initial_lattice(still_scene(spacing, 0), water), std::invalid_argument) << spacing;
 }
 
-TEST(Scatter, MovesEveryParticleByUpToItsShareAsTheSeedHasIt) {
+TEST(PerturbRandomly, MovesEveryParticleByUpToItsShareAsTheSeedHasIt) {
   const Particles lattice = initial_lattice(still_scene(0.02, 0), water);
   Particles one = lattice, same = lattice, other = lattice, none = lattice;
   perturb_randomly(one, 0.1, 1);

@@ -115,7 +115,7 @@ TEST(Settled, SparesStillWaterTheRearrangementOfTheLattice) {
   EXPECT_LE(settled, 0.5 * largest_kinetic_energy(InitialState::lattice));
 }
 
-TEST(Stir, MovesBothHalvesOfTheTankAlike) {
+TEST(PerturbSymmetrically, MovesBothHalvesOfTheTankAlike) {
   Particles p = initial_lattice(still_scene(0.025, 0), [](double) { return 1000.0; });
   const Particles before = p;
   perturb_symmetrically(p, 0.5, 1e-3);

@@ -3,8 +3,8 @@
 namespace slosh {
 namespace {
 
-const KeyEntry run_name{"name", "name", "yes",
-                        "The run's name in gate rows, reports and file names."};
+const KeyEntry run_name_key{"name", "name", "yes",
+                            "The run's name in gate rows, reports and file names."};
 const std::string solver_key = "The solver: one of the tables below.";
 
 const std::vector<KeyTable> solver_tables{
@@ -16,13 +16,12 @@ const std::vector<KeyTable> solver_tables{
       {"particle_spacing_m", "number > 0 and <= the fill depth, m", "yes",
        "The spacing dp of the particles."},
       {"surface_particle_spacing_m", "number > 0 and <= particle_spacing_m, m", "no",
-       "A finer spacing at the surface, for a variant of two spacings. Default: "
-       "particle_spacing_m."},
-      {"variant", "text", "no", "One part of the scheme that is exchanged or left out."},
+       "A finer spacing at the surface, for the variant of two spacings, or for li2010 in a tank "
+       "that does not roll. Default: particle_spacing_m."},
+      {"variant", "text", "no", "One part of `recommended` that is exchanged or left out."},
       {"initial_state", "\"lattice\", \"settled\" or \"projected\"", "no",
        "How the particles start: on a lattice, after they have settled, or with the impulsive "
-       "start's "
-       "velocity projected onto a divergence-free one. Default: the scheme's."},
+       "start's velocity projected onto a divergence-free one. Default: the scheme's."},
       {"smoothing_length_ratio", "number > 0", "no",
        "h / dp, the smoothing length over the spacing. Default: the scheme's."},
       {"sound_speed_ratio", "number > 0", "no",
@@ -48,15 +47,15 @@ const std::vector<KeyTable> solver_tables{
       {"processes", "integer from 1 to cells_x", "no", "The number of MPI processes. Default: 1."},
       {"start_disorder", "number from 0 to 0.2, cell heights", "no",
        "The still level is disturbed by up to this much. Only a plain level can be disturbed: not "
-       "a "
-       "dam, an initial wave or a tank with obstacles."},
+       "a dam, an initial wave or a tank with obstacles."},
       {"start_seed", "integer >= 0", "no", "As of SPH."},
       {"repeats", "integer from 2 to 1000", "no", "As of SPH."}}},
     {"run.linear",
      "[[run]] with solver = \"linear\"",
      "no",
-     "Linear potential theory, in closed form.",
-     {{"modes", "integer >= 1", "yes, but not of a still tank's initial wave",
+     "Linear potential theory, in closed form. A dam, an obstacle, and a still tank without an "
+     "initial wave are refused.",
+     {{"modes", "integer >= 1", "yes, but refused of a still tank's initial wave",
        "The number of natural modes that are summed."},
       {"two_layer", "true or false", "no",
        "Whether the gas above the liquid takes part: the form to compare interFoam with."},
@@ -72,9 +71,12 @@ const std::vector<KeyTable> solver_tables{
     {"run.potential",
      "[[run]] with solver = \"potential\"",
      "no",
-     "Fully nonlinear potential flow, spectral. The run ends where the solution leaves its range.",
-     {{"nodes_x", "integer from 16 to 128", "no", "The number of nodes along the tank."},
-      {"nodes_z", "integer from 16 to 128", "no", "The number of nodes over the depth."}}},
+     "Fully nonlinear potential flow, spectral. The run ends where the solution leaves its range. "
+     "A dam and an obstacle are refused.",
+     {{"nodes_x", "integer from 16 to 128", "no",
+       "The number of nodes along the tank. Default: 64."},
+      {"nodes_z", "integer from 16 to 128", "no",
+       "The number of nodes over the depth. Default: 24."}}},
     {"run.record",
      "[[run]] with solver = \"record\", shipped",
      "no",
@@ -83,8 +85,7 @@ const std::vector<KeyTable> solver_tables{
        "A CSV file: time_s and a compared quantity with its unit, as in front_position_m."},
       {"earlier_run", "true or false", "no",
        "Whether the series is an earlier run of this harness. Only rows of kind = \"regression\" "
-       "may "
-       "then rest on it."},
+       "may then rest on it."},
       {"uncertainty", "number > 0, the record's unit", "no",
        "Half the width of the record's 95 % interval."}}},
     {"run.experiment",
@@ -104,9 +105,8 @@ const std::vector<KeyTable> solver_tables{
      "A program of yours, started without a shell: see [Other solvers](other_solvers.md).",
      {{"command", "list of texts", "yes",
        "The program and its arguments. {case_file}, {case_directory}, {work_directory}, "
-       "{duration_s} "
-       "and {sample_interval_s} are filled in. A program with a / in its name is found relative to "
-       "the case file, another on the PATH."},
+       "{duration_s} and {sample_interval_s} are filled in. A program with a / in its name is "
+       "found relative to the case file, another on the PATH."},
       {"directory", "path, relative to the case file", "no",
        "Where the program starts. Default: a fresh work directory."},
       {"time_limit_s", "number > 0, s", "no",
@@ -123,8 +123,10 @@ const std::vector<KeyTable> solver_tables{
       {"format", "text", "yes", "One of the formats of `./slosh import`."},
       {"column", "text", "yes", "The column, or the path of an HDF5 data set."},
       {"unit", "unit of the quantity", "where the file does not say it", "The unit of the column."},
-      {"time_column", "text", "no", "The column of times of a csv or hdf5 file."},
-      {"time_unit", "\"s\", \"ms\" or \"min\"", "no", "The unit of the times. Default: s."},
+      {"time_column", "text", "with format = \"csv\"",
+       "The column of times of a csv or hdf5 file; other formats refuse it."},
+      {"time_unit", "\"s\", \"ms\" or \"min\"", "no",
+       "The unit of the times of a csv or hdf5 file. Default: s."},
       {"scale", "number other than 0", "no",
        "The series is scale times the column plus offset. Default: 1."},
       {"offset", "number, the quantity's unit", "no", "Default: 0."}}}};
@@ -180,14 +182,14 @@ const std::vector<KeyTable> first_tables{
     {"obstacle",
      "[[obstacle]]",
      "no",
-     "A solid rectangle that the tank carries. Rectangles may touch and must not overlap, must "
-     "leave "
-     "a way past them, and must not cover a gauge.",
+     "A solid rectangle that the tank carries. Rectangles may touch and must not overlap. None may "
+     "reach from wall to wall, fill a gauge's column from the bottom to the still level, or touch "
+     "a pressure gauge.",
      {{"name", "name", "yes", ""},
       {"left_m", "number >= 0, m from the left wall", "yes", ""},
-      {"right_m", "number above left_m, m from the left wall", "yes", ""},
+      {"right_m", "number above left_m and <= the tank's length, m from the left wall", "yes", ""},
       {"bottom_m", "number >= 0, m from the bottom", "yes", ""},
-      {"top_m", "number above bottom_m, m from the bottom", "yes", ""}}},
+      {"top_m", "number above bottom_m and <= the tank's height, m from the bottom", "yes", ""}}},
     {"initial_wave",
      "[initial_wave]",
      "no, and not with column_width_m or an obstacle",
@@ -196,8 +198,7 @@ const std::vector<KeyTable> first_tables{
      {{"mode", "integer >= 1", "yes", "The number of half waves between the walls."},
       {"amplitude_m", "number other than 0, m", "yes",
        "A. Above 0 the crest is at the left wall. Its magnitude is below the fill depth and below "
-       "the "
-       "room under the roof."}}},
+       "the room under the roof."}}},
     {"motion",
      "[motion]",
      "yes",
@@ -213,19 +214,21 @@ const std::vector<KeyTable> first_tables{
       {"amplitude_m", "number > 0, m", "with type = \"sine\"", ""},
       {"angular_frequency_rad_s", "number > 0, rad/s", "with type = \"sine\"", ""},
       {"ramp_periods", "number >= 0, periods", "no",
-       "The time over which a sine grows to its amplitude. Default: 0."},
+       "The time over which a sine grows to its amplitude; refused with a table. Default: 0."},
       {"file", "path, relative to the case file", "with type = \"table\"",
-       "A CSV file with the columns time_s,displacement_m, joined by a cubic spline."}}},
+       "A CSV file with the columns time_s,displacement_m, from the time 0 to duration_s or "
+       "beyond, joined by a cubic spline."}}},
     {"roll",
      "[motion.roll]",
      "no",
      "The tank's rotation about an axis, which moves with a surge and may lie outside the tank.",
      {{"type", "\"sine\" or \"table\"", "yes", ""},
-      {"amplitude_deg", "number > 0, deg", "with type = \"sine\"", ""},
+      {"amplitude_deg", "number > 0 and <= 360, deg", "with type = \"sine\"", ""},
       {"angular_frequency_rad_s", "number > 0, rad/s", "with type = \"sine\"", ""},
       {"ramp_periods", "number >= 0, periods", "no", "As of a surge."},
       {"file", "path, relative to the case file", "with type = \"table\"",
-       "A CSV file with the columns time_s,angle_deg, which begins at the angle 0."},
+       "A CSV file with the columns time_s,angle_deg, from the time and the angle 0 to duration_s "
+       "or beyond."},
       {"axis_x_m", "number, m from the left wall", "yes", "Within 1000 tank lengths."},
       {"axis_z_m", "number, m from the bottom", "yes", "Within 1000 tank lengths."}}},
     {"time",
@@ -238,22 +241,22 @@ const std::vector<KeyTable> first_tables{
       {"sample_interval_s", "number > 0 and <= duration_s, s", "yes",
        "The interval of the recorded samples. SPH lands on each, so a short one shortens its time "
        "step."},
-      {"snapshot_times_s", "increasing list of numbers, s", "no",
+      {"snapshot_times_s", "increasing list of numbers > 0 and <= duration_s, s", "no",
        "The times at which fields are kept: multiples of sample_interval_s."}}},
     {"animation",
      "[animation]",
      "no",
      "SPH and interFoam keep their fields at 3 to 60 moments, and the report plays the finest of "
      "each.",
-     {{"begin_s", "number > 0, s", "yes", "A multiple of sample_interval_s, as are the others."},
+     {{"begin_s", "number > 0 and <= duration_s, s", "yes",
+       "A multiple of sample_interval_s, as are the others."},
       {"end_s", "number > 0 and <= duration_s, s", "yes", ""},
-      {"interval_s", "number > 0, s", "yes", ""}}},
+      {"interval_s", "number > 0 and <= duration_s, s", "yes", ""}}},
     {"gauge",
      "[[gauge]]",
      "at least one gauge of either kind",
-     "A gauge of the surface's elevation. SPH measures the depth of liquid there, so a gauge must "
-     "stand "
-     "six particle spacings away from an obstacle.",
+     "A gauge of the surface's elevation. SPH measures the depth of liquid there, so a gauge "
+     "should stand six particle spacings away from an obstacle: nearer, it reads too low.",
      {{"name", "name", "yes", "The NAME in elevation@NAME."},
       {"x_m", "number from 0 to the tank's length, m", "yes", "The distance from the left wall."}}},
     {"pressure_gauge",
@@ -263,9 +266,10 @@ const std::vector<KeyTable> first_tables{
      {{"name", "name", "yes", "The NAME in wall_pressure@NAME."},
       {"wall", "\"left\", \"right\" or \"bottom\"", "yes", ""},
       {"position_m", "number >= 0, m", "yes",
-       "The middle of the sensor: above the bottom, or on the bottom from the left wall."},
+       "The middle of the sensor: above the bottom, or on the bottom from the left wall; within "
+       "that wall."},
       {"width_m", "number >= 0, m", "no",
-       "The sensor's extent along the wall. Default: 0, a point."},
+       "The sensor's extent along the wall, which must lie on it as a whole. Default: 0, a point."},
       {"filter_cutoff_Hz", "number > 0 and below half the sampling rate, Hz", "no",
        "Adds the series wall_pressure@NAME/filtered, through a low-pass filter."}}},
     {"impacts",
@@ -274,13 +278,15 @@ const std::vector<KeyTable> first_tables{
      "Published impacts on a pressure gauge, for the metrics of impacts.",
      {{"gauge", "name of a pressure gauge", "yes", ""},
       {"times_s", "increasing list of numbers, s", "yes",
-       "The published times of the peaks, at least half a period apart."},
+       "The published times of the peaks, one or more, at least half a period apart and a quarter "
+       "of it inside the run."},
       {"period_s", "number > 0, s", "yes", "The period of the motion that brings the impacts."},
-      {"peaks_Pa", "list of numbers > 0, Pa", "yes", "The published mean peak of each impact."},
+      {"peaks_Pa", "list of numbers > 0, Pa", "yes",
+       "The published mean peak of each impact: as many as times_s."},
       {"peaks_sd_Pa", "list of numbers > 0, Pa", "yes",
        "The standard deviation of each, over the repeats."},
       {"plateau_begin_s", "number >= 0, s", "yes", ""},
-      {"plateau_end_s", "number > plateau_begin_s, s", "yes", ""},
+      {"plateau_end_s", "number > plateau_begin_s and <= duration_s, s", "yes", ""},
       {"plateau_Pa", "number > 0, Pa", "yes", "The published mean pressure between the two."},
       {"times_half_width_s", "number > 0, s", "no", "Half the 95 % interval of the times."},
       {"plateau_half_width_Pa", "number > 0, Pa", "no", "Half the 95 % interval of the plateau."},
@@ -297,12 +303,13 @@ const std::vector<KeyTable> first_tables{
        "The number of natural modes that are fitted beside the forced one: 0 of a dam or without "
        "gravity, at most 1 of a still tank's initial wave."},
       {"forcing_angular_frequency_rad_s", "number > 0, rad/s", "no",
-       "The forcing frequency of a motion table that is nearly a sine."}}},
+       "The forcing frequency of a motion table that is nearly a sine; refused where no motion is "
+       "a table."}}},
     {"run",
      "[[run]]",
      "at least one",
      "A solution of the case. These keys are common to all solvers; each solver adds its own.",
-     {run_name,
+     {run_name_key,
       {"solver", "text", "yes", solver_key},
       {"quick", "true or false", "no",
        "Whether the run belongs to the quick form of campaigns."}}}};
@@ -315,39 +322,47 @@ const std::vector<KeyTable> last_tables{
      {{"name", "name", "yes", ""},
       {"number", "text", "yes",
        "particle_spacing, smoothing_length_ratio, speed_of_sound, courant_number or mesh."},
-      {"runs", "list of run names", "yes", "Two or more."}}},
+      {"runs", "list of run names", "yes",
+       "Two or more, each once: SPH runs, or with number = \"mesh\" interFoam runs."}}},
     {"input",
      "[[input]]",
      "no",
      "An input that the experiment knows within an interval only.",
      {{"name", "text", "yes",
-       "fill_depth, period, amplitude, sensor_position, density, kinematic_viscosity or gravity."},
+       "fill_depth, period, amplitude, sensor_position, density, kinematic_viscosity or gravity, "
+       "each once. A tank that stands has neither period nor amplitude; one that surges and rolls "
+       "has no amplitude."},
       {"half_width", "number > 0", "yes", "Half the width of the 95 % interval, in `unit`."},
       {"unit", "text", "yes", "The input's unit."},
       {"source", "text", "yes", ""},
       {"coarse_run", "name of an SPH or interFoam run", "no",
-       "The run that is repeated at both ends of the interval. Default: the case's theory."}}},
+       "Where no theory of the case holds, this run is repeated at both ends of the interval. "
+       "Without it the input's share of such a row's uncertainty is unknown."}}},
     {"gate",
      "[[gate]]",
      "no",
      "One requirement. Exactly one of limit, lower with upper, and improves_on is there. No two "
-     "rows "
-     "bound the same metric of the same runs.",
+     "rows have the same candidate, reference, quantity, mode, metric, error and improves_on.",
      {{"candidate", "run name", "yes", "The run that is judged. A record is never a candidate."},
-      {"reference", "run name", "with a metric of two runs",
+      {"reference", "run name",
+       "yes, but refused with a metric of the candidate alone or of impacts",
        "What the candidate is compared with."},
       {"quantity", "quantity", "yes",
-       "A compared quantity, below; a metric of one run takes any series."},
+       "A compared quantity, below. A metric of the candidate alone takes any series, one of "
+       "impacts the pressure at their gauge, and a row against a record the record's quantity."},
       {"mode", "text", "yes",
        "forced, natural_1, ..., impact_1, ..., or whole, as the metric asks."},
       {"metric", "text", "yes", "One of the metrics below."},
       {"unit", "text", "yes", "The metric's unit."},
-      {"limit", "number > 0", "one of the three", "The largest magnitude that passes."},
-      {"lower", "number", "one of the three", "With upper: the range that passes."},
+      {"limit", "number > 0", "one of the three",
+       "The largest magnitude that passes. cost_to_reach takes it alone."},
+      {"lower", "number", "one of the three",
+       "With upper: the range that passes, which impact_percentile takes alone. It is narrower "
+       "than twice the widest bound."},
       {"upper", "number above lower", "with lower", ""},
       {"improves_on", "run name", "one of the three",
-       "The candidate must be nearer to zero than this run, by more than the intervals."},
-      {"error", "number above 0 and below 1", "with metric = \"cost_to_reach\"",
+       "The candidate must be nearer to zero than this third run, by more than the intervals."},
+      {"error", "number above 0 and below 1", "with metric = \"cost_to_reach\" alone",
        "The normalised rms error whose cost is bounded."},
       {"kind", "\"validation\" or \"regression\"", "no",
        "Where the limit comes from: theory, experiment, requirement; or earlier measurements. "

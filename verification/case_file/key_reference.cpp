@@ -47,7 +47,7 @@ std::string measured_on(const MetricEntry& metric) {
     case MeasuredOn::plateau:
       return "the published plateau";
     case MeasuredOn::cost:
-      return "the candidate's method";
+      return "the candidate's method against the reference";
   }
   return "";
 }
@@ -64,7 +64,7 @@ std::string widest(const MetricEntry& metric) {
   return "";
 }
 
-std::string metrics() {
+std::string metric_section() {
   std::string text =
       "## Metrics\n\nA limit lies below the widest bound: a wider one would let every candidate "
       "pass.\n[Concepts](concepts.md) explains the metrics.\n\n"
@@ -76,7 +76,7 @@ std::string metrics() {
   return text + "\n";
 }
 
-std::string quantities() {
+std::string quantity_section() {
   std::string text =
       "## Compared quantities\n\nGAUGE stands for the name of a gauge. A pressure gauge with a "
       "cutoff has `wall_pressure@GAUGE/filtered` too.\n\n"
@@ -90,21 +90,22 @@ std::string quantities() {
 }  // namespace
 
 std::string key_reference() {
-  std::string text =
-      "# Case-file reference\n\n"
-      "This page lists every key of case and campaign files. `./slosh explain --keys` prints it "
-      "from "
-      "the tables that\nthe parser reads; a test compares the two.\n\n"
-      "The files are TOML. The parser refuses an unknown or missing key, a wrong type and an "
-      "impossible value with\n`file:line: key = value: expected ...`, and names up to 20 mistakes "
-      "at "
-      "once. A name is made of letters, digits, `_`\nand `-`, without a `-` in front. The unit of "
-      "a "
-      "number is part of its key.\n\n## Case files\n\n";
+  std::string text = R"(# Case-file reference
+
+This page lists every key of case and campaign files. `./slosh explain --keys` prints it from the tables that name the
+parser's keys.
+
+The files are TOML. The parser refuses an unknown or missing key, a wrong type and an impossible value with
+`file:line: key = value: expected ...`, and names up to 20 mistakes at once. A name is made of letters, digits, `_` and
+`-`, without a `-` in front. A number has its unit in its key, or at `unit` beside it.
+
+## Case files
+
+)";
   for (const KeyTable& table : case_key_tables()) text += section(table);
   text += "## Campaign files\n\n";
   for (const KeyTable& table : campaign_key_tables()) text += section(table);
-  return text + metrics() + quantities();
+  return text + metric_section() + quantity_section();
 }
 
 }  // namespace slosh

@@ -1,8 +1,6 @@
-// Where the tool's data lies, and the subcommand run. The other subcommands stand in
-// campaign_command.hpp, baseline_command.hpp, ... and in commands/, which holds the options of all.
-// Each takes its parsed options and returns the exit status; they
-// throw CaseFileError, SolverError, ResultError and ReportError, which main.cpp turns into messages
-// and exit statuses.
+// Where the tool's data lies, and the subcommand run. The other subcommands stand beside this file.
+// Each takes its parsed options and returns the exit status. They throw CaseFileError, SolverError,
+// ResultError and ReportError, which main.cpp turns into messages and exit statuses.
 #pragma once
 
 #include <atomic>

@@ -14,7 +14,13 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path source = SLOSH_SOURCE_DIR;
-const std::set<std::string> leaves{"sph", "reference", "openfoam_cases", "reports"};
+const std::set<std::string> leaves{"sph",
+                                   "reference",
+                                   "openfoam_cases",
+                                   "reports",
+                                   "verification/files",
+                                   "verification/case_file",
+                                   "verification/metrics"};
 
 // "verification/gate/gate.hpp" -> "verification/gate", "sph/terms/viscosity.hpp" -> "sph"
 std::string room_of(const fs::path& file) {
@@ -71,9 +77,10 @@ std::string broken_rules(const Rooms& rooms) {
   for (const auto& [room, included] : rooms) {
     for (const auto& [other, file] : included)
       if (leaves.contains(room)) broken += room + " includes " + other + " in " + file + "\n";
-    if (room == "verification/gate" && included.contains("reports"))
-      broken += "the gate includes reports in " + included.at("reports") + "\n";
     std::set<std::string> seen;
+    if (room == "verification/gate" && reaches(rooms, room, "reports", seen))
+      broken += "the gate includes reports\n";
+    seen.clear();
     if (reaches(rooms, room, room, seen)) broken += room + " includes itself by way of others\n";
   }
   return broken;
@@ -89,7 +96,7 @@ TEST(IncludeRules, FindALeafThatKnowsTheHarnessAndRoomsThatKnowEachOther) {
   EXPECT_EQ(broken_rules({{"sph", {{"verification/files", "sph/a.hpp"}}}}),
             "sph includes verification/files in sph/a.hpp\n");
   EXPECT_EQ(broken_rules({{"verification/gate", {{"reports", "a.cpp"}}}}),
-            "the gate includes reports in a.cpp\n");
+            "the gate includes reports\n");
   EXPECT_EQ(broken_rules({{"a", {{"b", "x"}}}, {"b", {{"c", "y"}}}, {"c", {{"a", "z"}}}}),
             "a includes itself by way of others\nb includes itself by way of others\nc includes "
             "itself by way of "

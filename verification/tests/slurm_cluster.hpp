@@ -36,7 +36,7 @@ inline bool has_slurm() {
          there("munged") && there("setpriv");
 }
 
-inline constexpr std::chrono::seconds patience{60};
+inline constexpr std::chrono::seconds patience{200};
 
 class SlurmCampaign : public SmallCampaign {
  protected:

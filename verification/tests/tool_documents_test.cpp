@@ -119,7 +119,8 @@ class DocumentedCommands : public SmallCampaign {
 
   // What is wrong with a command line, "" where nothing is.
   std::string wrong_in(const std::string& line) {
-    std::istringstream stream(line.substr(0, line.find(" #")));
+    const std::string typed = line.substr(0, line.find(" #"));
+    std::istringstream stream(typed);
     std::vector<std::string> words;
     for (std::string word; stream >> word;) words.push_back(word);
     if (words.size() < 2) return "";
@@ -131,7 +132,7 @@ class DocumentedCommands : public SmallCampaign {
       path.push_back(words[2].substr(0, words[2].find_first_of(",|\\")));
     const std::string help = help_of(path);
     if (help.empty()) return "no such command";
-    for (const std::string& option : all_matches(line, R"([\s\[](--?[a-z][a-z-]*))"))
+    for (const std::string& option : all_matches(typed, R"([\s\[|](--?[a-z][a-z-]*))"))
       if (!std::regex_search(help, std::regex("[\\s,]" + option + "[\\s,]")))
         return "no option " + option;
     return "";

@@ -42,7 +42,7 @@ std::vector<Process> processes_of(const fs::path& directory) {
   return found;
 }
 
-constexpr std::chrono::seconds patience{30};
+constexpr std::chrono::seconds patience{200};
 
 bool works_in_its_case(int process) {
   std::error_code gone;
