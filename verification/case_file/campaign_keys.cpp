@@ -38,10 +38,11 @@ const std::vector<KeyTable>& campaign_key_tables() {
          "order_at_least, order_within, error_at_finest or largest_error."},
         {"unit", "text", "yes", "1 of an order, else the measure's unit."},
         {"limit", "number > 0", "yes, but refused with order_within",
-         "The bound: of an error below 1 where it has no unit, else below 1e9."},
+         "The bound. On an error it is below 1 where the error has no unit, and below 1e9 "
+         "elsewhere."},
         {"lower", "number", "with order_within", ""},
         {"upper", "number above lower and below lower + 2", "with order_within", ""},
-        {"kind", "\"validation\" or \"regression\"", "no", "As of a case's row."},
+        {"kind", "\"validation\" or \"regression\"", "no", "The same as for a row of a case."},
         {"reason", "text", "yes", "Why the row is there."},
         {"source", "text", "yes", "Where its limit comes from."}}},
       {"sweep",

@@ -7,24 +7,13 @@
 namespace slosh {
 namespace {
 
-// A '|' would end a cell of the table.
-std::string cell(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    if (letter == '|') escaped += '\\';
-    escaped += letter;
-  }
-  return escaped;
-}
-
 std::string section(const KeyTable& table) {
   const char* quote = table.heading.starts_with('[') ? "`" : "";
   std::string text = fmt::format("### {0}{1}{0}\n\nRequired: {2}.{3}{4}\n\n", quote, table.heading,
                                  table.needed, table.meaning.empty() ? "" : " ", table.meaning);
   text += "| key | value | required | meaning |\n|---|---|---|---|\n";
   for (const KeyEntry& key : table.keys)
-    text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(key.value), cell(key.needed),
-                        cell(key.meaning));
+    text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, key.value, key.needed, key.meaning);
   return text + "\n";
 }
 

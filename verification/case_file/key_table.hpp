@@ -1,6 +1,7 @@
 // The keys of case and campaign files, in one table: the parser takes the names of its keys from
 // here and refuses all others, and the case-file reference (docs/case_file.md) is made from it.
-// What a value must be is the parser's own rule, which the words here describe.
+// What a value must be is the parser's own rule, which the words here describe. A [[sweep]] takes
+// the keys of [[run]] beside its own.
 #pragma once
 
 #include <string>

@@ -25,8 +25,6 @@ particle_spacing_m = 0.05
 courant_number = [0.3, 0.4]
 )";
 
-constexpr std::chrono::seconds patience{200};
-
 class CampaignEngine : public SmallCampaign {
  protected:
   void write_swept(const std::string& more = "") const {

@@ -7,6 +7,9 @@
 
 namespace slosh {
 
+// How long a test waits for what a busy machine delays.
+inline constexpr std::chrono::seconds patience{200};
+
 // Whether it does within that time; looked at every ten milliseconds.
 inline bool comes_true(const std::function<bool()>& condition, std::chrono::seconds within) {
   const auto begin = std::chrono::steady_clock::now();

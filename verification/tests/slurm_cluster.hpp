@@ -36,8 +36,6 @@ inline bool has_slurm() {
          there("munged") && there("setpriv");
 }
 
-inline constexpr std::chrono::seconds patience{200};
-
 class SlurmCampaign : public SmallCampaign {
  protected:
   void SetUp() override {

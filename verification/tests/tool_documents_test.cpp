@@ -8,19 +8,16 @@
 #include <set>
 #include <sstream>
 
+#include "reports/text_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::tool_documents_test {
 namespace {
 
 namespace fs = std::filesystem;
+using reports::read_text;
 
 const fs::path source = SLOSH_SOURCE_DIR;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::vector<fs::path> documents() {
   std::vector<fs::path> files{source / "README.md", source / "CONTRIBUTING.md"};
@@ -44,7 +41,7 @@ std::string anchor_of(const std::string& heading) {
 
 std::set<std::string> anchors_of(const fs::path& file) {
   std::set<std::string> anchors;
-  std::istringstream text(text_of(file));
+  std::istringstream text(read_text(file));
   bool in_code = false;
   for (std::string line; std::getline(text, line);) {
     if (line.starts_with("```")) in_code = !in_code;
@@ -66,7 +63,7 @@ std::vector<std::string> all_matches(const std::string& text, const std::string&
 TEST(Documents, LinkToWhatIsThere) {
   int links = 0;
   for (const fs::path& document : documents())
-    for (const std::string& link : all_matches(text_of(document), R"(\]\(([^)\s]+)\))")) {
+    for (const std::string& link : all_matches(read_text(document), R"(\]\(([^)\s]+)\))")) {
       if (link.starts_with("http")) continue;
       ++links;
       const std::string name = link.substr(0, link.find('#'));
@@ -80,7 +77,7 @@ TEST(Documents, LinkToWhatIsThere) {
 }
 
 TEST(Documents, AreReachedFromTheirIndex) {
-  const std::string index = text_of(source / "docs/README.md");
+  const std::string index = read_text(source / "docs/README.md");
   for (const fs::path& document : documents())
     if (document.parent_path().filename() == "docs" && document.filename() != "README.md")
       EXPECT_TRUE(holds(index, "(" + document.filename().string() + ")"));
@@ -91,9 +88,10 @@ TEST(Documents, BeginWithAPageThatIsReadInMinutes) {
 }
 
 TEST(Documents, ShowTheFilesOfTheTutorialAsTheyAre) {
-  const std::string tutorial = text_of(source / "docs/tutorial.md");
+  const std::string tutorial = read_text(source / "docs/tutorial.md");
   for (const char* file : {"own_tank.toml", "campaign.toml"})
-    EXPECT_TRUE(holds(tutorial, "```toml\n" + text_of(source / "docs/tutorial" / file) + "```\n"));
+    EXPECT_TRUE(
+        holds(tutorial, "```toml\n" + read_text(source / "docs/tutorial" / file) + "```\n"));
 }
 
 class DocumentedCommands : public SmallCampaign {
@@ -145,7 +143,7 @@ class DocumentedCommands : public SmallCampaign {
 TEST_F(DocumentedCommands, AreThoseOfTheToolAndTheirOptionsToo) {
   std::size_t count = 0;
   for (const fs::path& document : documents())
-    for (const std::string& line : command_lines(text_of(document))) {
+    for (const std::string& line : command_lines(read_text(document))) {
       ++count;
       EXPECT_EQ(wrong_in(line), "") << document << ": " << line;
     }

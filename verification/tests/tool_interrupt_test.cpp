@@ -42,8 +42,6 @@ std::vector<Process> processes_of(const fs::path& directory) {
   return found;
 }
 
-constexpr std::chrono::seconds patience{200};
-
 bool works_in_its_case(int process) {
   std::error_code gone;
   return fs::read_symlink("/proc/" + std::to_string(process) + "/cwd", gone)
