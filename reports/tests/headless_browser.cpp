@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "reports/text_file.hpp"
+#include "reports/model/text_file.hpp"
 
 namespace slosh::reports {
 namespace {

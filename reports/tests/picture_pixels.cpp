@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "reports/run_gnuplot.hpp"
-#include "reports/text_file.hpp"
+#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/model/text_file.hpp"
 
 namespace slosh::reports {
 

@@ -1,7 +1,7 @@
 // A report with every kind of content, made of closed forms: what the tests write and look at.
 #pragma once
 
-#include "reports/report_model.hpp"
+#include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
 

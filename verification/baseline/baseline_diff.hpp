@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "verification/assessment/case_assessment.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
-#include "verification/campaign/case_assessment.hpp"
 
 namespace slosh {
 

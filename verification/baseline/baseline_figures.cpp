@@ -9,7 +9,7 @@
 #include <string>
 
 #include "verification/baseline/baseline_diff.hpp"
-#include "verification/metrics/estimate.hpp"
+#include "verification/series/estimate.hpp"
 
 namespace slosh {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "reports/report_model.hpp"
+#include "reports/model/report_model.hpp"
+#include "verification/assessment/case_assessment.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
-#include "verification/campaign/case_assessment.hpp"
 
 namespace slosh {
 

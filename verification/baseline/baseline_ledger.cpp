@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "verification/baseline/baseline_json.hpp"
-#include "verification/engine/file_lock.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/file_lock.hpp"
 
 namespace slosh {
 namespace {

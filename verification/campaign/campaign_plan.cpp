@@ -4,9 +4,10 @@
 #include <unistd.h>
 
 #include "verification/campaign/job_failure.hpp"
-#include "verification/engine/timings.hpp"
+#include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
+#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 namespace {

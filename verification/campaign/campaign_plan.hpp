@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "verification/campaign/campaign_settings.hpp"
-#include "verification/campaign/case_runs.hpp"
-#include "verification/campaign/expected_cost.hpp"
 #include "verification/engine/job.hpp"
+#include "verification/evidence/case_runs.hpp"
+#include "verification/runs/expected_cost.hpp"
 
 namespace slosh {
 

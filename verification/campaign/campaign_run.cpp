@@ -12,11 +12,11 @@
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/job_failure.hpp"
 #include "verification/campaign/problem_run.hpp"
-#include "verification/case_file/case_file_error.hpp"
-#include "verification/engine/file_lock.hpp"
-#include "verification/engine/progress_display.hpp"
+#include "verification/display/progress_display.hpp"
 #include "verification/engine/slurm_engine.hpp"
-#include "verification/engine/timings.hpp"
+#include "verification/files/file_lock.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/results/timings.hpp"
 #include "verification/runs/run_key.hpp"
 
 namespace slosh {

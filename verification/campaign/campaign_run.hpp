@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "verification/assessment/problem_assessment.hpp"
 #include "verification/campaign/campaign_settings.hpp"
-#include "verification/campaign/case_runs.hpp"
-#include "verification/campaign/problem_assessment.hpp"
-#include "verification/case_file/campaign_definition.hpp"
+#include "verification/case/campaign_definition.hpp"
+#include "verification/evidence/case_runs.hpp"
 
 namespace slosh {
 

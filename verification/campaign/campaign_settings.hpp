@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "verification/campaign/run_selection.hpp"
-#include "verification/case_file/campaign_definition.hpp"
+#include "verification/case/campaign_definition.hpp"
 #include "verification/engine/launcher.hpp"
-#include "verification/engine/result_store.hpp"
+#include "verification/results/result_store.hpp"
 
 namespace slosh {
 

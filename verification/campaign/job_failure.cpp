@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace slosh {
 namespace {

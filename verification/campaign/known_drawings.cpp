@@ -5,7 +5,7 @@
 #include <optional>
 #include <system_error>
 
-#include "reports/run_gnuplot.hpp"
+#include "reports/drawing/run_gnuplot.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "verification/assessment/problem_assessment.hpp"
 #include "verification/campaign/campaign_settings.hpp"
-#include "verification/campaign/problem_assessment.hpp"
 #include "verification/engine/job.hpp"
 
 namespace slosh {

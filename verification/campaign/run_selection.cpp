@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <set>
 
-#include "verification/campaign/repeat_spread.hpp"
-#include "verification/campaign/work_points.hpp"
-#include "verification/case_file/case_file_error.hpp"
-#include "verification/case_file/metric_table.hpp"
-#include "verification/case_file/nearest_name.hpp"
-#include "verification/case_file/shell_word.hpp"
+#include "verification/assessment/work_points.hpp"
+#include "verification/case/metric_table.hpp"
+#include "verification/case/run_family.hpp"
+#include "verification/evidence/repeat_spread.hpp"
+#include "verification/files/shell_word.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/nearest_name.hpp"
 
 namespace slosh {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "verification/case_file/campaign_definition.hpp"
-#include "verification/case_file/case_definition.hpp"
+#include "verification/case/campaign_definition.hpp"
+#include "verification/case/case_definition.hpp"
 
 namespace slosh {
 

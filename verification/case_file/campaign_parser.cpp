@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "verification/case_file/complaints.hpp"
-#include "verification/case_file/definition_file.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/case_file/problem_table.hpp"
-#include "verification/case_file/toml_reader.hpp"
+#include "verification/input/complaints.hpp"
+#include "verification/input/definition_file.hpp"
+#include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 namespace {

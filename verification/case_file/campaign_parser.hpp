@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "verification/case_file/campaign_definition.hpp"
-#include "verification/case_file/case_file_error.hpp"
+#include "verification/case/campaign_definition.hpp"
+#include "verification/input/case_file_error.hpp"
 
 namespace slosh {
 

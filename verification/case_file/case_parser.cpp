@@ -6,12 +6,12 @@
 #include <optional>
 #include <set>
 
+#include "verification/case/changed_input.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/changed_input.hpp"
-#include "verification/case_file/complaints.hpp"
-#include "verification/case_file/definition_file.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/toml_reader.hpp"
+#include "verification/input/complaints.hpp"
+#include "verification/input/definition_file.hpp"
+#include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 namespace {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 
-#include "verification/case_file/case_definition.hpp"
-#include "verification/case_file/case_file_error.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/input/case_file_error.hpp"
 
 namespace slosh {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "verification/case_file/case_definition.hpp"
-#include "verification/case_file/toml_reader.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/quantities.hpp"
-#include "verification/case_file/units.hpp"
+#include "verification/input/units.hpp"
 
 namespace slosh {
 namespace {

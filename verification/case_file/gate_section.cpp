@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <tuple>
 
+#include "verification/case/ensemble.hpp"
+#include "verification/case/metric_table.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/case/row_kind.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/metric_table.hpp"
-#include "verification/case_file/motion.hpp"
-#include "verification/case_file/quantities.hpp"
-#include "verification/case_file/row_kind.hpp"
 
 namespace slosh {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/peak_table.hpp"
+#include "verification/input/peak_table.hpp"
 
 namespace slosh {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "verification/case/inputs.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/inputs.hpp"
 #include "verification/case_file/key_table.hpp"
 
 namespace slosh {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "verification/case/metric_table.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/metric_table.hpp"
-#include "verification/case_file/quantities.hpp"
 
 namespace slosh {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "verification/case_file/time_table.hpp"
+#include "verification/input/time_table.hpp"
 
 namespace slosh {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "verification/case_file/case_definition.hpp"
+#include "verification/case/case_definition.hpp"
 
 namespace slosh {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "verification/case_file/complaints.hpp"
+#include "verification/case/row_kind.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/row_kind.hpp"
+#include "verification/input/complaints.hpp"
 
 namespace slosh {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "verification/case_file/campaign_definition.hpp"
-#include "verification/case_file/toml_reader.hpp"
+#include "verification/case/campaign_definition.hpp"
+#include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 

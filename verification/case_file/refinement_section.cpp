@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "verification/case/ensemble.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/key_table.hpp"
 
 namespace slosh {

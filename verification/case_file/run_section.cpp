@@ -4,12 +4,12 @@
 #include <functional>
 #include <utility>
 
+#include "verification/case/ensemble.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/ensemble.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/quantities.hpp"
-#include "verification/case_file/time_table.hpp"
-#include "verification/case_file/units.hpp"
+#include "verification/input/time_table.hpp"
+#include "verification/input/units.hpp"
 
 namespace slosh {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/toml_reader.hpp"
+#include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 namespace {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "verification/case_file/campaign_definition.hpp"
+#include "verification/case/campaign_definition.hpp"
 
 namespace slosh {
 

@@ -8,20 +8,20 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/sweep.hpp"
 #include "verification/cli/named_paths.hpp"
-#include "verification/cli/run_display.hpp"
 #include "verification/cli/stored_run.hpp"
+#include "verification/display/run_display.hpp"
 #include "verification/engine/run_job.hpp"
 #include "verification/gate/gate.hpp"
-#include "verification/runs/progress_file.hpp"
+#include "verification/results/progress_file.hpp"
+#include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/runs/snapshots.hpp"
-#include "verification/runs/state_file.hpp"
+#include "verification/solvers/snapshots.hpp"
+#include "verification/solvers/state_file.hpp"
 #include "verification/texts/run_summary.hpp"
 
 namespace slosh {

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "sph/threads.hpp"
-#include "verification/case_file/nearest_name.hpp"
 #include "verification/gate/gate.hpp"
-#include "verification/runs/provenance.hpp"
+#include "verification/input/nearest_name.hpp"
+#include "verification/results/provenance.hpp"
 
 namespace slosh {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "verification/case_file/rules.hpp"
 #include "verification/cli/command_line.hpp"
+#include "verification/input/rules.hpp"
 
 namespace slosh {
 

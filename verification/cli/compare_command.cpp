@@ -11,16 +11,16 @@
 #include <numbers>
 #include <optional>
 
-#include "verification/campaign/case_evidence.hpp"
-#include "verification/campaign/results_json.hpp"
+#include "reports/summary/results_json.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/nearest_name.hpp"
-#include "verification/case_file/quantities.hpp"
 #include "verification/cli/limit_option.hpp"
+#include "verification/evidence/case_evidence.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/input/nearest_name.hpp"
 #include "verification/metrics/comparison.hpp"
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/texts/verdict_text.hpp"
 
 namespace slosh {

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "verification/campaign/campaign_run.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/case/spacing_study.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/quantities.hpp"
-#include "verification/case_file/spacing_study.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/named_paths.hpp"
 #include "verification/files/atomic_file.hpp"

@@ -4,11 +4,11 @@
 #include <iostream>
 #include <memory>
 
-#include "verification/campaign/expected_cost.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/texts/case_explanation.hpp"
 

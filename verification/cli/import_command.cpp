@@ -7,15 +7,15 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "verification/case_file/case_file_error.hpp"
-#include "verification/case_file/nearest_name.hpp"
-#include "verification/case_file/quantities.hpp"
-#include "verification/case_file/shell_word.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/import/import_series.hpp"
-#include "verification/runs/provenance.hpp"
-#include "verification/runs/result_file.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/nearest_name.hpp"
+#include "verification/results/provenance.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace slosh {
 namespace {

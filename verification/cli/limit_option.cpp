@@ -7,9 +7,9 @@
 #include <sstream>
 #include <vector>
 
-#include "verification/case_file/case_file_error.hpp"
-#include "verification/case_file/metric_table.hpp"
-#include "verification/case_file/nearest_name.hpp"
+#include "verification/case/metric_table.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/nearest_name.hpp"
 
 namespace slosh {
 namespace {

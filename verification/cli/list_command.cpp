@@ -18,6 +18,7 @@
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 namespace {

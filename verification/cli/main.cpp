@@ -11,9 +11,9 @@
 #include <iostream>
 
 #include "verification/campaign/campaign_run.hpp"
-#include "verification/case_file/case_file_error.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/input/case_file_error.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace {

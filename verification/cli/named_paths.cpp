@@ -1,6 +1,6 @@
 #include "verification/cli/named_paths.hpp"
 
-#include "verification/case_file/shell_word.hpp"
+#include "verification/files/shell_word.hpp"
 
 namespace slosh {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "verification/problems/problem_result.hpp"
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace slosh {
 namespace {

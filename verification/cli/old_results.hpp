@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/engine/result_store.hpp"
+#include "verification/results/result_store.hpp"
 #include "verification/runs/run_key.hpp"
 
 namespace slosh {

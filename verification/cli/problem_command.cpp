@@ -4,13 +4,13 @@
 
 #include <iostream>
 
-#include "verification/campaign/problem_assessment.hpp"
-#include "verification/case_file/case_file_error.hpp"
+#include "verification/assessment/problem_assessment.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/input/case_file_error.hpp"
 #include "verification/problems/problem.hpp"
-#include "verification/runs/cost_meter.hpp"
-#include "verification/runs/provenance.hpp"
+#include "verification/results/cost_meter.hpp"
+#include "verification/results/provenance.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {

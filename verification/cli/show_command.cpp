@@ -9,14 +9,14 @@
 #include <iostream>
 #include <memory>
 
-#include "reports/draw_figure.hpp"
-#include "reports/figure_page.hpp"
-#include "reports/temporary_directory.hpp"
+#include "reports/drawing/draw_figure.hpp"
+#include "reports/figures/case_figures.hpp"
+#include "reports/figures/shown_quantity.hpp"
+#include "reports/model/temporary_directory.hpp"
+#include "reports/pages/figure_page.hpp"
 #include "verification/campaign/campaign_plan.hpp"
-#include "verification/campaign/case_figures.hpp"
-#include "verification/campaign/shown_quantity.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/quantities.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/named_paths.hpp"
 #include "verification/cli/open_browser.hpp"

@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "verification/engine/timings.hpp"
+#include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {

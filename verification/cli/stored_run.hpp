@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "verification/engine/result_store.hpp"
 #include "verification/problems/problem_result.hpp"
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
+#include "verification/results/result_store.hpp"
 
 namespace slosh {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/runs/progress_file.hpp"
+#include "verification/results/progress_file.hpp"
 
 namespace slosh {
 

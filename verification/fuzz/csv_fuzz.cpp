@@ -1,11 +1,11 @@
 // Any bytes as each of the tables that a user supplies or another program wrote: numbers, a
 // CaseFileError or, of an import, a ResultError.
 #include "verification/case_file/motion_table.hpp"
-#include "verification/case_file/peak_table.hpp"
-#include "verification/case_file/time_table.hpp"
 #include "verification/fuzz/memory_file.hpp"
 #include "verification/import/import_series.hpp"
-#include "verification/runs/result_file.hpp"
+#include "verification/input/peak_table.hpp"
+#include "verification/input/time_table.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "verification/files/hdf5_handles.hpp"
 #include "verification/fuzz/hdf5_edits.hpp"
 #include "verification/fuzz/memory_file.hpp"
-#include "verification/runs/result_file.hpp"
-#include "verification/runs/state_file.hpp"
+#include "verification/results/result_file.hpp"
+#include "verification/solvers/state_file.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace {

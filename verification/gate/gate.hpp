@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "verification/case_file/case_definition.hpp"
-#include "verification/case_file/metric_table.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/case/metric_table.hpp"
+#include "verification/convergence/work_precision.hpp"
 #include "verification/gate/three_way_verdict.hpp"
 #include "verification/metrics/comparison.hpp"
-#include "verification/metrics/work_precision.hpp"
-#include "verification/runs/run_failure.hpp"
+#include "verification/results/run_failure.hpp"
 
 namespace slosh {
 

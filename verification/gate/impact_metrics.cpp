@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "verification/metrics/estimate.hpp"
+#include "verification/series/estimate.hpp"
 
 namespace slosh {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "verification/case_file/case_definition.hpp"
-#include "verification/metrics/distribution.hpp"
-#include "verification/metrics/impact_peaks.hpp"
-#include "verification/metrics/time_series.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/series/distribution.hpp"
+#include "verification/series/impact_peaks.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 

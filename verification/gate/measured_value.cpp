@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "verification/case_file/metric_table.hpp"
+#include "verification/case/metric_table.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/ensemble_mean.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "verification/gate/gate.hpp"
-#include "verification/metrics/estimate.hpp"
+#include "verification/series/estimate.hpp"
 
 namespace slosh {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "verification/metrics/estimate.hpp"
+#include "verification/series/estimate.hpp"
 
 namespace slosh {
 namespace {

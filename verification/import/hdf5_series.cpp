@@ -5,9 +5,9 @@
 
 #include <string_view>
 
-#include "verification/case_file/case_file_error.hpp"
-#include "verification/case_file/nearest_name.hpp"
 #include "verification/files/hdf5_handles.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/nearest_name.hpp"
 
 namespace slosh {
 namespace {

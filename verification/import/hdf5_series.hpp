@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/case_file/case_definition.hpp"
+#include "verification/case/case_definition.hpp"
 
 namespace slosh {
 

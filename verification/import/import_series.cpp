@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <string_view>
 
-#include "verification/case_file/nearest_name.hpp"
-#include "verification/case_file/quantities.hpp"
-#include "verification/case_file/units.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/files/result_error.hpp"
 #include "verification/import/hdf5_series.hpp"
 #include "verification/import/table_head.hpp"
+#include "verification/input/nearest_name.hpp"
+#include "verification/input/units.hpp"
 
 namespace slosh {
 namespace {

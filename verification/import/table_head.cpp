@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "verification/case_file/nearest_name.hpp"
+#include "verification/input/nearest_name.hpp"
 
 namespace slosh {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "verification/case_file/case_definition.hpp"
-#include "verification/case_file/table_reader.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/input/table_reader.hpp"
 
 namespace slosh {
 

@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
-#include "verification/metrics/block_jackknife.hpp"
+#include "verification/fits/block_jackknife.hpp"
 #include "verification/metrics/cross_correlation.hpp"
-#include "verification/metrics/estimate.hpp"
-#include "verification/metrics/windowed_series.hpp"
+#include "verification/series/estimate.hpp"
+#include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {

@@ -16,12 +16,12 @@
 #include <string>
 #include <vector>
 
-#include "verification/metrics/harmonic_fit.hpp"
+#include "verification/fits/harmonic_fit.hpp"
 #include "verification/metrics/prepared_series.hpp"
-#include "verification/metrics/spectrum.hpp"
 #include "verification/metrics/time_alignment.hpp"
-#include "verification/metrics/time_series.hpp"
-#include "verification/metrics/wave_statistics.hpp"
+#include "verification/series/spectrum.hpp"
+#include "verification/series/time_series.hpp"
+#include "verification/series/wave_statistics.hpp"
 
 namespace slosh {
 

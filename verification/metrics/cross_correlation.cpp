@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verification/metrics/windowed_series.hpp"
+#include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {

@@ -5,7 +5,7 @@
 // the whole signal: valid where one tone dominates.
 #pragma once
 
-#include "verification/metrics/time_series.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 

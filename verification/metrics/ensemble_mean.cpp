@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verification/metrics/estimate.hpp"
-#include "verification/metrics/sample_moments.hpp"
+#include "verification/series/estimate.hpp"
+#include "verification/series/sample_moments.hpp"
 
 namespace slosh {
 namespace {

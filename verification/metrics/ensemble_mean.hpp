@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "verification/metrics/harmonic_fit.hpp"
+#include "verification/fits/harmonic_fit.hpp"
 
 namespace slosh {
 

@@ -1,6 +1,6 @@
 #include "verification/metrics/prepared_series.hpp"
 
-#include "verification/metrics/windowed_series.hpp"
+#include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "verification/metrics/estimate.hpp"
-#include "verification/metrics/sample_moments.hpp"
-#include "verification/metrics/windowed_series.hpp"
+#include "verification/series/estimate.hpp"
+#include "verification/series/sample_moments.hpp"
+#include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {

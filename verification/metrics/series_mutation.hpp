@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "verification/metrics/harmonic_fit.hpp"
-#include "verification/metrics/time_series.hpp"
+#include "verification/fits/harmonic_fit.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 

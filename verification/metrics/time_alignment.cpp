@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "verification/metrics/estimate.hpp"
-#include "verification/metrics/windowed_series.hpp"
+#include "verification/series/estimate.hpp"
+#include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {

@@ -6,7 +6,7 @@
 // lags of its modes.
 #pragma once
 
-#include "verification/metrics/time_series.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 

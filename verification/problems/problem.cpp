@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "verification/case_file/nearest_name.hpp"
+#include "verification/input/nearest_name.hpp"
 #include "verification/problems/problem_list.hpp"
 
 namespace slosh {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/report_model.hpp"
-#include "verification/case_file/campaign_definition.hpp"
+#include "reports/model/report_model.hpp"
+#include "verification/case/campaign_definition.hpp"
 
 namespace slosh {
 

@@ -4,7 +4,7 @@
 
 #include "verification/files/content_hash.hpp"
 #include "verification/files/sealed_json.hpp"
-#include "verification/metrics/estimate.hpp"
+#include "verification/series/estimate.hpp"
 
 namespace slosh {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "verification/problems/problem.hpp"
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace slosh {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sph/schemes.hpp"
-#include "verification/metrics/estimate.hpp"
+#include "verification/series/estimate.hpp"
 
 namespace slosh {
 namespace {

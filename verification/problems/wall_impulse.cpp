@@ -10,9 +10,9 @@
 #include <cmath>
 
 #include "sph/schemes.hpp"
-#include "verification/metrics/estimate.hpp"
 #include "verification/problems/flow.hpp"
 #include "verification/problems/problem_list.hpp"
+#include "verification/series/estimate.hpp"
 
 namespace slosh {
 namespace {

@@ -7,41 +7,13 @@
 
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "sph/simulation.hpp"
-#include "verification/case_file/changed_input.hpp"
-#include "verification/runs/cost_meter.hpp"
-#include "verification/runs/provenance.hpp"
-#include "verification/runs/solver_runs.hpp"
+#include "verification/case/changed_input.hpp"
+#include "verification/results/cost_meter.hpp"
+#include "verification/results/provenance.hpp"
+#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 namespace {
-
-const char* solver_name(const SphRun&) { return "sph"; }
-const char* solver_name(const InterFoamRun&) { return "interfoam"; }
-const char* solver_name(const LinearRun&) { return "linear"; }
-const char* solver_name(const PotentialRun&) { return "potential"; }
-const char* solver_name(const ViscousWaveRun&) { return "viscous_wave"; }
-const char* solver_name(const RecordRun&) { return "record"; }
-const char* solver_name(const ExternalRun&) { return "external"; }
-
-RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
-RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
-  return run_interfoam(run, request);
-}
-RunResult run_solver(const LinearRun& run, const RunRequest& request) {
-  return run_linear(run, request);
-}
-RunResult run_solver(const PotentialRun& run, const RunRequest& request) {
-  return run_potential(run, request);
-}
-RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
-  return run_viscous_wave(request);
-}
-RunResult run_solver(const RecordRun& run, const RunRequest& request) {
-  return run_record(run, request);
-}
-RunResult run_solver(const ExternalRun& run, const RunRequest& request) {
-  return run_external(run, request);
-}
 
 bool is_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(),
@@ -68,8 +40,7 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
 
 // What a case can say and no solver takes yet; a record stands whatever the case says.
 RunResult run_chosen_solver(const RunRequest& request) try {
-  RunResult result =
-      std::visit([&](const auto& run) { return run_solver(run, request); }, request.run.solver);
+  RunResult result = run_solver(request);
   // A record is as long as it is, and potential flow ends where it leaves its range.
   if (!std::holds_alternative<RecordRun>(request.run.solver) &&
       !std::holds_alternative<PotentialRun>(request.run.solver))
@@ -85,28 +56,11 @@ RunResult run_chosen_solver(const RunRequest& request) try {
   throw SolverError(error.what());
 }
 
-std::string text_of(const RunFailure& failure) {
-  return failure.message + (failure.log.empty() ? "" : " (" + failure.log + ")") +
-         (failure.details.empty() ? "" : "\n" + failure.details);
-}
-
 }  // namespace
-
-SolverError::SolverError(const RunFailure& why) : std::runtime_error(text_of(why)), failure(why) {}
-
-std::string solver_name(const RunDefinition& run) {
-  return std::visit([](const auto& solver) -> std::string { return solver_name(solver); },
-                    run.solver);
-}
-
-CaseFileError refused(const RunDefinition& run, const std::string& why) {
-  return CaseFileError(
-      fmt::format("{}:{}: run {}: {}", run.where.file, run.where.line, run.name, why));
-}
 
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
   const CaseDefinition solved = definition_solved_by(run, definition);
-  std::visit([&](const auto& solver) { require_scene(solver, solved, run); }, run.solver);
+  require_scene(solved, run);
 }
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,

@@ -7,8 +7,8 @@
 
 #include "openfoam_cases/time_step.hpp"
 #include "sph/initial_lattice.hpp"
-#include "verification/case_file/changed_input.hpp"
-#include "verification/runs/sph_step.hpp"
+#include "verification/case/changed_input.hpp"
+#include "verification/solvers/sph_step.hpp"
 
 namespace slosh {
 namespace {

@@ -1,7 +1,7 @@
 // How much a run computes, as far as that is known before it runs.
 #pragma once
 
-#include "verification/case_file/case_definition.hpp"
+#include "verification/case/case_definition.hpp"
 
 namespace slosh {
 

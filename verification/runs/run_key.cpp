@@ -4,11 +4,12 @@
 #include <set>
 
 #include "openfoam_cases/sloshing_tank.hpp"
-#include "verification/case_file/changed_input.hpp"
-#include "verification/case_file/field_times.hpp"
+#include "verification/case/changed_input.hpp"
+#include "verification/case/field_times.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/runs/external_command.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/solvers/external_command.hpp"
+#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "verification/case_file/case_definition.hpp"
+#include "verification/case/case_definition.hpp"
 
 namespace slosh {
 

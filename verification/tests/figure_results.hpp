@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "verification/campaign/case_figures.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh {

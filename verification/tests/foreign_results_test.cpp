@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::foreign_results_test {

@@ -1,7 +1,7 @@
 // Texts and paths that a shell, gnuplot or OpenFOAM would run or trip over.
 #include <gtest/gtest.h>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::hostile_names_test {

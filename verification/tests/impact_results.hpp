@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "verification/case_file/case_definition.hpp"
-#include "verification/metrics/time_series.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 

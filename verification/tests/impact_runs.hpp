@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "verification/campaign/case_assessment.hpp"
+#include "verification/assessment/case_assessment.hpp"
 #include "verification/tests/impact_results.hpp"
 #include "verification/tests/sample_case.hpp"
 

@@ -1,6 +1,6 @@
 // The user's locale: one that is not installed stops nothing, and one whose decimals are commas
 // changes no number of the tool or of a program that it starts.
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::locale_test {

@@ -2,7 +2,7 @@
 // gates.
 #pragma once
 
-#include "verification/case_file/case_definition.hpp"
+#include "verification/case/case_definition.hpp"
 
 namespace slosh {
 

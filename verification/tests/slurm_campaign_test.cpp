@@ -1,7 +1,7 @@
 // A campaign on Slurm: the same results to the last bit as on this machine.
 #include <gtest/gtest.h>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/slurm_cluster.hpp"
 
 namespace slosh::slurm_campaign_test {

@@ -2,7 +2,7 @@
 // is lost or computed twice.
 #include <gtest/gtest.h>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/slurm_cluster.hpp"
 
 namespace slosh::slurm_faults_test {

@@ -59,7 +59,7 @@ TEST(SolverBuilds, RestOnNoGateMetricReportOrCampaign) {
   for (const std::string& kind : kinds) {
     const std::set<std::string> files = files_behind(kind);
     EXPECT_TRUE(files.contains("verification/runs/" + kind + "_run.cpp")) << kind;
-    EXPECT_TRUE(files.contains("verification/case_file/case_definition.hpp")) << kind;
+    EXPECT_TRUE(files.contains("verification/case/case_definition.hpp")) << kind;
     for (const char* folder : {"verification/gate/", "verification/metrics/harmonic_fit",
                                "reports/", "verification/campaign/", "verification/engine/"})
       EXPECT_FALSE(any_in(files, folder)) << kind << " rests on " << folder;
@@ -79,8 +79,8 @@ TEST(SolverBuilds, RestOnTheirOwnSolverAlone) {
 }
 
 TEST(SolverBuilds, OfProblemsTellThoseOfTheMetricsApart) {
-  EXPECT_TRUE(any_in(files_behind("metric_problems"), "verification/metrics/harmonic_fit.cpp"));
-  EXPECT_FALSE(any_in(files_behind("problems"), "verification/metrics/harmonic_fit.cpp"));
+  EXPECT_TRUE(any_in(files_behind("metric_problems"), "verification/fits/harmonic_fit.cpp"));
+  EXPECT_FALSE(any_in(files_behind("problems"), "verification/fits/harmonic_fit.cpp"));
   EXPECT_TRUE(any_in(files_behind("problems"), "sph/"));
 }
 

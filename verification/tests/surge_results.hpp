@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/linear_surge.hpp"
-#include "verification/campaign/case_assessment.hpp"
+#include "verification/assessment/case_assessment.hpp"
 #include "verification/tests/sample_case.hpp"
 
 namespace slosh {

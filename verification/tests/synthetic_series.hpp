@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "verification/metrics/time_series.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "reports/text_file.hpp"
+#include "reports/model/text_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::tool_documents_test {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 

@@ -1,7 +1,7 @@
 // What the store shares: a result of `slosh run` with campaigns, and the room of old ones.
 #include <gtest/gtest.h>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::tool_store_test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::tool_test {

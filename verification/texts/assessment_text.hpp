@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "verification/campaign/case_assessment.hpp"
-#include "verification/campaign/problem_assessment.hpp"
+#include "verification/assessment/case_assessment.hpp"
+#include "verification/assessment/problem_assessment.hpp"
 
 namespace slosh {
 

@@ -7,7 +7,7 @@
 
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/problem_run.hpp"
-#include "verification/case_file/shell_word.hpp"
+#include "verification/files/shell_word.hpp"
 
 namespace slosh {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "verification/campaign/campaign_settings.hpp"
-#include "verification/case_file/campaign_definition.hpp"
+#include "verification/case/campaign_definition.hpp"
 
 namespace slosh {
 

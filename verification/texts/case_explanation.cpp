@@ -8,14 +8,14 @@
 #include <sstream>
 
 #include "reference/linear_surge.hpp"
-#include "verification/campaign/case_text.hpp"
-#include "verification/campaign/expected_cost.hpp"
-#include "verification/case_file/ensemble.hpp"
-#include "verification/case_file/inputs.hpp"
-#include "verification/case_file/motion.hpp"
-#include "verification/case_file/natural_modes.hpp"
+#include "reports/tables/case_text.hpp"
+#include "verification/case/ensemble.hpp"
+#include "verification/case/inputs.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/case/natural_modes.hpp"
 #include "verification/gate/gate.hpp"
-#include "verification/runs/reference_tank.hpp"
+#include "verification/runs/expected_cost.hpp"
+#include "verification/solvers/reference_tank.hpp"
 #include "verification/texts/run_summary.hpp"
 
 namespace slosh {

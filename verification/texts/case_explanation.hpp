@@ -6,11 +6,12 @@
 #include <optional>
 #include <string>
 
-#include "verification/campaign/expected_cost.hpp"
-#include "verification/case_file/case_definition.hpp"
-#include "verification/runs/result_file.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/results/result_file.hpp"
+#include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
-#include "verification/runs/sph_step.hpp"
+#include "verification/solvers/solver_runs.hpp"
+#include "verification/solvers/sph_step.hpp"
 
 namespace slosh {
 

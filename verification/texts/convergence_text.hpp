@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "verification/campaign/convergence.hpp"
+#include "verification/assessment/convergence.hpp"
 
 namespace slosh {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "verification/case_file/quantities.hpp"
-#include "verification/metrics/spectrum.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/series/spectrum.hpp"
 
 namespace slosh {
 namespace {

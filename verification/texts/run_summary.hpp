@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "verification/case_file/case_definition.hpp"
-#include "verification/runs/result_file.hpp"
-#include "verification/runs/sph_step.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/results/result_file.hpp"
+#include "verification/solvers/sph_step.hpp"
 
 namespace slosh {
 

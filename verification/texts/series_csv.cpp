@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "reports/csv_text.hpp"
+#include "reports/model/csv_text.hpp"
 
 namespace slosh {
 namespace {

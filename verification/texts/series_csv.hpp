@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "verification/runs/result_file.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace slosh {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "verification/engine/display_style.hpp"
+#include "verification/display/display_style.hpp"
 
 namespace slosh {
 

@@ -1,0 +1,84 @@
+#include "reports/drawing/run_gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/process.hpp>
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+#include "reports/model/report_error.hpp"
+#include "reports/model/text_file.hpp"
+
+namespace slosh::reports {
+
+namespace process = boost::process;
+
+namespace {
+
+// Or kills it. It starts no process of its own.
+bool ends_within(process::child& child, double time_limit) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(time_limit);
+  while (child.running()) {
+    if (Clock::now() > end) {
+      child.terminate();
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path gnuplot_program() { return process::search_path("gnuplot").string(); }
+
+std::string run_gnuplot(const std::string& script, const std::string& figure_id,
+                        const std::filesystem::path& scratch_directory) {
+  return run_gnuplot_within(120, script, figure_id, scratch_directory);
+}
+
+std::string run_gnuplot_within(double time_limit, const std::string& script,
+                               const std::string& figure_id,
+                               const std::filesystem::path& scratch_directory) {
+  const std::filesystem::path gnuplot = gnuplot_program();
+  if (gnuplot.empty()) {
+    throw ReportError(
+        "gnuplot, which draws the report's figures, is not on the PATH (Debian: apt-get install "
+        "gnuplot-nox)");
+  }
+  const auto program = scratch_directory / (figure_id + ".gp");
+  const auto output = scratch_directory / (figure_id + ".out");
+  const auto messages = scratch_directory / (figure_id + ".log");
+  write_text(program, script);
+  for (const auto& file : {output, messages})
+    std::filesystem::remove(file);  // one that is there would be overwritten, but not cut
+  std::error_code failure;
+  process::child child(gnuplot.string(), "--default-settings", program.string(),
+                       process::std_in<process::null, process::std_out> output.string(),
+                       process::std_err > messages.string(), failure);
+  if (failure)
+    throw ReportError(
+        fmt::format("figure '{}': gnuplot did not start: {}", figure_id, failure.message()));
+  if (!ends_within(child, time_limit))
+    throw ReportError(fmt::format("figure '{}': gnuplot was ended at its time limit of {:g} s: {}",
+                                  figure_id, time_limit, read_text(messages)));
+  if (child.exit_code() != 0) {
+    throw ReportError(fmt::format("figure '{}': gnuplot ended with status {}: {}", figure_id,
+                                  child.exit_code(), read_text(messages)));
+  }
+  return read_text(output);
+}
+
+std::string broken_output(const std::string& figure_id, const std::string& what,
+                          const std::filesystem::path& scratch_directory) {
+  constexpr std::uintmax_t a_page = 4096;  // [byte]: less is as good as none
+  std::error_code unknown;
+  const auto space = std::filesystem::space(scratch_directory, unknown);
+  const bool is_full = !unknown && space.available < a_page;
+  return fmt::format("figure '{}': gnuplot's output is not a complete {}{}", figure_id, what,
+                     is_full ? ": no space left in " + scratch_directory.string() : "");
+}
+
+}  // namespace slosh::reports

@@ -1,0 +1,28 @@
+// Draws a picture of flow fields with gnuplot, as PNG.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/model/report_model.hpp"
+
+namespace slosh::reports {
+
+struct DrawnField {
+  std::string png;    // the whole file
+  int width, height;  // px
+};
+
+// Throws as draw_figure() does.
+DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory,
+                      const Gnuplot& gnuplot = run_gnuplot);
+
+// The picture in words, for those who do not see it: title, panels, what the colours and the arrows
+// show.
+std::string description(const FieldFigure& figure);
+
+// For an <img> of a page that holds all it shows (RFC 2397).
+std::string data_address(const DrawnField& drawn);
+
+}  // namespace slosh::reports

@@ -1,0 +1,55 @@
+#include "reports/fields/film_markup.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <kainjow/mustache.hpp>
+#include <vector>
+
+#include "reports/fields/field_layout.hpp"
+#include "reports/model/base64.hpp"
+#include "reports/templates.hpp"
+
+namespace slosh::reports {
+namespace {
+
+// Where a frame stands in the picture as `background-position-y` counts: a share of what the
+// picture is taller than the frame, which holds at any width of the page.
+double position(double top, double frame_height, double picture_height) {
+  return picture_height > frame_height ? 100 * top / (picture_height - frame_height) : 0;
+}
+
+}  // namespace
+
+std::string film_element(const FieldFigure& figure, const DrawnField& drawn) {
+  const FilmFrames film = film_frames(figure, field_layout(figure));
+  std::vector<std::string> positions;
+  for (const double top : film.tops)
+    positions.push_back(fmt::format("{:.4f}", position(top, film.height, drawn.height)));
+  kainjow::mustache::mustache frame(film_template);
+  kainjow::mustache::data data;
+  data.set("id", figure.id);
+  data.set("address", data_address(drawn));
+  data.set("description", description(figure));
+  data.set("width", std::to_string(drawn.width));
+  data.set("key_height", std::to_string(key_height));
+  data.set("frame_height", fmt::format("{:.0f}", film.height));
+  data.set("positions", fmt::format("{}", fmt::join(positions, " ")));
+  data.set("first", positions.front());
+  data.set("labels", fmt::format("{}", fmt::join(figure.frames, "|")));
+  data.set("first_label", figure.frames.front());
+  data.set("last", std::to_string(figure.frames.size() - 1));
+  return frame.render(data);
+}
+
+std::string film_script_element() { return fmt::format("<script>{}</script>", film_script); }
+
+std::string film_script_policy() {
+  const std::string hexadecimal = film_script_sha256;
+  std::string bytes;
+  for (std::size_t i = 0; i < hexadecimal.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(hexadecimal.substr(i, 2), nullptr, 16));
+  return fmt::format("script-src 'sha256-{}'", base64(bytes));
+}
+
+}  // namespace slosh::reports

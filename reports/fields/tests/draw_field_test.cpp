@@ -1,0 +1,248 @@
+#include "reports/fields/draw_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "reports/fields/field_layout.hpp"
+#include "reports/pages/write_report.hpp"
+#include "reports/tests/path_variable.hpp"
+#include "reports/tests/picture_pixels.hpp"
+#include "reports/tests/sample_report.hpp"
+#include "reports/tests/scratch_directory.hpp"
+
+namespace slosh::reports::draw_field_test {
+namespace {
+
+constexpr Colour lowest{0x44, 0x01, 0x54}, highest{0xfd, 0xe7, 0x25};  // of the palette
+
+// A tank with a place of the lowest value and one of the highest, 0.4 m apart, beside three empty
+// ones: the picture is small.
+FieldFigure two_places(double angle, bool upright) {
+  FieldPanel panel;
+  panel.label = "panel";
+  panel.angle = angle;
+  panel.axis_x = 0.2;
+  panel.tank_length = 1;
+  panel.tank_height = 0.6;
+  panel.point_width = panel.point_height = 0.08;
+  panel.x = {0.4, upright ? 0.4 : 0.8};
+  panel.z = {0.1, upright ? 0.5 : 0.1};
+  panel.value = {0, 1};
+  FieldFigure figure;
+  figure.id = "two-places";
+  figure.title = "title";
+  figure.value_label = "speed (m/s)";
+  figure.value_range = {0, 1};
+  figure.columns = 4;
+  figure.panels.assign(4, panel);
+  for (std::size_t i = 1; i < 4; ++i)
+    figure.panels[i].x = figure.panels[i].z = figure.panels[i].value = {};
+  return figure;
+}
+
+DrawnField drawn(const FieldFigure& figure) {
+  const ScratchDirectory scratch;
+  return draw_field(figure, scratch.path());
+}
+
+bool alike(const Colour& a, const Colour& b) {
+  // The outermost of 64 levels differ from the palette's ends by less than 8 of 255.
+  return std::abs(a[0] - b[0]) < 8 && std::abs(a[1] - b[1]) < 8 && std::abs(a[2] - b[2]) < 8;
+}
+
+struct Patch {
+  double x = 0, y = 0;  // the middle, px
+  int pixels = 0;
+};
+
+// Of one colour below the key, which holds the colour bar.
+Patch patch(const PicturePixels& picture, const Colour& colour) {
+  Patch found;
+  for (int y = 0; y < picture.height - 100; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      if (!alike(picture.at(x, y), colour)) continue;
+      found.x += x;
+      found.y += y;
+      ++found.pixels;
+    }
+  }
+  found.x /= found.pixels;
+  found.y /= found.pixels;
+  return found;
+}
+
+// From the place of the lowest value to that of the highest, px.
+std::pair<double, double> lowest_to_highest(const FieldFigure& figure) {
+  const ScratchDirectory scratch;
+  const PicturePixels picture =
+      picture_pixels(draw_field(figure, scratch.path()).png, scratch.path());
+  const Patch from = patch(picture, lowest), to = patch(picture, highest);
+  return {to.x - from.x, to.y - from.y};
+}
+
+TEST(DrawnFieldPicture, HasTheSizeThatItStates) {
+  const ScratchDirectory scratch;
+  const DrawnField field = draw_field(sloshing_field("size", 1, 0.01), scratch.path());
+  const PicturePixels picture = picture_pixels(field.png, scratch.path());
+  EXPECT_EQ(picture.width, field.width);
+  EXPECT_EQ(picture.height, field.height);
+  EXPECT_GE(field.width, 1000);
+  EXPECT_LE(field.width, 1400);
+}
+
+TEST(DrawnFieldPicture, HasOneScaleOnBothAxes) {
+  const auto [right, no_rise] = lowest_to_highest(two_places(0, false));
+  const auto [no_shift, up] = lowest_to_highest(two_places(0, true));
+  EXPECT_GT(right, 100);
+  EXPECT_NEAR(up, right, 1);
+  EXPECT_NEAR(no_rise, 0, 1);
+  EXPECT_NEAR(no_shift, 0, 1);
+}
+
+TEST(DrawnFieldPicture, TurnsATankCounterClockwiseByItsRoll) {
+  for (const double angle : {-0.2, 0.15, 1.2}) {
+    const auto [right, rise] = lowest_to_highest(two_places(angle, false));
+    EXPECT_NEAR(std::atan2(rise, right), angle, 0.01);  // 1 px in 110
+    const auto [shift, up] = lowest_to_highest(two_places(angle, true));
+    EXPECT_NEAR(std::atan2(up, shift), angle + std::numbers::pi / 2, 0.01);
+  }
+}
+
+TEST(DrawnFieldPicture, GivesEachPlaceItsRectangle) {
+  for (const double angle : {0.0, 0.3}) {
+    FieldFigure figure = two_places(angle, false);
+    const double pixels_per_metre =
+        std::hypot(lowest_to_highest(figure).first, lowest_to_highest(figure).second) / 0.4;
+    figure.panels[0].point_width = 0.16;
+    const ScratchDirectory scratch;
+    const PicturePixels picture =
+        picture_pixels(draw_field(figure, scratch.path()).png, scratch.path());
+    const double area = 0.16 * 0.08 * pixels_per_metre * pixels_per_metre;
+    EXPECT_NEAR(patch(picture, highest).pixels, area, 0.05 * area);
+    EXPECT_NEAR(patch(picture, lowest).pixels, area, 0.05 * area);
+  }
+}
+
+TEST(DrawnFieldPicture, ChangesWithItsValues) {
+  FieldFigure figure = two_places(0.1, false);
+  const std::string before = drawn(figure).png;
+  figure.panels[0].value = {0, 2};  // beyond the range's end: the bar says so
+  EXPECT_NE(drawn(figure).png, before);
+  figure.panels[0].value = {0, 0.5};
+  EXPECT_NE(drawn(figure).png, before);
+}
+
+TEST(DrawnFieldPicture, LeavesOutWhatIsNotFinite) {
+  const std::string before = drawn(two_places(0.1, false)).png;
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::infinity(), -1e301}) {
+    FieldFigure figure = two_places(0.1, false);
+    FieldPanel& panel = figure.panels[0];
+    panel.x.insert(panel.x.end(), {0.1, value, 0.1});
+    panel.z.insert(panel.z.end(), {0.2, 0.2, value});
+    panel.value.insert(panel.value.end(), {value, 0.5, 0.5});
+    panel.arrow_x = {0.1, value, 0.1, 0.1};
+    panel.arrow_z = {0.1, 0.1, value, 0.1};
+    panel.arrow_u = {value, 1, 1, 1};
+    panel.arrow_w = {1, 1, 1, value};
+    EXPECT_EQ(drawn(figure).png, before) << value;
+  }
+}
+
+TEST(DrawnFieldPicture, WithNothingToDrawIsAnEmptyTank) {
+  FieldFigure figure = two_places(0, false);
+  figure.value_range = {0, 0};
+  for (std::vector<double>* samples :
+       {&figure.panels[0].x, &figure.panels[0].z, &figure.panels[0].value})
+    samples->clear();
+  EXPECT_GT(drawn(figure).png.size(), 1000u);
+}
+
+TEST(DrawnFieldPicture, ShowsArrowsInTheTanksDirections) {
+  FieldFigure still = two_places(0, false);
+  still.panels[0].x = still.panels[0].z = still.panels[0].value = {};
+  still.arrow_scale = 0.2;
+  FieldFigure moving = still;
+  moving.panels[0].arrow_x = {0.5};
+  moving.panels[0].arrow_z = {0.25};
+  moving.panels[0].arrow_u = {-1};
+  moving.panels[0].arrow_w = {0};
+  const ScratchDirectory scratch;
+  const PicturePixels without =
+                          picture_pixels(draw_field(still, scratch.path()).png, scratch.path()),
+                      with = picture_pixels(draw_field(moving, scratch.path()).png, scratch.path());
+  int leftmost = with.width, rightmost = 0, lowest_row = with.height, highest_row = 0;
+  for (int y = 0; y < with.height - 100; ++y) {
+    for (int x = 0; x < with.width; ++x) {
+      if (with.at(x, y) == without.at(x, y)) continue;
+      leftmost = std::min(leftmost, x);
+      rightmost = std::max(rightmost, x);
+      lowest_row = std::min(lowest_row, y);
+      highest_row = std::max(highest_row, y);
+    }
+  }
+  const auto pixels_per_metre = lowest_to_highest(two_places(0, false)).first / 0.4;
+  EXPECT_NEAR(rightmost - leftmost, 0.2 * pixels_per_metre, 4);
+  EXPECT_NEAR(rightmost, canvas_margin + 0.5 * pixels_per_metre, 6);  // the tail
+  EXPECT_LT(highest_row - lowest_row, 12);
+}
+
+TEST(DrawnFieldPicture, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
+  const ScratchDirectory scratch;
+  const auto trap = scratch / "trap";
+  FieldFigure figure = two_places(0, false);
+  figure.value_label = figure.panels[0].label =
+      "it's `touch " + trap.string() + "` @x \"black\" {a}_b^c\n\x01";
+  EXPECT_GT(draw_field(figure, scratch.path()).png.size(), 1000u);
+  EXPECT_FALSE(std::filesystem::exists(trap));
+}
+
+TEST(DrawnFieldPicture, SurvivesValuesThatAreNearlyEqualHugeOrTiny) {
+  for (const auto& [low, high] :
+       {std::pair{1000.0, 1000 + 1e-9}, std::pair{-9e299, 9e299}, std::pair{1e-320, 1e-310},
+        std::pair{0.0, 1e-320}, std::pair{-5.0, -5.0}}) {
+    FieldFigure figure = two_places(0, false);
+    figure.panels[0].value = {low, high};
+    figure.panels[0].arrow_x = figure.panels[0].arrow_z = {0.1, 0.2};
+    figure.panels[0].arrow_u = figure.panels[0].arrow_w = {low, high};
+    figure.value_range = {0, 0};
+    EXPECT_NO_THROW(drawn(figure)) << low;
+  }
+}
+
+TEST(FieldDescription, NamesThePanelsTheQuantityAndItsRange) {
+  FieldFigure figure = two_places(0, false);
+  figure.panels[0].value = {-3, 0.5};
+  EXPECT_EQ(description(figure),
+            "title. Panels: panel; panel; panel; panel. Colour: speed (m/s) from ≤ 0 to 1.");
+}
+
+TEST(DataAddress, IsBase64AsTheStandardsExamplesAre) {
+  // RFC 4648, 10.
+  for (const auto& [bytes, base64] : {std::pair{"", ""}, std::pair{"f", "Zg=="},
+                                      std::pair{"fo", "Zm8="}, std::pair{"foobar", "Zm9vYmFy"}}) {
+    EXPECT_EQ(data_address({bytes, 1, 1}), std::string("data:image/png;base64,") + base64);
+  }
+  EXPECT_EQ(data_address({"\xff\xfe\x80", 1, 1}), "data:image/png;base64,//6A");
+}
+
+TEST(IncompletePicture, IsAnErrorThatNamesTheFigure) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "gnuplot") << "#!/bin/sh\nprintf '\\211PNG\\r\\n\\032\\n'\n";
+  std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
+  const PathVariable path(scratch.path().string());
+  try {
+    draw_field(two_places(0, false), scratch.path());
+    FAIL() << "no error";
+  } catch (const ReportError& error) {
+    EXPECT_NE(std::string(error.what()).find("'two-places'"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace slosh::reports::draw_field_test

@@ -1,0 +1,258 @@
+// The parts of a picture of flow fields that can be told without drawing one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/fields/field_arrows.hpp"
+#include "reports/fields/field_layout.hpp"
+#include "reports/fields/field_range.hpp"
+#include "reports/fields/field_raster.hpp"
+#include "reports/tests/sample_report.hpp"
+
+namespace slosh::reports::field_parts_test {
+namespace {
+
+FieldFigure one_panel() {
+  FieldPanel panel;
+  panel.tank_length = 1;
+  panel.tank_height = 0.5;
+  panel.point_width = panel.point_height = 0.01;
+  FieldFigure figure;
+  figure.panels = {panel};
+  return figure;
+}
+
+FieldFigure with_values(std::vector<double> values) {
+  FieldFigure figure = one_panel();
+  FieldPanel& panel = figure.panels[0];
+  panel.x.assign(values.size(), 0.5);
+  panel.z.assign(values.size(), 0.25);
+  panel.value = std::move(values);
+  return figure;
+}
+
+FieldRaster raster(const FieldFigure& figure) {
+  return field_raster(figure.panels[0], field_layout(figure).panels[0], colour_range(figure));
+}
+
+std::ptrdiff_t holes(const FieldRaster& raster) {
+  return std::count(raster.levels.begin(), raster.levels.end(), no_level);
+}
+
+// A block of 20 x 10 places, 0.01 m apart, each moved by this function of its number.
+template <typename Shift>
+FieldFigure block_of_places(const Shift& shift) {
+  FieldFigure figure = with_values(std::vector<double>(200, 1.0));
+  for (std::size_t i = 0; i < 200; ++i) {
+    const auto [x, z] = shift(static_cast<int>(i));
+    figure.panels[0].x[i] = 0.305 + 0.01 * static_cast<double>(i % 20) + x;
+    figure.panels[0].z[i] = 0.105 + 0.01 * static_cast<double>(i / 20) + z;
+  }
+  return figure;
+}
+
+std::pair<double, double> unmoved(int) { return {0, 0}; }
+
+TEST(ColourRange, HoldsNearlyAllValuesAndNoOutlier) {
+  std::vector<double> values;
+  for (int i = 0; i <= 1000; ++i) values.push_back(i);
+  values.push_back(1e9);
+  values.push_back(std::numeric_limits<double>::quiet_NaN());
+  const ColourRange range = colour_range(with_values(values));
+  EXPECT_EQ(range.lower, 0);
+  EXPECT_EQ(range.upper, 1000);
+  EXPECT_EQ(range.ticks.front().label, "0");
+  EXPECT_EQ(range.ticks.back().label, "≥ 1000");
+  EXPECT_EQ(range.ticks.size(), 11u);  // every 100
+}
+
+TEST(ColourRange, KeepsAGivenOneAndNamesItsEnds) {
+  FieldFigure figure = with_values({-1, 0, 7});
+  figure.value_range = {-0.5, 7};
+  const ColourRange range = colour_range(figure);
+  EXPECT_EQ(range.lower, -0.5);
+  EXPECT_EQ(range.upper, 7);
+  EXPECT_EQ(range.ticks.front().label, "≤ −0.5");
+  EXPECT_EQ(range.ticks.back().label, "7");
+  for (std::size_t i = 1; i < range.ticks.size(); ++i)
+    EXPECT_GT(range.ticks[i].value - range.ticks[i - 1].value, 0.5);  // labels do not touch
+}
+
+TEST(ColourRange, OfAnEvenFieldIsNotEmpty) {
+  for (const double value : {0.0, 5.0, -1e-30, 1e299}) {
+    const ColourRange range = colour_range(with_values({value, value}));
+    EXPECT_LT(range.lower, range.upper) << value;
+    EXPECT_LE(range.lower, value);
+    EXPECT_GE(range.upper, value);
+  }
+  const ColourRange nothing = colour_range(with_values({}));
+  EXPECT_LT(nothing.lower, nothing.upper);
+}
+
+TEST(Layout, KeepsEveryTurnedTankInsideItsCellAndTheCellsApart) {
+  FieldFigure figure = sloshing_field("layout", 4, 0.05);
+  for (const int columns : {1, 2, 3, 50}) {
+    figure.columns = columns;
+    const FieldLayout layout = field_layout(figure);
+    EXPECT_GE(layout.width, 1000);
+    EXPECT_LE(layout.width, 1400);
+    for (std::size_t i = 0; i < layout.panels.size(); ++i) {
+      const PlacedPanel& placed = layout.panels[i];
+      EXPECT_GE(placed.left, 0);
+      EXPECT_GE(placed.bottom, 0);
+      EXPECT_LE(placed.left + placed.width, layout.width);
+      const double top =
+          placed.bottom + placed.height + label_line * static_cast<double>(placed.label.size());
+      EXPECT_LE(top, layout.height - key_height);
+      for (const double x : {0.0, figure.panels[i].tank_length}) {
+        for (const double z : {0.0, figure.panels[i].tank_height})
+          EXPECT_TRUE(placed.holds(placed.on_canvas(x, z)));
+      }
+      for (std::size_t j = 0; j < i; ++j) {
+        const PlacedPanel& other = layout.panels[j];
+        const bool beside =
+            other.left + other.width <= placed.left || placed.left + placed.width <= other.left;
+        EXPECT_TRUE(beside || top <= other.bottom) << columns << " columns, " << i << " on " << j;
+      }
+    }
+  }
+}
+
+TEST(Layout, BreaksALabelThatIsWiderThanItsPanelAfterACommaIfItCan) {
+  FieldFigure figure = one_panel();
+  figure.panels.resize(4, figure.panels[0]);
+  figure.columns = 4;
+  figure.panels[1].label = "a label without any comma that is rather long";
+  figure.panels[2].label = "zhao2021_moving, dp = 2 mm, t = 3.45 s";
+  const FieldLayout layout = field_layout(figure);
+  EXPECT_EQ(layout.panels[1].label,
+            (std::vector<std::string>{"a label without any comma that", "is rather long"}));
+  EXPECT_EQ(layout.panels[2].label,
+            (std::vector<std::string>{"zhao2021_moving, dp = 2 mm,", "t = 3.45 s"}));
+  EXPECT_EQ(layout.panels[0].bottom, layout.panels[2].bottom);
+}
+
+TEST(Raster, OfAMeshHasNoHolesAndItsExactExtent) {
+  const FieldFigure figure = block_of_places(unmoved);
+  const FieldRaster drawn = raster(figure);
+  const double scale = field_layout(figure).scale;
+  EXPECT_EQ(holes(drawn), 0);
+  EXPECT_NEAR(drawn.width, 0.2 * scale, 1);
+  EXPECT_NEAR(drawn.height, 0.1 * scale, 1);
+}
+
+TEST(Raster, FillsGapsBetweenParticlesWithoutMovingTheEdge) {
+  const auto off_lattice = [](int i) {
+    return std::pair{0.003 * std::sin(7.0 * i), 0.003 * std::cos(11.0 * i)};
+  };
+  const FieldFigure figure = block_of_places(off_lattice);
+  const FieldRaster drawn = raster(figure);
+  const double scale = field_layout(figure).scale;
+  EXPECT_LE(drawn.width, 0.206 * scale + 1);
+  EXPECT_LE(drawn.height, 0.106 * scale + 1);
+  const int margin = static_cast<int>(0.01 * scale);  // the ragged edge
+  int inner_holes = 0;
+  for (int row = margin; row < drawn.height - margin; ++row) {
+    for (int column = margin; column < drawn.width - margin; ++column)
+      inner_holes += drawn.levels[static_cast<std::size_t>(row * drawn.width + column)] == no_level;
+  }
+  EXPECT_EQ(inner_holes, 0);
+}
+
+TEST(Raster, LeavesAVoidOpen) {
+  FieldFigure figure = block_of_places(unmoved);
+  for (const std::size_t i : {88u, 89u, 90u, 108u, 109u, 110u, 128u, 129u, 130u})
+    figure.panels[0].value[i] = std::numeric_limits<double>::quiet_NaN();  // 3 x 3 places
+  const double cell = 0.01 * field_layout(figure).scale;
+  // Its rim narrows by the reach of the filling, less than half a place on each side.
+  EXPECT_GE(holes(raster(figure)), std::floor(4 * cell * cell));
+  EXPECT_LE(holes(raster(figure)), std::ceil(9 * cell * cell));
+}
+
+TEST(Raster, GivesTheSmallestPlaceAPixel) {
+  FieldFigure figure = with_values({1});
+  figure.panels[0].point_width = figure.panels[0].point_height = 1e-9;
+  for (const double angle : {0.0, 0.5}) {
+    figure.panels[0].angle = angle;
+    EXPECT_EQ(raster(figure).levels.size(), 1u);
+  }
+}
+
+TEST(Raster, LeavesOutAPlaceThatFlewOutOfItsPanel) {
+  FieldFigure figure = with_values({1, 1});
+  figure.panels[0].x = {1.5, -1e200};
+  EXPECT_TRUE(raster(figure).levels.empty());
+}
+
+TEST(Arrows, AreThinnedToAFewHundredEvenlySpread) {
+  FieldFigure figure = sloshing_field("thinned", 1, 0.002);
+  for (const int columns : {1, 3}) {
+    figure.columns = columns;
+    const FieldLayout layout = field_layout(figure);
+    const FieldArrows arrows = field_arrows(figure, layout);
+    for (std::size_t panel = 0; panel < 3; ++panel) {
+      const auto& drawn = arrows.panels[panel];
+      EXPECT_LE(drawn.size(), most_arrows);
+      EXPECT_GT(drawn.size(), 50u);
+      const double middle = layout.panels[panel].left + layout.panels[panel].width / 2;
+      const auto left_half =
+          std::count_if(drawn.begin(), drawn.end(),
+                        [&](const DrawnArrow& arrow) { return arrow.tail.x < middle; });
+      EXPECT_GT(left_half, static_cast<std::ptrdiff_t>(drawn.size() / 4));
+    }
+  }
+}
+
+TEST(Arrows, HaveTheLengthOfTheirScaleUpToTheCut) {
+  FieldFigure figure = one_panel();
+  FieldPanel& panel = figure.panels[0];
+  panel.angle = 0.25;
+  panel.arrow_x = {0.2, 0.5, 0.8, 0.2};
+  panel.arrow_z = {0.1, 0.1, 0.1, 0.3};
+  panel.arrow_u = {1, 0, 100, 1e-6};
+  panel.arrow_w = {0, 1, 0, 0};
+  figure.arrow_scale = 0.05;
+  const FieldLayout layout = field_layout(figure);
+  const FieldArrows arrows = field_arrows(figure, layout);
+  EXPECT_NEAR(arrows.pixels_per_speed, 0.05 * layout.scale, 1e-9);
+  ASSERT_EQ(arrows.panels[0].size(), 3u);  // the slowest would be a dot
+  double cut_length = 0;
+  for (const DrawnArrow& arrow : arrows.panels[0]) {
+    const double length = std::hypot(arrow.length.x, arrow.length.y);
+    if (length > 1.01 * arrows.pixels_per_speed) {
+      cut_length = length;
+      continue;
+    }
+    EXPECT_NEAR(length, arrows.pixels_per_speed, 1e-9);
+  }
+  EXPECT_NEAR(cut_length, arrows.cut_speed * arrows.pixels_per_speed, 1e-9);
+  EXPECT_NEAR(std::atan2(arrows.panels[0][0].length.y, arrows.panels[0][0].length.x), 0.25, 1e-12);
+}
+
+TEST(Arrows, StayInsideTheirPanelsCell) {
+  FieldFigure figure = one_panel();
+  FieldPanel& panel = figure.panels[0];
+  panel.arrow_x = {0.01, 0.01};
+  panel.arrow_z = {0.2, 0.3};
+  panel.arrow_u = {1, -1};
+  panel.arrow_w = {0, 0};
+  const FieldArrows arrows = field_arrows(figure, field_layout(figure));
+  ASSERT_EQ(arrows.panels[0].size(), 1u);
+  EXPECT_GT(arrows.panels[0][0].length.x, 0);
+}
+
+TEST(Arrows, OfWaterAtRestAreNone) {
+  FieldFigure figure = sloshing_field("rest", 1, 0.01);
+  for (FieldPanel& panel : figure.panels) {
+    std::fill(panel.arrow_u.begin(), panel.arrow_u.end(), 0.0);
+    std::fill(panel.arrow_w.begin(), panel.arrow_w.end(), 0.0);
+  }
+  const FieldArrows arrows = field_arrows(figure, field_layout(figure));
+  EXPECT_EQ(arrows.pixels_per_speed, 0);
+  for (const auto& panel : arrows.panels) EXPECT_TRUE(panel.empty());
+}
+
+}  // namespace
+}  // namespace slosh::reports::field_parts_test

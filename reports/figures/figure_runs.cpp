@@ -1,0 +1,160 @@
+#include "reports/figures/figure_runs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+#include "verification/case/quantities.hpp"
+#include "verification/case/run_family.hpp"
+
+namespace slosh {
+namespace {
+
+std::vector<double> scaled(std::vector<double> values, double scale) {
+  for (double& value : values) value *= scale;
+  return values;
+}
+
+std::string kind_of(const SphRun& sph) {
+  const double inside = 1000 * sph.particle_spacing, surface = 1000 * sph.surface_particle_spacing;
+  std::string text = fmt::format("SPH, scheme {}, {:.4g} mm", sph.scheme, inside);
+  if (surface != inside) text += fmt::format(" and {:.4g} mm at the surface", surface);
+  if (const std::string changes = changes_of(sph); !changes.empty()) text += ", " + changes;
+  return text;
+}
+
+std::string kind_of(const InterFoamRun& mesh) {
+  return fmt::format("interFoam, {} x {} cells", mesh.cells_x, mesh.cells_z);
+}
+
+std::string kind_of(const LinearRun& linear) {
+  return fmt::format("linear potential theory{}{}",
+                     linear.modes > 0 ? fmt::format(", {} modes", linear.modes) : "",
+                     linear.two_layer ? ", with the gas" : "");
+}
+
+std::string kind_of(const PotentialRun& potential) {
+  return fmt::format("nonlinear potential flow, {} x {} nodes", potential.nodes_x,
+                     potential.nodes_z);
+}
+
+std::string kind_of(const ViscousWaveRun&) { return "linear theory of the viscous wave"; }
+
+std::string kind_of(const RecordRun& record) {
+  return (record.earlier_run ? "earlier run's record " : "published record ") +
+         record.file.filename().string();
+}
+
+std::string kind_of(const ExternalRun& external) {
+  return "external program " + std::filesystem::path(external.command.front()).filename().string();
+}
+
+}  // namespace
+
+std::vector<std::string> finest_runs(const CaseAssessment& assessment,
+                                     const std::function<bool(const RunResult&)>& has) {
+  const auto preference = [](const RunDefinition& run) {
+    const auto* sph = std::get_if<SphRun>(&run.solver);
+    const std::string changes = sph ? changes_of(*sph) : "";
+    return std::tuple{changes.empty(), resolution(run),
+                      -std::count(changes.begin(), changes.end(), ',')};
+  };
+  std::vector<std::string> families;
+  std::map<std::string, const RunDefinition*> finest;
+  for (const RunDefinition& run : assessment.definition.runs) {
+    const auto result = assessment.runs.results.find(run.name);
+    if (result == assessment.runs.results.end() || !has(result->second)) continue;
+    const RunDefinition*& best = finest[family(run)];
+    if (!best) families.push_back(family(run));
+    if (!best || preference(run) > preference(*best)) best = &run;
+  }
+  std::vector<std::string> names;
+  for (const std::string& one : families) names.push_back(finest[one]->name);
+  return names;
+}
+
+std::vector<std::string> finest_runs(const CaseAssessment& assessment,
+                                     const std::string& quantity) {
+  return finest_runs(assessment, [&](const RunResult& result) {
+    return std::any_of(result.series.begin(), result.series.end(),
+                       [&](const TimeSeries& series) { return series.name == quantity; });
+  });
+}
+
+std::string run_label(const CaseAssessment& assessment, const std::string& run) {
+  return assessment.runs.status.at(run).state == RunState::out_of_range
+             ? run + " (out of its range)"
+             : run;
+}
+
+// More run into one another.
+constexpr std::size_t most_points = 200;
+
+reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
+                             const std::string& quantity, const AxisScales& scales) {
+  const TimeSeries& series = assessment.runs.results.at(run).at(quantity);
+  reports::Curve curve{run_label(assessment, run),
+                       scaled(series.time, scales.time),
+                       scaled(series.value, scales.value),
+                       {},
+                       {}};
+  if (const auto* record = std::get_if<RecordRun>(&run_named(assessment.definition, run).solver)) {
+    if (record->time.size() <= most_points) curve.style = reports::Curve::Style::points;
+    if (record->uncertainty)
+      set_uncertainty(curve, std::vector(curve.y.size(), scales.value * *record->uncertainty));
+  }
+  return curve;
+}
+
+void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths) {
+  if (half_widths.size() != curve.y.size())
+    throw std::invalid_argument(fmt::format("{}: {} half widths of {} samples", curve.label,
+                                            half_widths.size(), curve.y.size()));
+  if (curve.style == reports::Curve::Style::points) {
+    curve.y_error = half_widths;
+    return;
+  }
+  for (std::size_t i = 0; i < curve.y.size(); ++i) {
+    curve.lower.push_back(curve.y[i] - half_widths[i]);
+    curve.upper.push_back(curve.y[i] + half_widths[i]);
+  }
+}
+
+std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessment) {
+  const std::vector<std::string> finest =
+      finest_runs(assessment, compared_quantities(assessment.definition).front());
+  std::vector<const Comparison*> shown = judging_comparisons(assessment);
+  std::erase_if(shown, [&](const Comparison* one) {
+    return std::find(finest.begin(), finest.end(), one->candidate) == finest.end();
+  });
+  return shown;
+}
+
+std::vector<reports::Span> outside_window(const CaseDefinition& definition, double time_scale) {
+  std::vector<reports::Span> spans;
+  for (const auto& [begin, end] : {std::pair{0.0, definition.window_begin},
+                                   std::pair{definition.window_end, definition.duration}})
+    if (begin < end)
+      spans.push_back({"outside the comparison window", time_scale * begin, time_scale * end});
+  return spans;
+}
+
+std::string who_is_who(const CaseDefinition& definition, const std::vector<std::string>& runs) {
+  std::vector<std::string> texts;
+  bool bars = false;
+  for (const std::string& name : runs) {
+    const RunDefinition& run = run_named(definition, name);
+    texts.push_back(name + ": " +
+                    std::visit([](const auto& solver) { return kind_of(solver); }, run.solver));
+    const auto* record = std::get_if<RecordRun>(&run.solver);
+    bars |= record && record->uncertainty;
+  }
+  return fmt::format("{}.{}", fmt::join(texts, "; "),
+                     bars ? " Bars, or a ribbon, are a record's 95 % interval." : "");
+}
+
+}  // namespace slosh

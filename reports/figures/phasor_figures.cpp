@@ -1,0 +1,152 @@
+// Amplitude and phase of each fitted mode in one picture: the candidate's complex amplitude over
+// its reference's,
+//   A_c / A_r exp(-i lag),   lag = phi_r - phi_c,
+// so that a perfect candidate lies at (1, 0), one that is late below the axis, one that is too high
+// outside the unit circle. The interval of amplitude error and lag is an ellipse with half axes
+// d(A_c / A_r) along the phasor and (A_c / A_r) d(lag) across it; bars are the box that holds it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/figure_runs.hpp"
+#include "reports/figures/shown_quantity.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/gate/row_tolerance.hpp"
+#include "verification/series/estimate.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Curve;
+using reports::Figure;
+
+constexpr double radian_per_degree = std::numbers::pi / 180;
+
+void add_point(Curve& curve, double ratio, double lag) {
+  curve.x.push_back(ratio * std::cos(lag));
+  curve.y.push_back(-ratio * std::sin(lag));
+}
+
+Curve phasor(const std::string& label, const ModeComparison& mode) {
+  const double ratio = 1 + mode.amplitude_error.value;
+  const double lag = mode.phase_lag_degrees.value * radian_per_degree;
+  const double along = mode.amplitude_error.half_width;
+  const double across = ratio * mode.phase_lag_degrees.half_width * radian_per_degree;
+  Curve curve{label, {}, {}, {}, Curve::Style::points};
+  add_point(curve, ratio, lag);
+  curve.x_error = {std::hypot(along * std::cos(lag), across * std::sin(lag))};
+  curve.y_error = {std::hypot(along * std::sin(lag), across * std::cos(lag))};
+  return curve;
+}
+
+// What rows allow, in the ratio and in rad; without a row on one of them, its other one's edges
+// are drawn this far about the reference.
+struct Sector {
+  double ratio_low = 0.9, ratio_high = 1.1;
+  double lag_low = -10 * radian_per_degree, lag_high = 10 * radian_per_degree;
+  bool of_ratio = false, of_lag = false;
+};
+
+Sector sector_of(const CaseDefinition& definition, const Comparison& comparison,
+                 const std::string& mode) {
+  Sector sector;
+  if (const auto allowed = tolerance_of(definition, comparison, mode, Metric::amplitude_error)) {
+    sector.ratio_low = 1 + allowed->lower;
+    sector.ratio_high = 1 + allowed->upper;
+    sector.of_ratio = true;
+  }
+  if (const auto allowed = tolerance_of(definition, comparison, mode, Metric::phase_lag)) {
+    sector.lag_low = allowed->lower * radian_per_degree;
+    sector.lag_high = allowed->upper * radian_per_degree;
+    sector.of_lag = true;
+  }
+  return sector;
+}
+
+void add_arc(Curve& curve, double ratio, double from, double to) {
+  constexpr int pieces = 40;
+  for (int i = 0; i <= pieces; ++i) add_point(curve, ratio, from + (to - from) * i / pieces);
+}
+
+void add_gap(Curve& curve) { add_point(curve, not_a_number, 0); }
+
+// A closed line round the sector; the edges of one row alone are open.
+Curve outline(const std::string& label, const Sector& sector) {
+  Curve curve{label, {}, {}, {}, Curve::Style::dashed};
+  if (!sector.of_ratio) {
+    for (const double lag : {sector.lag_low, sector.lag_high}) {
+      add_point(curve, sector.ratio_low, lag);
+      add_point(curve, sector.ratio_high, lag);
+      add_gap(curve);
+    }
+    return curve;
+  }
+  add_arc(curve, sector.ratio_low, sector.lag_low, sector.lag_high);
+  if (!sector.of_lag) add_gap(curve);
+  add_arc(curve, sector.ratio_high, sector.lag_high, sector.lag_low);
+  if (sector.of_lag) add_point(curve, sector.ratio_low, sector.lag_low);
+  return curve;
+}
+
+// One line for all candidates whose rows allow the same.
+void add_tolerance(const std::string& candidate, const Sector& sector,
+                   std::vector<Curve>& outlines) {
+  if (!sector.of_ratio && !sector.of_lag) return;
+  Curve curve = outline("tolerance, " + candidate, sector);
+  const auto same = std::find_if(outlines.begin(), outlines.end(), [&](const Curve& other) {
+    return other.x == curve.x && other.y == curve.y;
+  });
+  if (same == outlines.end())
+    outlines.push_back(std::move(curve));
+  else
+    same->label += ", " + candidate;
+}
+
+Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) {
+  const CaseDefinition& definition = assessment.definition;
+  Figure figure;
+  figure.curves = {{"reference, (1, 0)", {1}, {0}, {}, Curve::Style::points}};
+  std::vector<Curve> outlines;
+  std::vector<std::string> runs;
+  for (const Comparison* shown : shown_comparisons(assessment))
+    for (const ModeComparison& one : shown->modes) {
+      if (one.mode != mode || !one.resolved()) continue;
+      figure.curves.push_back(phasor(shown->candidate + " over " + shown->reference, one));
+      add_tolerance(shown->candidate, sector_of(definition, *shown, mode), outlines);
+      runs.push_back(shown->candidate);
+    }
+  if (runs.empty()) return {};
+  figure.curves.insert(figure.curves.end(), outlines.begin(), outlines.end());
+  figure.id = definition.name + "-phasor-" + mode;
+  figure.title = "Amplitude and phase of the mode " + mode;
+  figure.caption = fmt::format(
+      "The {}: complex amplitude of the candidate over its reference's, from the harmonic fit over "
+      "{:g} to {:g} s. Below the axis is late, outside the unit circle too high; 1 deg is 0.017 "
+      "along the circle. Bars hold the 95 % interval of amplitude and lag. {}{}",
+      shown_quantity(definition, compared_quantities(definition).front()).word,
+      definition.window_begin, definition.window_end,
+      outlines.empty() ? ""
+                       : "Dashed: the bounds of the gate's rows, which hold where the whole "
+                         "interval lies within. ",
+      who_is_who(definition, runs));
+  figure.x_label = "in phase, Re [1]";
+  figure.y_label = "in quadrature, Im [1]";
+  figure.equal_axes = true;
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> phasor_figures(const CaseAssessment& assessment) {
+  std::vector<Figure> figures;
+  for (const ToneRequest& mode : fitted_modes(assessment.definition)) {
+    Figure figure = phasor_figure(assessment, mode.name);
+    if (!figure.curves.empty()) figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+}  // namespace slosh

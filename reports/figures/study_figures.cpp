@@ -1,0 +1,168 @@
+// What a scheme's result owes to its time step and to its particle spacing: the runs that differ in
+// one of them alone, side by side.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/figure_runs.hpp"
+#include "reports/figures/shown_quantity.hpp"
+#include "reports/tables/ablation_table.hpp"
+#include "verification/case/ensemble.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/case/run_family.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Figure;
+
+enum class Studied { time_step, spacing };
+
+// The filtered pressure where there is one, else what the case is about.
+std::string studied_quantity(const CaseDefinition& definition) {
+  const std::vector<std::string> quantities = compared_quantities(definition);
+  const auto filtered =
+      std::find_if(quantities.begin(), quantities.end(),
+                   [](const std::string& one) { return one.ends_with("/filtered"); });
+  return filtered == quantities.end() ? quantities.front() : *filtered;
+}
+
+// What the runs of a study have in common.
+struct Common {
+  std::string scheme, changes;
+  double spacing = 0;        // [m], 0 where it is what is studied
+  double surface_ratio = 1;  // spacing near the surface over that inside, to six digits
+  auto operator<=>(const Common&) const = default;
+};
+
+Common common(SphRun sph, Studied studied) {
+  if (studied == Studied::time_step) sph.numbers.courant_number.reset();
+  return {sph.scheme, changes_of(sph), studied == Studied::spacing ? 0 : sph.particle_spacing,
+          std::round(1e6 * sph.surface_particle_spacing / sph.particle_spacing) / 1e6};
+}
+
+// What sets a run apart from the others of its study; infinite for the scheme's own Courant number,
+// so that it comes first.
+double value_of(const SphRun& sph, Studied studied) {
+  return studied == Studied::spacing
+             ? sph.particle_spacing
+             : sph.numbers.courant_number.value_or(std::numeric_limits<double>::infinity());
+}
+
+std::string value_text(const SphRun& sph, Studied studied) {
+  if (studied == Studied::spacing) return fmt::format("{:.4g} mm", 1000 * sph.particle_spacing);
+  return sph.numbers.courant_number
+             ? fmt::format("Courant number {:g}", *sph.numbers.courant_number)
+             : "the scheme's Courant number";
+}
+
+using Study = std::vector<const RunDefinition*>;
+
+// Those with two values or more, in the order of their first runs; finest last.
+std::vector<Study> studies(const CaseAssessment& assessment, const std::string& quantity,
+                           Studied studied) {
+  std::vector<Study> found;
+  std::map<Common, std::size_t> places;
+  for (const RunDefinition& run : assessment.definition.runs) {
+    const auto* sph = std::get_if<SphRun>(&run.solver);
+    if (!sph || is_later_member(run) || !assessment.runs.results.contains(run.name) ||
+        !has_series(assessment.runs, run.name, quantity))
+      continue;
+    const auto [place, is_new] = places.try_emplace(common(*sph, studied), found.size());
+    if (is_new) found.emplace_back();
+    found[place->second].push_back(&run);
+  }
+  const auto value = [&](const RunDefinition* run) {
+    return value_of(std::get<SphRun>(run->solver), studied);
+  };
+  std::erase_if(found, [&](const Study& runs) {
+    std::set<double> values;
+    for (const RunDefinition* run : runs) values.insert(value(run));
+    return values.size() < 2;
+  });
+  for (Study& runs : found)
+    std::stable_sort(runs.begin(), runs.end(),
+                     [&](const auto* a, const auto* b) { return value(a) > value(b); });
+  return found;
+}
+
+// What all runs of the study share, besides the scheme.
+std::string shared_text(const Common& same) {
+  std::vector<std::string> parts;
+  if (same.spacing > 0) parts.push_back(fmt::format("{:.4g} mm", 1000 * same.spacing));
+  if (same.surface_ratio != 1)
+    parts.push_back(fmt::format("{:.4g} of the spacing at the surface", same.surface_ratio));
+  if (!same.changes.empty()) parts.push_back(same.changes);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::vector<std::string> records(const CaseAssessment& assessment, const std::string& quantity) {
+  std::vector<std::string> names = finest_runs(assessment, quantity);
+  std::erase_if(names, [&](const std::string& name) {
+    return !std::holds_alternative<RecordRun>(run_named(assessment.definition, name).solver);
+  });
+  return names;
+}
+
+Figure study_figure(const CaseAssessment& assessment, const std::string& quantity, Studied studied,
+                    const Study& runs) {
+  const CaseDefinition& definition = assessment.definition;
+  const ShownQuantity shown = shown_quantity(definition, quantity);
+  std::vector<std::string> names = records(assessment, quantity);
+  const std::size_t recorded = names.size();
+  for (const RunDefinition* run : runs) names.push_back(run->name);
+  Figure figure;
+  figure.caption = fmt::format(
+      "{}. Runs of one scheme that differ in their {} alone. {}{} {}.", shown.title,
+      studied == Studied::time_step ? "time step" : "particle spacing",
+      measured_how(shown, definition, names), who_is_who(definition, names), definition.source);
+  figure.x_label = "time [s]";
+  figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
+  figure.x_range = {0, definition.duration};
+  const AxisScales scales{.value = shown.scale};
+  for (const std::string& name : names)
+    figure.curves.push_back(history_curve(assessment, name, quantity, scales));
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    figure.curves[recorded + i].label = fmt::format(
+        "{} ({})", value_text(std::get<SphRun>(runs[i]->solver), studied), runs[i]->name);
+  return figure;
+}
+
+// A scheme with several studies of a kind has each told apart by what its runs share.
+void add_studies(const CaseAssessment& assessment, Studied studied, std::vector<Figure>& figures) {
+  const std::string quantity = studied_quantity(assessment.definition);
+  const std::vector<Study> found = studies(assessment, quantity, studied);
+  const bool of_step = studied == Studied::time_step;
+  std::map<std::string, int> of_scheme, numbers;
+  const auto sph_of = [](const Study& runs) { return std::get<SphRun>(runs.front()->solver); };
+  for (const Study& runs : found) ++of_scheme[sph_of(runs).scheme];
+  for (const Study& runs : found) {
+    const SphRun sph = sph_of(runs);
+    Figure figure = study_figure(assessment, quantity, studied, runs);
+    figure.id = assessment.definition.name + (of_step ? "-time_step-" : "-spacing-") + sph.scheme;
+    figure.title = (of_step ? "Time step: " : "Particle spacing: ") + sph.scheme;
+    if (of_scheme[sph.scheme] > 1) {
+      figure.id += fmt::format("-{}", ++numbers[sph.scheme]);
+      if (const std::string shared = shared_text(common(sph, studied)); !shared.empty())
+        figure.title += ", " + shared;
+    }
+    figures.push_back(std::move(figure));
+  }
+}
+
+}  // namespace
+
+std::vector<Figure> study_figures(const CaseAssessment& assessment) {
+  std::vector<Figure> figures;
+  for (const Studied studied : {Studied::time_step, Studied::spacing})
+    add_studies(assessment, studied, figures);
+  return figures;
+}
+
+}  // namespace slosh

@@ -1,0 +1,169 @@
+// The flow fields at a case's snapshot times.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "reports/fields/draw_field.hpp"
+#include "reports/pages/check_report.hpp"
+#include "reports/summary/campaign_report.hpp"
+#include "verification/tests/figure_results.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::case_fields_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Names = std::vector<std::string>;
+
+// Roll of 0.1 rad at 1 s, none at 2 s.
+CaseDefinition rolling_case() {
+  CaseDefinition definition = surge_case();
+  definition.motion = {{}, RollDefinition{SineMotion{0.1, std::numbers::pi / 2}, 0.45, 0.1}};
+  definition.snapshot_times = {1, 2};
+  return definition;
+}
+
+CaseRuns runs_with_snapshots(const Names& names, const std::vector<double>& times) {
+  CaseRuns runs = surge_runs();
+  for (const std::string& name : names)
+    for (const double time : times)
+      runs.results.at(name).snapshots.push_back(snapshot_at(time, name == "particles" ? 100 : 50));
+  return runs;
+}
+
+Names panel_labels(const reports::FieldFigure& figure) {
+  Names names;
+  for (const reports::FieldPanel& panel : figure.panels) names.push_back(panel.label);
+  return names;
+}
+
+TEST(CaseFields, HaveARowForAMomentAndAColumnForASolver) {
+  const CaseRuns runs = runs_with_snapshots({"particles", "coarse_mesh", "fine_mesh"}, {1, 2});
+  const auto fields = case_fields(assess(rolling_case(), runs));
+  ASSERT_EQ(fields.size(), 1u);
+  EXPECT_EQ(fields[0].id, "small_surge-fields-1");
+  EXPECT_EQ(fields[0].title, "Pressure and velocity from 1 to 2 s");
+  EXPECT_EQ(fields[0].columns, 2);
+  EXPECT_EQ(panel_labels(fields[0]),
+            (Names{"particles, t = 1 s, roll 5.73°", "fine_mesh, t = 1 s, roll 5.73°",
+                   "particles, t = 2 s, roll 0.00°", "fine_mesh, t = 2 s, roll 0.00°"}));
+  EXPECT_EQ(fields[0].value_range.first, fields[0].value_range.second);
+}
+
+TEST(CaseFields, ShowPressureAndVelocityInTheTankAsItIsTurned) {
+  const CaseRuns runs = runs_with_snapshots({"particles"}, {1});
+  const auto fields = case_fields(assess(rolling_case(), runs));
+  ASSERT_EQ(fields.size(), 1u);
+  ASSERT_EQ(fields[0].panels.size(), 1u);
+  const reports::FieldPanel& panel = fields[0].panels[0];
+  EXPECT_NEAR(panel.angle, 0.1, 1e-12);
+  EXPECT_EQ(panel.axis_x, 0.45);
+  EXPECT_EQ(panel.axis_z, 0.1);
+  EXPECT_EQ(panel.tank_length, 1);
+  EXPECT_EQ(panel.tank_height, 1);
+  EXPECT_EQ(panel.point_width, 0.01);
+  EXPECT_EQ(panel.point_height, 0.02);
+  const FieldSnapshot snapshot = snapshot_at(1, 100);
+  EXPECT_EQ(panel.x, snapshot.x);
+  EXPECT_EQ(panel.z, snapshot.z);
+  EXPECT_EQ(panel.value, snapshot.pressure);
+  EXPECT_EQ(panel.arrow_x, snapshot.x);
+  EXPECT_EQ(panel.arrow_z, snapshot.z);
+  EXPECT_EQ(panel.arrow_u, snapshot.velocity_x);
+  EXPECT_EQ(panel.arrow_w, snapshot.velocity_z);
+  EXPECT_EQ(fields[0].title, "Pressure and velocity at 1 s");
+}
+
+TEST(CaseFields, OfATankThatDoesNotRollStandLevel) {
+  CaseDefinition definition = surge_case();
+  definition.snapshot_times = {1};
+  const auto fields = case_fields(assess(definition, runs_with_snapshots({"particles"}, {1})));
+  ASSERT_EQ(fields.size(), 1u);
+  EXPECT_EQ(fields[0].panels.at(0).angle, 0);
+  EXPECT_EQ(fields[0].panels[0].label, "particles, t = 1 s");
+  EXPECT_EQ(fields[0].caption.find("roll"), std::string::npos);
+}
+
+TEST(CaseFields, LeaveThePlaceOfASnapshotThatIsMissingEmpty) {
+  CaseRuns runs = runs_with_snapshots({"particles", "fine_mesh"}, {1, 2});
+  runs.results.at("particles").snapshots.pop_back();
+  runs.results.at("fine_mesh").snapshots[0].pressure[0] = nan;
+  const CaseAssessment assessment = assess(rolling_case(), runs);
+  const auto fields = case_fields(assessment);
+  ASSERT_EQ(fields.size(), 1u);
+  ASSERT_EQ(fields[0].panels.size(), 4u);
+  EXPECT_EQ(fields[0].panels[2].label, "particles, t = 2 s, roll 0.00°, not recorded");
+  EXPECT_TRUE(fields[0].panels[2].x.empty());
+  EXPECT_EQ(fields[0].panels[3].value, (std::vector<double>{50, 100}));
+  const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
+  const reports::Report report = campaign_report(campaign, false, "", {assessment});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(report.sections.back().fields.size(), 1u);
+  const TemporaryDirectory scratch;
+  EXPECT_GT(reports::draw_field(fields[0], scratch.path()).height, 0);
+}
+
+TEST(CaseFields, AreCutWhereTheyHaveTooManyMoments) {
+  CaseDefinition definition = rolling_case();
+  definition.snapshot_times = {1, 2, 3, 4, 5, 6};
+  const auto fields = case_fields(
+      assess(definition, runs_with_snapshots({"particles", "fine_mesh"}, {1, 2, 3, 4, 5, 6})));
+  ASSERT_EQ(fields.size(), 2u);
+  EXPECT_EQ(fields[0].panels.size(), 6u);
+  EXPECT_EQ(fields[1].panels.size(), 6u);
+  EXPECT_EQ(fields[1].title, "Pressure and velocity from 4 to 6 s");
+  EXPECT_EQ(fields[1].id, "small_surge-fields-2");
+}
+
+TEST(CaseFields, AreCutWhereTheyHaveTooManyColumns) {
+  CaseDefinition definition = rolling_case();
+  CaseRuns runs = runs_with_snapshots({"particles"}, {1, 2});
+  for (const std::string scheme : {"li2010", "zhao2021_fixed", "zhao2021_moving", "delta_sph"}) {
+    definition.runs.push_back(sample_run(SphRun{scheme, 0.01, 0.01}));
+    definition.runs.back().name = scheme;
+    runs.results[scheme] = runs.results.at("particles");
+    runs.status[scheme] = {RunState::finished, ""};
+  }
+  const auto fields = case_fields(assess(definition, runs));
+  ASSERT_EQ(fields.size(), 2u);
+  EXPECT_EQ(fields[0].columns, 2);
+  EXPECT_EQ(fields[0].panels.at(1).label, "li2010, t = 1 s, roll 5.73°");
+  EXPECT_EQ(fields[1].columns, 3);
+  EXPECT_EQ(fields[1].panels.at(5).label, "delta_sph, t = 2 s, roll 0.00°");
+}
+
+TEST(CaseFields, AreNoneWithoutSnapshots) {
+  EXPECT_TRUE(case_fields(assess(rolling_case(), surge_runs())).empty());
+  EXPECT_TRUE(case_fields(assess(surge_case(), surge_runs())).empty());
+}
+
+TEST(CaseAnimation, IsLastAndHasAFrameForEachMoment) {
+  CaseDefinition definition = rolling_case();
+  definition.animation_times = {1, 1.5, 2};
+  const CaseRuns runs = runs_with_snapshots({"particles", "coarse_mesh", "fine_mesh"}, {1, 1.5, 2});
+  const auto fields = case_fields(assess(definition, runs));
+  ASSERT_EQ(fields.size(), 2u);
+  EXPECT_TRUE(fields[0].frames.empty());
+  EXPECT_EQ(fields[0].panels.size(), 4u);  // of the two snapshot times alone
+  EXPECT_EQ(fields[1].id, "small_surge-animation");
+  EXPECT_EQ(fields[1].frames, (Names{"t = 1.00 s", "t = 1.50 s", "t = 2.00 s"}));
+  EXPECT_EQ(fields[1].columns, 2);
+  EXPECT_EQ(fields[1].panels.size(), 6u);
+  EXPECT_NE(fields[1].caption.find("3 frames, 0.5 s apart"), std::string::npos);
+}
+
+TEST(CaseAnimation, LeavesOutARunThatLacksAMoment) {
+  CaseDefinition definition = rolling_case();
+  definition.animation_times = {1, 1.5, 2};
+  CaseRuns runs = runs_with_snapshots({"particles", "fine_mesh"}, {1, 1.5, 2});
+  runs.results.at("fine_mesh").snapshots.pop_back();
+  const auto fields = case_fields(assess(definition, runs));
+  ASSERT_EQ(fields.back().columns, 1);
+  runs.results.at("particles").snapshots.pop_back();
+  for (const auto& field : case_fields(assess(definition, runs))) EXPECT_TRUE(field.frames.empty());
+}
+
+}  // namespace
+}  // namespace slosh::case_fields_test

@@ -1,0 +1,231 @@
+// The histories, spectra, motions and energy budgets that a case's section shows: what is drawn of
+// which run, and what is left out where the data are missing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "reports/pages/check_report.hpp"
+#include "reports/summary/campaign_report.hpp"
+#include "verification/tests/figure_results.hpp"
+
+namespace slosh::history_figures_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double forcing = 0.3 * 4.94488;  // [rad/s]
+
+using Names = std::vector<std::string>;
+
+TEST(CaseFigures, AreThoseOfTheDataThatAreThere) {
+  EXPECT_EQ(
+      ids(case_figures(assess(surge_case(), surge_runs()))),
+      (Names{"small_surge-history", "small_surge-residual", "small_surge-sliding-amplitude",
+             "small_surge-sliding-lag", "small_surge-phasor-forced", "small_surge-phasor-natural_1",
+             "small_surge-spectrum", "small_surge-cost", "small_surge-memory"}));
+}
+
+TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecord) {
+  const reports::Figure figure =
+      figure_of(assess(gauged_surge(), gauged_runs()), "wall_pressure-B");
+  EXPECT_EQ(labels(figure), (Names{"theory", "particles", "fine_mesh", "measured"}));
+  EXPECT_EQ(figure.title, "Pressure on the left wall 0.2 m above the bottom, unfiltered");
+  EXPECT_EQ(figure.y_label, "pressure [Pa]");
+  EXPECT_EQ(figure.curves.at(1).y, waving("", "", 1010).value);
+  EXPECT_EQ(figure.curves.at(1).x, waving("", "", 1).time);
+  EXPECT_EQ(figure.curves.at(3).style, reports::Curve::Style::points);
+  EXPECT_EQ(figure.curves[3].y_error, std::vector<double>(1001, 3.0));
+}
+
+TEST(PressureFigure, SaysHowItWasSampledAndWhoIsWho) {
+  const CaseAssessment assessment = assess(gauged_surge(), gauged_runs());
+  EXPECT_EQ(figure_of(assessment, "wall_pressure-B").caption,
+            "Time history: the references and the finest run of each scheme and solver. Above the "
+            "gas's pressure, the mean over a sensor of 4 mm along the wall. SPH: the kernel's mean "
+            "over three spacings, carried to the wall by its pressure gradient; interFoam: "
+            "interpolated between the wall's faces, less the gas's mean. Solvers and theory are "
+            "sampled every 0.02 s, at that instant, and not filtered. theory: linear potential "
+            "theory, 500 modes; particles: SPH, scheme recommended, 10 mm; fine_mesh: interFoam, "
+            "50 x 100 cells; measured: published record b.csv. Bars, or a ribbon, are a record's "
+            "95 % interval. none.");
+  EXPECT_NE(figure_of(assessment, "filtered_wall_pressure-B")
+                .caption.find("one low-pass filter for all: Gaussian, zero phase, -3 dB at 5 Hz."),
+            std::string::npos);
+}
+
+TEST(PressureFigure, OfTheFilteredSeriesShowsThose) {
+  const CaseAssessment assessment = assess(gauged_surge(), gauged_runs());
+  const reports::Figure figure = figure_of(assessment, "filtered_wall_pressure-B");
+  EXPECT_EQ(labels(figure), (Names{"theory", "particles", "fine_mesh", "measured"}));
+  EXPECT_EQ(figure.curves.at(2).y,
+            assessment.runs.results.at("fine_mesh").at("wall_pressure@B/filtered").value);
+  EXPECT_NE(figure.curves[2].y, waving("", "", 1020).value);
+}
+
+TEST(PressureFigure, StandsWithValuesThatAreNoNumbersAndWithoutARun) {
+  CaseRuns runs = gauged_runs();
+  runs.results.at("particles").series.back().value[500] = nan;
+  runs.results.erase("measured");
+  runs.status["measured"] = {RunState::not_supplied, "expected b.csv"};
+  const CaseAssessment assessment = assess(gauged_surge(), runs);
+  EXPECT_EQ(labels(figure_of(assessment, "wall_pressure-B")),
+            (Names{"theory", "particles", "fine_mesh"}));
+  EXPECT_EQ(labels(figure_of(assessment, "filtered_wall_pressure-B")),
+            (Names{"theory", "fine_mesh"}));
+  const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
+  EXPECT_NO_THROW(reports::check_report(campaign_report(campaign, false, "", {assessment})));
+}
+
+TEST(PressureFigure, OfAGaugeWithoutAFilterIsOne) {
+  CaseDefinition definition = gauged_surge();
+  definition.pressure_gauges[0].filter_cutoff.reset();
+  const CaseAssessment assessment = assess(definition, gauged_runs());
+  EXPECT_EQ(figure_of(assessment, "wall_pressure-B").title,
+            "Pressure on the left wall 0.2 m above the bottom");
+  EXPECT_TRUE(figure_of(assessment, "filtered_wall_pressure-B").id.empty());
+}
+
+CaseDefinition rolling_case() {
+  CaseDefinition definition = surge_case();
+  definition.motion.surge.reset();
+  definition.motion.roll =
+      RollDefinition{SineMotion{4 * std::numbers::pi / 180, forcing}, 0.45, 0.1};
+  return definition;
+}
+
+TEST(LoadFigures, ShowEachComponentOfThoseThatHaveIt) {
+  CaseRuns runs = surge_runs();
+  add_series(runs, "theory", "force_x", "N/m", 100);
+  add_series(runs, "theory", "moment", "N", 10);
+  for (const auto& [name, unit] : {std::pair{"force_x", "N/m"},
+                                   {"force_z", "N/m"},
+                                   {"moment", "N"},
+                                   {"momentum_x", "kg/s"},
+                                   {"momentum_z", "kg/s"}})
+    add_series(runs, "particles", name, unit, 50);
+  const CaseAssessment assessment = assess(rolling_case(), runs);
+  const reports::Figure force = figure_of(assessment, "force_x"),
+                        moment = figure_of(assessment, "moment"),
+                        momentum = figure_of(assessment, "momentum_x");
+  EXPECT_EQ(labels(force), (Names{"theory", "particles"}));
+  EXPECT_EQ(force.y_label, "force x [N/m]");
+  EXPECT_EQ(force.curves.at(0).y, waving("", "", 100).value);
+  EXPECT_EQ(labels(figure_of(assessment, "force_z")), (Names{"particles"}));
+  EXPECT_EQ(labels(moment), (Names{"theory", "particles"}));
+  EXPECT_EQ(moment.y_label, "moment [N]");
+  EXPECT_NE(moment.caption.find("counter-clockwise"), std::string::npos);
+  EXPECT_EQ(labels(momentum), (Names{"particles"}));
+  EXPECT_EQ(momentum.y_label, "momentum x [kg/s]");
+  EXPECT_EQ(momentum.curves.at(0).y, waving("", "", 50).value);
+  EXPECT_EQ(labels(figure_of(assessment, "momentum_z")), (Names{"particles"}));
+}
+
+TEST(HighestSurface, IsShownOverTheDepthAndThePeriod) {
+  CaseRuns runs = surge_runs();
+  add_series(runs, "particles", "highest_surface@right", "m", 0.07);
+  const reports::Figure figure = figure_of(assess(surge_case(), runs), "highest_surface-right");
+  ASSERT_EQ(labels(figure), (Names{"particles"}));
+  EXPECT_EQ(figure.x_label, "time over the forcing period, t/T [1]");
+  EXPECT_EQ(figure.y_label, "highest surface over the still depth, η/h [1]");
+  EXPECT_NEAR(figure.curves[0].x.back(), 20 * forcing / (2 * std::numbers::pi), 1e-12);
+  EXPECT_NEAR(figure.x_range.second, figure.curves[0].x.back(), 1e-12);
+  EXPECT_NEAR(figure.curves[0].y.front(), 0.2, 1e-12);
+}
+
+TEST(HighestSurface, OfATankThatStandsHasItsDimensions) {
+  CaseDefinition definition = surge_case();
+  definition.motion = {};
+  CaseRuns runs = surge_runs();
+  add_series(runs, "particles", "highest_surface@right", "m", 0.07);
+  const reports::Figure figure = figure_of(assess(definition, runs), "highest_surface-right");
+  ASSERT_EQ(labels(figure), (Names{"particles"}));
+  EXPECT_EQ(figure.x_label, "time [s]");
+  EXPECT_EQ(figure.y_label, "highest surface [mm]");
+  EXPECT_EQ(figure.curves[0].x.back(), 20);
+  EXPECT_NEAR(figure.curves[0].y.front(), 70, 1e-12);
+}
+
+TEST(SpectrumFigures, AreOfTheElevationAndOfTheHighestSurface) {
+  CaseRuns runs = surge_runs();
+  add_series(runs, "particles", "highest_surface@right", "m", 0.07);
+  const CaseAssessment assessment = assess(surge_case(), runs);
+  const reports::Figure elevation = figure_of(assessment, "spectrum");
+  EXPECT_EQ(labels(elevation), (Names{"theory", "theory_with_gas", "particles", "fine_mesh"}));
+  const reports::Figure highest = figure_of(assessment, "spectrum-highest_surface-right");
+  ASSERT_EQ(labels(highest), (Names{"particles"}));
+  EXPECT_EQ(highest.title, "Spectrum of the highest surface at gauge right");
+  EXPECT_EQ(highest.y_label, "power [m2]");
+  // A sine of 0.07 m has its peak of 0.07^2 / 2 at the forcing's frequency.
+  const reports::Curve& curve = highest.curves[0];
+  const auto peak = std::max_element(curve.y.begin(), curve.y.end());
+  EXPECT_NEAR(*peak, 0.07 * 0.07 / 2, 0.05 * 0.07 * 0.07);
+  EXPECT_NEAR(curve.x[static_cast<std::size_t>(peak - curve.y.begin())],
+              forcing / (2 * std::numbers::pi), 1 / (4 * 19.0));
+  EXPECT_LE(curve.x.back(), highest.x_range.second);
+}
+
+TEST(SpectrumFigures, MarkTheForcingTwiceItAndTheFirstNaturalMode) {
+  CaseDefinition definition = surge_case();
+  definition.natural_modes = 0;
+  const reports::Figure figure = figure_of(assess(definition, surge_runs()), "spectrum");
+  ASSERT_EQ(figure.markers.size(), 3u);
+  EXPECT_EQ(figure.markers[0].label, "forced");
+  EXPECT_NEAR(figure.markers[0].x, forcing / (2 * std::numbers::pi), 1e-12);
+  EXPECT_EQ(figure.markers[1].label, "natural_1");
+  EXPECT_NEAR(figure.markers[1].x, 4.96646 / (2 * std::numbers::pi), 1e-6);
+  EXPECT_EQ(figure.markers[2].label, "2 x forced");
+  EXPECT_NEAR(figure.markers[2].x, forcing / std::numbers::pi, 1e-12);
+}
+
+TEST(SpectrumFigures, LeaveOutASurfaceThatDoesNotMoveOrIsNoNumber) {
+  CaseRuns runs = surge_runs();
+  add_series(runs, "particles", "highest_surface@right", "m", 0);
+  add_series(runs, "fine_mesh", "highest_surface@right", "m", nan);
+  EXPECT_TRUE(figure_of(assess(surge_case(), runs), "spectrum-highest_surface-right").id.empty());
+}
+
+TEST(MotionFigures, ShowTheRollAndTheSurgeOfATankThatRolls) {
+  CaseDefinition definition = rolling_case();
+  EXPECT_TRUE(figure_of(assess(definition, surge_runs()), "surge").id.empty());
+  definition.motion.surge = SineMotion{0.02, forcing};
+  const CaseAssessment assessment = assess(definition, surge_runs());
+  const reports::Figure roll = figure_of(assessment, "roll"),
+                        surge = figure_of(assessment, "surge");
+  ASSERT_EQ(roll.curves.size(), 1u);
+  ASSERT_EQ(roll.curves[0].x.size(), 1001u);
+  EXPECT_EQ(roll.curves[0].x.back(), 20);
+  EXPECT_NEAR(roll.curves[0].y[100], 4 * std::sin(2 * forcing), 1e-9);
+  EXPECT_EQ(roll.y_label, "roll [deg]");
+  ASSERT_EQ(surge.curves.size(), 1u);
+  EXPECT_NEAR(surge.curves[0].y[100], 20 * std::sin(2 * forcing), 1e-9);
+  EXPECT_EQ(surge.y_label, "surge [mm]");
+}
+
+const Names energies{"kinetic_energy", "potential_energy",  "internal_energy",
+                     "wall_work",      "dissipated_energy", "energy_residual"};
+
+TEST(EnergyFigure, ShowsEveryPartOfTheBudgetSinceTheStart) {
+  CaseRuns runs = surge_runs();
+  for (std::size_t i = 0; i < energies.size(); ++i)
+    add_series(runs, "particles", energies[i], "J/m", 1.0 + static_cast<double>(i));
+  const reports::Figure figure = figure_of(assess(surge_case(), runs), "energy-particles");
+  EXPECT_EQ(labels(figure), (Names{"kinetic", "potential", "internal", "work of the walls",
+                                   "dissipated", "residual"}));
+  EXPECT_EQ(figure.y_label, "energy [J/m]");
+  for (std::size_t i = 0; i < energies.size(); ++i) {
+    EXPECT_EQ(figure.curves[i].y.front(), 0);
+    EXPECT_NEAR(figure.curves[i].y[100], (1.0 + static_cast<double>(i)) * std::sin(2 * forcing),
+                1e-12);
+  }
+}
+
+TEST(EnergyFigure, IsLeftOutWithoutTheWholeBudget) {
+  CaseRuns runs = surge_runs();
+  for (std::size_t i = 0; i + 1 < energies.size(); ++i)
+    add_series(runs, "particles", energies[i], "J/m", 1);
+  EXPECT_TRUE(figure_of(assess(surge_case(), runs), "energy-particles").id.empty());
+}
+
+}  // namespace
+}  // namespace slosh::history_figures_test

@@ -1,0 +1,160 @@
+// What the error of each method costs in run time and in memory, with the front of those that no
+// other beats in both.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/figures/figure_kinds.hpp"
+#include "verification/assessment/work_points.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Curve;
+using reports::Figure;
+
+// More changes than the figures have colours do not make a legend that one can read.
+constexpr std::size_t most_changes_named = 6;
+const std::string many_changes = ", one choice changed";
+
+// A kind of cost, and how a figure shows it.
+struct CostAxis {
+  std::vector<WorkPoint> (*points)(const WorkFamily&);
+  double scale;  // from the points' unit to the axis'
+  std::string id, title, what, x_label;
+};
+
+const CostAxis time_axis{by_core_seconds,
+                         1,
+                         "-cost",
+                         "Error against run time",
+                         "core-seconds of the run (user and system time, all processes)",
+                         "run time [core-s]"};
+const CostAxis memory_axis{by_memory,
+                           1.0 / 1048576,
+                           "-memory",
+                           "Error against memory",
+                           "the peak memory of the run's largest process",
+                           "peak memory [MiB]"};
+
+// Every change by its name, or many of them under one.
+std::vector<WorkFamily> shown_families(const CaseAssessment& assessment) {
+  std::vector<WorkFamily> families = work_families(assessment);
+  const auto changes = std::count_if(families.begin(), families.end(),
+                                     [](const WorkFamily& one) { return one.changed; });
+  if (changes <= static_cast<std::ptrdiff_t>(most_changes_named)) return families;
+  std::vector<WorkFamily> shown;
+  for (WorkFamily& family : families) {
+    if (family.changed) family.name = family.name.substr(0, family.name.find(',')) + many_changes;
+    const auto same = std::find_if(shown.begin(), shown.end(), [&](const WorkFamily& one) {
+      return one.name == family.name && one.reference == family.reference;
+    });
+    if (same == shown.end())
+      shown.push_back(std::move(family));
+    else
+      same->runs.insert(same->runs.end(), family.runs.begin(), family.runs.end());
+  }
+  return shown;
+}
+
+std::string slope_text(const std::optional<Estimate>& slope) {
+  if (!slope) return "";
+  return std::isnan(slope->half_width)
+             ? fmt::format(", slope {:.2f}", slope->value)
+             : fmt::format(", slope {:.2f} ± {:.2f}", slope->value, slope->half_width);
+}
+
+Curve curve_of(const WorkFamily& family, const CostAxis& axis) {
+  const std::vector<WorkPoint> points = axis.points(family);
+  const bool is_one_method = !family.name.ends_with(many_changes);
+  const auto slope = is_one_method ? work_slope(points) : std::nullopt;
+  Curve curve{family.name + " against " + family.reference + slope_text(slope),
+              {},
+              {},
+              {},
+              slope ? Curve::Style::line_points : Curve::Style::points};
+  for (const WorkPoint& point : points) {
+    curve.x.push_back(axis.scale * point.cost.value);
+    curve.x_error.push_back(axis.scale * point.cost.half_width);
+    curve.y.push_back(point.error.value);
+    curve.y_error.push_back(point.error.half_width);
+  }
+  for (std::vector<double>* bars : {&curve.x_error, &curve.y_error})
+    if (std::none_of(bars->begin(), bars->end(), [](double bar) { return bar > 0; })) bars->clear();
+  return curve;
+}
+
+// Stepped, from above the cheapest run to the right of the most exact one.
+Curve front_curve(const std::vector<WorkPoint>& points, const CostAxis& axis) {
+  Curve curve{"Pareto front", {}, {}, {}, Curve::Style::dashed};
+  double worst = 0, dearest = 0;
+  for (const WorkPoint& point : points) {
+    if (std::isfinite(point.error.value)) worst = std::max(worst, point.error.value);
+    if (std::isfinite(point.cost.value)) dearest = std::max(dearest, point.cost.value);
+  }
+  double level = worst;
+  for (const WorkPoint& point : pareto_front(points)) {
+    for (const double y : {level, point.error.value}) {
+      curve.x.push_back(axis.scale * point.cost.value);
+      curve.y.push_back(y);
+    }
+    level = point.error.value;
+  }
+  curve.x.push_back(axis.scale * dearest);
+  curve.y.push_back(level);
+  return curve;
+}
+
+std::string beside_others(const std::vector<WorkFamily>& families) {
+  std::size_t timed = 0, all = 0;
+  std::vector<std::string> names;
+  for (const WorkFamily& family : families)
+    for (const WorkRun& run : family.runs) {
+      ++all;
+      timed += run.cost.timings > 0;
+      if (run.cost.timings == 0) names.push_back(run.run);
+    }
+  if (timed == all) return "";
+  if (timed == 0) return " All were measured beside other runs, once, and have no bar of cost.";
+  return fmt::format(" Measured beside other runs, without a bar of cost: {}.",
+                     fmt::join(names, ", "));
+}
+
+Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
+  const std::vector<WorkFamily> families = shown_families(assessment);
+  const std::vector<WorkFamily> references = reference_families(assessment);
+  Figure figure;
+  figure.id = assessment.definition.name + axis.id;
+  figure.title = axis.title;
+  figure.x_label = axis.x_label;
+  figure.y_label = "normalised rms error [1]";
+  figure.log_x = figure.log_y = true;
+  std::vector<WorkPoint> candidates;
+  for (const WorkFamily& family : families) {
+    const std::vector<WorkPoint> points = axis.points(family);
+    candidates.insert(candidates.end(), points.begin(), points.end());
+  }
+  if (candidates.size() > 1 && !pareto_front(candidates).empty())
+    figure.curves.push_back(front_curve(candidates, axis));
+  for (const auto* group : {&families, &references})
+    for (const WorkFamily& family : *group) figure.curves.push_back(curve_of(family, axis));
+  figure.caption = fmt::format(
+      "Normalised rms error over the comparison window against {}. Bars are 95 % intervals: of the "
+      "mean of repeats that had a core for themselves, and of the error over blocks of the window. "
+      "The front is that of all candidates; a slope is that of ln error over ln cost.{}{}",
+      axis.what,
+      references.empty() ? "" : " References are shown by what sets them apart from one another.",
+      beside_others(families));
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> cost_figures(const CaseAssessment& assessment) {
+  if (judging_comparisons(assessment).empty()) return {};
+  return {figure_of(assessment, time_axis), figure_of(assessment, memory_axis)};
+}
+
+}  // namespace slosh

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "reports/gate_documents/gate_document.hpp"
+
+namespace slosh::reports {
+namespace {
+
+using Xml = boost::property_tree::ptree;
+
+// XML 1.0 knows no control characters but tab and line breaks.
+std::string xml_text(const std::string& text) {
+  std::string legal;
+  for (const char c : text)
+    legal += static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n' ? c : '?';
+  return legal;
+}
+
+void add_property(Xml& properties, const char* name, const std::string& value) {
+  Xml property;
+  property.put("<xmlattr>.name", name);
+  property.put("<xmlattr>.value", xml_text(value));
+  properties.add_child("property", property);
+}
+
+std::string number(double value) { return fmt::format("{:.10g}", value); }
+
+Xml properties_of(const GateEntry& entry) {
+  Xml properties;
+  add_property(properties, "value", number(entry.value));
+  add_property(properties, "uncertainty_95", number(entry.uncertainty));
+  if (entry.lower) add_property(properties, "tolerance_lower", number(*entry.lower));
+  if (entry.upper) add_property(properties, "tolerance_upper", number(*entry.upper));
+  add_property(properties, "unit", entry.unit);
+  if (!entry.moved.empty()) add_property(properties, "since_baseline", entry.moved);
+  return properties;
+}
+
+// The element that a row which does not pass has, and its type; none for one that passes.
+std::pair<const char*, const char*> element_of(GateOutcomeKind outcome) {
+  switch (outcome) {
+    case GateOutcomeKind::violated:
+      return {"failure", "violated"};
+    case GateOutcomeKind::inconclusive:
+      return {"failure", "inconclusive"};
+    case GateOutcomeKind::not_compared:
+      return {"error", "not compared"};
+    case GateOutcomeKind::solver_failed:
+      return {"error", "solver failed"};
+    case GateOutcomeKind::skipped:
+      return {"skipped", nullptr};
+    case GateOutcomeKind::pass:
+      break;
+  }
+  return {nullptr, nullptr};
+}
+
+Xml case_of(const GateEntry& entry) {
+  Xml test;
+  test.put("<xmlattr>.classname", xml_text(entry.group));
+  test.put("<xmlattr>.name", xml_text(entry.name));
+  test.put("<xmlattr>.file", xml_text(entry.file));
+  test.put("<xmlattr>.line", entry.line);
+  test.add_child("properties", properties_of(entry));
+  if (const auto [element, type] = element_of(entry.outcome); element) {
+    Xml& told = test.add(element, "");
+    told.put("<xmlattr>.message", xml_text(entry.message));
+    if (type) told.put("<xmlattr>.type", type);
+  }
+  return test;
+}
+
+struct Counts {
+  int tests = 0, failures = 0, errors = 0, skipped = 0;
+
+  void add(GateOutcomeKind outcome) {
+    ++tests;
+    failures += outcome == GateOutcomeKind::violated || outcome == GateOutcomeKind::inconclusive;
+    errors += outcome == GateOutcomeKind::not_compared || outcome == GateOutcomeKind::solver_failed;
+    skipped += outcome == GateOutcomeKind::skipped;
+  }
+  void put_on(Xml& element) const {
+    element.put("<xmlattr>.tests", tests);
+    element.put("<xmlattr>.failures", failures);
+    element.put("<xmlattr>.errors", errors);
+    element.put("<xmlattr>.skipped", skipped);
+  }
+};
+
+}  // namespace
+
+std::string junit_xml(const GateDocument& document) {
+  std::vector<std::string> groups;
+  for (const GateEntry& entry : document.entries)
+    if (std::find(groups.begin(), groups.end(), entry.group) == groups.end())
+      groups.push_back(entry.group);
+  Xml root, suites;
+  Counts all;
+  suites.put("<xmlattr>.name", xml_text(document.title));
+  for (const std::string& group : groups) {
+    Xml suite;
+    Counts counts;
+    suite.put("<xmlattr>.name", xml_text(group));
+    for (const GateEntry& entry : document.entries) {
+      if (entry.group != group) continue;
+      counts.add(entry.outcome);
+      all.add(entry.outcome);
+      suite.add_child("testcase", case_of(entry));
+    }
+    counts.put_on(suite);
+    suites.add_child("testsuite", suite);
+  }
+  all.put_on(suites);
+  root.add_child("testsuites", suites);
+  std::ostringstream text;
+  boost::property_tree::write_xml(
+      text, root, boost::property_tree::xml_writer_make_settings<std::string>(' ', 2));
+  return text.str();
+}
+
+}  // namespace slosh::reports

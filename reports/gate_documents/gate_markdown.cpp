@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/gate_documents/gate_document.hpp"
+#include "reports/pages/text_markup.hpp"
+
+namespace slosh::reports {
+namespace {
+
+int badness(const GateEntry& entry) {
+  switch (entry.outcome) {
+    case GateOutcomeKind::solver_failed:
+      return 5;
+    case GateOutcomeKind::violated:
+      return 4;
+    case GateOutcomeKind::not_compared:
+      return 3;
+    case GateOutcomeKind::inconclusive:
+      return 2;
+    case GateOutcomeKind::pass:
+    case GateOutcomeKind::skipped:
+      return entry.loosened ? 1 : 0;
+  }
+  return 0;
+}
+
+std::string word(GateOutcomeKind outcome) {
+  const bool is_calm = outcome == GateOutcomeKind::pass || outcome == GateOutcomeKind::skipped;
+  return is_calm ? outcome_word(outcome) : "**" + outcome_word(outcome) + "**";
+}
+
+bool is_worth_a_line(const GateEntry& entry) {
+  return badness(entry) > 0 || (entry.outcome == GateOutcomeKind::pass && !entry.moved.empty() &&
+                                entry.moved != "unmoved");
+}
+
+}  // namespace
+
+std::vector<const GateEntry*> worst_first(const GateDocument& document) {
+  std::vector<const GateEntry*> order;
+  for (const GateEntry& entry : document.entries) order.push_back(&entry);
+  std::stable_sort(order.begin(), order.end(), [](const GateEntry* one, const GateEntry* other) {
+    return badness(*one) > badness(*other);
+  });
+  return order;
+}
+
+std::string gate_markdown(const GateDocument& document) {
+  std::string text =
+      fmt::format("## {}\n\n{}\n", markdown_text(document.title), markdown_text(document.verdict));
+  if (!document.basis.empty()) text += fmt::format("\n{}\n", markdown_text(document.basis));
+  std::string lines;
+  std::size_t told = 0;
+  for (const GateEntry* entry : worst_first(document)) {
+    if (!is_worth_a_line(*entry)) continue;
+    ++told;
+    lines += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", word(entry->outcome),
+                         markdown_text(entry->kind), markdown_text(entry->group),
+                         markdown_text(entry->name), markdown_text(entry->message),
+                         markdown_text(entry->uncertainties), markdown_text(entry->moved));
+  }
+  if (told > 0)
+    text +=
+        "\n| verdict | kind | case | row | found | uncertainties | since the baseline |\n"
+        "|---|---|---|---|---|---|---|\n" +
+        lines;
+  const std::size_t rest = document.entries.size() - told;
+  if (rest > 0)
+    text += fmt::format("\n{} {} passed unmoved, or left out of this form.\n", rest,
+                        told > 0 ? "more rows" : "rows");
+  return text;
+}
+
+}  // namespace slosh::reports

@@ -1,0 +1,179 @@
+#include "reports/gate_documents/gate_document.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace slosh::reports::gate_document_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+GateEntry entry(GateOutcomeKind outcome, const std::string& name) {
+  return {.outcome = outcome,
+          .group = "surge & roll",
+          .name = name,
+          .message = "3 % is not <= 1 % | at all",
+          .unit = "1",
+          .value = 0.03,
+          .uncertainty = 0.002,
+          .lower = -0.01,
+          .upper = 0.01,
+          .moved = "",
+          .loosened = false,
+          .file = "verification/cases/surge.toml",
+          .line = 42};
+}
+
+GateDocument document() {
+  GateEntry loosened = entry(GateOutcomeKind::pass, "loosened");
+  loosened.loosened = true;
+  loosened.moved = "unmoved, tolerance loosened: -1 % .. +1 % -> -2 % .. +2 %";
+  GateEntry lost = entry(GateOutcomeKind::not_compared, "lost");
+  lost.value = lost.uncertainty = nan;
+  GateEntry crashed = entry(GateOutcomeKind::solver_failed, "crashed");
+  return {
+      "Surges",
+      "2 of 5 gate rows hold.",
+      "0.1.0",
+      {entry(GateOutcomeKind::pass, "fine"), loosened,
+       entry(GateOutcomeKind::inconclusive, "unsure"), entry(GateOutcomeKind::violated, "broken"),
+       lost, crashed, entry(GateOutcomeKind::skipped, "absent")}};
+}
+
+boost::property_tree::ptree parsed(const std::string& xml) {
+  std::istringstream stream(xml);
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_xml(stream, tree);
+  return tree;
+}
+
+TEST(GateDocument, OrdersTheWorstFirst) {
+  const GateDocument gate = document();
+  std::vector<std::string> names;
+  for (const GateEntry* one : worst_first(gate)) names.push_back(one->name);
+  EXPECT_EQ(names, (std::vector<std::string>{"crashed", "broken", "lost", "unsure", "loosened",
+                                             "fine", "absent"}));
+}
+
+TEST(GateDocument, HasEveryRowAsALineOfValues) {
+  std::istringstream stream(gate_csv(document()));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 8u);
+  EXPECT_EQ(lines[0],
+            "verdict,kind,case,row,value,uncertainty_95,lower,upper,unit,found,uncertainties,"
+            "since_the_baseline,file,line");
+  EXPECT_EQ(lines[4],
+            "violated,,surge & roll,broken,0.03,0.002,-0.01,0.01,1,3 % is not <= 1 % | at all,,,"
+            "verification/cases/surge.toml,42");
+  EXPECT_TRUE(lines[5].starts_with("not compared,,surge & roll,lost,,,-0.01,"));
+}
+
+TEST(GateDocument, CountsFailuresErrorsAndSkippedRowsApartInJUnit) {
+  const auto suites = parsed(junit_xml(document())).get_child("testsuites");
+  EXPECT_EQ(suites.get<int>("<xmlattr>.tests"), 7);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.failures"), 2);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.errors"), 2);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.skipped"), 1);
+  EXPECT_EQ(suites.get<std::string>("testsuite.<xmlattr>.name"), "surge & roll");
+}
+
+TEST(GateDocument, GivesValueToleranceAndUncertaintyAsJUnitProperties) {
+  const auto suite = parsed(junit_xml(document())).get_child("testsuites.testsuite");
+  std::map<std::string, std::map<std::string, std::string>> properties;
+  std::map<std::string, std::string> type;
+  for (const auto& [tag, test] : suite) {
+    if (tag != "testcase") continue;
+    const auto name = test.get<std::string>("<xmlattr>.name");
+    for (const auto& [kind, one] : test.get_child("properties"))
+      properties[name][one.get<std::string>("<xmlattr>.name")] =
+          one.get<std::string>("<xmlattr>.value");
+    type[name] = test.get<std::string>("failure.<xmlattr>.type",
+                                       test.get<std::string>("error.<xmlattr>.type", "none"));
+  }
+  EXPECT_EQ(properties["broken"]["value"], "0.03");
+  EXPECT_EQ(properties["broken"]["uncertainty_95"], "0.002");
+  EXPECT_EQ(properties["broken"]["tolerance_lower"], "-0.01");
+  EXPECT_EQ(properties["broken"]["tolerance_upper"], "0.01");
+  EXPECT_EQ(properties["lost"]["value"], "nan");
+  EXPECT_EQ(type["broken"], "violated");
+  EXPECT_EQ(type["unsure"], "inconclusive");
+  EXPECT_EQ(type["lost"], "not compared");
+  EXPECT_EQ(type["crashed"], "solver failed");
+  EXPECT_EQ(type["fine"], "none");
+}
+
+TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
+  const std::string text = gate_markdown(document());
+  const auto at = [&](const char* what) { return text.find(what); };
+  EXPECT_LT(at("**solver failed**"), at("**violated**"));
+  EXPECT_LT(at("**violated**"), at("**not compared**"));
+  EXPECT_LT(at("**not compared**"), at("**inconclusive**"));
+  EXPECT_LT(at("unsure"), at("tolerance loosened"));
+  EXPECT_EQ(at("| fine"), text.npos);
+  EXPECT_NE(at("2 more rows passed unmoved"), text.npos);
+  EXPECT_NE(at("3 % is not &lt;= 1 % \\| at all"), text.npos);  // the bar would end the cell
+}
+
+TEST(GateDocument, HoldsNoTagOfANameInItsMarkdown) {
+  GateDocument hostile = document();
+  hostile.title = "<script>alert(1)</script> `<b>` | x";
+  hostile.verdict = "<i>0 of 6</i>";
+  for (GateEntry& entry : hostile.entries)
+    entry.group = entry.name = entry.message = entry.moved = "<img src=x> `a|<b>` | c";
+  const std::string text = gate_markdown(hostile);
+  EXPECT_EQ(text.find('<'), text.npos) << text;
+  EXPECT_NE(text.find("&lt;script&gt;"), text.npos) << text;
+  EXPECT_NE(text.find("&lt;img src=x&gt;"), text.npos) << text;
+  const std::string row = text.substr(text.find("| **not compared**"));
+  std::string line = row.substr(0, row.find('\n'));
+  boost::replace_all(line, "\\|", "");
+  EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 8) << line;  // of seven columns
+}
+
+TEST(GateDocument, TellsInMarkdownEachRowsKindAndUncertaintiesAndWhatTheRowsRestOn) {
+  GateDocument gate = document();
+  gate.basis = "Validation rows: 1 of 4 pass; regression rows: 1 of 2.";
+  for (GateEntry& one : gate.entries) {
+    one.kind = "validation";
+    one.uncertainties = "u_num 1 %, u_input unknown, u_reference 2 %";
+  }
+  const std::string text = gate_markdown(gate);
+  EXPECT_NE(text.find("2 of 5 gate rows hold.\n\nValidation rows: 1 of 4 pass"), text.npos) << text;
+  EXPECT_NE(text.find("| **violated** | validation | surge &amp; roll | broken |"), text.npos)
+      << text;
+  EXPECT_NE(text.find("| u\\_num 1 %, u\\_input unknown, u\\_reference 2 % |"), text.npos) << text;
+}
+
+TEST(GateDocument, PointsInSarifAtTheRowInItsCaseFile) {
+  const auto sarif = nlohmann::json::parse(gate_sarif(document()));
+  EXPECT_EQ(sarif.at("version"), "2.1.0");
+  const auto& results = sarif.at("runs").at(0).at("results");
+  ASSERT_EQ(results.size(), 5U);  // failed, violated, not compared, inconclusive, loosened
+  EXPECT_EQ(results[0].at("ruleId"), "solver-failed");
+  EXPECT_EQ(results[1].at("ruleId"), "tolerance-violated");
+  EXPECT_EQ(results[1].at("level"), "error");
+  EXPECT_EQ(results[2].at("ruleId"), "not-compared");
+  EXPECT_TRUE(results[2].at("properties").at("value").is_null());
+  EXPECT_EQ(results[3].at("ruleId"), "inconclusive");
+  EXPECT_EQ(results[3].at("level"), "warning");
+  EXPECT_EQ(results[4].at("ruleId"), "tolerance-loosened");
+  const auto& place = results[1].at("locations").at(0).at("physicalLocation");
+  EXPECT_EQ(place.at("artifactLocation").at("uri"), "verification/cases/surge.toml");
+  EXPECT_EQ(place.at("region").at("startLine"), 42);
+  for (const auto& result : results) {
+    bool known = false;
+    for (const auto& rule : sarif.at("runs").at(0).at("tool").at("driver").at("rules"))
+      known |= rule.at("id") == result.at("ruleId");
+    EXPECT_TRUE(known);
+  }
+}
+
+}  // namespace
+}  // namespace slosh::reports::gate_document_test

@@ -1,0 +1,198 @@
+#include "reports/pages/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "reports/fields/field_range.hpp"
+#include "reports/model/report_error.hpp"
+#include "reports/pages/page_links.hpp"
+
+namespace slosh::reports {
+namespace {
+
+void check_id(const char* kind, const std::string& id, std::set<std::string>& taken) {
+  const bool fit = !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_';
+  });
+  if (!fit)
+    throw ReportError(fmt::format("{} id '{}': expected letters, digits, '-' and '_'", kind, id));
+  if (!taken.insert(id).second)
+    throw ReportError(fmt::format("{} id '{}' is used twice", kind, id));
+}
+
+void check_table(const Table& table) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (table.rows[i].size() != table.header.size()) {
+      throw ReportError(fmt::format("table '{}', row {}: {} cells, expected {} as in the header",
+                                    table.id, i + 1, table.rows[i].size(), table.header.size()));
+    }
+  }
+}
+
+void check_row_anchors(const Table& table, std::set<std::string>& taken) {
+  if (!table.row_ids.empty() && table.row_ids.size() != table.rows.size()) {
+    throw ReportError(fmt::format("table '{}': {} row_ids, expected {} as the rows, or none",
+                                  table.id, table.row_ids.size(), table.rows.size()));
+  }
+  for (const std::string& id : table.row_ids) check_id("row", id, taken);
+}
+
+void check_links(const Table& table, const std::map<std::string, std::string>& anchors) {
+  if (table.links.empty()) return;
+  const auto width = [](const auto& row) { return row.size(); };
+  if (!std::ranges::equal(table.links, table.rows, {}, width, width))
+    throw ReportError(
+        fmt::format("table '{}': expected a link, or an empty one, a cell", table.id));
+  for (const auto& row : table.links)
+    for (const std::string& anchor : row)
+      if (!anchor.empty() && !anchors.contains(anchor)) {
+        throw ReportError(fmt::format("table '{}': a link leads to '{}', which the report has not",
+                                      table.id, anchor));
+      }
+}
+
+// Every section stands on a page that there is, and no page is without a section.
+void check_pages(const Report& report) {
+  std::set<std::string> pages{"index"}, used;  // the first page's file has that name
+  for (const Page& page : report.pages) check_id("page", page.id, pages);
+  for (const Section& section : report.sections) {
+    if (!section.page.empty() && (section.page == "index" || !pages.contains(section.page))) {
+      throw ReportError(fmt::format("section '{}' is on the page '{}', which the report has not",
+                                    section.id, section.page));
+    }
+    used.insert(section.page);
+  }
+  for (const Page& page : report.pages)
+    if (!used.contains(page.id))
+      throw ReportError(fmt::format("page '{}' has no section", page.id));
+}
+
+void check_curve(const Figure& figure, const Curve& curve) {
+  const auto fits = [&](const std::vector<double>& values) {
+    return values.empty() || values.size() == curve.y.size();
+  };
+  if (curve.x.size() != curve.y.size() || !fits(curve.y_error) || !fits(curve.x_error))
+    throw ReportError(fmt::format(
+        "figure '{}', curve '{}': {} x, {} y, {} y_error, {} x_error values, expected equally many",
+        figure.id, curve.label, curve.x.size(), curve.y.size(), curve.y_error.size(),
+        curve.x_error.size()));
+  if (curve.lower.size() != curve.upper.size() || !fits(curve.lower))
+    throw ReportError(fmt::format(
+        "figure '{}', curve '{}': a ribbon of {} lower and {} upper values about {} y, expected "
+        "equally many",
+        figure.id, curve.label, curve.lower.size(), curve.upper.size(), curve.y.size()));
+}
+
+void check_figure(const Figure& figure) {
+  for (const Curve& curve : figure.curves) check_curve(figure, curve);
+  if (figure.equal_axes && (figure.log_x || figure.log_y))
+    throw ReportError(
+        fmt::format("figure '{}': equal axes, expected none of them logarithmic", figure.id));
+  const auto [lower, upper] = figure.x_range;
+  if (lower == upper) return;
+  if (!(lower < upper) || !std::isfinite(lower) || !std::isfinite(upper) ||
+      (figure.log_x && lower <= 0)) {
+    throw ReportError(
+        fmt::format("figure '{}': x_range {} to {}, expected increasing finite values{}", figure.id,
+                    lower, upper, figure.log_x ? " above zero for a logarithmic axis" : ""));
+  }
+}
+
+void check_panel(const FieldFigure& figure, const FieldPanel& panel) {
+  const auto refuse = [&](const std::string& why) {
+    throw ReportError(fmt::format("figure '{}', panel '{}': {}", figure.id, panel.label, why));
+  };
+  if (panel.x.size() != panel.z.size() || panel.x.size() != panel.value.size()) {
+    refuse(fmt::format("{} x, {} z, {} values, expected equally many", panel.x.size(),
+                       panel.z.size(), panel.value.size()));
+  }
+  const std::size_t arrows = panel.arrow_x.size();
+  if (panel.arrow_z.size() != arrows || panel.arrow_u.size() != arrows ||
+      panel.arrow_w.size() != arrows) {
+    refuse(fmt::format("{} arrow_x, {} arrow_z, {} arrow_u, {} arrow_w, expected equally many",
+                       arrows, panel.arrow_z.size(), panel.arrow_u.size(), panel.arrow_w.size()));
+  }
+  for (const auto& [name, value] :
+       {std::pair{"tank_length", panel.tank_length}, std::pair{"tank_height", panel.tank_height},
+        std::pair{"point_width", panel.point_width},
+        std::pair{"point_height", panel.point_height}}) {
+    if (!(value > 0) || !std::isfinite(value))
+      refuse(fmt::format("{} {}, expected a finite length above zero [m]", name, value));
+  }
+  for (const auto& [name, value] :
+       {std::pair{"angle", panel.angle}, std::pair{"axis_x", panel.axis_x},
+        std::pair{"axis_z", panel.axis_z}}) {
+    if (!std::isfinite(value)) refuse(fmt::format("{} {}, expected a finite value", name, value));
+  }
+}
+
+void check_field(const FieldFigure& figure) {
+  if (figure.panels.empty()) throw ReportError(fmt::format("figure '{}': no panels", figure.id));
+  if (figure.columns < 1) {
+    throw ReportError(
+        fmt::format("figure '{}': columns {}, expected 1 or more", figure.id, figure.columns));
+  }
+  if (!figure.frames.empty() &&
+      figure.frames.size() * static_cast<std::size_t>(figure.columns) != figure.panels.size()) {
+    throw ReportError(
+        fmt::format("figure '{}': {} frames of {} panels each, expected as many as "
+                    "there are panels ({})",
+                    figure.id, figure.frames.size(), figure.columns, figure.panels.size()));
+  }
+  if (!(figure.arrow_scale >= 0) || !std::isfinite(figure.arrow_scale)) {
+    throw ReportError(
+        fmt::format("figure '{}': arrow_scale {}, expected 0 (automatic) or metres "
+                    "per metre a second above it",
+                    figure.id, figure.arrow_scale));
+  }
+  const auto [lower, upper] = figure.value_range;
+  if (lower != upper && !is_range(lower, upper)) {
+    throw ReportError(
+        fmt::format("figure '{}': value_range {} to {}, expected increasing finite "
+                    "values, or equal ones for an automatic range",
+                    figure.id, lower, upper));
+  }
+  for (const FieldPanel& panel : figure.panels) check_panel(figure, panel);
+}
+
+}  // namespace
+
+void check_report(const Report& report) {
+  check_pages(report);
+  std::set<std::string> sections, tables, rows, figures;
+  for (const Section& section : report.sections) {
+    check_id("section", section.id, sections);
+    for (const Table& table : section.tables) {
+      check_id("table", table.id, tables);
+      check_table(table);
+      check_row_anchors(table, rows);
+    }
+    for (const Figure& figure : section.figures) {
+      check_id("figure", figure.id, figures);
+      check_figure(figure);
+    }
+    for (const FieldFigure& figure : section.fields) {
+      check_id("figure", figure.id, figures);
+      check_field(figure);
+    }
+  }
+  const std::map<std::string, std::string> anchors = anchors_of(report);
+  for (const Section& section : report.sections)
+    for (const Table& table : section.tables) check_links(table, anchors);
+  if (!report.decided_by.text.empty() && !anchors.contains(report.decided_by.anchor))
+    throw ReportError(
+        fmt::format("decided by '{}', which the report has not", report.decided_by.anchor));
+  try {
+    [[maybe_unused]] const auto parsed = nlohmann::json::parse(report.results_json);
+  } catch (const nlohmann::json::parse_error& error) {
+    throw ReportError(fmt::format("results_json is not JSON: {}", error.what()));
+  }
+}
+
+}  // namespace slosh::reports

@@ -1,0 +1,172 @@
+#include "reports/pages/html_sections.hpp"
+
+#include <algorithm>
+
+#include "reports/fields/film_markup.hpp"
+#include "reports/pages/text_markup.hpp"
+
+namespace slosh::reports {
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+// Which columns hold numbers only, and at least one.
+std::vector<bool> numeric_columns(const Table& table) {
+  std::vector<bool> numeric;
+  for (std::size_t column = 0; column < table.header.size(); ++column) {
+    numeric.push_back(!table.rows.empty() &&
+                      std::all_of(table.rows.begin(), table.rows.end(),
+                                  [&](const auto& row) { return is_numeric(row[column]); }));
+  }
+  return numeric;
+}
+
+const char* cell_class(CellVerdict verdict, bool numeric) {
+  switch (verdict) {
+    case CellVerdict::good:
+      return "good";
+    case CellVerdict::bad:
+      return "bad";
+    case CellVerdict::unsure:
+      return "unsure";
+    case CellVerdict::neutral:
+      return "neutral";
+    case CellVerdict::none:
+      break;
+  }
+  return numeric ? "number" : "text";
+}
+
+// The verdict's word and what goes on after it are shown apart; `address` is empty for no link.
+mustache::data cell_data(const std::string& cell, bool numeric, const std::string& address) {
+  const CellVerdict verdict = cell_verdict(cell);
+  const bool has_sign = verdict != CellVerdict::none;
+  const std::size_t word = has_sign ? cell.find(": ") : std::string::npos;
+  mustache::data data;
+  data.set("class", cell_class(verdict, numeric));
+  data.set("sign", verdict_sign(verdict));
+  data.set("has_sign", has_sign);
+  data.set("text", html_text(cell.substr(0, word)));
+  data.set("has_rest", word != std::string::npos);
+  data.set("rest", word == std::string::npos ? "" : html_text(cell.substr(word + 2)));
+  data.set("is_link", !address.empty());
+  data.set("address", address);
+  return data;
+}
+
+class SectionWriter {
+ public:
+  SectionWriter(const Report& report, const Drawings& drawings, Layout layout)
+      : links_(report, layout),
+        level_(layout == Layout::whole ? "3" : "2"),
+        drawn_figure_(drawings.figures.begin()),
+        drawn_field_(drawings.fields.begin()) {}
+
+  // Once for each section, in the report's order.
+  mustache::data operator()(const Section& section) {
+    mustache::data paragraphs(mustache::data::type::list), tables(mustache::data::type::list),
+        figures(mustache::data::type::list);
+    for (const std::string& paragraph : section.paragraphs)
+      paragraphs << mustache::data{"text", html_text(paragraph)};
+    for (const Table& table : section.tables) tables << table_data(table, section.page);
+    for (const Figure& figure : section.figures) figures << figure_data(figure);
+    for (const FieldFigure& figure : section.fields) figures << field_data(figure);
+    mustache::data data;
+    data.set("id", section.id);
+    data.set("level", level_);
+    data.set("title", section.title);
+    data.set("paragraphs", paragraphs);
+    data.set("tables", tables);
+    data.set("figures", figures);
+    data.set("has_parts",
+             section.tables.size() + section.figures.size() + section.fields.size() > 1);
+    return data;
+  }
+
+ private:
+  mustache::data row_data(const Table& table, std::size_t row, const std::vector<bool>& numeric,
+                          const std::string& page) const {
+    const std::vector<std::string>& cells = table.rows[row];
+    const auto cell = [&](std::size_t i) {
+      const std::string anchor = table.links.empty() ? "" : table.links[row][i];
+      return cell_data(cells[i], numeric[i], anchor.empty() ? "" : links_.to_anchor(anchor, page));
+    };
+    mustache::data others(mustache::data::type::list);
+    for (std::size_t i = 1; i < cells.size(); ++i) others << cell(i);
+    mustache::data line;
+    line.set("has_id", !table.row_ids.empty());
+    line.set("row_id", table.row_ids.empty() ? "" : table.row_ids[row]);
+    if (!cells.empty()) line.set("first", cell(0));
+    line.set("cells", others);
+    return line;
+  }
+
+  mustache::data table_data(const Table& table, const std::string& page) {
+    const std::vector<bool> numeric = numeric_columns(table);
+    mustache::data header(mustache::data::type::list), rows(mustache::data::type::list);
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      mustache::data heading{"text", html_text(table.header[i])};
+      heading.set("class", numeric[i] ? "number" : "text");
+      header << heading;
+    }
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      rows << row_data(table, row, numeric, page);
+    mustache::data data = caption_data(table, ++tables_);
+    data.set("header", header);
+    data.set("rows", rows);
+    return data;
+  }
+
+  template <typename Captioned>
+  static mustache::data caption_data(const Captioned& part, int number) {
+    mustache::data data;
+    data.set("id", part.id);
+    data.set("number", std::to_string(number));
+    data.set("title", html_text(part.title));
+    data.set("caption", html_text(part.caption));
+    return data;
+  }
+
+  mustache::data figure_data(const Figure& figure) {
+    mustache::data data = caption_data(figure, ++figures_);
+    data.set("svg", svg_element(figure, *drawn_figure_++, SvgPlace::in_page));
+    data.set("film", mustache::data(mustache::data::type::bool_false));
+    return data;
+  }
+
+  mustache::data field_data(const FieldFigure& figure) {
+    const DrawnField& drawn = *drawn_field_++;
+    if (!figure.frames.empty()) {
+      mustache::data data = caption_data(figure, ++figures_);
+      data.set("film", film_element(figure, drawn));
+      return data;
+    }
+    mustache::data picture;
+    picture.set("width", std::to_string(drawn.width));
+    picture.set("height", std::to_string(drawn.height));
+    picture.set("description", description(figure));
+    picture.set("address", data_address(drawn));
+    mustache::data data = caption_data(figure, ++figures_);
+    data.set("picture", picture);
+    data.set("film", mustache::data(mustache::data::type::bool_false));
+    return data;
+  }
+
+  PageLinks links_;
+  std::string level_;
+  std::vector<DrawnFigure>::const_iterator drawn_figure_;
+  std::vector<DrawnField>::const_iterator drawn_field_;
+  int tables_ = 0, figures_ = 0;
+};
+
+}  // namespace
+
+std::vector<mustache::data> sections_data(const Report& report, const Drawings& drawings,
+                                          Layout layout) {
+  SectionWriter write(report, drawings, layout);
+  std::vector<mustache::data> sections;
+  for (const Section& section : report.sections) sections.push_back(write(section));
+  return sections;
+}
+
+}  // namespace slosh::reports

@@ -1,0 +1,350 @@
+#include "reports/pages/write_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/process/search_path.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <regex>
+#include <set>
+
+#include "reports/model/text_file.hpp"
+#include "reports/pages/check_report.hpp"
+#include "reports/pages/print_pdf.hpp"
+#include "reports/pages/write_html.hpp"
+#include "reports/tests/path_variable.hpp"
+#include "reports/tests/sample_report.hpp"
+#include "reports/tests/scratch_directory.hpp"
+
+namespace slosh::reports::write_report_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+std::size_t entries(const fs::path& directory) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), {}));
+}
+
+TEST(WrittenReport, HasAllItsFilesAndLeavesNothingBeside) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "campaign/report/");
+  for (const char* name :
+       {"index.html", "report.md", "results.json", "figures/time-history.svg",
+        "results.schema.json", "figures/cost.svg", "figures/pressure-field.png"}) {
+    EXPECT_TRUE(fs::is_regular_file(scratch / "campaign/report" / name)) << name;
+  }
+  EXPECT_EQ(entries(scratch / "campaign"), 1u);
+  EXPECT_EQ(entries(scratch / "campaign/report"), 5u);
+  EXPECT_EQ(read_text(scratch / "campaign/report/results.json"), sample_report().results_json);
+}
+
+TEST(WrittenReport, HasUniqueIdsAndNoLinkToNowhereInItsPage) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  std::set<std::string> ids;
+  const std::regex id(R"( id=["']([^"']*)["'])"), target(R"(href=["']#([^"']*)["'])");
+  for (std::sregex_iterator match(page.begin(), page.end(), id), end; match != end; ++match) {
+    EXPECT_TRUE(ids.insert((*match)[1]).second) << (*match)[1] << " twice";
+  }
+  for (std::sregex_iterator match(page.begin(), page.end(), target), end; match != end; ++match) {
+    EXPECT_TRUE(ids.contains((*match)[1])) << (*match)[1];
+  }
+}
+
+TEST(WrittenReport, AsksNothingOfTheNetwork) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  EXPECT_EQ(occurrences(page, "://"), occurrences(page, "xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_EQ(occurrences(page, " src="), occurrences(page, " src=\"data:image/png;base64,"));
+  EXPECT_EQ(occurrences(page, "<script"), 0u);
+  EXPECT_EQ(occurrences(page, "@import"), 0u);
+}
+
+TEST(WrittenReport, SaysItsVerdictFirstInBothForms) {
+  const ScratchDirectory scratch;
+  Report report = sample_report();
+  const std::tuple<Outcome, const char*, const char*> outcomes[] = {
+      {Outcome::pass, "</span> Pass</strong>", "✓ PASS"},
+      {Outcome::inconclusive, "</span> Inconclusive</strong>", "? INCONCLUSIVE"},
+      {Outcome::not_compared, "</span> Not compared</strong>", "✗ NOT COMPARED"},
+      {Outcome::fail, "</span> Fail</strong>", "✗ FAIL"}};
+  for (const auto& [outcome, on_page, in_markdown] : outcomes) {
+    report.outcome = outcome;
+    write_report(report, scratch / "report");
+    const std::string page = read_text(scratch / "report/index.html"),
+                      markdown = read_text(scratch / "report/report.md");
+    EXPECT_LT(page.find("class=\"verdict"), page.find("<nav"));
+    EXPECT_NE(page.find(on_page), std::string::npos);
+    EXPECT_LT(markdown.find("1 of 5 checks"), markdown.find("## Contents"));
+    EXPECT_NE(markdown.find(in_markdown), std::string::npos);
+  }
+}
+
+TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
+  const ScratchDirectory scratch;
+  Report report = sample_report();
+  Section& section = report.sections.front();
+  report.decided_by = {"surge: 10 mm <coarse>", "section-" + section.id};
+  write_report(report, scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html"),
+                    markdown = read_text(scratch / "report/report.md");
+  EXPECT_NE(page.find("Decided by <a href=\"#section-" + section.id +
+                      "\">surge: 10 mm &lt;coarse&gt;</a>."),
+            std::string::npos);
+  EXPECT_NE(markdown.find("Decided by [surge: 10 mm &lt;coarse&gt;](#section-" + section.id + ")."),
+            std::string::npos);
+  report.decided_by.anchor = "row-nowhere";
+  EXPECT_THROW(check_report(report), ReportError);
+}
+
+TEST(WrittenReport, HasTablesOfEqualRowsAndLinkedFiguresInItsMarkdown) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string markdown = read_text(scratch / "report/report.md");
+  EXPECT_NE(markdown.find("](figures/time-history.svg)"), std::string::npos);
+  EXPECT_NE(markdown.find("](figures/pressure-field.png)"), std::string::npos);
+  EXPECT_EQ(markdown.find("<script>"), std::string::npos);
+  const std::regex row(R"((?:^|\n)(\|[^\n]*\|)(?=\n))"), bar(R"([^\\]\|)");
+  std::size_t rows = 0;
+  for (std::sregex_iterator match(markdown.begin(), markdown.end(), row), end; match != end;
+       ++match, ++rows) {
+    const std::string line = (*match)[1];
+    const auto bars =
+        std::distance(std::sregex_iterator(line.begin(), line.end(), bar), std::sregex_iterator());
+    EXPECT_TRUE(bars == 6 || bars == 4) << line;
+  }
+  EXPECT_EQ(rows, 7u + 4u);  // header, rule and rows of both tables
+}
+
+TEST(WrittenReport, NumbersFieldsAfterTheFiguresOfTheirSectionInBothForms) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  for (const char* file : {"report/index.html", "report/report.md"}) {
+    const std::string text = read_text(scratch / file);
+    EXPECT_NE(text.find("Figure 4. Pressure in the rolling tank"), std::string::npos) << file;
+    EXPECT_NE(text.find("Figure 5. Error against run time"), std::string::npos) << file;
+  }
+}
+
+TEST(WrittenReport, TellsWhatAPictureShowsToThoseWhoDoNotSeeIt) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  EXPECT_NE(page.find("alt=\"Pressure in the rolling tank. Panels: SPH &lt;recommended&gt;"),
+            std::string::npos);
+}
+
+TEST(PagedReport, HasAFileForEachPageWithItsOwnSectionsAndVerdict) {
+  const ScratchDirectory scratch;
+  write_report(paged_report(), scratch / "report");
+  EXPECT_EQ(entries(scratch / "report"), 7u);
+  const std::string first = read_text(scratch / "report/index.html"),
+                    waves = read_text(scratch / "report/waves.html"),
+                    cost = read_text(scratch / "report/cost.html");
+  EXPECT_EQ(occurrences(first, "<figure"), 0u);
+  EXPECT_EQ(occurrences(waves, "<figure"), 4u);
+  EXPECT_EQ(occurrences(cost, "<figure"), 1u);
+  EXPECT_NE(cost.find("Figure 5. Error against run time"), std::string::npos);
+  EXPECT_NE(waves.find("<h1>Waves &amp; wind</h1>"), std::string::npos);
+  EXPECT_EQ(occurrences(waves, "class=\"verdict good\""), 1u);
+  EXPECT_EQ(occurrences(cost, "class=\"verdict"), 0u);
+  EXPECT_NE(first.find("<a href=\"cost.html#row-runs-2\">"), std::string::npos);
+}
+
+TEST(PagedReport, IsOneFileOfMarkdownWithTheSameAnchors) {
+  const ScratchDirectory scratch;
+  write_report(paged_report(), scratch / "report");
+  const std::string markdown = read_text(scratch / "report/report.md");
+  for (const char* part :
+       {"- [Waves &amp; wind](#page-waves) **✓ PASS** 5 of 5", "<a id=\"page-waves\"></a>",
+        "\n### Waves at the gauge", "[✗ FAIL](#row-runs-2)", "|<a id=\"row-runs-2\"></a> li2010"})
+    EXPECT_NE(markdown.find(part), std::string::npos) << part;
+}
+
+TEST(PagedReport, IsOneDocumentForPrintingWithNoLinkOutOfIt) {
+  const Report report = paged_report();
+  const ScratchDirectory scratch;
+  Drawings drawings;
+  for (const Section& section : report.sections) {
+    for (const Figure& figure : section.figures)
+      drawings.figures.push_back(draw_figure(figure, scratch.path()));
+    for (const FieldFigure& field : section.fields)
+      drawings.fields.push_back(draw_field(field, scratch.path()));
+  }
+  const std::string page = whole_document(report, drawings);
+  EXPECT_EQ(occurrences(page, "<figure"), 5u);
+  EXPECT_EQ(occurrences(page, "<article"), 2u);
+  const std::regex target(R"( href="([^"]*)\")");
+  std::size_t links = 0;
+  for (std::sregex_iterator match(page.begin(), page.end(), target), end; match != end; ++match) {
+    const std::string address = (*match)[1];
+    EXPECT_NE(page.find(" id=\"" + address.substr(1) + "\""), std::string::npos) << address;
+    ++links;
+  }
+  EXPECT_GE(links, 4u);  // two pages and two cells
+}
+
+TEST(PagedReport, LosesThePagesThatANewerOneHasNot) {
+  const ScratchDirectory scratch;
+  write_report(paged_report(), scratch / "report");
+  write_report(sample_report(), scratch / "report");
+  EXPECT_FALSE(fs::exists(scratch / "report/waves.html"));
+  write_text(scratch / "report/waves.html", "<p>somebody's own");
+  EXPECT_THROW(write_report(sample_report(), scratch / "report"), ReportError);
+}
+
+TEST(PagedReport, StandsWithoutItsPdfWhereThereIsNoBrowser) {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch / "bin");
+  fs::create_symlink(boost::process::search_path("gnuplot").string(), scratch / "bin/gnuplot");
+  const PathVariable path((scratch / "bin").string());
+  EXPECT_FALSE(can_print_pdf());
+  EXPECT_THROW(write_report(paged_report(), scratch / "report", {.pdf = true}), ReportError);
+  EXPECT_TRUE(fs::exists(scratch / "report/waves.html"));
+  EXPECT_FALSE(fs::exists(scratch / "report/report.pdf"));
+}
+
+TEST(WrittenReport, ReplacesTheOldOneWhole) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  Report second = sample_report();
+  second.title = "second";
+  second.sections.pop_back();
+  write_report(second, scratch / "report");
+  EXPECT_NE(read_text(scratch / "report/index.html").find("<h1>second</h1>"), std::string::npos);
+  EXPECT_FALSE(fs::exists(scratch / "report/figures/cost.svg"));
+  EXPECT_EQ(entries(scratch.path()), 1u);
+}
+
+TEST(WrittenReport, KeepsTheOldOneWhenGnuplotIsMissing) {
+  const ScratchDirectory scratch;
+  write_report(sample_report(), scratch / "report");
+  const std::string old = read_text(scratch / "report/index.html");
+  Report second = sample_report();
+  second.title = "second";
+  {
+    const PathVariable path("");
+    EXPECT_THROW(write_report(second, scratch / "report"), ReportError);
+  }
+  EXPECT_EQ(read_text(scratch / "report/index.html"), old);
+  EXPECT_EQ(entries(scratch.path()), 1u);
+}
+
+// Whether two gnuplots ran at the same time.
+bool draws_together(int threads) {
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch / "bin");
+  const std::string busy = (scratch / "busy").string(), together = (scratch / "together").string();
+  std::ofstream(scratch / "bin/gnuplot")
+      << "#!/bin/sh\nmkdir " << busy << " 2>/dev/null || touch " << together << "\nsleep 0.2\n"
+      << boost::process::search_path("gnuplot").string() << " \"$@\"\nstatus=$?\nrmdir " << busy
+      << " 2>/dev/null\nexit $status\n";
+  fs::permissions(scratch / "bin/gnuplot", fs::perms::owner_all);
+  const PathVariable path((scratch / "bin").string() + ":" + std::getenv("PATH"));
+  write_report(sample_report(), scratch / "report", {.threads = threads});
+  return fs::exists(together);
+}
+
+TEST(WrittenReport, IsDrawnByAsManyGnuplotsAsItIsTold) {
+  EXPECT_FALSE(draws_together(1));
+  EXPECT_TRUE(draws_together(3));
+}
+
+TEST(WrittenReport, NeverReplacesADirectoryOfOtherThings) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch / "thesis.tex") << "years of work";
+  EXPECT_THROW(write_report(sample_report(), scratch.path()), ReportError);
+  EXPECT_THROW(write_report(sample_report(), scratch / "thesis.tex"), ReportError);
+  EXPECT_EQ(read_text(scratch / "thesis.tex"), "years of work");
+}
+
+TEST(WrittenReport, CannotBePutWhereNothingCanBeWritten) {
+  EXPECT_THROW(write_report(sample_report(), "/proc/nowhere/report"), ReportError);
+}
+
+TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
+  const auto expect_refused = [](const char* why, const auto& spoil) {
+    const ScratchDirectory scratch;
+    Report report = sample_report();
+    spoil(report);
+    EXPECT_THROW(write_report(report, scratch / "report"), ReportError) << why;
+    EXPECT_EQ(entries(scratch.path()), 0u) << why;
+  };
+  expect_refused("not JSON", [](Report& r) { r.results_json = "{\"error\": nan}"; });
+  expect_refused("cut JSON", [](Report& r) { r.results_json.resize(r.results_json.size() / 2); });
+  expect_refused("no JSON", [](Report& r) { r.results_json.clear(); });
+  expect_refused("path in an id", [](Report& r) { r.sections[1].figures[0].id = "../wave"; });
+  expect_refused("no id", [](Report& r) { r.sections[0].id.clear(); });
+  expect_refused("id twice", [](Report& r) { r.sections[1].figures[0].id = "cost"; });
+  expect_refused("short row", [](Report& r) { r.sections[0].tables[0].rows[1].pop_back(); });
+  expect_refused("page of nowhere", [](Report& r) { r.sections[1].page = "nowhere"; });
+  expect_refused("page without a section", [](Report& r) { r.pages = {{"empty", "", "", {}}}; });
+  expect_refused("a second first page", [](Report& r) {
+    r.pages = {{"index", "", "", {}}};
+    r.sections[1].page = "index";
+  });
+  expect_refused("short row ids", [](Report& r) { r.sections[0].tables[0].row_ids = {"a"}; });
+  expect_refused("row id twice", [](Report& r) { r.sections[2].tables[0].row_ids = {"a", "a"}; });
+  expect_refused("link to nowhere", [](Report& r) {
+    r.sections[2].tables[0].links = {{"row-a", "", "", ""}, {"", "", "", ""}};
+  });
+  expect_refused("short links", [](Report& r) {
+    r.sections[2].tables[0].links = {{"section-cost"}, {""}};
+  });
+  expect_refused("short curve", [](Report& r) { r.sections[1].figures[0].curves[0].y.pop_back(); });
+  expect_refused("short bars",
+                 [](Report& r) { r.sections[2].figures[0].curves[0].y_error.pop_back(); });
+  expect_refused("short level bars",
+                 [](Report& r) { r.sections[2].figures[0].curves[0].x_error = {1}; });
+  expect_refused("a ribbon with one edge", [](Report& r) {
+    Curve& curve = r.sections[1].figures[0].curves[0];
+    curve.lower = curve.y;
+  });
+  expect_refused("a short ribbon", [](Report& r) {
+    Curve& curve = r.sections[1].figures[0].curves[0];
+    curve.lower = curve.upper = {1};
+  });
+  expect_refused("equal logarithmic axes",
+                 [](Report& r) { r.sections[2].figures[0].equal_axes = true; });
+  expect_refused("turned range", [](Report& r) { r.sections[1].figures[0].x_range = {2, 1}; });
+  const auto spoilt_field = [&](const char* why, const auto& spoil) {
+    expect_refused(why, [&](Report& r) { spoil(r.sections[1].fields[0]); });
+  };
+  const auto spoilt_panel = [&](const char* why, const auto& spoil) {
+    spoilt_field(why, [&](FieldFigure& field) { spoil(field.panels[3]); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  spoilt_field("a figure's id", [](FieldFigure& f) { f.id = "cost"; });
+  spoilt_field("no panels", [](FieldFigure& f) { f.panels.clear(); });
+  spoilt_field("no columns", [](FieldFigure& f) { f.columns = 0; });
+  spoilt_field("turned colours", [](FieldFigure& f) { f.value_range = {1, 0}; });
+  spoilt_field("undefined colours", [&](FieldFigure& f) { f.value_range = {nan, nan}; });
+  spoilt_field("colours that are one", [](FieldFigure& f) { f.value_range = {1000, 1000 + 1e-9}; });
+  spoilt_field("negative arrows", [](FieldFigure& f) { f.arrow_scale = -1; });
+  spoilt_field("undefined arrows", [&](FieldFigure& f) { f.arrow_scale = nan; });
+  spoilt_panel("short values", [](FieldPanel& p) { p.value.pop_back(); });
+  spoilt_panel("short places", [](FieldPanel& p) { p.z.pop_back(); });
+  spoilt_panel("short arrows", [](FieldPanel& p) { p.arrow_w.pop_back(); });
+  spoilt_panel("flat tank", [](FieldPanel& p) { p.tank_height = 0; });
+  spoilt_panel("undefined tank", [&](FieldPanel& p) { p.tank_length = nan; });
+  spoilt_panel("points of no size", [](FieldPanel& p) { p.point_width = -0.01; });
+  spoilt_panel("undefined roll", [&](FieldPanel& p) { p.angle = nan; });
+  spoilt_panel("undefined axis", [&](FieldPanel& p) { p.axis_z = nan; });
+  expect_refused("zero on a logarithmic axis", [](Report& r) {
+    r.sections[2].figures[0].x_range = {0, 1};
+  });
+}
+
+}  // namespace
+}  // namespace slosh::reports::write_report_test

@@ -1,0 +1,144 @@
+#include "reports/pages/write_markdown.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
+#include <kainjow/mustache.hpp>
+#include <vector>
+
+#include "reports/pages/text_markup.hpp"
+#include "reports/templates.hpp"
+
+namespace slosh::reports {
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+mustache::data cell_data(const std::string& cell, const std::string& anchor = "") {
+  const std::string sign = verdict_sign(cell_verdict(cell));
+  const std::string text = (sign.empty() ? "" : sign + " ") + markdown_text(cell);
+  return mustache::data{"text", anchor.empty() ? text : fmt::format("[{}](#{})", text, anchor)};
+}
+
+mustache::data header_data(const Table& table) {
+  mustache::data list(mustache::data::type::list);
+  for (const std::string& cell : table.header) list << cell_data(cell);
+  return list;
+}
+
+mustache::data row_data(const Table& table, std::size_t row) {
+  mustache::data cells(mustache::data::type::list);
+  for (std::size_t i = 0; i < table.rows[row].size(); ++i)
+    cells << cell_data(table.rows[row][i], table.links.empty() ? "" : table.links[row][i]);
+  mustache::data data{"cells", cells};
+  data.set("anchor",
+           table.row_ids.empty() ? "" : fmt::format("<a id=\"row-{}\"></a>", table.row_ids[row]));
+  return data;
+}
+
+mustache::data heading_data(const std::string& id, const std::string& title,
+                            const std::string& caption, int number) {
+  mustache::data data;
+  data.set("id", id);
+  data.set("number", std::to_string(number));
+  data.set("title", markdown_text(title));
+  data.set("caption", markdown_text(caption));
+  return data;
+}
+
+// Tables and figures so far, for their numbers run through the whole report.
+struct Numbers {
+  int table = 0, figure = 0;
+};
+
+mustache::data section_data(const Section& section, const char* marks, Numbers& numbers) {
+  mustache::data paragraphs(mustache::data::type::list), tables(mustache::data::type::list),
+      figures(mustache::data::type::list);
+  for (const std::string& text : section.paragraphs)
+    paragraphs << mustache::data{"text", markdown_text(text)};
+  for (const Table& table : section.tables) {
+    mustache::data data = heading_data(table.id, table.title, table.caption, ++numbers.table);
+    mustache::data rows(mustache::data::type::list);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) rows << row_data(table, row);
+    data.set("header", header_data(table));
+    data.set("rows", rows);
+    tables << data;
+  }
+  const auto add_figure = [&](const auto& figure, const std::string& file_ending) {
+    mustache::data data = heading_data(figure.id, figure.title, figure.caption, ++numbers.figure);
+    data.set("file", figure.id + file_ending);
+    figures << data;
+  };
+  for (const Figure& figure : section.figures) add_figure(figure, ".svg");
+  for (const FieldFigure& figure : section.fields) add_figure(figure, ".png");
+  mustache::data data = heading_data(section.id, section.title, "", 0);
+  data.set("marks", marks);
+  data.set("paragraphs", paragraphs);
+  data.set("tables", tables);
+  data.set("figures", figures);
+  return data;
+}
+
+std::string standing_text(Outcome outcome, const std::string& verdict) {
+  if (verdict.empty()) return "";
+  const auto [mark, word] = outcome_sign(outcome);
+  return fmt::format("**{} {}** {}", mark, boost::to_upper_copy(word), markdown_text(verdict));
+}
+
+std::string decided_by_text(const Link& row) {
+  return row.text.empty()
+             ? ""
+             : fmt::format(" Decided by [{}](#{}).", markdown_text(row.text), row.anchor);
+}
+
+// The first page, then the others, each with its sections.
+mustache::data pages_data(const Report& report) {
+  std::vector<Page> pages{{"", report.title, "", {}}};
+  pages.insert(pages.end(), report.pages.begin(), report.pages.end());
+  std::vector<mustache::data> written;
+  Numbers numbers;
+  for (const Section& section : report.sections)
+    written.push_back(section_data(section, section.page.empty() ? "##" : "###", numbers));
+  mustache::data list(mustache::data::type::list);
+  for (const Page& page : pages) {
+    mustache::data sections(mustache::data::type::list);
+    for (std::size_t i = 0; i < report.sections.size(); ++i)
+      if (report.sections[i].page == page.id) sections << written[i];
+    mustache::data data = heading_data(page.id, page.title, "", 0);
+    data.set("is_first", page.id.empty());
+    data.set("standing", standing_text(page.outcome, page.verdict));
+    data.set("sections", sections);
+    list << data;
+  }
+  return list;
+}
+
+mustache::data contents_data(const Report& report) {
+  mustache::data list(mustache::data::type::list);
+  const auto add = [&](const std::string& title, const std::string& anchor,
+                       const std::string& standing) {
+    list << mustache::data{"entry", fmt::format("[{}](#{}){}{}", markdown_text(title), anchor,
+                                                standing.empty() ? "" : " ", standing)};
+  };
+  for (const Section& section : report.sections)
+    if (section.page.empty()) add(section.title, "section-" + section.id, "");
+  for (const Page& page : report.pages)
+    add(page.title, "page-" + page.id, standing_text(page.outcome, page.verdict));
+  return list;
+}
+
+}  // namespace
+
+std::string markdown_page(const Report& report) {
+  mustache::mustache page(markdown_template);
+  mustache::data data;
+  data.set("title", markdown_text(report.title));
+  data.set("subtitle", markdown_text(report.subtitle));
+  data.set("standing",
+           standing_text(report.outcome, report.verdict) + decided_by_text(report.decided_by));
+  data.set("contents", contents_data(report));
+  data.set("pages", pages_data(report));
+  return page.render(data);
+}
+
+}  // namespace slosh::reports

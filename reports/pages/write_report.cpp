@@ -1,0 +1,148 @@
+#include "reports/pages/write_report.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "reports/drawing/draw_figure.hpp"
+#include "reports/fields/draw_field.hpp"
+#include "reports/model/side_by_side.hpp"
+#include "reports/model/temporary_directory.hpp"
+#include "reports/model/text_file.hpp"
+#include "reports/pages/check_report.hpp"
+#include "reports/pages/print_pdf.hpp"
+#include "reports/pages/write_html.hpp"
+#include "reports/pages/write_markdown.hpp"
+#include "reports/templates.hpp"
+
+namespace slosh::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 7> report_entries{
+    "index.html", "report.md",      "results.json", "results.schema.json",
+    "report.pdf", "report.pdf.log", "figures"};
+
+// Each once. `scratch` and `directory` are created here; only the latter is worth keeping.
+Drawings draw(const Report& report, const WriteOptions& options, const fs::path& scratch,
+              const fs::path& directory) {
+  fs::create_directory(scratch);
+  fs::create_directories(directory / "figures");
+  std::vector<const Figure*> figures;
+  std::vector<const FieldFigure*> fields;
+  for (const Section& section : report.sections) {
+    for (const Figure& figure : section.figures) figures.push_back(&figure);
+    for (const FieldFigure& figure : section.fields) fields.push_back(&figure);
+  }
+  Drawings drawings;
+  drawings.fields.resize(fields.size());
+  drawings.figures.resize(figures.size());
+  const auto draw_one_field = [&](std::size_t i) {
+    drawings.fields[i] = draw_field(*fields[i], scratch, options.gnuplot);
+    write_text(directory / "figures" / (fields[i]->id + ".png"), drawings.fields[i].png);
+  };
+  const auto draw_one_figure = [&](std::size_t i) {
+    drawings.figures[i] = draw_figure(*figures[i], scratch, options.gnuplot);
+    write_text(directory / "figures" / (figures[i]->id + ".svg"),
+               svg_element(*figures[i], drawings.figures[i], SvgPlace::own_file));
+  };
+  // A film takes seconds, a figure a tenth of one: the films begin.
+  side_by_side(fields.size() + figures.size(), options.threads, [&](std::size_t i) {
+    i < fields.size() ? draw_one_field(i) : draw_one_figure(i - fields.size());
+  });
+  return drawings;
+}
+
+void write_files(const Report& report, const Drawings& drawings, const fs::path& directory) {
+  for (const HtmlFile& file : html_pages(report, drawings))
+    write_text(directory / file.name, file.text);
+  write_text(directory / "report.md", markdown_page(report));
+  write_text(directory / "results.json", report.results_json);
+  write_text(directory / "results.schema.json", results_schema);
+}
+
+// Why there is no PDF.
+std::optional<ReportError> write_pdf(const Report& report, const Drawings& drawings,
+                                     const fs::path& scratch, const fs::path& directory) try {
+  print_pdf(whole_document(report, drawings), scratch, directory / "report.pdf");
+  return {};
+} catch (const ReportError& error) {
+  return error;
+}
+
+bool is_of_a_report(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return std::find(report_entries.begin(), report_entries.end(), name) != report_entries.end() ||
+         (file.extension() == ".html" && fs::is_regular_file(file) &&
+          read_text(file).find(page_mark) != std::string::npos);
+}
+
+// Guards a directory that was named by mistake: replacing it would delete what is in it.
+void check_replaceable(const fs::path& target) {
+  if (!fs::exists(target)) return;
+  if (!fs::is_directory(target))
+    throw ReportError("cannot write a report to " + target.string() + ": it is a file");
+  for (const auto& entry : fs::directory_iterator(target)) {
+    if (!is_of_a_report(entry.path())) {
+      throw ReportError(
+          fmt::format("will not replace {}: it holds '{}', which is no part of a report",
+                      target.string(), entry.path().filename().string()));
+    }
+  }
+}
+
+// Gives the complete report the target's name at once, or as nearly so as the file system can; an
+// old report goes to `aside` or to the complete one's former name.
+void swap_in(const fs::path& complete, const fs::path& target, const fs::path& aside) {
+  const bool replaces = fs::exists(target);
+  const unsigned flags = replaces ? RENAME_EXCHANGE : 0;
+  if (renameat2(AT_FDCWD, complete.c_str(), AT_FDCWD, target.c_str(), flags) == 0) return;
+  if (!replaces || (errno != EINVAL && errno != ENOSYS)) {
+    throw ReportError("cannot rename " + complete.string() + " to " + target.string() + ": " +
+                      std::strerror(errno));
+  }
+  fs::rename(target, aside);
+  try {
+    fs::rename(complete, target);
+  } catch (const fs::filesystem_error&) {
+    fs::rename(aside, target);
+    throw;
+  }
+}
+
+}  // namespace
+
+void write_report(const Report& report, const fs::path& directory,
+                  const WriteOptions& options) try {
+  check_report(report);
+  // Through links and without a trailing slash, so that the temporary directory is truly beside it.
+  fs::path target = fs::weakly_canonical(fs::absolute(directory));
+  if (!target.has_filename()) target = target.parent_path();
+  check_replaceable(target);
+  fs::create_directories(target.parent_path());
+  const TemporaryDirectory temporary(target.string() + ".writing-");
+  const fs::path complete = temporary.path() / "report";
+  const fs::path scratch = temporary.path() / "drawing";
+  const Drawings drawings = draw(report, options, scratch, complete);
+  write_files(report, drawings, complete);
+  std::optional<ReportError> no_pdf;
+  if (options.pdf) no_pdf = write_pdf(report, drawings, scratch, complete);
+  swap_in(complete, target, temporary.path() / "old");
+  if (!no_pdf) return;
+  const fs::path log = target / "report.pdf.log";
+  throw ReportError(no_pdf->what() + (fs::exists(log) ? " (see " + log.string() + ")" : ""));
+} catch (const fs::filesystem_error& error) {
+  throw ReportError(
+      fmt::format("cannot write the report {}: {}", directory.string(), error.what()));
+}
+
+}  // namespace slosh::reports

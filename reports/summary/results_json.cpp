@@ -1,0 +1,280 @@
+#include "reports/summary/results_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "reports/summary/verdict_matrix.hpp"
+#include "reports/summary/work_precision_json.hpp"
+#include "verification/assessment/predictions.hpp"
+#include "verification/assessment/tolerance_share.hpp"
+#include "verification/case/row_kind.hpp"
+#include "verification/case_file/problem_table.hpp"
+
+namespace slosh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What was asked of an SPH run; a number of its scheme that it does not set is null.
+Json sph_entry(const SphRun& sph) {
+  Json numbers = Json::object();
+  for (const auto& [name, number] : sph_number_names)
+    numbers[name] = sph.numbers.*number ? Json(*(sph.numbers.*number)) : Json(nullptr);
+  return {{"scheme", sph.scheme},
+          {"particle_spacing_m", sph.particle_spacing},
+          {"surface_particle_spacing_m", sph.surface_particle_spacing},
+          {"variant", sph.variant.empty() ? Json(nullptr) : Json(sph.variant)},
+          {"initial_state", sph.initial_state.empty() ? Json(nullptr) : Json(sph.initial_state)},
+          {"start_disorder", sph.start_disorder},
+          {"start_seed", sph.start_disorder > 0 ? Json(sph.start_seed) : Json(nullptr)},
+          {"numbers", numbers}};
+}
+
+Json failure_entry(const RunFailure& failure) {
+  return {{"kind", failure.kind},
+          {"message", failure.message},
+          {"details", failure.details},
+          {"log", failure.log}};
+}
+
+Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
+  const std::string& name = run.name;
+  const RunStatus& status = runs.status.at(name);
+  Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
+  if (!run.ensemble.empty()) entry["ensemble"] = run.ensemble;
+  if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
+  if (status.failure) entry["failure"] = failure_entry(*status.failure);
+  const auto found = runs.results.find(name);
+  if (found == runs.results.end()) return entry;
+  const RunResult& result = found->second;
+  entry.update({{"solver", result.solver},
+                {"key", result.key},
+                {"user_time_s", result.cost.user_time},
+                {"system_time_s", result.cost.system_time},
+                {"wall_time_s", result.cost.wall_time},
+                {"peak_memory_byte", result.cost.peak_memory},
+                {"timings", timings_json(runs, name)},
+                {"steps", result.cost.steps},
+                {"elements", result.cost.elements},
+                {"active_terms", result.active_terms},
+                {"diagnostics", result.diagnostics},
+                {"provenance", result.provenance}});
+  return entry;
+}
+
+Json peaks(const std::vector<SpectralPeak>& found) {
+  Json list = Json::array();
+  for (const SpectralPeak& peak : found)
+    list.push_back({{"frequency_Hz", peak.frequency}, {"power", peak.power}});
+  return list;
+}
+
+}  // namespace
+
+Json comparison_entry(const Comparison& pair) {
+  Json modes = Json::array();
+  for (const ModeComparison& mode : pair.modes)
+    modes.push_back({{"mode", mode.mode},
+                     {"resolved", mode.resolved()},
+                     {"candidate_amplitude", estimate_json(mode.candidate.amplitude)},
+                     {"reference_amplitude", estimate_json(mode.reference.amplitude)},
+                     {"amplitude_error", estimate_json(mode.amplitude_error)},
+                     {"phase_lag_s", estimate_json(mode.phase_lag)},
+                     {"phase_lag_deg", estimate_json(mode.phase_lag_degrees)},
+                     {"phase_lag_periods", estimate_json(mode.phase_lag_periods)},
+                     {"frequency_error", estimate_json(mode.frequency_error)},
+                     {"decay_rate_1_s", estimate_json(mode.decay_rate)},
+                     {"reference_decay_rate_1_s", estimate_json(mode.reference.decay_rate)}});
+  return {{"candidate", pair.candidate},
+          {"reference", pair.reference},
+          {"quantity", pair.quantity},
+          {"unit", pair.unit},
+          {"window_begin_s", pair.window.begin},
+          {"window_end_s", pair.window.end},
+          {"normalised_rms", estimate_json(pair.normalised_rms)},
+          {"maximum_residual", pair.maximum_residual},
+          {"cross_correlation_lag_s", pair.cross_correlation_lag},
+          {"time_lag_s", pair.alignment.lag},
+          {"aligned_rms", pair.alignment.normalised_rms},
+          {"sprague_geers_magnitude", estimate_json(pair.sprague_geers_magnitude)},
+          {"sprague_geers_phase", estimate_json(pair.sprague_geers_phase)},
+          {"candidate_peaks", peaks(pair.candidate_peaks)},
+          {"reference_peaks", peaks(pair.reference_peaks)},
+          {"modes", modes}};
+}
+
+namespace {
+Json share_entry(const std::optional<ToleranceShare>& share) {
+  return share ? Json(share->value) : Json(nullptr);
+}
+
+// null where it is unknown.
+Json half_width(const Contribution& contribution) {
+  return contribution.half_width ? Json(*contribution.half_width) : Json(nullptr);
+}
+
+Json uncertainty_entry(const ThreeWayOutcome& judged) {
+  const UncertaintyContributions& of = judged.contributions;
+  return {{"all", judged.uncertainty},
+          {"time_history", half_width(of.statistics)},
+          {"reference", half_width(of.reference)},
+          {"discretisation", half_width(of.discretisation)},
+          {"input", half_width(of.input)},
+          {"rests_on",
+           {{"reference", of.reference.basis},
+            {"discretisation", of.discretisation.basis},
+            {"input", of.input.basis}}}};
+}
+
+Json gate_entry(const GateOutcome& outcome) {
+  const GateRow& row = outcome.row;
+  Json entry{{"verdict", verdict_name(outcome.verdict)},
+             {"kind", kind_name(row.kind)},
+             {"candidate", row.candidate},
+             {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
+             {"quantity", row.quantity},
+             {"mode", row.mode},
+             {"metric", metric_name(row.metric)},
+             {"unit", row.unit},
+             {"value", outcome.value.value},
+             {"half_width_95", outcome.value.half_width},
+             {"tolerance_share", share_entry(tolerance_share(outcome))},
+             {"message", outcome.message},
+             {"reason", row.reason},
+             {"source", row.source},
+             {"file", row.where.file},
+             {"line", row.where.line}};
+  if (const auto& judged = outcome.judgement) entry["uncertainty_95"] = uncertainty_entry(*judged);
+  if (row.limit) entry["limit"] = *row.limit;
+  if (row.error) entry["error"] = *row.error;
+  if (row.between) entry["between"] = {row.between->first, row.between->second};
+  if (row.improves_on) entry["improves_on"] = *row.improves_on;
+  return entry;
+}
+
+Json measure_entry(const MeasuredErrors& measure) {
+  Json errors = Json::array();
+  for (const auto& [step, error] : measure.errors)
+    errors.push_back({{"step", step}, {"error", error}});
+  const std::optional<double> order = order_of(measure.errors);
+  return {
+      {"name", measure.name}, {"order", order ? Json(*order) : Json(nullptr)}, {"errors", errors}};
+}
+
+Json gate_entry(const ProblemGateOutcome& outcome) {
+  const ProblemGateRow& row = outcome.row;
+  Json entry{{"verdict", verdict_name(outcome.verdict)},
+             {"kind", kind_name(row.kind)},
+             {"measure", row.measure},
+             {"metric", metric_name(row.metric)},
+             {"unit", row.unit},
+             {"value", outcome.value},
+             {"tolerance_share", share_entry(tolerance_share(outcome))},
+             {"message", outcome.message},
+             {"reason", row.reason},
+             {"source", row.source},
+             {"file", row.where.file},
+             {"line", row.where.line}};
+  if (row.limit) entry["limit"] = *row.limit;
+  if (row.between) entry["between"] = {row.between->first, row.between->second};
+  return entry;
+}
+
+Json problem_entry(const ProblemAssessment& one) {
+  Json entry{{"name", one.definition.name},
+             {"state", state_name(one.run.status.state)},
+             {"message", one.run.status.message},
+             {"measures", Json::array()},
+             {"gate", Json::array()}};
+  if (const auto& failure = one.run.status.failure) entry["failure"] = failure_entry(*failure);
+  if (const auto& result = one.run.result) {
+    entry.update({{"key", result->key},
+                  {"user_time_s", result->cost.user_time},
+                  {"system_time_s", result->cost.system_time},
+                  {"wall_time_s", result->cost.wall_time},
+                  {"peak_memory_byte", result->cost.peak_memory},
+                  {"provenance", result->provenance}});
+    for (const MeasuredErrors& measure : result->outcome.measures)
+      entry["measures"].push_back(measure_entry(measure));
+  }
+  for (const ProblemGateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
+  return entry;
+}
+
+Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
+  Json list = Json::array();
+  for (const MatrixRow& row : matrix.rows)
+    for (const auto& [metric, cell] : row.cells)
+      list.push_back({{of, row.name},
+                      {"candidate", row.candidate},
+                      {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
+                      {"metric", metric},
+                      {"verdict", verdict_name(cell.verdict)},
+                      {"value", cell.value},
+                      {"half_width_95", cell.half_width},
+                      {"unit", cell.unit},
+                      {"tolerance_share", share_entry(cell.share)},
+                      {"rows", cell.rows}});
+  return list;
+}
+
+Json bias_entry(const PredictionSet& set) {
+  Json predictions = Json::array();
+  for (const Prediction& one : set.predictions)
+    predictions.push_back({{"case", one.case_name},
+                           {"candidate", one.candidate},
+                           {"reference", one.reference},
+                           {"quantity", one.quantity},
+                           {"mode", one.mode},
+                           {"predicted", one.value.predicted},
+                           {"reference_value", one.value.reference},
+                           {"reference_relative_deviation", one.value.reference_deviation}});
+  const auto number = [&](double ModelBias::*member) {
+    return set.bias ? Json((*set.bias).*member) : Json(nullptr);
+  };
+  return {{"quantity_kind", set.kind},
+          {"unit", set.unit},
+          {"model", set.model},
+          {"bias", number(&ModelBias::bias)},
+          {"relative_deviation", number(&ModelBias::relative_deviation)},
+          {"reference_relative_deviation", number(&ModelBias::reference_deviation)},
+          {"comparisons", predictions}};
+}
+
+}  // namespace
+
+std::string results_json(const std::string& campaign, bool quick,
+                         const std::vector<CaseAssessment>& cases,
+                         const std::vector<ProblemAssessment>& problems) {
+  Json document{{"$schema", "results.schema.json"},
+                {"schema", "slosh results"},
+                {"schema_version", 3},
+                {"campaign", campaign},
+                {"quick", quick},
+                {"exit_status", exit_status(cases, problems)},
+                {"verdict_matrix", matrix_entry(verdict_matrix(cases), "case")},
+                {"problem_matrix", matrix_entry(verdict_matrix(problems), "problem")},
+                {"model_bias", Json::array()},
+                {"cases", Json::array()},
+                {"problems", Json::array()}};
+  for (const PredictionSet& set : prediction_sets(cases))
+    document["model_bias"].push_back(bias_entry(set));
+  for (const CaseAssessment& one : cases) {
+    Json entry{{"name", one.definition.name},
+               {"runs", Json::array()},
+               {"comparisons", Json::array()},
+               {"gate", Json::array()}};
+    for (const RunDefinition& run : one.definition.runs)
+      entry["runs"].push_back(run_entry(run, one.runs));
+    for (const Comparison& pair : one.comparisons)
+      entry["comparisons"].push_back(comparison_entry(pair));
+    for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
+    entry["work_precision"] = work_precision_json(one);
+    document["cases"].push_back(std::move(entry));
+  }
+  for (const ProblemAssessment& one : problems) document["problems"].push_back(problem_entry(one));
+  // nlohmann writes a number that is not finite as null. A message may end in a solver's words, in
+  // whatever encoding.
+  return document.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace slosh

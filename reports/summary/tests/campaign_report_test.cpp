@@ -1,0 +1,375 @@
+// What a campaign's report and its JSON say of assessed cases.
+#include "reports/summary/campaign_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "reports/pages/check_report.hpp"
+#include "reports/summary/results_json.hpp"
+#include "verification/sensitivity/known_strengths.hpp"
+#include "verification/tests/surge_results.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::campaign_report_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+CampaignDefinition surge_campaign() {
+  CampaignDefinition campaign;
+  campaign.name = "surges";
+  campaign.title = "Surges";
+  campaign.source = "none";
+  return campaign;
+}
+
+// Judged once for all tests of this program, as the fits take most of their time.
+const CaseAssessment& good() {
+  static const CaseAssessment assessment = assess(surge_case(), surge_runs());
+  return assessment;
+}
+
+const CaseAssessment& not_comparable() {
+  static const CaseAssessment assessment = [] {
+    TimeSeries broken = elevation_of({});
+    broken.value[500] = nan;
+    return assess(surge_case(), surge_runs_with("particles", broken));
+  }();
+  return assessment;
+}
+
+// What the rows detect is found out once, too.
+reports::Report report_of(const CampaignDefinition& campaign,
+                          const std::vector<CaseAssessment>& cases) {
+  static const TemporaryDirectory directory;
+  KnownStrengths known(directory.path() / "strengths.json", "this judge");
+  const reports::Report report =
+      campaign_report(campaign, false, "./slosh campaign surges", cases, {}, &known);
+  known.write();
+  return report;
+}
+
+TEST(VerdictSentence, CountsTheRowsThatHold) {
+  EXPECT_EQ(verdict_sentence({good()}), "3 of 3 gate rows hold.");
+  EXPECT_EQ(verdict_sentence({}), "0 of 0 gate rows hold.");
+}
+
+TEST(VerdictSentence, NamesEveryKindOfTrouble) {
+  TimeSeries high = elevation_of({});
+  for (double& value : high.value) value *= 1.1;
+  EXPECT_EQ(verdict_sentence({assess(surge_case(), surge_runs_with("particles", high))}),
+            "2 of 3 gate rows hold, 1 violated.");
+  EXPECT_EQ(verdict_sentence({good(), not_comparable()}),
+            "3 of 6 gate rows hold, 3 not compared, 2 pairs not comparable.");
+  const auto without = [](RunState why) {
+    return std::vector{assess(surge_case(), surge_runs_without("particles", why, "x"))};
+  };
+  EXPECT_EQ(verdict_sentence(without(RunState::failed)), "0 of 3 gate rows hold, 1 runs failed.");
+  EXPECT_EQ(verdict_sentence(without(RunState::missing)),
+            "0 of 3 gate rows hold, 3 not compared, 1 runs without a result.");
+  EXPECT_EQ(verdict_sentence(without(RunState::not_selected)),
+            "0 of 0 gate rows hold, 3 not selected.");
+  EXPECT_EQ(verdict_sentence(
+                {assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "x")),
+                 good()}),
+            "3 of 3 gate rows hold, 1 records not supplied, 3 gate rows without their record.");
+}
+
+std::vector<std::string> section_ids(const reports::Report& report) {
+  std::vector<std::string> ids;
+  for (const reports::Section& section : report.sections) ids.push_back(section.id);
+  return ids;
+}
+
+const reports::Section& section_of(const reports::Report& report, const std::string& id) {
+  for (const reports::Section& section : report.sections)
+    if (section.id == id) return section;
+  throw std::out_of_range("no section " + id);
+}
+
+std::vector<std::string> page_ids(const reports::Report& report) {
+  std::vector<std::string> ids;
+  for (const reports::Page& page : report.pages) ids.push_back(page.id);
+  return ids;
+}
+
+TEST(CampaignReport, HasItsSummaryFirstAndAPageForEachCaseAndForThePaper) {
+  CaseAssessment second = good();
+  second.definition.name = "another_surge";
+  CampaignDefinition campaign = surge_campaign();
+  const reports::Report both = report_of(campaign, {good(), second});
+  EXPECT_EQ(section_ids(both),
+            (std::vector<std::string>{"gate", "worst", "bias", "small_surge-gate", "small_surge",
+                                      "another_surge-gate", "another_surge"}));
+  EXPECT_EQ(page_ids(both), (std::vector<std::string>{"small_surge", "another_surge"}));
+  for (const char* paper : {"li2010", "zhao2021"}) {
+    campaign.paper = paper;
+    const reports::Report report = report_of(campaign, {good()});
+    EXPECT_EQ(page_ids(report), (std::vector<std::string>{"small_surge", "across"}));
+    EXPECT_EQ(section_of(report, paper).page, "across");
+  }
+}
+
+TEST(CampaignReport, TellsOnEachCasesPageItsOwnVerdict) {
+  CaseAssessment bad = not_comparable();
+  bad.definition.name = "another_surge";
+  CaseAssessment unjudged = good();
+  unjudged.definition.name = "third_surge";
+  unjudged.gate.clear();
+  const reports::Report report = report_of(surge_campaign(), {good(), bad, unjudged});
+  EXPECT_EQ(report.pages.at(0).outcome, reports::Outcome::pass);
+  EXPECT_EQ(report.pages[0].verdict, "3 of 3 gate rows hold.");
+  EXPECT_EQ(report.pages.at(1).outcome, reports::Outcome::not_compared);
+  EXPECT_EQ(report.pages[1].verdict.find("0 of 3 gate rows hold"), 0u);
+  EXPECT_EQ(report.pages.at(2).verdict, "") << "nothing judges it";
+}
+
+TEST(CampaignReport, OfACaseNamedAsAnotherPageStandsBesideIt) {
+  CaseAssessment odd = good();
+  odd.definition.name = "index";
+  const reports::Report report = report_of(surge_campaign(), {odd});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(report.pages.at(0).id, "case-index");
+}
+
+TEST(CampaignReport, KeepsToTheReportsModel) {
+  CaseAssessment second = good();
+  second.definition.name = "another_surge";
+  CampaignDefinition campaign = surge_campaign();
+  campaign.paper = "li2010";
+  const reports::Report report = report_of(campaign, {good(), second});
+  EXPECT_NO_THROW(reports::check_report(report));
+  std::set<std::string> tables, figures;
+  std::size_t table_count = 0, figure_count = 0;
+  for (const reports::Section& section : report.sections) {
+    for (const reports::Table& table : section.tables) tables.insert(table.id), ++table_count;
+    for (const reports::Figure& figure : section.figures) figures.insert(figure.id), ++figure_count;
+  }
+  EXPECT_EQ(tables.size(), table_count);
+  EXPECT_EQ(figures.size(), figure_count);
+  // History, residual, two sliding fits, two phasors, spectrum, cost and memory of either case.
+  EXPECT_EQ(figure_count, 18u);
+}
+
+TEST(CampaignReport, OfCasesOfOneNameIsNone) {
+  EXPECT_ANY_THROW(reports::check_report(report_of(surge_campaign(), {good(), good()})));
+}
+
+TEST(CampaignReport, TellsTheVerdictAndTheCommandThatRepeatsIt) {
+  const reports::Report report = report_of(surge_campaign(), {good()});
+  EXPECT_EQ(report.outcome, reports::Outcome::pass);
+  EXPECT_EQ(report.verdict, "3 of 3 gate rows hold.");
+  EXPECT_NE(report.sections[0].paragraphs[0].find("`./slosh campaign surges`"), std::string::npos);
+  EXPECT_EQ(report_of(surge_campaign(), {not_comparable()}).outcome,
+            reports::Outcome::not_compared);
+}
+
+TEST(CampaignReport, NamesInItsBannerTheRowThatDecidesAndLeadsThere) {
+  CaseAssessment second = not_comparable();
+  second.definition.name = "another_surge";
+  const reports::Report report = report_of(surge_campaign(), {good(), second});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(report.decided_by.text,
+            "another_surge: particles, forced amplitude error of elevation@right");
+  EXPECT_EQ(report.decided_by.anchor, "row-another_surge-1");
+  EXPECT_EQ(report_of(surge_campaign(), {good()}).decided_by.text, "");
+}
+
+TEST(CampaignReport, ShowsTheOwnWordsOfAProgramThatFailed) {
+  CaseRuns runs = surge_runs_without("fine_mesh", RunState::failed, "exit status 3: a fatal error");
+  runs.status.at("fine_mesh").failure = RunFailure{
+      "solver failed", "a fatal error", "--> FOAM FATAL ERROR :\n    Unknown word Eular", "log.x"};
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
+  EXPECT_NO_THROW(reports::check_report(report));
+  const reports::Table& table = section_of(report, "small_surge-gate").tables.back();
+  ASSERT_EQ(table.id, "small_surge-failures");
+  EXPECT_EQ(table.rows.at(0),
+            (std::vector<std::string>{"fine_mesh", "solver failed", "a fatal error", "log.x"}));
+  EXPECT_EQ(table.rows.at(1).at(2), "--> FOAM FATAL ERROR :");
+  EXPECT_EQ(table.rows.at(2).at(2), "    Unknown word Eular");
+  const nlohmann::json failure =
+      nlohmann::json::parse(report.results_json).at("cases")[0].at("runs")[4].at("failure");
+  EXPECT_EQ(failure.at("details"), "--> FOAM FATAL ERROR :\n    Unknown word Eular");
+}
+
+TEST(CampaignReport, HasARowWithAnAnchorForEveryGateRowAndLeadsThere) {
+  CaseAssessment second = not_comparable();
+  second.definition.name = "another_surge";
+  const reports::Report report = report_of(surge_campaign(), {good(), second});
+  const reports::Table& first = section_of(report, "small_surge-gate").tables.at(0);
+  ASSERT_EQ(first.rows.size(), 3u);
+  EXPECT_EQ(first.rows[0][0], "pass");
+  EXPECT_EQ(first.row_ids.at(2), "small_surge-3");
+  EXPECT_EQ(section_of(report, "another_surge-gate").tables.at(0).rows.at(0)[0], "not compared");
+  const reports::Table& matrix = report.sections.at(0).tables.at(0);
+  ASSERT_EQ(matrix.rows.size(), 2u);
+  EXPECT_EQ(matrix.rows[1][3], "not compared");
+  EXPECT_EQ(matrix.links[1],
+            (std::vector<std::string>{"section-another_surge-gate", "", "", "row-another_surge-1",
+                                      "row-another_surge-2", "row-another_surge-3"}));
+}
+
+TEST(CampaignReport, DrawsAReferenceOutOfItsRangeAndSaysSo) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
+  const reports::Section& section = section_of(report, "small_surge");
+  EXPECT_NE(section.paragraphs.back().find("never gates"), std::string::npos);
+  const auto& curves = section.figures[0].curves;
+  EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [](const reports::Curve& curve) {
+    return curve.label == "theory (out of its range)";
+  }));
+}
+
+TEST(CampaignReport, StandsWithoutASingleResult) {
+  CaseRuns runs;
+  for (const RunDefinition& run : surge_case().runs)
+    runs.status[run.name] = {RunState::failed, "killed by signal 9 (Killed)"};
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_TRUE(section_of(report, "small_surge").figures.empty());
+  EXPECT_EQ(report.outcome, reports::Outcome::fail);
+}
+
+TEST(CampaignReport, DrawsTheToleratedResidualOfTheQuantityThatTheRowNames) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.1)};
+  TimeSeries high = elevation_of({});
+  for (double& value : high.value) value *= 1.05;
+  const auto bands = [&] {
+    const reports::Report report =
+        report_of(surge_campaign(), {assess(definition, surge_runs_with("particles", high))});
+    return section_of(report, "small_surge").figures[1].bands.size();
+  };
+  EXPECT_EQ(bands(), 1u);
+  definition.gate[0].quantity = "elevation@left";
+  EXPECT_EQ(bands(), 0u);
+}
+
+nlohmann::json json_of(const std::vector<CaseAssessment>& cases) {
+  return nlohmann::json::parse(results_json("surges", true, cases));
+}
+
+TEST(ResultsJson, HasTheFieldsOfItsSchema) {
+  const nlohmann::json document = json_of({good()});
+  EXPECT_EQ(document.at("schema"), "slosh results");
+  EXPECT_EQ(document.at("schema_version"), 3);
+  EXPECT_EQ(document.at("campaign"), "surges");
+  EXPECT_EQ(document.at("quick"), true);
+  EXPECT_EQ(document.at("exit_status"), 0);
+  const nlohmann::json& one = document.at("cases").at(0);
+  EXPECT_EQ(one.at("name"), "small_surge");
+  EXPECT_EQ(one.at("runs").size(), 5u);
+  EXPECT_EQ(one.at("comparisons").size(), 4u);
+  EXPECT_EQ(one.at("gate").size(), 3u);
+  EXPECT_EQ(one.at("runs").at(2).at("state"), "finished");
+  EXPECT_EQ(one.at("runs").at(2).at("user_time_s"), 1);
+  const nlohmann::json& comparison = one.at("comparisons").at(0);
+  EXPECT_EQ(comparison.at("candidate"), "particles");
+  EXPECT_EQ(comparison.at("window_end_s"), 20);
+  EXPECT_EQ(comparison.at("modes").at(0).at("mode"), "forced");
+  EXPECT_NEAR(comparison.at("modes").at(0).at("amplitude_error").at("value"), 0, 1e-12);
+  const nlohmann::json& row = one.at("gate").at(0);
+  EXPECT_EQ(row.at("uncertainty_95").at("reference"), 0);
+  EXPECT_EQ(row.at("uncertainty_95").at("all"), row.at("uncertainty_95").at("time_history"));
+  EXPECT_EQ(row.at("verdict"), "pass");
+  EXPECT_NEAR(row.at("tolerance_share"), 0, 1e-9);
+  EXPECT_EQ(row.at("metric"), "amplitude_error");
+  EXPECT_EQ(row.at("limit"), 0.05);
+  EXPECT_EQ(row.at("line"), 50);
+}
+
+TEST(CampaignReport, TellsPlainlyOfARecordThatIsNotSupplied) {
+  const reports::Report report =
+      report_of(surge_campaign(),
+                {assess(surge_case(), surge_runs_without("theory", RunState::not_supplied,
+                                                         "expected SLOSH_EXPERIMENTS/a.csv"))});
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(section_of(report, "small_surge").paragraphs.at(1),
+            "The record `theory` is not supplied: expected SLOSH_EXPERIMENTS/a.csv. Rows that need "
+            "it neither pass nor fail.");
+  EXPECT_EQ(section_of(report, "small_surge-gate").tables.at(0).rows.at(0).at(0), "not supplied");
+}
+
+TEST(CampaignReport, TellsHowTheTankMoves) {
+  const auto motion = [](const MotionDefinition& motion) {
+    CaseAssessment assessment = good();
+    assessment.definition.motion = motion;
+    const std::string text =
+        section_of(report_of(surge_campaign(), {assessment}), "small_surge").paragraphs.at(0);
+    const std::size_t begin = text.find("deep; ") + 6;
+    return text.substr(begin, text.find("; 20 s from rest") - begin);
+  };
+  EXPECT_EQ(motion({}), "at rest");
+  const SineMotion surge{0.02, 1.5};
+  const RollDefinition roll{SineMotion{4 * 3.14159265358979 / 180, 2, 1}, 0.5, 0.1};
+  EXPECT_EQ(motion({surge, {}}), "surge X = 0.02 m sin(1.5 rad/s t)");
+  EXPECT_EQ(motion({surge, roll}),
+            "surge X = 0.02 m sin(1.5 rad/s t) and roll = 4 deg sin(2 rad/s t), ramped over 1 "
+            "periods about the point 0.5 m from the left wall and 0.1 m above the bottom");
+  EXPECT_EQ(motion({TableMotion{"tables/a.csv", {}, {}}, {}}), "surge X = the table a.csv");
+}
+
+// The surge's elevations taken for pressures, a thousand pascals to the metre.
+TEST(CampaignReport, ShowsPressureInPascalWhereTheCaseIsAboutIt) {
+  CaseDefinition definition = surge_case();
+  definition.gauges.clear();
+  definition.pressure_gauges = {{"b", Wall::left, 0.093}};
+  definition.gate.clear();
+  CaseRuns runs = surge_runs();
+  for (auto& [name, result] : runs.results) {
+    result.series.resize(1);
+    result.series[0].name = "wall_pressure@b";
+    result.series[0].unit = "Pa";
+    for (double& value : result.series[0].value) value *= name == "particles" ? 1010 : 1000;
+  }
+  const reports::Report report = report_of(surge_campaign(), {assess(definition, runs)});
+  EXPECT_NO_THROW(reports::check_report(report));
+  const reports::Section& section = section_of(report, "small_surge");
+  EXPECT_EQ(section.figures.at(0).title, "Pressure on the left wall 0.093 m above the bottom");
+  EXPECT_EQ(section.figures[0].y_label, "pressure [Pa]");
+  EXPECT_EQ(section.figures[0].curves.at(0).y, runs.results.at("theory").series[0].value);
+  EXPECT_EQ(section.figures.at(1).y_label, "residual [Pa]");
+  const auto spectrum = std::find_if(
+      section.figures.begin(), section.figures.end(),
+      [](const reports::Figure& figure) { return figure.title == "Spectrum of the pressure"; });
+  ASSERT_NE(spectrum, section.figures.end());
+  EXPECT_EQ(spectrum->y_label, "power [Pa2]");
+  for (const reports::Table& table : section.tables)
+    if (table.id == "small_surge-histories") {
+      EXPECT_TRUE(table.rows.at(0).at(4).ends_with(" Pa")) << table.rows[0][4];
+      EXPECT_NE(table.rows[0].at(5).find(" Pa2)"), std::string::npos) << table.rows[0][5];
+    }
+}
+
+TEST(ResultsJson, WritesANumberThatIsNoneAsNull) {
+  const nlohmann::json document = json_of({not_comparable()});
+  EXPECT_EQ(document.at("exit_status"), 4);
+  const nlohmann::json& row = document.at("cases").at(0).at("gate").at(0);
+  EXPECT_EQ(row.at("verdict"), "not compared");
+  EXPECT_TRUE(row.at("value").is_null());
+  EXPECT_FALSE(row.at("message").get<std::string>().empty());
+}
+
+TEST(ResultsJson, TellsHowARunWithoutAResultEnded) {
+  const nlohmann::json document = json_of(
+      {assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "diverged"))});
+  const nlohmann::json& run = document.at("cases").at(0).at("runs").at(4);
+  EXPECT_EQ(run.at("state"), "solver failed");
+  EXPECT_EQ(run.at("message"), "diverged");
+  EXPECT_FALSE(run.contains("user_time_s"));
+}
+
+TEST(ResultsJson, StandsWithAMessageThatIsNotUtf8) {
+  const nlohmann::json document = json_of(
+      {assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "at 20 \xb0"))});
+  EXPECT_EQ(document.at("cases").at(0).at("runs").at(4).at("message"), "at 20 \xef\xbf\xbd");
+}
+
+}  // namespace
+}  // namespace slosh::campaign_report_test

@@ -1,0 +1,159 @@
+// The matrix of verdicts, the list of the worst rows, and what orders both.
+#include "reports/summary/verdict_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "reports/summary/worst_first.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::verdict_matrix_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+GateOutcome outcome(Verdict verdict, double value, double uncertainty = 0) {
+  GateOutcome one{surge_row("forced", Metric::amplitude_error, "1", 0.05),
+                  verdict,
+                  {value, uncertainty},
+                  "",
+                  {}};
+  if (std::isfinite(value))
+    one.judgement = judge_error(value, {.statistics = uncertainty}, {-0.05, 0.05});
+  return one;
+}
+
+CaseAssessment with_gate(const std::vector<GateOutcome>& gate) {
+  CaseAssessment assessment{surge_case(), {}, {}, {}, gate};
+  assessment.definition.gate.clear();
+  for (const GateOutcome& one : gate) assessment.definition.gate.push_back(one.row);
+  return assessment;
+}
+
+TEST(ToleranceShare, IsTheErrorOverWhatIsAllowedWithTheIntervalOfItsVerdict) {
+  const auto share = tolerance_share(outcome(Verdict::pass, -0.04, 0.005));
+  ASSERT_TRUE(share);
+  EXPECT_NEAR(share->value, 0.8, 1e-12);
+  EXPECT_NEAR(share->half_width, 0.1, 1e-12);
+}
+
+TEST(ToleranceShare, OfARangeIsTheDistanceFromItsMiddle) {
+  GateOutcome ranged = outcome(Verdict::violated, 0.62, 0.01);
+  ranged.row.limit.reset();
+  ranged.row.between = {0.5, 0.6};
+  const auto share = tolerance_share(ranged);
+  ASSERT_TRUE(share);
+  EXPECT_NEAR(share->value, 1.4, 1e-12);
+  EXPECT_NEAR(share->half_width, 0.2, 1e-12);
+  ranged.value.value = 0.55;
+  EXPECT_NEAR(tolerance_share(ranged)->value, 0, 1e-12);
+}
+
+TEST(ToleranceShare, IsNotThereWithoutANumberOrWithoutABound) {
+  EXPECT_FALSE(tolerance_share(outcome(Verdict::not_compared, nan)));
+  GateOutcome improving = outcome(Verdict::pass, 0.01);
+  improving.row.limit.reset();
+  improving.row.improves_on = "coarse";
+  EXPECT_FALSE(tolerance_share(improving));
+}
+
+ProblemGateOutcome order_of_value(double value, Verdict verdict) {
+  ProblemGateRow row{"gradient", ProblemMetric::order_at_least, "1", 1.9, {}, "", "", {}};
+  return {row, verdict, value, ""};
+}
+
+TEST(ToleranceShare, OfAnOrderThatIsToBeReachedIsTheLimitOverIt) {
+  EXPECT_NEAR(tolerance_share(order_of_value(3.8, Verdict::pass))->value, 0.5, 1e-12);
+  EXPECT_TRUE(std::isinf(tolerance_share(order_of_value(-0.2, Verdict::violated))->value));
+  EXPECT_FALSE(tolerance_share(order_of_value(nan, Verdict::violated)));
+}
+
+TEST(VerdictMatrix, ShowsTheWorstVerdictOfEachCellAndOfAlikeVerdictsTheOneNearestToItsBound) {
+  GateOutcome natural = outcome(Verdict::pass, 0.045);
+  natural.row.mode = "natural_1";
+  GateOutcome lag = outcome(Verdict::violated, 3);
+  lag.row.metric = Metric::phase_lag;
+  lag.row.unit = "deg";
+  lag.row.limit = 2;
+  GateOutcome other_lag = lag;
+  other_lag.verdict = Verdict::pass;
+  other_lag.value = {1.99, 0};
+  const VerdictMatrix matrix =
+      verdict_matrix({with_gate({outcome(Verdict::pass, 0.01), natural, other_lag, lag})});
+  EXPECT_EQ(matrix.metrics, (std::vector<std::string>{"amplitude_error", "phase_lag"}));
+  ASSERT_EQ(matrix.rows.size(), 1u);
+  const MatrixCell& amplitude = matrix.rows[0].cells.at("amplitude_error");
+  EXPECT_EQ(amplitude.rows, 2u);
+  EXPECT_EQ(amplitude.value, 0.045);
+  EXPECT_EQ(amplitude.row_id, "small_surge-2");
+  const MatrixCell& worst_lag = matrix.rows[0].cells.at("phase_lag");
+  EXPECT_EQ(worst_lag.verdict, Verdict::violated);
+  EXPECT_EQ(worst_lag.row_id, "small_surge-4");
+}
+
+TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
+  GateOutcome mesh = outcome(Verdict::inconclusive, 0.04, 0.02);
+  mesh.row.candidate = "fine_mesh";
+  mesh.row.metric = Metric::frequency_error;
+  const reports::Table table = matrix_table(
+      verdict_matrix({with_gate({outcome(Verdict::pass, 0.0123, 0.004), mesh})}), "m", "M", "case");
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"small_surge", "particles", "theory",
+                                                     "pass: 1.23 ± 0.4 %", ""}));
+  EXPECT_EQ(table.rows[1][4], "inconclusive: 4 ± 2 %");
+  EXPECT_EQ(table.links[1][4], "row-small_surge-2");
+  EXPECT_EQ(table.links[1][3], "");
+}
+
+TEST(VerdictMatrix, ShowsARowThatCouldNotBeJudgedAndCountsWhatTheQuickFormLeavesOut) {
+  GateOutcome skipped = outcome(Verdict::not_selected, nan);
+  skipped.row.candidate = "fine_mesh";
+  const reports::Table table =
+      matrix_table(verdict_matrix({with_gate({outcome(Verdict::not_compared, nan), skipped})}), "m",
+                   "M", "case");
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0][3], "not compared");
+  EXPECT_NE(table.caption.find("Without 1 pairs"), std::string::npos);
+}
+
+TEST(WorstFirst, IsByVerdictAndThenByHowFarTheIntervalReaches) {
+  const reports::Table table = worst_first_table(
+      {with_gate({outcome(Verdict::pass, 0.048), outcome(Verdict::inconclusive, 0.01, 0.06),
+                  outcome(Verdict::inconclusive, 0.045, 0.01), outcome(Verdict::solver_failed, nan),
+                  outcome(Verdict::pass, 0.044, 0.005)})},
+      {});
+  std::vector<std::string> links;
+  for (const auto& row : table.links) links.push_back(row[0]);
+  EXPECT_EQ(links,
+            (std::vector<std::string>{"row-small_surge-4", "row-small_surge-2", "row-small_surge-3",
+                                      "row-small_surge-5", "row-small_surge-1"}));
+}
+
+TEST(WorstFirst, PutsAViolatedRowBeforeOneThatWasNotCompared) {
+  const reports::Table table = worst_first_table(
+      {with_gate({outcome(Verdict::pass, 0.01), outcome(Verdict::violated, 0.2, 0.01),
+                  outcome(Verdict::not_compared, nan), outcome(Verdict::violated, 0.06),
+                  outcome(Verdict::not_selected, nan)})},
+      {});
+  std::vector<std::string> shares, links;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    shares.push_back(table.rows[i][1]);
+    links.push_back(table.links[i][0]);
+  }
+  EXPECT_EQ(shares, (std::vector<std::string>{"400 ± 20", "120", "", "20"}));
+  EXPECT_EQ(links, (std::vector<std::string>{"row-small_surge-2", "row-small_surge-4",
+                                             "row-small_surge-3", "row-small_surge-1"}));
+}
+
+TEST(WorstFirst, LeavesOutOnlyRowsThatPassAndSaysHowManyThereAre) {
+  std::vector<GateOutcome> gate(4, outcome(Verdict::pass, 0.01));
+  gate.insert(gate.end(), 3, outcome(Verdict::violated, 0.1));
+  const reports::Table table = worst_first_table({with_gate(gate)}, {}, 2);
+  EXPECT_EQ(table.rows.size(), 3u);
+  EXPECT_NE(table.caption.find("3 of the 7 rows"), std::string::npos) << table.caption;
+}
+
+}  // namespace
+}  // namespace slosh::verdict_matrix_test

@@ -1,0 +1,155 @@
+#include "reports/summary/verdict_matrix.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "reports/tables/report_places.hpp"
+#include "verification/case_file/problem_table.hpp"
+#include "verification/series/estimate.hpp"
+
+namespace slosh {
+namespace {
+
+// Which cell is the worse.
+std::pair<int, double> rank(const MatrixCell& cell) {
+  return {severity(cell.verdict), cell.share ? cell.share->value : -1};
+}
+
+// What one gate row brings to the matrix.
+struct Entry {
+  std::string name, candidate, reference, metric;
+  MatrixCell cell;
+};
+
+void add(Entry entry, VerdictMatrix& matrix) {
+  if (std::find(matrix.metrics.begin(), matrix.metrics.end(), entry.metric) == matrix.metrics.end())
+    matrix.metrics.push_back(entry.metric);
+  auto row = std::find_if(matrix.rows.begin(), matrix.rows.end(), [&](const MatrixRow& one) {
+    return std::tie(one.name, one.candidate, one.reference) ==
+           std::tie(entry.name, entry.candidate, entry.reference);
+  });
+  if (row == matrix.rows.end())
+    row = matrix.rows.insert(row, {entry.name, entry.candidate, entry.reference, {}});
+  MatrixCell& standing = row->cells[entry.metric];
+  const std::size_t rows = standing.rows + 1;
+  if (rows == 1 || rank(entry.cell) > rank(standing)) standing = std::move(entry.cell);
+  standing.rows = rows;
+}
+
+// "-0.3 ± 0.6 %"
+std::string found_text(const GateRow& row, double value, double half_width) {
+  if (!std::isfinite(value)) return "";
+  const double scale = row.unit == "1" ? 100 : 1;
+  const std::string interval =
+      half_width > 0 ? fmt::format(" ± {:.2g}", scale * half_width) : std::string();
+  return fmt::format("{:.3g}{} {}", scale * value, interval, row.unit == "1" ? "%" : row.unit);
+}
+
+std::string found_text(const ProblemGateOutcome& outcome) {
+  if (!std::isfinite(outcome.value)) return "";
+  const std::string& unit = outcome.row.unit;
+  return fmt::format("{:.3g}{}", outcome.value, unit == "1" ? "" : " " + unit);
+}
+
+std::string cell_text(const MatrixCell& cell) {
+  std::string rest = cell.found;
+  if (cell.rows > 1) rest += fmt::format("{}worst of {}", rest.empty() ? "" : ", ", cell.rows);
+  return verdict_name(cell.verdict) + (rest.empty() ? "" : ": " + rest);
+}
+
+bool is_left_out(const MatrixRow& row) {
+  return std::all_of(row.cells.begin(), row.cells.end(),
+                     [](const auto& cell) { return cell.second.verdict == Verdict::not_selected; });
+}
+
+std::string heading(std::string metric) {
+  std::replace(metric.begin(), metric.end(), '_', ' ');
+  return metric;
+}
+
+}  // namespace
+
+VerdictMatrix verdict_matrix(const std::vector<CaseAssessment>& cases) {
+  VerdictMatrix matrix;
+  for (const CaseAssessment& one : cases)
+    for (std::size_t i = 0; i < one.gate.size(); ++i) {
+      const GateOutcome& outcome = one.gate[i];
+      const GateRow& row = outcome.row;
+      const double half_width =
+          outcome.judgement ? outcome.judgement->uncertainty : outcome.value.half_width;
+      add({one.definition.name,
+           row.candidate,
+           row.reference,
+           metric_name(row.metric),
+           {.rows = 1,
+            .verdict = outcome.verdict,
+            .value = outcome.value.value,
+            .half_width = half_width,
+            .unit = row.unit,
+            .found = found_text(row, outcome.value.value, half_width),
+            .row_id = case_row_id(one.definition.name, i),
+            .share = tolerance_share(outcome)}},
+          matrix);
+    }
+  return matrix;
+}
+
+VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems) {
+  VerdictMatrix matrix;
+  for (const ProblemAssessment& one : problems)
+    for (std::size_t i = 0; i < one.gate.size(); ++i) {
+      const ProblemGateOutcome& outcome = one.gate[i];
+      add({one.definition.name,
+           outcome.row.measure,
+           "exact solution",
+           metric_name(outcome.row.metric),
+           {.rows = 1,
+            .verdict = outcome.verdict,
+            .value = outcome.value,
+            .half_width = not_a_number,
+            .unit = outcome.row.unit,
+            .found = found_text(outcome),
+            .row_id = problem_row_id(one.definition.name, i),
+            .share = tolerance_share(outcome)}},
+          matrix);
+    }
+  return matrix;
+}
+
+reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
+                            const std::string& title, const std::string& of) {
+  reports::Table table{id,
+                       title,
+                       "In each cell the worst of the gate rows there, with its value and the "
+                       "half width of its 95 % interval; it leads to the row.",
+                       {of, "candidate", "reference"},
+                       {}};
+  for (const std::string& metric : matrix.metrics) table.header.push_back(heading(metric));
+  std::size_t left_out = 0;
+  for (const MatrixRow& row : matrix.rows) {
+    if (is_left_out(row)) {
+      ++left_out;
+      continue;
+    }
+    std::vector<std::string> cells{row.name, row.candidate,
+                                   row.reference.empty() ? "none" : row.reference},
+        links(3);
+    for (const std::string& metric : matrix.metrics) {
+      const auto found = row.cells.find(metric);
+      const bool is_there = found != row.cells.end();
+      cells.push_back(is_there ? cell_text(found->second) : "");
+      links.push_back(is_there ? "row-" + found->second.row_id : "");
+    }
+    table.rows.push_back(std::move(cells));
+    table.links.push_back(std::move(links));
+  }
+  if (left_out > 0)
+    table.caption += fmt::format(" Without {} pairs of which no row was selected.", left_out);
+  return table;
+}
+
+}  // namespace slosh

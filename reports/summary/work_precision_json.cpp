@@ -1,0 +1,100 @@
+#include "reports/summary/work_precision_json.hpp"
+
+#include <stdexcept>
+
+#include "reports/summary/work_precision_tables.hpp"
+
+namespace slosh {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* reach_name(Reach reach) {
+  switch (reach) {
+    case Reach::not_at_all:
+      return "not reached";
+    case Reach::by_cheapest:
+      return "at most";
+    case Reach::between:
+      return "interpolated";
+    case Reach::extrapolated:
+      return "extrapolated";
+  }
+  throw std::logic_error("a reach without a name");
+}
+
+// The unit is part of the key of what costs.
+Json costs_at_errors(const std::vector<WorkPoint>& points, const char* cost) {
+  Json list = Json::array();
+  for (const double error : told_errors()) {
+    const CostAtError found = cost_at_error_or_beyond(points, error);
+    list.push_back({{"error", error},
+                    {"reach", reach_name(found.reach)},
+                    {cost, found.cost},
+                    {"relative_half_width_95_of_costs", found.cost_spread},
+                    {"relative_half_width_95_of_errors", found.error_spread}});
+  }
+  return list;
+}
+
+Json slope_of(const std::vector<WorkPoint>& points) {
+  const auto slope = work_slope(points);
+  return slope ? estimate_json(*slope) : Json(nullptr);
+}
+
+Json run_entry(const WorkRun& run) {
+  return {{"run", run.run},
+          {"timings", run.cost.timings},
+          {"core_seconds_s", estimate_json(run.cost.core_seconds)},
+          {"peak_memory_byte", estimate_json(run.cost.memory)},
+          {"normalised_rms", estimate_json(run.error)}};
+}
+
+Json speed_up_entry(const SpeedUp& found) {
+  return {{"error", found.error},
+          {"mesh", found.mesh_run},
+          {"reach", reach_name(found.reach)},
+          {"speed_up", found.value},
+          {"relative_half_width_95", found.spread}};
+}
+
+}  // namespace
+
+Json estimate_json(const Estimate& value) {
+  return {{"value", value.value}, {"half_width_95", value.half_width}};
+}
+
+Json timings_json(const CaseRuns& runs, const std::string& run) {
+  Json list = Json::array();
+  const auto found = runs.timings.find(run);
+  if (found == runs.timings.end()) return list;
+  for (const RunCost& cost : found->second)
+    list.push_back({{"user_time_s", cost.user_time},
+                    {"system_time_s", cost.system_time},
+                    {"wall_time_s", cost.wall_time},
+                    {"peak_memory_byte", cost.peak_memory}});
+  return list;
+}
+
+Json work_precision_json(const CaseAssessment& assessment) {
+  const std::vector<WorkFamily> families = work_families(assessment);
+  Json list = Json::array();
+  for (const WorkFamily& family : families) {
+    const std::vector<WorkPoint> times = by_core_seconds(family), memories = by_memory(family);
+    Json entry{{"family", family.name},
+               {"reference", family.reference},
+               {"runs", Json::array()},
+               {"slope_over_core_seconds", slope_of(times)},
+               {"slope_over_memory", slope_of(memories)},
+               {"core_seconds_to_reach", costs_at_errors(times, "core_seconds_s")},
+               {"memory_to_reach", costs_at_errors(memories, "peak_memory_byte")},
+               {"speed_against_interfoam", Json::array()}};
+    for (const WorkRun& run : family.runs) entry["runs"].push_back(run_entry(run));
+    for (const SpeedUp& found : speed_ups(family, families))
+      entry["speed_against_interfoam"].push_back(speed_up_entry(found));
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace slosh

@@ -1,0 +1,168 @@
+#include "reports/tables/ablation_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "verification/case/ensemble.hpp"
+#include "verification/case/run_family.hpp"
+
+namespace slosh {
+namespace {
+
+struct ChoiceRun {
+  const RunDefinition* run;
+  const SphRun* sph;
+  const RunResult* result;       // null where the run left none
+  const Comparison* comparison;  // against theory or a record; null where there is none
+};
+
+std::vector<ChoiceRun> choice_runs(const CaseAssessment& assessment) {
+  std::vector<ChoiceRun> runs;
+  for (const RunDefinition& run : assessment.definition.runs) {
+    const SphRun* sph = std::get_if<SphRun>(&run.solver);
+    if (!sph || is_later_member(run)) continue;
+    const auto found = assessment.runs.results.find(run.name);
+    runs.push_back({&run, sph, found == assessment.runs.results.end() ? nullptr : &found->second,
+                    comparison_with_truth(assessment, run.name)});
+  }
+  return runs;
+}
+
+double processor_time(const RunResult& result) {
+  return result.cost.user_time + result.cost.system_time;
+}
+
+// The run of the same scheme and spacing that changes nothing; null where the case has none.
+const ChoiceRun* unchanged(const std::vector<ChoiceRun>& runs, const SphRun& sph) {
+  const auto found = std::find_if(runs.begin(), runs.end(), [&](const ChoiceRun& other) {
+    return other.sph->scheme == sph.scheme && other.sph->particle_spacing == sph.particle_spacing &&
+           other.sph->surface_particle_spacing == sph.surface_particle_spacing &&
+           changes_of(*other.sph).empty();
+  });
+  return found == runs.end() ? nullptr : &*found;
+}
+
+std::string spacing_text(const SphRun& sph) {
+  const double inside = 1000 * sph.particle_spacing, surface = 1000 * sph.surface_particle_spacing;
+  return inside == surface ? fmt::format("{:.4g}", inside)
+                           : fmt::format("{:.4g} / {:.4g}", inside, surface);
+}
+
+std::string ratio(double value, double unchanged_value) {
+  return fmt::format("{:.3g}", value / unchanged_value);
+}
+
+// Which term each number belongs to, in the order of sph_number_names.
+constexpr const char* terms_of_numbers[] = {"kernel: h / spacing", "state: c0 / largest speed",
+                                            "time step: dt c0 / h", "viscosity: alpha",
+                                            "density diffusion: delta"};
+static_assert(std::size(terms_of_numbers) == std::size(sph_number_names));
+
+std::vector<std::string> terms_besides(const RunResult& one, const RunResult& other) {
+  std::vector<std::string> terms;
+  for (const std::string& term : one.active_terms)
+    if (std::find(other.active_terms.begin(), other.active_terms.end(), term) ==
+        other.active_terms.end())
+      terms.push_back(term);
+  return terms;
+}
+
+// What of the scheme a run's changes are about: the terms that it has instead of the unchanged
+// run's, and those that its numbers belong to.
+std::string changed_terms(const ChoiceRun& one, const ChoiceRun* plain) {
+  std::vector<std::string> texts;
+  if (plain && plain->result && one.result) {
+    const auto brought = terms_besides(*one.result, *plain->result);
+    const auto left_out = terms_besides(*plain->result, *one.result);
+    const std::string with = fmt::format("{}", fmt::join(brought, " and "));
+    const std::string without = fmt::format("{}", fmt::join(left_out, " and "));
+    if (!with.empty() && !without.empty())
+      texts.push_back(with + " instead of " + without);
+    else if (!with.empty() || !without.empty())
+      texts.push_back(with.empty() ? "without " + without : "with " + with);
+  }
+  if (!one.sph->initial_state.empty() || one.sph->start_disorder > unseen_disorder)
+    texts.push_back("start");
+  for (std::size_t i = 0; i < std::size(sph_number_names); ++i)
+    if (one.sph->numbers.*sph_number_names[i].second) texts.push_back(terms_of_numbers[i]);
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+// Of a mode that was fitted; empty where it was not.
+std::string mode_cell(const Comparison& comparison, const std::string& name,
+                      Estimate ModeComparison::*measure, double scale) {
+  for (const ModeComparison& mode : comparison.modes) {
+    if (mode.mode != name) continue;
+    if (!mode.resolved()) return "not resolved";
+    const Estimate& estimate = mode.*measure;
+    return fmt::format("{:+.3g} ± {:.2g}", scale * estimate.value, scale * estimate.half_width);
+  }
+  return "";
+}
+
+std::vector<std::string> error_cells(const ChoiceRun& one, const ChoiceRun* plain) {
+  if (!one.comparison) return {"", "", "", "", "", "", ""};
+  const Comparison& comparison = *one.comparison;
+  const bool same_reference =
+      plain && plain->comparison && plain->comparison->reference == comparison.reference;
+  return {comparison.reference,
+          fmt::format("{:.2f}", 100 * comparison.normalised_rms.value),
+          same_reference
+              ? ratio(comparison.normalised_rms.value, plain->comparison->normalised_rms.value)
+              : "",
+          mode_cell(comparison, "forced", &ModeComparison::amplitude_error, 100),
+          mode_cell(comparison, "forced", &ModeComparison::phase_lag_degrees, 1),
+          mode_cell(comparison, "natural_1", &ModeComparison::frequency_error, 100),
+          mode_cell(comparison, "natural_1", &ModeComparison::decay_rate, 1)};
+}
+
+std::vector<std::string> cost_cells(const ChoiceRun& one, const ChoiceRun* plain, double duration) {
+  if (!one.result) return {"", "", "", "", ""};
+  const RunCost& cost = one.result->cost;
+  const double time = processor_time(*one.result);
+  return {fmt::format("{:.2f}", time),
+          plain && plain->result ? ratio(time, processor_time(*plain->result)) : "",
+          fmt::format("{}", cost.steps),
+          fmt::format("{:.4g}", 1e6 * time / (cost.elements * duration)),
+          fmt::format("{:.0f}", cost.peak_memory / cost.elements)};
+}
+
+}  // namespace
+
+std::optional<reports::Table> ablation_table(const CaseAssessment& assessment) {
+  const std::vector<ChoiceRun> runs = choice_runs(assessment);
+  const bool any_changed = std::any_of(
+      runs.begin(), runs.end(), [](const ChoiceRun& one) { return !changes_of(*one.sph).empty(); });
+  const bool any_compared =
+      std::any_of(runs.begin(), runs.end(), [](const ChoiceRun& one) { return one.comparison; });
+  if (!any_changed || !any_compared) return std::nullopt;
+  reports::Table table{
+      assessment.definition.name + "-choices",
+      "What each choice gives",
+      "Each SPH run against theory or a published record, and what it costs. \"of unchanged\": "
+      "over "
+      "the same figure of the run of the same scheme and spacing that changes nothing. Processor "
+      "time is user and system time; the peak memory is that of the whole process.",
+      {"run", "scheme", "spacing [mm]", "changed", "which is", "reference", "normalised rms [%]",
+       "rms of unchanged", "forced amplitude error [%]", "forced lag [deg]",
+       "natural frequency error [%]", "decay [1/s]", "CPU [s]", "CPU of unchanged", "steps",
+       "CPU [us per particle and s]", "peak memory [byte per particle]"},
+      {}};
+  for (const ChoiceRun& one : runs) {
+    const std::string changes = changes_of(*one.sph);
+    const ChoiceRun* plain = changes.empty() ? nullptr : unchanged(runs, *one.sph);
+    std::vector<std::string> row{one.run->name, one.sph->scheme, spacing_text(*one.sph),
+                                 changes.empty() ? "as it is" : changes, changed_terms(one, plain)};
+    for (const auto& cells :
+         {error_cells(one, plain), cost_cells(one, plain, assessment.definition.duration)})
+      row.insert(row.end(), cells.begin(), cells.end());
+    if (!one.result) row[5] = state_name(assessment.runs.status.at(one.run->name).state);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace slosh

@@ -1,0 +1,178 @@
+// The table of choices, and what else shows a run that changes something of its scheme.
+#include "reports/tables/ablation_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/figures/case_figures.hpp"
+#include "reports/pages/check_report.hpp"
+#include "reports/summary/campaign_report.hpp"
+#include "reports/summary/results_json.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::ablation_table_test {
+namespace {
+
+struct Choice {
+  std::string name;
+  SphRun sph;
+  double scale;      // of theory's elevation: the error is this less one
+  double user_time;  // [s]
+};
+
+CaseAssessment assess_choices(const std::vector<Choice>& choices) {
+  std::vector<ScaledRun> runs;
+  for (const Choice& choice : choices)
+    runs.push_back({choice.name, choice.sph, choice.scale,
+                    RunCost{.wall_time = 9,
+                            .user_time = choice.user_time,
+                            .system_time = 0.5,
+                            .peak_memory = 2e5,
+                            .steps = 1000,
+                            .elements = 100}});
+  return assess_scaled(runs);
+}
+
+SphRun changed(const std::string& variant, double spacing = 0.01) {
+  SphRun run{"recommended", spacing, spacing};
+  run.variant = variant;
+  return run;
+}
+
+SphRun with_courant_number(double value) {
+  SphRun run = changed("");
+  run.numbers.courant_number = value;
+  return run;
+}
+
+std::string cell(const reports::Table& table, std::size_t row, const std::string& column) {
+  for (std::size_t i = 0; i < table.header.size(); ++i)
+    if (table.header[i] == column) return table.rows.at(row).at(i);
+  throw std::logic_error("no column " + column);
+}
+
+TEST(ChangesOfARun, AreItsVariantAndItsNumbers) {
+  EXPECT_EQ(changes_of(changed("")), "");
+  EXPECT_EQ(changes_of(changed("shifting")), "shifting");
+  SphRun run = with_courant_number(0.4);
+  run.variant = "shifting";
+  run.numbers.density_diffusion = 0;
+  EXPECT_EQ(changes_of(run), "shifting, courant_number = 0.4, density_diffusion = 0");
+}
+
+TEST(AblationTable, IsLeftOutWhereNothingIsChanged) {
+  EXPECT_FALSE(ablation_table(assess_choices({{"plain", changed(""), 1.1, 2}})));
+}
+
+TEST(AblationTable, SetsEachChoiceBesideTheUnchangedRun) {
+  const auto table = ablation_table(assess_choices(
+      {{"plain", changed(""), 1.1, 1.5}, {"faster", with_courant_number(0.4), 1.2, 0.5}}));
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 2u);
+  EXPECT_EQ(cell(*table, 0, "changed"), "as it is");
+  EXPECT_EQ(cell(*table, 0, "rms of unchanged"), "");
+  EXPECT_EQ(cell(*table, 1, "run"), "faster");
+  EXPECT_EQ(cell(*table, 1, "scheme"), "recommended");
+  EXPECT_EQ(cell(*table, 1, "spacing [mm]"), "10");
+  EXPECT_EQ(cell(*table, 1, "changed"), "courant_number = 0.4");
+  EXPECT_EQ(cell(*table, 1, "reference"), "theory");
+  // A fifth too high: the mean of the reference is not quite zero.
+  EXPECT_NEAR(std::stod(cell(*table, 1, "normalised rms [%]")), 20, 0.1);
+  EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "2");
+  EXPECT_EQ(cell(*table, 1, "forced amplitude error [%]").find("+20 ±"), 0u);
+  EXPECT_EQ(cell(*table, 1, "CPU [s]"), "1.00");
+  EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "0.5");
+  EXPECT_EQ(cell(*table, 1, "steps"), "1000");
+  EXPECT_EQ(cell(*table, 1, "CPU [us per particle and s]"), "500");  // 1 s, 100 particles, 20 s
+  EXPECT_EQ(cell(*table, 1, "peak memory [byte per particle]"), "2000");
+}
+
+TEST(AblationTable, NamesTheTermsThatAVariantAndANumberChange) {
+  CaseAssessment assessment = assess_choices({{"plain", changed(""), 1.1, 1.5},
+                                              {"kernel", changed("wendland_c2"), 1.2, 0.5},
+                                              {"inviscid", changed("no_viscosity"), 1.2, 0.5},
+                                              {"shifted", changed("shifting"), 1.2, 0.5},
+                                              {"faster", with_courant_number(0.4), 1.2, 0.5}});
+  auto& results = assessment.runs.results;
+  results["plain"].active_terms = {"quintic kernel", "viscosity", "leapfrog"};
+  results["kernel"].active_terms = {"Wendland kernel", "viscosity", "leapfrog"};
+  results["inviscid"].active_terms = {"quintic kernel", "leapfrog"};
+  results["shifted"].active_terms = {"quintic kernel", "viscosity", "shifting", "leapfrog"};
+  results["faster"].active_terms = results["plain"].active_terms;
+  const auto table = ablation_table(assessment);
+  EXPECT_EQ(cell(*table, 0, "which is"), "");
+  EXPECT_EQ(cell(*table, 1, "which is"), "Wendland kernel instead of quintic kernel");
+  EXPECT_EQ(cell(*table, 2, "which is"), "without viscosity");
+  EXPECT_EQ(cell(*table, 3, "which is"), "with shifting");
+  EXPECT_EQ(cell(*table, 4, "which is"), "time step: dt c0 / h");
+}
+
+TEST(AblationTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
+  const auto table = ablation_table(assess_choices(
+      {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("shifting"), 1.2, 0.5}}));
+  EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "");
+  EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "");
+}
+
+TEST(AblationTable, TellsHowARunWithoutAResultEnded) {
+  CaseAssessment assessment = assess_choices(
+      {{"plain", changed(""), 1.1, 1.5}, {"broken", changed("no_diffusion"), 1.2, 0.5}});
+  CaseRuns runs = assessment.runs;
+  runs.results.erase("broken");
+  runs.status["broken"] = {RunState::failed, "diverged"};
+  const auto table = ablation_table(assess(assessment.definition, runs));
+  EXPECT_EQ(cell(*table, 1, "reference"), "solver failed");
+  EXPECT_EQ(cell(*table, 1, "CPU [s]"), "");
+}
+
+reports::Figure cost_figure(const std::vector<reports::Figure>& figures) {
+  return figures.at(figures.size() - 2);  // the last is that of memory
+}
+
+TEST(CostFigure, ShowsEachChangeAsPointsOfItsOwn) {
+  const auto figures = case_figures(assess_choices({{"plain", changed(""), 1.1, 1.5},
+                                                    {"coarse", changed("", 0.02), 1.2, 0.5},
+                                                    {"other", changed("shifting"), 1.3, 1}}));
+  const reports::Figure cost = cost_figure(figures);
+  ASSERT_EQ(cost.curves.size(), 3u);
+  EXPECT_EQ(cost.curves[1].label, "recommended against theory, slope -1.00");
+  EXPECT_EQ(cost.curves[1].x, (std::vector<double>{1.0, 2.0}));  // coarse first
+  EXPECT_EQ(cost.curves[2].label, "recommended, shifting against theory");
+  EXPECT_EQ(cost.curves[2].style, reports::Curve::Style::points);
+  for (const reports::Curve& curve : figures.front().curves)
+    EXPECT_NE(curve.label, "other") << "the history shows the scheme as it is";
+}
+
+TEST(CostFigure, GathersManyChangesUnderOneLabel) {
+  std::vector<Choice> choices{{"plain", changed(""), 1.1, 1.5}};
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = "variant_" + std::to_string(i);
+    choices.push_back({name, changed(name), 1.2 + 0.01 * i, 1.0 + i});
+  }
+  const auto figures = case_figures(assess_choices(choices));
+  const reports::Figure cost = cost_figure(figures);
+  ASSERT_EQ(cost.curves.size(), 3u);
+  EXPECT_EQ(cost.curves[2].label, "recommended, one choice changed against theory");
+  EXPECT_EQ(cost.curves[2].x.size(), 12u);
+  EXPECT_EQ(cost.curves[0].label, "Pareto front");
+}
+
+TEST(ChoiceReport, IsAValidReportAndTellsTheChoicesInItsJson) {
+  const std::vector<CaseAssessment> cases{assess_choices(
+      {{"plain", changed(""), 1.1, 1.5}, {"faster", with_courant_number(0.4), 1.2, 0.5}})};
+  const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
+  EXPECT_NO_THROW(
+      reports::check_report(campaign_report(campaign, false, "./slosh campaign surges", cases)));
+  const auto document = nlohmann::json::parse(results_json("surges", false, cases));
+  const auto& runs = document.at("cases").at(0).at("runs");
+  EXPECT_FALSE(runs.at(0).contains("scheme"));
+  EXPECT_EQ(runs.at(2).at("scheme"), "recommended");
+  EXPECT_EQ(runs.at(2).at("particle_spacing_m"), 0.01);
+  EXPECT_TRUE(runs.at(2).at("variant").is_null());
+  EXPECT_EQ(runs.at(2).at("numbers").at("courant_number"), 0.4);
+  EXPECT_TRUE(runs.at(2).at("numbers").at("density_diffusion").is_null());
+}
+
+}  // namespace
+}  // namespace slosh::ablation_table_test

@@ -1,0 +1,142 @@
+// The table of impacts: the published row and the record on top, every run's numbers, and what is
+// said where there are none.
+#include "reports/tables/impact_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "reports/pages/check_report.hpp"
+#include "reports/summary/campaign_report.hpp"
+#include "verification/tests/impact_runs.hpp"
+
+namespace slosh::impact_table_test {
+namespace {
+
+const SphRun sph{"recommended", 0.004, 0.004};
+
+using Row = std::vector<std::string>;
+
+CaseAssessment one_run(const TimeSeries& pressure, const CaseDefinition& definition) {
+  CaseAssessment assessment = no_runs_of(definition);
+  add_run(assessment, "particles", sph, {pressure});
+  return assessment;
+}
+
+TEST(ImpactTable, IsLeftOutWhereTheCaseHasNone) {
+  CaseDefinition definition = impact_case();
+  definition.impacts.reset();
+  EXPECT_FALSE(impact_table(no_runs_of(definition)));
+}
+
+TEST(ImpactTable, GivesTimesPeaksPercentilesAndPlateau) {
+  const auto table =
+      impact_table(one_run(pressure_of({.late = 0.012, .scale = 1.1}), impact_case()));
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->header,
+            (Row{"run", "pressure", "impact 1 [s]", "peak 1 [Pa]", "impact 2 [s]", "peak 2 [Pa]",
+                 "impact 3 [s]", "peak 3 [Pa]", "impact 4 [s]", "peak 4 [Pa]", "plateau [Pa]"}));
+  ASSERT_EQ(table->rows.size(), 2u);
+  EXPECT_EQ(table->rows[0],
+            (Row{"published", "mean ± sd of the repeats", "2.375", "3710 ± 732", "4.073",
+                 "4816 ± 1501", "5.718", "4691 ± 1706", "7.303", "4643 ± 1323", "670"}));
+  EXPECT_EQ(table->rows[1], (Row{"particles", "as it is", "2.387 (+0.012)", "4081 (60 %)",
+                                 "4.085 (+0.012)", "5298 (60 %)", "5.730 (+0.012)", "5160 (60 %)",
+                                 "7.315 (+0.012)", "5107 (60 %)", "737 (+10 %)"}));
+}
+
+TEST(ImpactTable, CountsDeviationsWhereTheRepeatsAreNotSuppliedAndSaysSo) {
+  CaseDefinition definition = impact_case();
+  definition.impacts->repeats.clear();
+  const auto table = impact_table(one_run(pressure_of({.scale = 1.1}), definition));
+  EXPECT_EQ(table->rows.at(1).at(3), "4081 (+0.5 sd)");
+  EXPECT_NE(table->caption.find("not supplied"), std::string::npos);
+}
+
+TEST(ImpactTable, HasARowForTheFilteredPressureAndOneForTheRecordOnTop) {
+  CaseDefinition definition = impact_case();
+  definition.pressure_gauges[0].filter_cutoff = 50;
+  CaseAssessment assessment = no_runs_of(definition);
+  add_run(assessment, "particles", sph,
+          {pressure_of({}), pressure_of({.scale = 0.9, .name = impact_pressure + "/filtered"})});
+  add_run(assessment, "measured", RecordRun{"a.csv", impact_pressure, "Pa", {0, 8}, {0, 0}, {}},
+          {pressure_of({})});
+  const auto rows = impact_table(assessment)->rows;
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[1][0], "measured");
+  EXPECT_EQ(rows[2][1], "as it is");
+  EXPECT_EQ(rows[3][1], "filtered");
+  EXPECT_EQ(rows[3][3], "3339 (40 %)");
+}
+
+TEST(ImpactTable, TellsWhatDoesNotComeOrIsNoNumberOrHasNoResult) {
+  CaseAssessment assessment = one_run(pressure_of({.impacts = 1}), impact_case());
+  TimeSeries poisoned = pressure_of({});
+  poisoned.value[2500] = std::numeric_limits<double>::quiet_NaN();
+  add_run(assessment, "poisoned", sph, {poisoned});
+  add_absent_run(assessment, "gone", sph, RunState::failed);
+  const auto rows = impact_table(assessment)->rows;
+  EXPECT_EQ(rows.at(1).at(4), "no impact");
+  EXPECT_NE(rows.at(2).at(2).find("not finite"), std::string::npos) << rows[2][2];
+  EXPECT_EQ(rows[2].back(), "no number");
+  EXPECT_EQ(rows.at(3).at(1), "solver failed");
+  for (const Row& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+}
+
+// Through the whole assessment: the rows find their series, filtered ones included.
+CaseAssessment assessed(const TimeSeries& pressure, bool with_record = true) {
+  CaseDefinition definition = impact_case();
+  definition.pressure_gauges[0].filter_cutoff = 50;
+  for (const char* filtered : {"", "/filtered"}) {
+    GateRow row{};
+    row.candidate = "particles";
+    row.quantity = impact_pressure + filtered;
+    row.mode = "impact_2";
+    row.metric = Metric::impact_time;
+    row.unit = "s";
+    row.limit = 0.05;
+    row.kind = RowKind::regression;  // neither side declares its uncertainty
+    definition.gate.push_back(row);
+  }
+  CaseAssessment made = one_run(pressure, definition);
+  if (with_record)
+    add_run(made, "measured", RecordRun{"a.csv", impact_pressure, "Pa", {0, 8}, {0, 0}, {}},
+            {pressure_of({})});
+  return assess(made.definition, made.runs);
+}
+
+TEST(CaseWithImpacts, IsGatedOnThePressureAsItIsAndFiltered) {
+  for (const GateOutcome& outcome : assessed(pressure_of({.late = 0.012})).gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
+    EXPECT_NEAR(outcome.value.value, 0.012, 0.002);
+  }
+  for (const GateOutcome& outcome : assessed(pressure_of({.late = 0.06})).gate)
+    EXPECT_EQ(outcome.verdict, Verdict::violated) << outcome.message;
+  for (const GateOutcome& outcome : assessed(pressure_of({.until = 4})).gate)
+    EXPECT_EQ(outcome.verdict, Verdict::not_compared) << outcome.message;
+}
+
+TEST(CaseWithImpacts, NeedsTheRecordForTheTimesOfTheFilteredPressure) {
+  const auto gate = assessed(pressure_of({.late = 0.012}), false).gate;
+  ASSERT_EQ(gate.size(), 2u);
+  EXPECT_EQ(gate[0].verdict, Verdict::pass) << gate[0].message;
+  EXPECT_EQ(gate[1].verdict, Verdict::not_supplied) << gate[1].message;
+}
+
+TEST(CaseWithImpacts, IsReportedWithThem) {
+  const CampaignDefinition campaign{"rolls", "Rolls", "none", "zhao2021", {}, "", "rolls.toml"};
+  const reports::Report report =
+      campaign_report(campaign, false, "./slosh campaign rolls", {assessed(pressure_of({}))});
+  EXPECT_NO_THROW(reports::check_report(report));
+  const auto section = std::find_if(report.sections.begin(), report.sections.end(),
+                                    [](const auto& one) { return one.id == "impacts"; });
+  ASSERT_NE(section, report.sections.end());
+  const auto& tables = section->tables;
+  EXPECT_TRUE(std::any_of(tables.begin(), tables.end(), [](const reports::Table& table) {
+    return table.id == "impacts-impacts";
+  }));
+}
+
+}  // namespace
+}  // namespace slosh::impact_table_test

@@ -1,0 +1,92 @@
+// Runs that repeat one another: which they are, and their peaks' distribution beside the
+// experiment's.
+#include "reports/tables/repeat_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "verification/tests/impact_runs.hpp"
+
+namespace slosh::repeat_table_test {
+namespace {
+
+SphRun repeat(int seed, double spacing = 0.004) {
+  SphRun sph{"recommended", spacing, spacing};
+  sph.start_disorder = 0.05;
+  sph.start_seed = seed;
+  return sph;
+}
+
+// Peaks of a n-th run of 40: as the experiment's n-th repeat, times a scale.
+CaseAssessment repeats(int count, double scale = 1) {
+  CaseAssessment assessment = no_runs_of(impact_case());
+  add_run(assessment, "ordered", SphRun{"recommended", 0.004, 0.004}, {pressure_of({})});
+  for (int i = 0; i < count; ++i)
+    add_run(assessment, "repeat_" + std::to_string(i), repeat(i),
+            {pressure_of({.scale = scale * (0.5 + i / 39.0)})});
+  return assessment;
+}
+
+TEST(RepeatedRuns, DifferInTheirSeedAlone) {
+  CaseAssessment assessment = repeats(3);
+  add_run(assessment, "finer", repeat(1, 0.002), {});
+  SphRun other = repeat(2);
+  other.start_disorder = 0.1;
+  add_run(assessment, "wilder", other, {});
+  const auto groups = repeated_runs(assessment.definition);
+  ASSERT_EQ(groups.size(), 1u);
+  ASSERT_EQ(groups[0].size(), 3u);
+  EXPECT_EQ(groups[0][2]->name, "repeat_2");
+}
+
+TEST(RepeatTable, IsLeftOutWithoutRepeatsOrImpacts) {
+  EXPECT_FALSE(repeat_table(repeats(1)));
+  CaseAssessment assessment = repeats(3);
+  assessment.definition.impacts.reset();
+  EXPECT_FALSE(repeat_table(assessment));
+}
+
+TEST(RepeatTable, GivesTheDistributionBesideTheExperiments) {
+  const auto table = repeat_table(repeats(40));
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 8u);
+  const auto& experiment = table->rows[0];
+  const auto& runs = table->rows[1];
+  EXPECT_EQ(experiment.at(0), "experiment");
+  EXPECT_EQ(runs.at(0), "repeat_0 to repeat_39");
+  EXPECT_EQ(runs.at(3), "40 of 40");
+  EXPECT_EQ(experiment.at(4), "3710");
+  for (const std::size_t column : {4u, 5u, 6u}) EXPECT_EQ(runs.at(column), experiment.at(column));
+  EXPECT_EQ(runs.at(7), "0");
+  EXPECT_EQ(runs.at(8), "0");
+}
+
+// Of a sample scaled by s the cdfs are |s - 1| of the mean apart.
+TEST(RepeatTable, MeasuresHowFarAScaledSampleIsFromTheExperiment) {
+  const auto rows = repeat_table(repeats(40, 1.1))->rows;
+  EXPECT_EQ(rows.at(1).at(7), "371");
+  EXPECT_EQ(rows.at(1).at(8), "10");
+}
+
+TEST(RepeatTable, SaysWhatIsMissing) {
+  CaseAssessment assessment = repeats(5);
+  assessment.definition.impacts->repeats.clear();
+  add_absent_run(assessment, "repeat_failed", repeat(40), RunState::failed);
+  TimeSeries poisoned = pressure_of({});
+  poisoned.value[2500] = std::numeric_limits<double>::quiet_NaN();
+  add_run(assessment, "repeat_poisoned", repeat(41), {poisoned});
+  add_run(assessment, "repeat_lame", repeat(42), {pressure_of({.impacts = 1})});
+  const auto rows = repeat_table(assessment)->rows;
+  EXPECT_EQ(rows.at(0).at(6), "not supplied");
+  EXPECT_EQ(rows.at(1).at(3), "6 of 6");
+  EXPECT_EQ(rows.at(3).at(3), "5 of 6");
+  EXPECT_EQ(rows.at(1).at(6), "needs 20");
+  EXPECT_EQ(rows.at(1).at(7), "not supplied");
+  EXPECT_TRUE(rows.at(1).at(9).starts_with("repeat_failed (solver failed); repeat_poisoned ("))
+      << rows[1][9];
+  for (const auto& row : rows) EXPECT_EQ(row.size(), repeat_table(assessment)->header.size());
+}
+
+}  // namespace
+}  // namespace slosh::repeat_table_test

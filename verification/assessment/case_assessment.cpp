@@ -1,0 +1,181 @@
+#include "verification/assessment/case_assessment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "verification/assessment/filtered_pressure.hpp"
+#include "verification/assessment/validity_envelope.hpp"
+#include "verification/case/ensemble.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/evidence/case_evidence.hpp"
+#include "verification/evidence/input_uncertainty.hpp"
+
+namespace slosh {
+namespace {
+
+template <class Solver>
+const Solver* solver_as(const CaseDefinition& definition, const std::string& run) {
+  return std::get_if<Solver>(&run_named(definition, run).solver);
+}
+
+bool stands(const CaseRuns& runs, const std::string& run) { return runs.results.contains(run); }
+
+bool is_theory(const RunDefinition& run) {
+  return std::holds_alternative<LinearRun>(run.solver) ||
+         std::holds_alternative<ViscousWaveRun>(run.solver) ||
+         std::holds_alternative<PotentialRun>(run.solver);
+}
+
+// Of potential flow that has ended early there is too little to compare; an earlier run of this
+// harness is for the rows that ask for it.
+bool can_be_compared(const RunDefinition& reference, const CaseRuns& runs) {
+  const RecordRun* record = std::get_if<RecordRun>(&reference.solver);
+  return stands(runs, reference.name) && !(record && record->earlier_run) &&
+         !(std::holds_alternative<PotentialRun>(reference.solver) &&
+           runs.status.at(reference.name).state == RunState::out_of_range);
+}
+
+// The finest interFoam that stands, which SPH is compared with; empty where there is none.
+std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& runs) {
+  std::string finest;
+  int most_cells = 0;
+  for (const auto& [name, result] : runs.results) {
+    const InterFoamRun* mesh = solver_as<InterFoamRun>(definition, name);
+    if (!mesh || mesh->cells_x * mesh->cells_z <= most_cells) continue;
+    most_cells = mesh->cells_x * mesh->cells_z;
+    finest = name;
+  }
+  return finest;
+}
+
+bool has_two_layer_theory(const CaseDefinition& definition) {
+  return std::any_of(definition.runs.begin(), definition.runs.end(), [](const RunDefinition& run) {
+    const LinearRun* linear = std::get_if<LinearRun>(&run.solver);
+    return linear && linear->two_layer;
+  });
+}
+
+using Pair = std::pair<std::string, std::string>;
+
+// Candidate and reference, in the order of the case file.
+std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRuns& runs) {
+  const std::string mesh = finest_interfoam(definition, runs);
+  const bool two_layers = has_two_layer_theory(definition);
+  std::vector<Pair> pairs;
+  for (const RunDefinition& candidate : definition.runs) {
+    if (!stands(runs, candidate.name) || is_theory(candidate) || is_later_member(candidate) ||
+        std::holds_alternative<RecordRun>(candidate.solver))
+      continue;
+    const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
+    for (const RunDefinition& reference : definition.runs) {
+      if (!can_be_compared(reference, runs)) continue;
+      const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
+      const bool of_its_kind = linear
+                                   ? linear->two_layer == (sees_gas && two_layers)
+                                   : !std::holds_alternative<SphRun>(reference.solver) &&
+                                         !std::holds_alternative<ExternalRun>(reference.solver) &&
+                                         !std::holds_alternative<InterFoamRun>(reference.solver);
+      if (of_its_kind) pairs.push_back({candidate.name, reference.name});
+    }
+    if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
+  }
+  return pairs;
+}
+
+// A record is compared on what it recorded, an external program on what it declares; any two other
+// solvers on what the case's gauges ask for, and on whatever else both left.
+std::vector<std::string> quantities_of(const CaseDefinition& definition, const CaseRuns& runs,
+                                       const Pair& pair) {
+  if (const RecordRun* record = solver_as<RecordRun>(definition, pair.second))
+    return {record->quantity};
+  std::vector<std::string> quantities = compared_quantities(definition);
+  const bool declares_its_own = solver_as<ExternalRun>(definition, pair.first);
+  std::erase_if(quantities, [&](const std::string& quantity) {
+    return (declares_its_own || !is_gauged(quantity)) &&
+           !(has_series(runs, pair.first, quantity) && has_series(runs, pair.second, quantity));
+  });
+  return quantities;
+}
+
+}  // namespace
+
+bool has_selected_runs(const CaseAssessment& assessment) {
+  const auto& status = assessment.runs.status;
+  return std::any_of(status.begin(), status.end(), [](const auto& of_run) {
+    return of_run.second.state != RunState::not_selected;
+  });
+}
+
+std::vector<const Comparison*> judging_comparisons(const CaseAssessment& assessment) {
+  const std::string quantity = compared_quantities(assessment.definition).front();
+  std::vector<const Comparison*> judging;
+  std::set<std::string> counted;
+  for (const Comparison& comparison : assessment.comparisons)
+    if (comparison.quantity == quantity &&
+        assessment.runs.status.at(comparison.reference).state != RunState::out_of_range &&
+        counted.insert(comparison.candidate).second)
+      judging.push_back(&comparison);
+  return judging;
+}
+
+const TimeSeries* series_of_record(const CaseAssessment& assessment, const std::string& quantity) {
+  return series_of_record(assessment.definition, assessment.runs, quantity);
+}
+
+const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run) {
+  for (const Comparison* judging : judging_comparisons(assessment))
+    if (judging->candidate == run &&
+        !solver_as<InterFoamRun>(assessment.definition, judging->reference))
+      return judging;
+  return nullptr;
+}
+
+CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
+  mark_out_of_range(definition, runs);
+  runs.input_bounds = predict_input_bounds(definition, runs);
+  std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
+  take_runs_at_ends(definition, runs);
+  CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
+  CaseEvidence evidence(assessment.definition, assessment.runs);
+  for (const Pair& pair : compared_pairs(definition, assessment.runs))
+    for (const std::string& quantity : quantities_of(definition, assessment.runs, pair)) {
+      try {
+        assessment.comparisons.push_back(evidence.comparison(pair.first, pair.second, quantity));
+      } catch (const std::runtime_error& error) {  // ComparisonError and ResultError
+        assessment.not_comparable.push_back(
+            fmt::format("{} against {}: {}", pair.first, pair.second, error.what()));
+      }
+    }
+  for (const GateRow& row : definition.gate) assessment.gate.push_back(evidence.judge(row));
+  assessment.fitted = evidence.release_fitted();
+  return assessment;
+}
+
+Standing standing_of(const std::vector<CaseAssessment>& cases) {
+  Standing standing;
+  for (const CaseAssessment& one : cases) {
+    for (const auto& [run, status] : one.runs.status) {
+      standing.run_failed |= status.state == RunState::failed;
+      standing.left_open |= status.state == RunState::missing;
+    }
+    standing.left_open |= one.comparisons.empty() && !one.not_comparable.empty();
+    for (const GateOutcome& outcome : one.gate) standing.verdicts.push_back(outcome.verdict);
+  }
+  return standing;
+}
+
+int exit_status(const Standing& standing) {
+  if (standing.run_failed) return exit_solver_failed;
+  const int gated = exit_status_of(standing.verdicts);
+  const bool judged = gated == exit_pass || gated == exit_inconclusive;
+  return judged && standing.left_open ? exit_not_compared : gated;
+}
+
+int exit_status(const std::vector<CaseAssessment>& cases) {
+  return exit_status(standing_of(cases));
+}
+
+}  // namespace slosh

@@ -1,0 +1,89 @@
+#include "verification/assessment/convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/case/quantities.hpp"
+#include "verification/gate/measured_value.hpp"
+
+namespace slosh {
+namespace {
+
+std::vector<std::pair<std::string, Metric>> metrics_of(const CaseDefinition& definition,
+                                                       const std::string& quantity) {
+  if (!has_modes(quantity)) return {{"whole", Metric::time_lag}, {"whole", Metric::aligned_rms}};
+  std::vector<std::pair<std::string, Metric>> metrics;
+  for (const ToneRequest& mode : fitted_modes(definition)) {
+    const bool forced = mode.name == "forced";
+    metrics.push_back({mode.name, forced ? Metric::amplitude_error : Metric::frequency_error});
+    metrics.push_back({mode.name, forced ? Metric::phase_lag : Metric::decay_rate});
+  }
+  metrics.push_back({"whole", Metric::normalised_rms});
+  return metrics;
+}
+
+std::optional<double> order_of(const std::vector<ValueAtStep>& values) try {
+  return discretisation_uncertainty(values).order;
+} catch (const ComparisonError&) {
+  return {};
+}
+
+std::string why_not_measured(const GateRow& row, const MeasureRow& measure) try {
+  measure(row);
+  return "fewer than three spacings have it";
+} catch (const std::runtime_error& error) {  // ComparisonError and ResultError
+  return error.what();
+}
+
+}  // namespace
+
+std::optional<double> order_half_width(const std::vector<ValueAtStep>& values) {
+  const std::optional<double> order = order_of(values);
+  if (!order) return {};
+  double squares = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double change = 0;
+    for (const double side : {-1.0, 1.0}) {
+      std::vector<ValueAtStep> moved = values;
+      moved[i].value += side * moved[i].noise;
+      const std::optional<double> other = order_of(moved);
+      if (!other) return {};
+      change = std::max(change, std::abs(*other - *order));
+    }
+    squares += change * change;
+  }
+  return std::sqrt(squares);
+}
+
+Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQuestion& question) {
+  CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
+  const GateEvidence given = evidence.gate_evidence();
+  // The gate judges the residual of its window as it stands; an order is to hold in others too.
+  const MeasureRow measure = [&](const GateRow& row) {
+    return row.metric == Metric::normalised_rms
+               ? evidence.comparison(row.candidate, row.reference, row.quantity).normalised_rms
+               : measured(row, given);
+  };
+  Convergence found;
+  for (const auto& [mode, metric] : metrics_of(assessment.definition, question.quantity)) {
+    GateRow row{};
+    row.candidate = question.finest;
+    row.reference = question.reference;
+    row.quantity = question.quantity;
+    row.mode = mode;
+    row.metric = metric;
+    row.unit = metric_unit(metric, unit_of(question.quantity));
+    std::vector<RefinedMetric> refined =
+        refined_metrics(assessment.definition, assessment.runs, row, Role::candidate, measure);
+    if (refined.empty() || refined.front().values.size() < 3) {
+      found.not_measured.push_back(mode + " " + metric_name(metric) + ": " +
+                                   why_not_measured(row, measure));
+      continue;
+    }
+    const std::optional<double> half_width = order_half_width(refined.front().values);
+    found.metrics.push_back({row, std::move(refined.front()), half_width});
+  }
+  return found;
+}
+
+}  // namespace slosh

@@ -1,0 +1,140 @@
+#include "verification/assessment/predictions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "verification/assessment/work_points.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/case/run_family.hpp"
+#include "verification/evidence/record_uncertainty.hpp"
+
+namespace slosh {
+namespace {
+
+// Half width of a 95 % interval over the standard deviation, of a normal distribution.
+constexpr double coverage = 1.96;
+
+// "elevation amplitude" of "elevation@right"; empty of what has no amplitude of its own.
+std::string amplitude_kind(const std::string& quantity) {
+  static const std::map<std::string, std::string> kinds{
+      {"elevation", "elevation amplitude"},
+      {"wall_pressure", "wall pressure amplitude"},
+      {"force_x", "force amplitude"},
+      {"moment", "moment amplitude"},
+      {"momentum_x", "momentum amplitude"}};
+  if (quantity.find("/filtered") != quantity.npos) return "";
+  const auto found = kinds.find(quantity.substr(0, quantity.find('@')));
+  return found == kinds.end() ? "" : found->second;
+}
+
+// Of each model and quantity the comparison of the finest run with its first theory or record.
+std::vector<const Comparison*> counted_comparisons(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  std::map<std::pair<std::string, std::string>, const Comparison*> finest;
+  for (const Comparison& one : assessment.comparisons) {
+    const RunDefinition& candidate = run_named(definition, one.candidate);
+    if (assessment.runs.status.at(one.reference).state == RunState::out_of_range ||
+        std::holds_alternative<InterFoamRun>(run_named(definition, one.reference).solver))
+      continue;
+    const Comparison*& best = finest[{work_family(candidate), one.quantity}];
+    if (!best || resolution(candidate) > resolution(run_named(definition, best->candidate)))
+      best = &one;
+  }
+  std::vector<const Comparison*> counted;
+  for (const Comparison& one : assessment.comparisons)
+    for (const auto& [key, best] : finest)
+      if (best == &one) counted.push_back(&one);
+  return counted;
+}
+
+double largest_amplitude(const Comparison& pair) {
+  double largest = 0;
+  for (const ModeComparison& mode : pair.modes)
+    largest = std::max(largest, mode.reference.amplitude.value);
+  return largest;
+}
+
+double amplitude_deviation(const CaseDefinition& definition, const Comparison& pair,
+                           const ModeComparison& mode) {
+  const auto* record = std::get_if<RecordRun>(&run_named(definition, pair.reference).solver);
+  if (!record || !record->uncertainty) return 0;
+  return uncertainty_from_values(Metric::amplitude_error, mode.mode, pair, *record->uncertainty) /
+         coverage;
+}
+
+bool is_usable(const PredictedValue& value) {
+  return value.predicted > 0 && value.reference > 0 && std::isfinite(value.predicted) &&
+         std::isfinite(value.reference) && std::isfinite(value.reference_deviation);
+}
+
+class Collection {
+ public:
+  void add(const CaseAssessment& assessment) {
+    const CaseDefinition& definition = assessment.definition;
+    const std::string first = compared_quantities(definition).front();
+    for (const Comparison* pair : counted_comparisons(assessment))
+      for (const ModeComparison& mode : pair->modes) {
+        if (!mode.resolved()) continue;
+        const std::string kind = amplitude_kind(pair->quantity);
+        if (!kind.empty() && mode.reference.amplitude.value >=
+                                 smallest_share_of_amplitude * largest_amplitude(*pair))
+          add(kind, pair->unit, definition, *pair, mode,
+              {mode.candidate.amplitude.value, mode.reference.amplitude.value,
+               amplitude_deviation(definition, *pair, mode)});
+        // Every quantity swings with the same natural frequencies: the case's first tells of them.
+        if (mode.mode != "forced" && pair->quantity == first)
+          add("natural frequency", "Hz", definition, *pair, mode,
+              {mode.candidate.angular_frequency.value / (2 * std::numbers::pi),
+               mode.reference.angular_frequency.value / (2 * std::numbers::pi)});
+      }
+  }
+
+  std::vector<PredictionSet> release() {
+    for (PredictionSet& set : sets_) {
+      std::vector<PredictedValue> values;
+      for (const Prediction& one : set.predictions) values.push_back(one.value);
+      set.bias = model_bias(values);
+    }
+    std::stable_sort(sets_.begin(), sets_.end(),
+                     [&](const PredictionSet& one, const PredictionSet& other) {
+                       return order_of_kind(one.kind) < order_of_kind(other.kind);
+                     });
+    return std::move(sets_);
+  }
+
+ private:
+  void add(const std::string& kind, const std::string& unit, const CaseDefinition& definition,
+           const Comparison& pair, const ModeComparison& mode, const PredictedValue& value) {
+    if (!is_usable(value)) return;
+    const std::string model = work_family(run_named(definition, pair.candidate));
+    if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
+    auto set = std::find_if(sets_.begin(), sets_.end(), [&](const PredictionSet& one) {
+      return one.kind == kind && one.model == model;
+    });
+    if (set == sets_.end()) set = sets_.insert(set, {kind, unit, model, {}, {}});
+    set->predictions.push_back(
+        {definition.name, pair.candidate, pair.reference, pair.quantity, mode.mode, value});
+  }
+
+  std::ptrdiff_t order_of_kind(const std::string& kind) const {
+    return std::find(kinds_.begin(), kinds_.end(), kind) - kinds_.begin();
+  }
+
+  std::vector<std::string> kinds_;
+  std::vector<PredictionSet> sets_;
+};
+
+}  // namespace
+
+std::vector<PredictionSet> prediction_sets(const std::vector<CaseAssessment>& cases) {
+  Collection collection;
+  for (const CaseAssessment& one : cases) collection.add(one);
+  return collection.release();
+}
+
+}  // namespace slosh

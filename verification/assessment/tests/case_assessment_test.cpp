@@ -1,0 +1,372 @@
+// What a campaign makes of its runs' results, and that it turns red on every way in which they can
+// be wrong.
+#include "verification/assessment/case_assessment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::case_assessment_test {
+namespace {
+
+constexpr double forcing_period = 2 * 3.14159265358979 / (0.3 * 4.94488);
+
+std::set<Verdict> verdicts(const CaseAssessment& assessment) {
+  std::set<Verdict> found;
+  for (const GateOutcome& outcome : assessment.gate) found.insert(outcome.verdict);
+  return found;
+}
+
+Verdict verdict_on(Metric metric, const CaseAssessment& assessment) {
+  for (const GateOutcome& outcome : assessment.gate)
+    if (outcome.row.metric == metric) return outcome.verdict;
+  throw std::logic_error("no such row");
+}
+
+CaseAssessment assess_candidate(const TimeSeries& elevation) {
+  return assess(surge_case(), surge_runs_with("particles", elevation));
+}
+
+TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+TEST(CaseAssessment, PassesACandidateThatIsItsReference) {
+  const CaseAssessment assessment = assess(surge_case(), surge_runs());
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({assessment}), exit_pass);
+}
+
+TEST(CaseAssessment, RejectsACandidateATenthTooHigh) {
+  const CaseAssessment assessment = assess_candidate(scaled(elevation_of({}), 1.1));
+  EXPECT_EQ(verdict_on(Metric::amplitude_error, assessment), Verdict::violated);
+  EXPECT_EQ(verdict_on(Metric::phase_lag, assessment), Verdict::pass);
+  EXPECT_NEAR(assessment.gate.front().value.value, 0.1, 1e-3);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsACandidateATwentiethOfAPeriodLate) {
+  TimeSeries late = elevation_of({});
+  for (double& time : late.time) time += 0.05 * forcing_period;
+  const CaseAssessment assessment = assess_candidate(late);
+  EXPECT_EQ(verdict_on(Metric::phase_lag, assessment), Verdict::violated);
+  // A twentieth of 360 degrees, late; the modes that are not fitted leave a quarter of a degree.
+  EXPECT_NEAR(assessment.gate[1].value.value, 18, 0.5);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsTheWrongSignOfTheReferencesAmplitude) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_with("theory", elevation_of({.amplitude = -0.02})));
+  EXPECT_EQ(verdict_on(Metric::phase_lag, assessment), Verdict::violated);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsACandidateUnderAnotherGravity) {
+  const CaseAssessment assessment = assess_candidate(elevation_of({.gravity = 9.0}));
+  EXPECT_EQ(verdict_on(Metric::frequency_error, assessment), Verdict::violated);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, RejectsMillimetresForMetres) {
+  const CaseAssessment assessment = assess_candidate(scaled(elevation_of({}), 1000));
+  EXPECT_EQ(verdict_on(Metric::amplitude_error, assessment), Verdict::violated);
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(CaseAssessment, ComparesNoSeriesWithANumberThatIsNone) {
+  TimeSeries broken = elevation_of({});
+  broken.value[500] = std::numeric_limits<double>::quiet_NaN();
+  const CaseAssessment assessment = assess_candidate(broken);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, ComparesNoSeriesThatEndsEarly) {
+  TimeSeries short_one = elevation_of({});
+  short_one.time.resize(900);  // 18 of 20 s
+  short_one.value.resize(900);
+  const CaseAssessment assessment = assess_candidate(short_one);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, ComparesNoSeriesWithTimesForValues) {
+  TimeSeries swapped = elevation_of({});
+  std::swap(swapped.time, swapped.value);
+  EXPECT_EQ(exit_status({assess_candidate(swapped)}), exit_not_compared);
+  TimeSeries doubled = elevation_of({});
+  doubled.value = doubled.time;
+  // A ramp holds no tone but round-off: not compared, or compared and rejected.
+  EXPECT_NE(exit_status({assess_candidate(doubled)}), exit_pass);
+}
+
+TEST(CaseAssessment, ComparesNothingWithAReferenceThatIsMissing) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("theory", RunState::missing, "no such file"));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_NE(assessment.gate.front().message.find("no such file"), std::string::npos);
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, ComparesNothingWithAReferenceOutOfItsRange) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.11;
+  const CaseAssessment assessment = assess(surge_case(), runs);
+  EXPECT_EQ(assessment.runs.status.at("theory").state, RunState::out_of_range);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, TakesNoReferenceWhoseRangeIsNoNumber) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] =
+      std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(exit_status({assess(surge_case(), runs)}), exit_not_compared);
+}
+
+TEST(CaseAssessment, CountsAFailedRunThatNoGateRowNames) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("coarse_mesh", RunState::failed, "killed"));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({assessment}), exit_solver_failed);
+}
+
+TEST(CaseAssessment, CountsAMissingRunThatNoGateRowNames) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("coarse_mesh", RunState::missing, "no such file"));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, IsNotFailedByARecordThatIsNotSupplied) {
+  const CaseAssessment ungated =
+      assess(surge_case(), surge_runs_without("coarse_mesh", RunState::not_supplied, "x.csv"));
+  EXPECT_EQ(verdicts(ungated), std::set{Verdict::pass});
+  EXPECT_EQ(exit_status({ungated}), exit_pass);
+  const CaseAssessment gated =
+      assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "x.csv"));
+  EXPECT_EQ(verdicts(gated), std::set{Verdict::not_supplied});
+  EXPECT_EQ(exit_status({gated, ungated}), exit_pass);
+  EXPECT_EQ(exit_status({gated}), exit_not_compared) << "nothing at all was compared";
+}
+
+TEST(CaseAssessment, ComparesAForceWhereBothRunsLeftOne) {
+  CaseRuns runs = surge_runs();
+  TimeSeries force = elevation_of({});
+  force.name = "force_x";
+  force.unit = "N/m";
+  for (const char* run : {"particles", "fine_mesh"}) runs.results.at(run).series.push_back(force);
+  CaseDefinition definition = surge_case();
+  GateRow row = surge_row("whole", Metric::maximum_residual, "N/m", 0.1);
+  row.quantity = "force_x";
+  row.reference = "fine_mesh";
+  row.kind = RowKind::regression;  // of a mesh that nobody refined
+  definition.gate = {row};
+  const CaseAssessment assessment = assess(definition, runs);
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass}) << assessment.gate[0].message;
+  EXPECT_TRUE(assessment.not_comparable.empty());
+  int forces = 0;
+  for (const Comparison& one : assessment.comparisons) forces += one.quantity == "force_x";
+  EXPECT_EQ(forces, 1);
+}
+
+TEST(CaseAssessment, TellsOfAWallPressureThatARunDoesNotHave) {
+  CaseDefinition definition = surge_case();
+  definition.pressure_gauges = {{"b", Wall::left, 0.1}};
+  const CaseAssessment assessment = assess(definition, surge_runs());
+  ASSERT_FALSE(assessment.not_comparable.empty());
+  EXPECT_NE(assessment.not_comparable[0].find("has no series wall_pressure@b"), std::string::npos);
+}
+
+TEST(CaseAssessment, PassesNothingWhereNoRowWasSelected) {
+  const CaseAssessment assessment =
+      assess(surge_case(), surge_runs_without("particles", RunState::not_selected, ""));
+  EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_selected});
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(CaseAssessment, PassesNothingWithoutCasesOrRows) {
+  EXPECT_EQ(exit_status(std::vector<CaseAssessment>{}), exit_not_compared);
+  CaseDefinition ungated = surge_case();
+  ungated.gate.clear();
+  EXPECT_EQ(exit_status({assess(ungated, surge_runs())}), exit_not_compared);
+}
+
+TEST(CaseAssessment, PassesNoUngatedCaseOfWhichNoPairCanBeCompared) {
+  CaseDefinition ungated = surge_case();
+  ungated.gate.clear();
+  const CaseAssessment good = assess(surge_case(), surge_runs());
+  EXPECT_EQ(exit_status({good, assess(ungated, surge_runs())}), exit_pass);
+  CaseRuns broken = surge_runs();
+  for (auto& [run, result] : broken.results) result.series[0].value[500] = std::nan("");
+  const CaseAssessment nothing = assess(ungated, broken);
+  ASSERT_FALSE(nothing.not_comparable.empty());
+  EXPECT_NE(nothing.not_comparable[0].find("particles against theory: "), std::string::npos);
+  EXPECT_EQ(exit_status({good, nothing}), exit_not_compared);
+}
+
+class OwnSeriesAssessment : public ::testing::Test {
+ protected:
+  OwnSeriesAssessment() {
+    row.reference.clear();
+    row.quantity = "volume_drift";
+    definition.gate = {row};
+  }
+  static TimeSeries drift(double scale) {
+    TimeSeries series = elevation_of({});
+    series.name = "volume_drift";
+    series.unit = "1";
+    for (double& value : series.value) value = 0.01 * scale;
+    return series;
+  }
+  CaseAssessment assess_drift(const TimeSeries& series) const {
+    CaseRuns runs = surge_runs();
+    runs.results["particles"].series.push_back(series);
+    return assess(definition, runs);
+  }
+  GateRow row = surge_row("whole", Metric::largest_magnitude, "1", 0.01);
+  CaseDefinition definition = surge_case();
+};
+
+TEST_F(OwnSeriesAssessment, PassesWithinTheLimitAndFailsOnScaledData) {
+  EXPECT_EQ(exit_status({assess_drift(drift(1))}), exit_pass);
+  EXPECT_EQ(exit_status({assess_drift(drift(0))}), exit_pass);
+  EXPECT_EQ(exit_status({assess_drift(drift(1.1))}), exit_violated);
+}
+
+TEST_F(OwnSeriesAssessment, PassesNeitherATruncatedNorAPoisonedNorAMissingSeries) {
+  TimeSeries truncated = drift(1), poisoned = drift(1), misnamed = drift(1);
+  truncated.time.resize(900);  // 18 of 20 s
+  truncated.value.resize(900);
+  poisoned.value[500] = std::nan("");
+  misnamed.name = "volume";
+  for (const TimeSeries& series : {truncated, poisoned, misnamed}) {
+    const CaseAssessment assessment = assess_drift(series);
+    EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
+    EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+  }
+}
+
+TEST_F(OwnSeriesAssessment, NeedsNoReferenceInTheCase) {
+  definition.runs = {definition.runs.at(2)};
+  CaseRuns runs;
+  runs.results["particles"] = surge_runs().results["particles"];
+  runs.results["particles"].series.push_back(drift(1));
+  runs.status["particles"] = {RunState::finished, ""};
+  EXPECT_EQ(exit_status({assess(definition, runs)}), exit_pass);
+}
+
+TEST(CaseAssessment, TakesTheWorstOfItsCases) {
+  const CaseAssessment good = assess(surge_case(), surge_runs());
+  const CaseAssessment high = assess_candidate(scaled(elevation_of({}), 1.1));
+  EXPECT_EQ(exit_status({good, high}), exit_violated);
+  EXPECT_EQ(exit_status({high, good}), exit_violated);
+}
+
+std::vector<std::string> compared(const CaseAssessment& assessment) {
+  std::vector<std::string> pairs;
+  for (const Comparison& one : assessment.comparisons)
+    pairs.push_back(one.candidate + " against " + one.reference);
+  return pairs;
+}
+
+TEST(Comparisons, SetParticlesAgainstTheoryAndTheFinestMeshAndMeshesAgainstTwoLayers) {
+  EXPECT_EQ(compared(assess(surge_case(), surge_runs())),
+            (std::vector<std::string>{"particles against theory", "particles against fine_mesh",
+                                      "coarse_mesh against theory_with_gas",
+                                      "fine_mesh against theory_with_gas"}));
+}
+
+TEST(Comparisons, TakeTheFinestMeshThatStands) {
+  const auto pairs =
+      compared(assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "diverged")));
+  EXPECT_EQ(pairs,
+            (std::vector<std::string>{"particles against theory", "particles against coarse_mesh",
+                                      "coarse_mesh against theory_with_gas"}));
+}
+
+TEST(Comparisons, SetMeshesAgainstOneLayerWhereNoOtherTheoryIsDeclared) {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs = surge_runs();
+  definition.runs.erase(definition.runs.begin() + 1);
+  runs.results.erase("theory_with_gas");
+  runs.status.erase("theory_with_gas");
+  const auto pairs = compared(assess(definition, runs));
+  EXPECT_EQ(pairs[2], "coarse_mesh against theory");
+}
+
+TEST(Comparisons, LeaveOutOnlyThePairThatCannotBeCompared) {
+  TimeSeries broken = elevation_of({});
+  broken.value[500] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(compared(assess(surge_case(), surge_runs_with("coarse_mesh", broken))),
+            (std::vector<std::string>{"particles against theory", "particles against fine_mesh",
+                                      "fine_mesh against theory_with_gas"}));
+}
+
+// As SPH, on the quantities that it declares alone, and never as a reference.
+TEST(Comparisons, SetAnExternalProgramAgainstOneLayerTheoryAndTheFinestMesh) {
+  CaseDefinition definition = surge_case();
+  definition.gauges.push_back({"left", 0.05});
+  ExternalRun external;
+  external.command = {"solve"};
+  definition.runs.push_back(sample_run(external));
+  definition.runs.back().name = "mine";
+  CaseRuns runs = surge_runs_without("particles", RunState::not_selected, "");
+  runs.results["mine"] = result_of("mine", scaled(elevation_of({}), 1.01));
+  runs.status["mine"] = {RunState::finished, ""};
+  const CaseAssessment assessment = assess(definition, std::move(runs));
+  std::vector<std::string> references;
+  for (const Comparison& comparison : assessment.comparisons) {
+    if (comparison.candidate == "mine") references.push_back(comparison.reference);
+    EXPECT_NE(comparison.reference, "mine");
+  }
+  EXPECT_EQ(references, (std::vector<std::string>{"theory", "fine_mesh"}));
+  for (const std::string& why : assessment.not_comparable)
+    EXPECT_FALSE(why.starts_with("mine against")) << why;
+}
+
+// omega_n of the antisymmetric modes n = 1, 3, 5 half waves, computed apart from this code from
+// omega^2 = g k tanh(k h), k = n pi / L, g = 9.81.
+TEST(FittedModes, AreTheForcingAndTheFirstModesThatSurgeExcites) {
+  CaseDefinition definition = surge_case();
+  definition.natural_modes = 3;
+  const auto modes = fitted_modes(definition);
+  ASSERT_EQ(modes.size(), 4u);
+  EXPECT_EQ(modes[0].name, "forced");
+  EXPECT_NEAR(modes[0].angular_frequency, 1.483464, 1e-9);
+  EXPECT_FALSE(modes[0].refine);
+  EXPECT_EQ(modes[1].name, "natural_1");
+  EXPECT_NEAR(modes[1].angular_frequency, 4.96646, 1e-5);
+  EXPECT_EQ(modes[2].name, "natural_2");
+  EXPECT_NEAR(modes[2].angular_frequency, 9.60235, 1e-5);
+  EXPECT_EQ(modes[3].name, "natural_3");
+  EXPECT_NEAR(modes[3].angular_frequency, 12.41330, 1e-5);
+  EXPECT_TRUE(modes[1].refine && modes[2].refine && modes[3].refine);
+}
+
+TEST(FittedModes, FollowTheTank) {
+  CaseDefinition definition = surge_case();
+  definition.tank.length = 0.9;
+  definition.liquid.fill_depth = 0.093;
+  EXPECT_NEAR(fitted_modes(definition)[1].angular_frequency, 3.27746, 1e-5);
+  definition.tank.length = 0.92;
+  definition.liquid.fill_depth = 0.465;
+  EXPECT_NEAR(fitted_modes(definition)[1].angular_frequency, 5.55095, 1e-5);
+}
+
+TEST(FittedModes, HaveNoForcingWhereAMotionHasNoFrequency) {
+  CaseDefinition definition = surge_case();
+  definition.motion.surge = TableMotion{};
+  const auto modes = fitted_modes(definition);
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_EQ(modes[0].name, "natural_1");
+}
+
+}  // namespace
+}  // namespace slosh::case_assessment_test

@@ -1,0 +1,107 @@
+#include "verification/assessment/convergence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "verification/case/ensemble.hpp"
+#include "verification/case/spacing_study.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/runs/run_key.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::convergence_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// 1 + h^order at h = 1, 2, 4, of equal noise.
+std::vector<ValueAtStep> power_law(double order, double noise) {
+  std::vector<ValueAtStep> values;
+  for (const double step : {4.0, 2.0, 1.0})
+    values.push_back({step, 1 + std::pow(step, order), noise});
+  return values;
+}
+
+TEST(Convergence, IsSureOfTheOrderOfExactValues) {
+  EXPECT_NEAR(order_half_width(power_law(1.5, 0)).value(), 0, 1e-9);
+}
+
+TEST(Convergence, TellsHowFarTheOrderMovesWithItsValues) {
+  // p = log2((f3 - f2) / (f2 - f1)): with f = 2, 3, 5 and noise n the derivatives by f1, f2, f3 are
+  // 1, -3/2 and 1/2 over ln 2.
+  const double noise = 1e-4;
+  EXPECT_NEAR(order_half_width(power_law(1, noise)).value(),
+              noise * std::sqrt(1 + 2.25 + 0.25) / std::log(2), 1e-2 * noise);
+}
+
+TEST(Convergence, LeavesTheIntervalOpenWhereNoiseMayLeaveNoOrder) {
+  EXPECT_TRUE(order_half_width(power_law(1, 0.3)).has_value());
+  EXPECT_FALSE(order_half_width(power_law(1, 0.9)).has_value());
+  EXPECT_FALSE(order_half_width({{1, 3, 0}, {2, 2, 0}, {4, 0, 0}}).has_value() &&
+               order_half_width({{1, 0, 0}, {2, 1, 0}, {4, 1.5, 0}}).has_value())
+      << "differences that grow as the step falls have no order";
+}
+
+class SpacingStudies : public ::testing::Test {
+ protected:
+  CaseDefinition made(const CaseDefinition& definition, const SpacingStudy& study) const {
+    const fs::path file = temporary_.path() / (definition.name + ".toml");
+    std::ofstream(file) << spacing_study_text(definition, study);
+    return read_case(file);
+  }
+  std::string key(const CaseDefinition& definition, const std::string& run) const {
+    const fs::path builds = temporary_.path() / "builds";
+    fs::create_directory(builds);
+    for (const char* kind : {"sph", "interfoam", "linear", "potential", "viscous_wave", "record"})
+      std::ofstream(builds / kind) << "a build";
+    return run_key(definition, run_named(definition, run), builds, temporary_.path());
+  }
+
+  TemporaryDirectory temporary_;
+};
+
+TEST_F(SpacingStudies, AskTheSameOfTheReferenceAndOfARunAtItsOwnSpacingInEveryShippedCase) {
+  int studied = 0;
+  for (const auto& entry : fs::directory_iterator(SLOSH_SOURCE_DIR "/verification/cases")) {
+    if (entry.path().extension() != ".toml") continue;
+    const CaseDefinition definition = read_case(entry.path());
+    const RunDefinition& reference = definition.runs.front();
+    const RunDefinition& last =
+        *std::find_if_not(definition.runs.rbegin(), definition.runs.rend(), is_later_member);
+    for (const RunDefinition& run : definition.runs) {
+      if (is_later_member(run)) continue;  // of an ensemble that the file names once
+      const auto* sph = std::get_if<SphRun>(&run.solver);
+      if (!sph || sph->particle_spacing != sph->surface_particle_spacing) continue;
+      const double spacing = sph->particle_spacing;
+      const SpacingStudy study{.candidate = run.name,
+                               .family = "",
+                               .spacings = {spacing / 4, spacing / 2, spacing},
+                               .reference = &run == &reference ? last.name : reference.name};
+      const CaseDefinition case_of_study = made(definition, study);
+      EXPECT_EQ(case_of_study.runs.size(), 4u);
+      EXPECT_EQ(case_of_study.refinements.size(), 1u);
+      EXPECT_TRUE(case_of_study.gate.empty());
+      EXPECT_EQ(key(case_of_study, study.reference), key(definition, study.reference));
+      EXPECT_EQ(key(case_of_study, study_run_name(study, spacing)), key(definition, run.name))
+          << definition.name << "/" << run.name;
+      ++studied;
+      break;
+    }
+  }
+  EXPECT_GT(studied, 30);
+}
+
+TEST_F(SpacingStudies, NameTheirRunsBySpacing) {
+  const SpacingStudy of_family{
+      .candidate = "", .family = "li2010", .spacings = {}, .reference = ""};
+  EXPECT_EQ(study_run_name(of_family, 0.0125), "li2010_12p5mm");
+  const SpacingStudy of_run{.candidate = "fine", .family = "", .spacings = {}, .reference = ""};
+  EXPECT_EQ(study_run_name(of_run, 0.02), "fine_at_20mm");
+}
+
+}  // namespace
+}  // namespace slosh::convergence_test

@@ -1,0 +1,105 @@
+// Rows on ensembles, judged, selected, tried and tabulated as a campaign does, on the small surge
+// of surge_results.hpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/tables/ensemble_table.hpp"
+#include "verification/campaign/run_selection.hpp"
+#include "verification/case/ensemble.hpp"
+#include "verification/sensitivity/row_strength.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::ensemble_assessment_test {
+namespace {
+
+TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+// Three repeats of "particles", each too high by what is told, and one row on their amplitude.
+struct Repeated {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs = surge_runs();
+
+  explicit Repeated(const std::vector<double>& errors, double limit) {
+    RunDefinition first = run_named(definition, "particles");
+    std::get<SphRun>(first.solver).start_disorder = 1e-6;
+    const auto members = ensemble_of(first, static_cast<int>(errors.size()));
+    std::erase_if(definition.runs, [](const auto& run) { return run.name == "particles"; });
+    definition.runs.insert(definition.runs.end(), members.begin(), members.end());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      const std::string& name = members[i].name;
+      runs.results[name] = result_of(name, scaled(elevation_of({}), 1 + errors[i]));
+      runs.status[name] = {RunState::finished, ""};
+    }
+    definition.gate = {surge_row("forced", Metric::amplitude_error, "1", limit)};
+  }
+  CaseAssessment assessed() const { return assess(definition, runs); }
+};
+
+TEST(EnsembleAssessment, JudgesTheMeanByTheSpreadOfTheRepeats) {
+  const GateOutcome outcome = Repeated({0.01, 0.02, 0.03}, 0.05).assessed().gate.at(0);
+  EXPECT_NEAR(outcome.value.value, 0.02, 2e-4);
+  EXPECT_NEAR(outcome.value.half_width, 4.30265 * 0.01 / std::sqrt(3.0), 2e-4);
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+  // Its contributions have the spread once: hand-written repeats add nothing to an ensemble.
+  EXPECT_NEAR(outcome.judgement.value().contributions.statistics.known(), outcome.value.half_width,
+              1e-12);
+  EXPECT_EQ(Repeated({0.01, 0.02, 0.03}, 0.04).assessed().gate.at(0).verdict,
+            Verdict::inconclusive);
+  EXPECT_EQ(Repeated({0.10, 0.11, 0.12}, 0.05).assessed().gate.at(0).verdict, Verdict::violated);
+}
+
+TEST(EnsembleAssessment, IsNotComparedWithoutAMember) {
+  Repeated repeated({0.01, 0.02, 0.03}, 0.05);
+  repeated.runs.results.erase("particles_2");
+  repeated.runs.status["particles_2"] = {RunState::missing, "its disk is full"};
+  const GateOutcome outcome = repeated.assessed().gate.at(0);
+  EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+  EXPECT_EQ(outcome.message, "the candidate particles_2 has no result: its disk is full");
+}
+
+TEST(EnsembleAssessment, ComparesTheFirstMemberAloneForTheTables) {
+  const CaseAssessment assessment = Repeated({0.01, 0.02, 0.03}, 0.05).assessed();
+  for (const Comparison& comparison : assessment.comparisons)
+    EXPECT_FALSE(is_later_member(run_named(assessment.definition, comparison.candidate)))
+        << comparison.candidate;
+}
+
+TEST(EnsembleAssessment, MakesEveryMemberWrongInTheSelfTest) {
+  // One wrong member of three would move the mean by a third of what is tried.
+  const CaseAssessment assessment = Repeated({0.009, 0.010, 0.011}, 0.05).assessed();
+  const auto strengths = row_strengths(assessment, 1);
+  ASSERT_TRUE(strengths.at(0).strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strengths[0].strength, MutationKind::louder), 0.05);
+  EXPECT_TRUE(broken_claims(strengths).empty());
+}
+
+TEST(EnsembleAssessment, IsSelectedWhole) {
+  const Repeated repeated({0.01, 0.02, 0.03}, 0.05);
+  RunSelection selection;
+  selection.only = {"small_surge/particles"};
+  for (const char* run : {"particles", "particles_2", "particles_3", "theory"})
+    EXPECT_TRUE(is_selected(selection, repeated.definition, run_named(repeated.definition, run)))
+        << run;
+  EXPECT_FALSE(
+      is_selected(selection, repeated.definition, run_named(repeated.definition, "coarse_mesh")));
+}
+
+TEST(EnsembleAssessment, IsTabulatedWithItsSpread) {
+  const auto table = ensemble_table(Repeated({0.01, 0.02, 0.03}, 0.05).assessed());
+  ASSERT_TRUE(table.has_value());
+  ASSERT_EQ(table->rows.size(), 1U);
+  EXPECT_EQ(table->rows[0].at(1), "3 x 1");
+  EXPECT_EQ(table->rows[0].at(2), "2 %");
+  EXPECT_EQ(table->rows[0].at(4), "1 %");
+  EXPECT_EQ(table->rows[0].at(5), "of one");
+  EXPECT_EQ(table->rows[0].at(7), "pass");
+  EXPECT_FALSE(ensemble_table(assess(surge_case(), surge_runs())).has_value());
+}
+
+}  // namespace
+}  // namespace slosh::ensemble_assessment_test

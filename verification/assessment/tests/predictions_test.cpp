@@ -1,0 +1,113 @@
+#include "verification/assessment/predictions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reports/summary/bias_section.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::predictions_test {
+namespace {
+
+TimeSeries higher_by(double factor) {
+  TimeSeries series = elevation_of({});
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+// Cases whose particles are higher than theory by these factors, their meshes right.
+std::vector<CaseAssessment> cases_of(const std::vector<double>& factors) {
+  std::vector<CaseAssessment> cases;
+  for (const double factor : factors)
+    cases.push_back(assess(surge_case(), surge_runs_with("particles", higher_by(factor))));
+  return cases;
+}
+
+const PredictionSet& set_of(const std::vector<PredictionSet>& sets, const std::string& kind,
+                            const std::string& model) {
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const PredictionSet& one) {
+    return one.kind == kind && one.model == model;
+  });
+  if (found == sets.end()) throw std::out_of_range(kind + " of " + model);
+  return *found;
+}
+
+TEST(Predictions, AreOfTheFinestRunOfEachModelAgainstTheTheoryOfItsKind) {
+  const auto sets = prediction_sets(cases_of({1.1}));
+  const PredictionSet& mesh = set_of(sets, "elevation amplitude", "interFoam");
+  ASSERT_FALSE(mesh.predictions.empty());
+  for (const Prediction& one : mesh.predictions) {
+    EXPECT_EQ(one.candidate, "fine_mesh");
+    EXPECT_EQ(one.reference, "theory_with_gas");
+    EXPECT_EQ(one.value.reference_deviation, 0);
+  }
+  for (const Prediction& one : set_of(sets, "elevation amplitude", "recommended").predictions) {
+    EXPECT_EQ(one.reference, "theory") << "interFoam is a model too, and no reference";
+    EXPECT_NEAR(one.value.predicted / one.value.reference, 1.1, 1e-6) << one.mode;
+  }
+}
+
+TEST(Predictions, OfNaturalFrequenciesLeaveTheForcedModeOut) {
+  const auto sets = prediction_sets(cases_of({1.1}));
+  const PredictionSet& set = set_of(sets, "natural frequency", "recommended");
+  EXPECT_EQ(set.unit, "Hz");
+  ASSERT_FALSE(set.predictions.empty());
+  for (const Prediction& one : set.predictions) {
+    EXPECT_NE(one.mode, "forced");
+    EXPECT_NEAR(one.value.predicted / one.value.reference, 1, 1e-6);
+  }
+}
+
+TEST(Predictions, OfModesBelowATenthOfTheLargestDoNotCountAsAmplitudes) {
+  CaseAssessment assessment = assess(surge_case(), surge_runs());
+  const auto modes = [&](double share) {
+    for (Comparison& pair : assessment.comparisons)
+      for (ModeComparison& mode : pair.modes)
+        if (mode.mode != "forced")
+          mode.reference.amplitude.value = share * pair.modes.at(0).reference.amplitude.value;
+    return set_of(prediction_sets({assessment}), "elevation amplitude", "recommended")
+        .predictions.size();
+  };
+  ASSERT_EQ(assessment.comparisons.at(0).modes.at(0).mode, "forced");
+  EXPECT_EQ(modes(0.09), 1u);
+  EXPECT_GT(modes(0.11), 1u);
+}
+
+TEST(Predictions, AgainstAReferenceOutOfItsRangeDoNotCount) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
+  for (const PredictionSet& set : prediction_sets({assess(surge_case(), runs)}))
+    EXPECT_NE(set.model, "recommended");
+}
+
+TEST(BiasSection, StatesTheFactorThatAllCasesWereMadeWith) {
+  const auto sets = prediction_sets(cases_of({1.1, 1.1, 1.1, 1.1, 1.1}));
+  const auto& bias = set_of(sets, "elevation amplitude", "recommended").bias;
+  ASSERT_TRUE(bias);
+  EXPECT_NEAR(bias->bias, 1.1, 1e-6);
+  EXPECT_LT(bias->relative_deviation, 1e-6);
+  const reports::Section section = bias_section(sets);
+  ASSERT_EQ(section.tables.size(), 1u);
+  EXPECT_EQ(section.tables[0].rows[0][3], "1.1000");
+  ASSERT_FALSE(section.figures.empty());
+  EXPECT_EQ(section.figures[0].id, "bias-elevation-amplitude");
+  EXPECT_EQ(section.figures[0].x_label, "reference [mm]");
+  const reports::Figure& ratios = section.figures.at(1);
+  EXPECT_EQ(ratios.curves.at(0).label, "recommended");
+  for (const double ratio : ratios.curves[0].y) EXPECT_NEAR(ratio, 1.1, 1e-6);
+  EXPECT_NEAR(ratios.bands.at(0).lower, 1.1, 1e-5);
+}
+
+TEST(BiasSection, SaysWhereThereAreTooFewComparisons) {
+  const auto sets = prediction_sets(cases_of({1.1}));
+  const reports::Section section = bias_section(sets);
+  EXPECT_TRUE(section.tables.empty());
+  EXPECT_TRUE(section.figures.empty());
+  EXPECT_NE(section.paragraphs.at(1).find("Too few comparisons, fewer than 5"), std::string::npos);
+  EXPECT_NE(section.paragraphs[1].find("elevation amplitude of recommended ("), std::string::npos);
+  EXPECT_NE(bias_section({}).paragraphs.at(1).find("No case"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slosh::predictions_test

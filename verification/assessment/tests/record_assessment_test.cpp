@@ -1,0 +1,272 @@
+// A run against a published record that covers a part of the window: what is compared, and that it
+// turns red on every way in which the run can be wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "reports/pages/check_report.hpp"
+#include "reports/summary/campaign_report.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::record_assessment_test {
+namespace {
+
+constexpr double width = 0.1, acceleration = 2, duration = 1;  // [m], [m/s2], [s]
+
+double front_at(double t) { return width + 0.5 * acceleration * t * t; }
+
+TimeSeries front_series(double sampling, double scale = 1) {
+  TimeSeries series{"front_position", "m", {}, {}};
+  for (int i = 0; i * sampling <= duration * (1 + 1e-9); ++i) {
+    series.time.push_back(i * sampling);
+    series.value.push_back(scale * front_at(i * sampling));
+  }
+  return series;
+}
+
+GateRow front_row(Metric metric, const std::string& unit, double limit) {
+  GateRow row = surge_row("whole", metric, unit, limit);
+  row.reference = "published";
+  row.quantity = "front_position";
+  row.kind = RowKind::regression;  // of a run alone, without the coarser ones that tell its error
+  return row;
+}
+
+// Sparse, irregular, from 0.2 to 0.8 s: less than the window at both ends.
+RecordRun record() {
+  RecordRun published{"front.csv", "front_position", "m", {0.2, 0.33, 0.41, 0.6, 0.71, 0.8}, {},
+                      0.004};
+  for (const double t : published.time) published.value.push_back(front_at(t));
+  return published;
+}
+
+CaseDefinition dam_case() {
+  CaseDefinition definition = surge_case();
+  definition.liquid.column_width = width;
+  definition.motion = {};
+  definition.duration = duration;
+  definition.window_begin = 0;
+  definition.window_end = duration;
+  definition.natural_modes = 0;
+  RunDefinition published = sample_run(record());
+  published.name = "published";
+  RunDefinition particles = sample_run(SphRun{"recommended", 0.01, 0.01});
+  particles.name = "particles";
+  definition.runs = {published, particles};
+  definition.gate = {front_row(Metric::normalised_rms, "1", 0.04),
+                     front_row(Metric::maximum_residual, "m", 0.02)};
+  return definition;
+}
+
+CaseRuns dam_runs(const TimeSeries& front) {
+  CaseRuns runs;
+  RunResult published =
+      result_of("published", {"front_position", "m", record().time, record().value});
+  published.diagnostics.clear();
+  runs.results["published"] = published;
+  runs.results["particles"] = result_of("particles", front);
+  TimeSeries elevation = front;
+  elevation.name = surge_quantity;
+  runs.results["particles"].series.push_back(elevation);
+  for (const char* run : {"published", "particles"}) runs.status[run] = {RunState::finished, ""};
+  return runs;
+}
+
+CaseAssessment assess_front(const TimeSeries& front) { return assess(dam_case(), dam_runs(front)); }
+
+TEST(RecordAssessment, ComparesOverWhatTheRecordCovers) {
+  const CaseAssessment assessment = assess_front(front_series(0.01));
+  ASSERT_EQ(assessment.comparisons.size(), 1u);
+  const Comparison& comparison = assessment.comparisons[0];
+  EXPECT_EQ(comparison.candidate, "particles");
+  EXPECT_EQ(comparison.reference, "published");
+  EXPECT_EQ(comparison.quantity, "front_position");
+  EXPECT_EQ(comparison.window.begin, 0.2);
+  EXPECT_EQ(comparison.window.end, 0.8);
+  EXPECT_EQ(comparison.residual.time, record().time);
+  EXPECT_LT(comparison.maximum_residual, 1e-4);
+  EXPECT_TRUE(comparison.modes.empty());
+  EXPECT_EQ(exit_status({assessment}), exit_pass);
+}
+
+TEST(RecordAssessment, CountsTheRecordsUncertaintyForEveryMetric) {
+  CaseDefinition definition = dam_case();
+  definition.gate.push_back(front_row(Metric::time_lag, "s", 0.1));
+  definition.gate.push_back(front_row(Metric::aligned_rms, "1", 0.1));
+  for (GateRow& row : definition.gate) row.kind = RowKind::validation;
+  const CaseAssessment assessment = assess(definition, dam_runs(front_series(0.01)));
+  ASSERT_EQ(assessment.gate.size(), 4U);
+  for (const GateOutcome& outcome : assessment.gate)
+    EXPECT_GT(outcome.judgement.value().contributions.reference.half_width.value(), 0)
+        << metric_name(outcome.row.metric);
+  const auto of = [&](std::size_t row) {
+    return assessment.gate[row].judgement->contributions.reference.known();
+  };
+  EXPECT_NEAR(of(1), 0.004, 1e-4);  // a record too high by 4 mm leaves a residual of that
+  // At a speed of a t: 4 mm too high is early by 4 mm / (2 m/s2 0.5 s), about.
+  EXPECT_GT(of(2), 0.002);
+  EXPECT_LT(of(2), 0.01);
+}
+
+TEST(RecordAssessment, IsInconclusiveWhereTheRecordDoesNotKnowItsOwnLimit) {
+  CaseDefinition definition = dam_case();
+  definition.gate = {front_row(Metric::maximum_residual, "m", 0.003)};
+  definition.gate[0].kind = RowKind::validation;
+  const GateOutcome outcome = assess(definition, dam_runs(front_series(0.01))).gate.at(0);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+  EXPECT_NE(outcome.message.find("cannot be told from 0.003 m"), std::string::npos)
+      << outcome.message;
+}
+
+TEST(RecordAssessment, OfAnEarlierRunIsForTheRowsThatAskForItAlone) {
+  CaseDefinition definition = dam_case();
+  std::get<RecordRun>(definition.runs[0].solver).earlier_run = true;
+  for (GateRow& row : definition.gate) row.kind = RowKind::regression;
+  const CaseAssessment assessment = assess(definition, dam_runs(front_series(0.01)));
+  EXPECT_TRUE(assessment.comparisons.empty());
+  EXPECT_EQ(series_of_record(assessment, "front_position"), nullptr);
+  EXPECT_EQ(exit_status({assessment}), exit_pass);
+  const CaseAssessment scaled = assess(definition, dam_runs(front_series(0.01, 1.05)));
+  EXPECT_EQ(exit_status({scaled}), exit_violated);
+}
+
+TEST(RecordAssessment, StaysWithinTheCasesWindow) {
+  CaseDefinition definition = dam_case();
+  definition.window_begin = 0.3;
+  definition.window_end = 0.75;
+  const CaseAssessment assessment = assess(definition, dam_runs(front_series(0.01)));
+  EXPECT_EQ(assessment.comparisons.at(0).residual.time,
+            (std::vector<double>{0.33, 0.41, 0.6, 0.71}));
+}
+
+TEST(RecordAssessment, RejectsAFrontThatIsScaled) {
+  const CaseAssessment assessment = assess_front(front_series(0.01, 1.05));
+  for (const GateOutcome& outcome : assessment.gate)
+    EXPECT_EQ(outcome.verdict, Verdict::violated) << outcome.message;
+  EXPECT_EQ(exit_status({assessment}), exit_violated);
+}
+
+TEST(RecordAssessment, ComparesNoFrontThatEndsBeforeTheRecord) {
+  TimeSeries early = front_series(0.01);
+  early.time.resize(70);
+  early.value.resize(70);
+  const CaseAssessment assessment = assess_front(early);
+  EXPECT_EQ(assessment.gate[0].verdict, Verdict::not_compared);
+  EXPECT_FALSE(assessment.not_comparable.empty());
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(RecordAssessment, ComparesNoFrontWithANumberThatIsNone) {
+  TimeSeries broken = front_series(0.01);
+  broken.value[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(exit_status({assess_front(broken)}), exit_not_compared);
+}
+
+TEST(RecordAssessment, ComparesNoRunThatRecordedNoFront) {
+  CaseRuns runs = dam_runs(front_series(0.01));
+  runs.results["particles"].series.erase(runs.results["particles"].series.begin());
+  const CaseAssessment assessment = assess(dam_case(), runs);
+  EXPECT_EQ(assessment.gate[0].verdict, Verdict::not_compared);
+  ASSERT_EQ(assessment.not_comparable.size(), 1u);
+  EXPECT_NE(assessment.not_comparable[0].find("has no series front_position"), std::string::npos);
+  EXPECT_EQ(exit_status({assessment}), exit_not_compared);
+}
+
+TEST(RecordAssessment, ComparesNothingWithARecordOutsideTheWindow) {
+  CaseDefinition definition = dam_case();
+  definition.window_begin = 0.85;
+  EXPECT_EQ(exit_status({assess(definition, dam_runs(front_series(0.01)))}), exit_not_compared);
+}
+
+TEST(RecordAssessment, SetsTwoSolversSideBySideOnFrontAndElevation) {
+  CaseDefinition definition = dam_case();
+  RunDefinition mesh = sample_run(InterFoamRun{50, 50, 1});
+  mesh.name = "mesh";
+  definition.runs.push_back(mesh);
+  CaseRuns runs = dam_runs(front_series(0.01));
+  runs.results["mesh"] = runs.results["particles"];
+  runs.status["mesh"] = {RunState::finished, ""};
+  std::vector<std::string> compared;
+  for (const Comparison& one : assess(definition, runs).comparisons)
+    compared.push_back(one.candidate + " " + one.reference + " " + one.quantity);
+  EXPECT_EQ(compared, (std::vector<std::string>{
+                          "particles published front_position", "particles mesh front_position",
+                          "particles mesh elevation@right", "mesh published front_position"}));
+}
+
+// An elevation of the surge at a few times: enough to judge the history, too few to fit a mode.
+TEST(RecordAssessment, ComparesTheHistoriesAloneWhereTheRecordIsTooSparseForModes) {
+  RecordRun sparse{"elevation.csv", surge_quantity, "m", {}, {}, 1e-6};
+  const TimeSeries truth = elevation_of({});
+  for (std::size_t i = 100; i < 900; i += 77) {
+    sparse.time.push_back(truth.time[i]);
+    sparse.value.push_back(truth.value[i]);
+  }
+  CaseDefinition definition = surge_case();
+  RunDefinition published = sample_run(sparse);
+  published.name = "published";
+  definition.runs = {definition.runs.at(2), published};
+  definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.01),
+                     surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  for (GateRow& row : definition.gate) {
+    row.reference = "published";
+    row.kind = RowKind::regression;
+  }
+  CaseRuns runs;
+  runs.results["particles"] = result_of("particles", truth);
+  runs.results["published"] =
+      result_of("published", {surge_quantity, "m", sparse.time, sparse.value});
+  for (const char* run : {"published", "particles"}) runs.status[run] = {RunState::finished, ""};
+  const CaseAssessment assessment = assess(definition, runs);
+  EXPECT_EQ(assessment.gate[0].verdict, Verdict::pass) << assessment.gate[0].message;
+  EXPECT_EQ(assessment.gate[1].verdict, Verdict::not_compared);
+  EXPECT_EQ(assessment.gate[1].message, "the mode forced was not fitted");
+}
+
+// A record that carries the modes, and a candidate with a hole of 1.5 s: that is the candidate's
+// fault, and no row may pass on what is left.
+TEST(RecordAssessment, TellsOfAHoleInTheCandidateAndDropsNoModeForIt) {
+  const TimeSeries truth = elevation_of({});
+  RecordRun dense{"elevation.csv", surge_quantity, "m", truth.time, truth.value, {}};
+  TimeSeries holed = truth;
+  const auto cut = [](std::vector<double>& of) { of.erase(of.begin() + 400, of.begin() + 550); };
+  cut(holed.time);
+  cut(holed.value);
+  CaseDefinition definition = surge_case();
+  RunDefinition published = sample_run(dense);
+  published.name = "published";
+  definition.runs = {definition.runs.at(2), published};
+  definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.5),
+                     surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  for (GateRow& row : definition.gate) row.reference = "published";
+  CaseRuns runs;
+  runs.results["particles"] = result_of("particles", holed);
+  runs.results["published"] = result_of("published", truth);
+  for (const char* run : {"published", "particles"}) runs.status[run] = {RunState::finished, ""};
+  const CaseAssessment assessment = assess(definition, runs);
+  for (const GateOutcome& outcome : assessment.gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+    EXPECT_NE(outcome.message.find("candidate elevation@right: no sample between"),
+              std::string::npos)
+        << outcome.message;
+  }
+}
+
+TEST(RecordReport, DrawsTheRecordAsPointsWithItsUncertainty) {
+  const CampaignDefinition campaign{"dams", "Dams", "none", "", {}, "", "dams.toml"};
+  const reports::Report report =
+      campaign_report(campaign, false, "./slosh campaign dams", {assess_front(front_series(0.01))});
+  EXPECT_NO_THROW(reports::check_report(report));
+  const reports::Section& section = report.sections.back();
+  const reports::Figure& history = section.figures.at(0);
+  EXPECT_EQ(history.y_label, "front position [mm]");
+  EXPECT_EQ(history.curves.at(0).label, "published");
+  EXPECT_EQ(history.curves[0].style, reports::Curve::Style::points);
+  EXPECT_EQ(history.curves[0].y_error, std::vector<double>(6, 4.0));
+  for (const reports::Figure& figure : section.figures)
+    EXPECT_EQ(figure.id.find("spectrum"), std::string::npos) << "there is no tone to look for";
+}
+
+}  // namespace
+}  // namespace slosh::record_assessment_test

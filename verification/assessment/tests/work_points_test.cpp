@@ -1,0 +1,312 @@
+// Costs and errors of runs by family, and what a gate row, the report and results.json make of
+// them.
+#include "verification/assessment/work_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "reports/summary/results_json.hpp"
+#include "reports/summary/work_precision_tables.hpp"
+#include "reports/tables/uncertainty_table.hpp"
+#include "verification/sensitivity/row_strength.hpp"
+#include "verification/tests/figure_results.hpp"
+
+namespace slosh::work_points_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double mebibyte = 1048576;
+
+RunCost cost(double core_seconds, double memory = 16 * mebibyte) {
+  return {.wall_time = core_seconds,
+          .user_time = 0.75 * core_seconds,
+          .system_time = 0.25 * core_seconds,
+          .peak_memory = memory};
+}
+
+// Three runs of one family, errors 20, 10 and 5 %, times 1, 8 and 64 s; and one that changes
+// something.
+CaseAssessment three_resolutions() {
+  SphRun coarse{"recommended", 0.02, 0.02}, medium{"recommended", 0.01, 0.01},
+      fine{"recommended", 0.005, 0.005}, changed = medium;
+  changed.variant = "shifting";
+  return assess_scaled({{"fine", fine, 1.05, cost(64, 64 * mebibyte)},
+                        {"coarse", coarse, 1.2, cost(1)},
+                        {"medium", medium, 1.1, cost(8, 32 * mebibyte)},
+                        {"changed", changed, 1.3, cost(30)}});
+}
+
+using Timings = std::map<std::string, std::vector<RunCost>>;
+
+// Each of the three runs five times; a standard deviation of 2 % of its cost.
+Timings five_timings(double scale = 1) {
+  Timings timings;
+  for (const auto& [run, seconds] : {std::pair{"coarse", 1.0}, {"medium", 8.0}, {"fine", 64.0}})
+    for (const double share : {0.9747, 0.9874, 1.0, 1.0126, 1.0253})
+      timings[run].push_back(cost(scale * seconds * share));
+  return timings;
+}
+
+GateRow cost_row(double error, double limit) {
+  GateRow row = surge_row("whole", Metric::cost_to_reach, "s", limit);
+  row.candidate = "medium";
+  row.error = error;
+  return row;
+}
+
+CaseAssessment judged(const std::vector<GateRow>& rows, const Timings& timings) {
+  const CaseAssessment one = three_resolutions();
+  CaseDefinition definition = one.definition;
+  definition.gate = rows;
+  CaseRuns runs = one.runs;
+  runs.timings = timings;
+  return assess(definition, runs);
+}
+
+GateOutcome judge(const GateRow& row, const Timings& timings) {
+  return judged({row}, timings).gate.at(0);
+}
+
+const reports::Table& table_named(const std::vector<reports::Table>& tables,
+                                  const std::string& id) {
+  for (const reports::Table& table : tables)
+    if (table.id == "small_surge-" + id) return table;
+  throw std::logic_error("no table " + id);
+}
+
+TEST(MeasuredCost, IsTheMeanOfTimingsWithStudentsInterval) {
+  CaseRuns runs;
+  runs.results["run"].cost = cost(100);
+  runs.timings["run"] = {cost(9), cost(10), cost(11)};
+  const MeasuredCost found = cost_of(runs, "run");
+  EXPECT_NEAR(found.core_seconds.value, 10, 1e-12);
+  EXPECT_NEAR(found.core_seconds.half_width, 4.3027 / std::sqrt(3), 1e-4);  // tables, 2 degrees
+  EXPECT_EQ(found.memory.half_width, 0);
+  EXPECT_EQ(found.timings, 3U);
+}
+
+TEST(MeasuredCost, WithoutTimingsIsTheCampaignsOwnAndOfOneHasNoInterval) {
+  CaseRuns runs;
+  runs.results["run"].cost = cost(100);
+  EXPECT_EQ(cost_of(runs, "run").core_seconds.value, 100);
+  EXPECT_EQ(cost_of(runs, "run").timings, 0U);
+  EXPECT_TRUE(std::isnan(cost_of(runs, "run").core_seconds.half_width));
+  runs.timings["run"] = {cost(9)};
+  EXPECT_EQ(cost_of(runs, "run").core_seconds.value, 9);
+  EXPECT_FALSE(cost_of(runs, "run").has_interval());
+  EXPECT_TRUE(std::isnan(cost_of(runs, "run").core_seconds.half_width));
+}
+
+TEST(WorkFamilies, AreOfRunsThatDifferInResolutionAloneCoarseToFine) {
+  const auto families = work_families(three_resolutions());
+  ASSERT_EQ(families.size(), 2U);
+  EXPECT_EQ(families[0].name, "recommended");
+  EXPECT_EQ(families[0].reference, "theory");
+  ASSERT_EQ(families[0].runs.size(), 3U);
+  EXPECT_EQ(families[0].runs.front().run, "coarse");
+  EXPECT_EQ(families[0].runs.back().run, "fine");
+  EXPECT_EQ(families[1].name, "recommended, shifting");
+}
+
+TEST(WorkFamilies, ShowReferencesByWhatSetsThemApart) {
+  CaseDefinition definition = surge_case();
+  RunDefinition flow = sample_run(PotentialRun{});
+  flow.name = "flow";
+  definition.runs.push_back(flow);
+  CaseRuns runs = surge_runs();
+  TimeSeries higher = elevation_of({});
+  for (double& value : higher.value) value *= 1.02;
+  runs.results["flow"] = result_of("flow", higher);
+  runs.results["flow"].diagnostics = {{"valid_until_s", 20}};
+  runs.status["flow"] = {RunState::finished, ""};
+  const auto families = reference_families(assess(definition, runs));
+  ASSERT_EQ(families.size(), 2U);  // the theory with the gas has no other of its kind
+  EXPECT_EQ(families[0].name, "theory");
+  EXPECT_EQ(families[0].reference, "flow");
+  EXPECT_EQ(families[1].name, "flow");
+  EXPECT_EQ(families[1].reference, "theory");
+  EXPECT_NEAR(families[1].runs.at(0).error.value, 0.02, 1e-3);
+  EXPECT_TRUE(reference_families(three_resolutions()).empty());  // one alone
+}
+
+TEST(CostRow, PassesWhereTheErrorIsReachedCheaplyAndFailsWhereAllCostMore) {
+  // 7 % lies half way, in the logarithm, between 10 and 5 %: 8 times the root of 8 seconds.
+  const GateOutcome cheap = judge(cost_row(0.0707, 30), five_timings());
+  EXPECT_EQ(cheap.verdict, Verdict::pass) << cheap.message;
+  EXPECT_NEAR(cheap.value.value, 8 * std::sqrt(8), 0.05);
+  EXPECT_GT(cheap.value.half_width, 0.01 * cheap.value.value);
+  EXPECT_LT(cheap.value.half_width, 0.03 * cheap.value.value);
+  EXPECT_EQ(judge(cost_row(0.0707, 30), five_timings(1.31)).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge(cost_row(0.0707, 30), five_timings(1.5)).verdict, Verdict::violated);
+}
+
+TEST(CostRow, FailsWhereNoRunOfTheFamilyReachesTheError) {
+  const GateOutcome outcome = judge(cost_row(0.02, 1000), five_timings());
+  EXPECT_EQ(outcome.verdict, Verdict::violated);
+  EXPECT_EQ(outcome.message.find("not reached (5"), 0U) << outcome.message;
+}
+
+TEST(CostRow, IsNotExtrapolated) {
+  EXPECT_EQ(judge(cost_row(0.04, 1e6), five_timings()).verdict, Verdict::violated);
+}
+
+TEST(CostRow, IsNotComparedWhereARunThatItRestsOnWasNotTimedTwiceAlone) {
+  const GateOutcome outcome = judge(cost_row(0.0707, 30), {});
+  EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+  EXPECT_NE(
+      outcome.message.find("medium and fine were not timed twice or more on a core of their own"),
+      std::string::npos)
+      << outcome.message;
+  Timings once = five_timings();
+  once["fine"].resize(1);
+  EXPECT_EQ(judge(cost_row(0.0707, 30), once).verdict, Verdict::not_compared);
+  Timings without_coarse = five_timings();
+  without_coarse.erase("coarse");  // the row rests on the two others
+  EXPECT_EQ(judge(cost_row(0.0707, 30), without_coarse).verdict, Verdict::pass);
+}
+
+TEST(CostRow, FailsOnTimingsThatAreNoNumbers) {
+  Timings timings = five_timings();
+  for (auto& [run, costs] : timings) costs.front().user_time = nan;
+  EXPECT_EQ(judge(cost_row(0.0707, 30), timings).verdict, Verdict::violated);
+}
+
+TEST(CostRow, IsNotComparedWhereItsCandidateIsNoNumber) {
+  const CaseAssessment one = three_resolutions();
+  CaseDefinition definition = one.definition;
+  definition.gate = {cost_row(0.0707, 30)};
+  CaseRuns runs = one.runs;
+  runs.timings = five_timings();
+  runs.results.at("medium").series.at(0).value.at(500) = nan;
+  EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::not_compared);
+}
+
+TEST(CostRow, IsLeftOutWhereTheRunsThatReachItAre) {
+  const CaseAssessment one = three_resolutions();
+  CaseDefinition definition = one.definition;
+  definition.gate = {cost_row(0.0707, 30), cost_row(0.15, 30)};
+  CaseRuns runs = one.runs;
+  runs.timings = five_timings();
+  runs.results.erase("fine");
+  runs.status["fine"] = {RunState::not_selected, ""};
+  const auto gate = assess(definition, runs).gate;
+  EXPECT_EQ(gate.at(0).verdict, Verdict::not_selected);
+  EXPECT_NE(gate.at(0).message.find("fine"), std::string::npos);
+  EXPECT_EQ(gate.at(1).verdict, Verdict::pass) << gate.at(1).message;
+}
+
+TEST(CostRow, IsReportedWithAllOthersAndAsksForTimingsWhereItIsInconclusive) {
+  CaseAssessment assessment = judged({cost_row(0.0707, 30)}, five_timings(1.31));
+  assessment.definition.refinements = {
+      {"spacing", RefinedNumber::particle_spacing, {"coarse", "medium", "fine"}}};
+  EXPECT_FALSE(refinement_table(assessment));  // the cost is no metric of one run
+  const auto remedies = remedy_table(assessment);
+  ASSERT_TRUE(remedies);
+  EXPECT_NE(remedies->rows.at(0).back().find("times as many timings"), std::string::npos);
+}
+
+TEST(CostRow, KeepsItsClaims) {
+  const auto strengths = row_strengths(judged({cost_row(0.0707, 30)}, five_timings()), 1);
+  ASSERT_EQ(strengths.size(), 1U);
+  EXPECT_TRUE(strengths[0].strength.passes_as_it_is);
+  EXPECT_TRUE(broken_claims(strengths).empty());
+  EXPECT_TRUE(detected_from(strengths[0].strength, MutationKind::not_a_number).has_value());
+}
+
+TEST(CostFigures, HaveBarsWhereRunsWereTimedAndSayWhereTheyWereNot) {
+  Timings timings = five_timings();
+  timings.erase("coarse");
+  const reports::Figure figure = figure_of(judged({}, timings), "cost");
+  const reports::Curve& family = figure.curves.at(1);
+  EXPECT_EQ(family.label.find("recommended against theory, slope -0."), 0U) << family.label;
+  EXPECT_EQ(family.style, reports::Curve::Style::line_points);
+  ASSERT_EQ(family.x_error.size(), 3U);
+  EXPECT_TRUE(std::isnan(family.x_error[0]));
+  EXPECT_NEAR(family.x_error[2] / 64, 2.7764 * 0.02 / std::sqrt(5), 1e-3);  // tables, 4 degrees
+  EXPECT_NE(figure.caption.find("without a bar of cost: coarse, changed."), std::string::npos)
+      << figure.caption;
+  EXPECT_TRUE(figure_of(judged({}, {}), "cost").curves.at(1).x_error.empty());
+}
+
+TEST(CostFigures, DrawTheFrontOfAllCandidatesInSteps) {
+  const reports::Curve front = figure_of(three_resolutions(), "cost").curves.front();
+  EXPECT_EQ(front.label, "Pareto front");
+  EXPECT_EQ(front.x, (std::vector<double>{1, 1, 8, 8, 64, 64, 64}));
+  ASSERT_EQ(front.y.size(), 7U);
+  EXPECT_NEAR(front.y[0], 0.3, 2e-3);  // of the run that is not on it
+  EXPECT_EQ(front.y[1], front.y[2]);
+  EXPECT_EQ(front.y[5], front.y[6]);
+}
+
+TEST(CostFigures, ShowMemoryInMebibytes) {
+  const reports::Figure figure = figure_of(three_resolutions(), "memory");
+  EXPECT_EQ(figure.curves.at(1).x, (std::vector<double>{16, 32, 64}));
+}
+
+TEST(CostTable, TellsWhatEachErrorCostsAndWhereItIsNotReached) {
+  const auto tables = work_precision_tables(judged({}, five_timings()));
+  const reports::Table& table = table_named(tables, "cost-to-reach");
+  ASSERT_EQ(table.rows.size(), 1U);  // one change of one resolution is no family to tell
+  const auto& row = table.rows[0];
+  EXPECT_EQ(row[0], "recommended");
+  EXPECT_EQ(row[2], "alone, 5 times");
+  EXPECT_EQ(row[4].find("-0.33 ± "), 0U) << row[4];
+  EXPECT_EQ(row[5].find("8 s ("), 0U) << row[5];
+  EXPECT_EQ(row[6].find("extrapolated: 6"), 0U) << row[6];
+  EXPECT_EQ(row[7].find("not reached (5"), 0U) << row[7];
+  EXPECT_NE(table.caption.find("Measured on none; compiler none, flags not told"),
+            std::string::npos)
+      << table.caption;
+  const auto memory = work_precision_tables(three_resolutions());
+  EXPECT_EQ(table_named(memory, "memory-to-reach").rows.at(0).at(5).find("32 MiB"), 0U);
+  EXPECT_EQ(table_named(memory, "memory-to-reach").rows[0][2], "beside other runs");
+}
+
+TEST(SpeedTable, SetsEachMethodAgainstInterFoamAtTheMeshesError) {
+  CaseDefinition definition = surge_case();
+  definition.gate.clear();
+  CaseRuns runs = surge_runs();
+  const auto scaled = [](const Theory& theory, double factor) {
+    TimeSeries series = elevation_of(theory);
+    for (double& value : series.value) value *= factor;
+    return series;
+  };
+  runs.results["particles"] = result_of("particles", scaled({}, 1.05));
+  runs.results["particles"].cost = cost(10);
+  runs.results["coarse_mesh"] = result_of("coarse_mesh", scaled({.gas_density = 1.2}, 1.06));
+  runs.results["coarse_mesh"].cost = cost(40);
+  runs.results["fine_mesh"] = result_of("fine_mesh", scaled({.gas_density = 1.2}, 1.04));
+  runs.results["fine_mesh"].cost = cost(80);
+  const auto tables = work_precision_tables(assess(definition, runs));
+  const reports::Table& table = table_named(tables, "speed");
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.header.size(), 3U);
+  EXPECT_EQ(table.rows[0][0], "recommended");
+  EXPECT_EQ(table.rows[0][1].find("at least 4 times"), 0U) << table.rows[0][1];
+  EXPECT_EQ(table.rows[0][2], "not reached");
+}
+
+TEST(ResultsJson, TellTimingsAndWorkPrecision) {
+  const auto document = nlohmann::json::parse(
+      results_json("c", false, {judged({cost_row(0.1, 30)}, five_timings())}));
+  const auto& one = document.at("cases").at(0);
+  EXPECT_EQ(one.at("gate").at(0).at("error"), 0.1);
+  for (const auto& run : one.at("runs"))
+    if (run.at("name") == "fine") {
+      EXPECT_EQ(run.at("timings").size(), 5U);
+    }
+  const auto& family = one.at("work_precision").at(0);
+  EXPECT_EQ(family.at("family"), "recommended");
+  EXPECT_EQ(family.at("runs").size(), 3U);
+  EXPECT_NEAR(family.at("slope_over_core_seconds").at("value").get<double>(), -1.0 / 3, 0.01);
+  const auto& levels = family.at("core_seconds_to_reach");
+  EXPECT_EQ(levels.at(0).at("reach"), "interpolated");
+  EXPECT_EQ(levels.at(3).at("reach"), "not reached");
+  EXPECT_TRUE(levels.at(3).at("core_seconds_s").is_null());
+}
+
+}  // namespace
+}  // namespace slosh::work_points_test

@@ -1,0 +1,99 @@
+#include "verification/case/changed_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verification/case/inputs.hpp"
+#include "verification/case/motion.hpp"
+
+namespace slosh {
+namespace {
+
+using std::numbers::pi;
+
+void stretch_time(MotionHistory& motion, double factor) {
+  if (auto* sine = std::get_if<SineMotion>(&motion)) {
+    sine->angular_frequency /= factor;
+  } else {
+    for (double& time : std::get<TableMotion>(motion).time) time *= factor;
+  }
+}
+
+// `change` in the motion's own unit.
+void raise_amplitude(MotionHistory& motion, double change) {
+  if (auto* sine = std::get_if<SineMotion>(&motion)) {
+    sine->amplitude += change;
+    return;
+  }
+  std::vector<double>& values = std::get<TableMotion>(motion).value;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double factor = 1 + change / std::max(std::abs(*low), std::abs(*high));
+  for (double& value : values) value *= factor;
+}
+
+void stretch_period(CaseDefinition& definition, double change) {
+  const double period = 2 * pi / forcing_frequency(definition);
+  const double factor = 1 + change / period;
+  if (definition.motion.surge) stretch_time(*definition.motion.surge, factor);
+  if (definition.motion.roll) stretch_time(definition.motion.roll->angle, factor);
+  if (definition.declared_forcing_frequency) *definition.declared_forcing_frequency /= factor;
+}
+
+void move_gauges(CaseDefinition& definition, double change) {
+  for (GaugeDefinition& gauge : definition.gauges) gauge.x += change;
+  for (PressureGaugeDefinition& gauge : definition.pressure_gauges) gauge.position += change;
+}
+
+}  // namespace
+
+CaseDefinition with_input(CaseDefinition definition, Input input, double change) {
+  switch (input) {
+    case Input::fill_depth:
+      definition.liquid.fill_depth += change;
+      break;
+    case Input::period:
+      stretch_period(definition, change);
+      break;
+    case Input::amplitude:
+      if (definition.motion.surge) raise_amplitude(*definition.motion.surge, change);
+      if (definition.motion.roll) raise_amplitude(definition.motion.roll->angle, change * pi / 180);
+      break;
+    case Input::sensor_position:
+      move_gauges(definition, change);
+      break;
+    case Input::density:
+      definition.liquid.density += change;
+      break;
+    case Input::kinematic_viscosity:
+      definition.liquid.kinematic_viscosity += change;
+      break;
+    case Input::gravity:
+      definition.gravity += change;
+      break;
+  }
+  return definition;
+}
+
+CaseDefinition definition_solved_by(const RunDefinition& run, const CaseDefinition& definition) {
+  if (!run.at_input) return definition;
+  return with_input(definition, run.at_input->input, run.at_input->change);
+}
+
+std::vector<RunDefinition> runs_at_ends(const InputUncertainty& input,
+                                        const RunDefinition& repeated) {
+  std::vector<RunDefinition> runs;
+  for (const auto& [end, change] :
+       {std::pair{"lower", -input.half_width}, std::pair{"upper", input.half_width}}) {
+    RunDefinition run = repeated;
+    run.name = fmt::format("{}_{}_{}", repeated.name, input_name(input.input), end);
+    run.ensemble.clear();
+    run.at_input = InputEnd{input.input, change, repeated.name};
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+}  // namespace slosh

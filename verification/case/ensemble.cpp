@@ -1,0 +1,38 @@
+#include "verification/case/ensemble.hpp"
+
+#include <fmt/format.h>
+
+namespace slosh {
+namespace {
+
+int& seed_of(RunDefinition& run) {
+  if (auto* sph = std::get_if<SphRun>(&run.solver)) return sph->start_seed;
+  return std::get<InterFoamRun>(run.solver).start_seed;
+}
+
+}  // namespace
+
+std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats) {
+  std::vector<RunDefinition> members;
+  for (int k = 0; k < repeats; ++k) {
+    RunDefinition member = first;
+    member.ensemble = first.name;
+    seed_of(member) += k;
+    if (k > 0) member.name = fmt::format("{}_{}", first.name, k + 1);
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+bool is_later_member(const RunDefinition& run) {
+  return !run.ensemble.empty() && run.ensemble != run.name;
+}
+
+std::vector<std::string> members_of(const CaseDefinition& definition, const std::string& run) {
+  std::vector<std::string> members;
+  for (const RunDefinition& one : definition.runs)
+    if (one.name == run || one.ensemble == run) members.push_back(one.name);
+  return members;
+}
+
+}  // namespace slosh

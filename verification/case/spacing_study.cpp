@@ -1,0 +1,99 @@
+#include "verification/case/spacing_study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/nearest_name.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr std::size_t least_spacings = 3;  // an order needs them
+
+void require_spacings(const std::vector<double>& spacings) {
+  const bool positive =
+      std::all_of(spacings.begin(), spacings.end(), [](double one) { return one > 0; });
+  const std::set<double> different(spacings.begin(), spacings.end());
+  if (spacings.size() < least_spacings || !positive || different.size() != spacings.size())
+    throw CaseFileError(
+        fmt::format("spacings = {}: expected three numbers or more, each > 0 and given once, in m",
+                    fmt::join(spacings, ", ")));
+}
+
+// The run's table in the file. Throws CaseFileError with the nearest names.
+toml::table run_table(const toml::array& runs, const char* role, const std::string& name,
+                      const CaseDefinition& definition) {
+  std::vector<std::string> known;
+  for (const toml::node& run : runs) {
+    known.push_back(run.as_table()->at("name").value_or(std::string()));
+    if (known.back() != name) continue;
+    toml::table found = *run.as_table();
+    found.erase("repeats");  // a study is of single runs
+    return found;
+  }
+  constexpr std::size_t suggestions = 3;
+  throw CaseFileError(fmt::format("{}: {} = {}: expected a run of the case; nearest: {}",
+                                  definition.file.string(), role, name,
+                                  fmt::join(nearest_names(name, known, suggestions), ", ")));
+}
+
+toml::table pattern_run(const toml::array& runs, const SpacingStudy& study,
+                        const CaseDefinition& definition) {
+  if (study.candidate.empty()) return toml::table{{"solver", "sph"}, {"scheme", study.family}};
+  toml::table run = run_table(runs, "candidate", study.candidate, definition);
+  if (run["solver"].value_or(std::string()) != "sph" || run.contains("surface_particle_spacing_m"))
+    throw CaseFileError(fmt::format("{}: candidate = {}: expected an SPH run of one spacing",
+                                    definition.file.string(), study.candidate));
+  return run;
+}
+
+void name_whole_path(toml::table& table, const CaseDefinition& definition) {
+  if (const auto file = table["file"].value<std::string>())
+    table.insert_or_assign(
+        "file", absolute(definition.file.parent_path() / *file).lexically_normal().string());
+}
+
+}  // namespace
+
+std::string study_run_name(const SpacingStudy& study, double spacing) {
+  std::string millimetres = fmt::format("{:g}", 1000 * spacing);
+  std::replace(millimetres.begin(), millimetres.end(), '.', 'p');
+  std::replace(millimetres.begin(), millimetres.end(), '+', '_');
+  return fmt::format("{}_{}mm", study.candidate.empty() ? study.family : study.candidate + "_at",
+                     millimetres);
+}
+
+std::string spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study) {
+  require_spacings(study.spacings);
+  toml::table root = toml::parse(definition.text);
+  const toml::array declared = *root["run"].as_array();
+  toml::table reference = run_table(declared, "reference", study.reference, definition);
+  name_whole_path(reference, definition);
+  toml::array runs{std::move(reference)}, names;
+  for (const double spacing : study.spacings) {
+    toml::table run = pattern_run(declared, study, definition);
+    run.insert_or_assign("name", study_run_name(study, spacing));
+    run.insert_or_assign("particle_spacing_m", spacing);
+    names.push_back(study_run_name(study, spacing));
+    runs.push_back(std::move(run));
+  }
+  root.insert_or_assign("run", std::move(runs));
+  root.insert_or_assign("refinement", toml::array{toml::table{{"name", "spacing"},
+                                                              {"number", "particle_spacing"},
+                                                              {"runs", std::move(names)}}});
+  root.erase("gate");
+  root.erase("input");  // an input serves gate rows alone, and may name a run that the study lacks
+  for (const char* part : {"surge", "roll"})
+    if (toml::table* motion = root["motion"][part].as_table()) name_whole_path(*motion, definition);
+  std::ostringstream text;
+  text << root << "\n";
+  return text.str();
+}
+
+}  // namespace slosh

@@ -1,0 +1,198 @@
+// The tank's motion: ramps and tables against finite differences and exact polynomials.
+#include "verification/case/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace slosh::motion_test {
+namespace {
+
+CaseDefinition moved_by(MotionDefinition motion) {
+  CaseDefinition definition{};
+  definition.motion = std::move(motion);
+  return definition;
+}
+
+CaseDefinition surging(MotionHistory displacement) {
+  return moved_by({.surge = std::move(displacement)});
+}
+
+CaseDefinition rolling(MotionHistory angle) {
+  return moved_by({.roll = RollDefinition{std::move(angle), 0.45, -0.1}});
+}
+
+// Central differences with a step near the cube root of the rounding error.
+double slope(const std::function<double(double)>& f, double t) {
+  constexpr double step = 1e-5;
+  return (f(t + step) - f(t - step)) / (2 * step);
+}
+
+void expect_consistent_derivatives(const SurgeMotion& motion, double from, double to,
+                                   double scale) {
+  for (double t = from; t <= to; t += 0.0137) {
+    ASSERT_NEAR(motion.velocity(t), slope(motion.displacement, t), 1e-8 * scale) << t;
+    ASSERT_NEAR(motion.acceleration(t), slope(motion.velocity, t), 1e-8 * scale) << t;
+  }
+}
+
+constexpr double omega = 1.483464;
+constexpr double period = 2 * std::numbers::pi / omega;
+
+// sin(omega t) sampled at irregular times, dense enough for a spline.
+TableMotion irregular_sine() {
+  TableMotion table;
+  for (double t = 0; t < 10; t += 0.03 + 0.02 * std::sin(7 * t)) {
+    table.time.push_back(t);
+    table.value.push_back(std::sin(omega * t));
+  }
+  return table;
+}
+
+TEST(StillMotion, IsNone) {
+  const SurgeMotion motion = surge_motion(moved_by({}));
+  for (const double t : {0.0, 0.3, 1e6}) {
+    EXPECT_EQ(motion.displacement(t), 0);
+    EXPECT_EQ(motion.velocity(t), 0);
+    EXPECT_EQ(motion.acceleration(t), 0);
+  }
+  EXPECT_EQ(forcing_frequency(moved_by({})), 0);
+}
+
+TEST(SineMotionOfASurge, HasExactDerivatives) {
+  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega}));
+  EXPECT_EQ(motion.displacement(0), 0);
+  EXPECT_EQ(motion.velocity(0), 0.02 * omega);
+  EXPECT_EQ(motion.acceleration(0), 0);
+  EXPECT_NEAR(motion.displacement(period / 4), 0.02, 1e-15);
+  expect_consistent_derivatives(motion, 0, 20, 1);
+}
+
+TEST(RampedSineMotion, HasExactDerivatives) {
+  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 2}));
+  expect_consistent_derivatives(motion, 0.1, 20, 1);
+}
+
+TEST(RampedSineMotion, StartsAtRestWithoutAJerk) {
+  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 2}));
+  EXPECT_EQ(motion.displacement(0), 0);
+  EXPECT_EQ(motion.velocity(0), 0);
+  EXPECT_EQ(motion.acceleration(0), 0);
+  EXPECT_NEAR(motion.acceleration(1e-6), 0, 1e-9);
+}
+
+TEST(RampedSineMotion, JoinsTheSineSmoothlyWhereTheRampEnds) {
+  const SurgeMotion ramped = surge_motion(surging(SineMotion{0.02, omega, 1.75}));
+  const SurgeMotion sine = surge_motion(surging(SineMotion{0.02, omega}));
+  for (double t : {1.75 * period - 1e-9, 1.75 * period + 1e-9, 3 * period}) {
+    EXPECT_NEAR(ramped.displacement(t), sine.displacement(t), 1e-9);
+    EXPECT_NEAR(ramped.velocity(t), sine.velocity(t), 1e-9);
+    EXPECT_NEAR(ramped.acceleration(t), sine.acceleration(t), 1e-9);
+  }
+  EXPECT_GT(std::abs(ramped.displacement(period / 4) - sine.displacement(period / 4)), 0.015);
+}
+
+TEST(TableMotionOfASurge, HasExactDerivativesBetweenItsPoints) {
+  const SurgeMotion motion = surge_motion(surging(irregular_sine()));
+  expect_consistent_derivatives(motion, 0.001, 9.5, 1);
+}
+
+TEST(TableMotionOfASurge, PassesThroughItsPoints) {
+  const TableMotion table = irregular_sine();
+  const SurgeMotion motion = surge_motion(surging(table));
+  for (std::size_t i = 0; i < table.time.size(); ++i) {
+    EXPECT_NEAR(motion.displacement(table.time[i]), table.value[i], 1e-14);
+  }
+}
+
+TEST(TableMotionOfASurge, FollowsTheSampledFunctionAndItsDerivatives) {
+  const SurgeMotion motion = surge_motion(surging(irregular_sine()));
+  for (double t = 0; t < 9.9; t += 0.011) {
+    // Spacing 0.05 at most: errors of order spacing^4, ^3 and ^2.
+    ASSERT_NEAR(motion.displacement(t), std::sin(omega * t), 1e-6);
+    ASSERT_NEAR(motion.velocity(t), omega * std::cos(omega * t), 1e-4);
+    ASSERT_NEAR(motion.acceleration(t), -omega * omega * std::sin(omega * t), 1e-2);
+  }
+}
+
+TEST(TableMotionOfASurge, HasAContinuousSecondDerivativeAtItsPoints) {
+  TableMotion rough{.file = {}, .time = {0, 1, 1.5, 3, 3.2, 4}, .value = {0, 2, -1, 0, 3, 1}};
+  const SurgeMotion motion = surge_motion(surging(rough));
+  for (double t : {1.0, 1.5, 3.0, 3.2}) {
+    constexpr double beside = 1e-9;
+    EXPECT_NEAR(motion.velocity(t - beside), motion.velocity(t + beside), 1e-6);
+    EXPECT_NEAR(motion.acceleration(t - beside), motion.acceleration(t + beside), 1e-5);
+  }
+}
+
+TEST(TableMotionOfASurge, ReproducesACubicExactlyFromFourPoints) {
+  const auto cubic = [](double t) { return 0.3 - t + 0.5 * t * t - 0.2 * t * t * t; };
+  for (std::vector<double> times :
+       {std::vector<double>{0, 0.3, 1.1, 2}, {0, 0.5, 0.6, 1.5, 1.7, 2}}) {
+    TableMotion table{.file = {}, .time = times, .value = {}};
+    for (double t : times) table.value.push_back(cubic(t));
+    const SurgeMotion motion = surge_motion(surging(table));
+    for (double t = 0; t <= 2.1; t += 0.1) {  // a little beyond the end too
+      EXPECT_NEAR(motion.displacement(t), cubic(t), 1e-13);
+      EXPECT_NEAR(motion.velocity(t), -1 + t - 0.6 * t * t, 1e-12);
+      EXPECT_NEAR(motion.acceleration(t), 1 - 1.2 * t, 1e-12);
+    }
+  }
+}
+
+TEST(RollMotion, IsNoneOfATankThatDoesNotRoll) {
+  EXPECT_FALSE(roll_motion(moved_by({})));
+  EXPECT_FALSE(roll_motion(surging(SineMotion{0.02, omega})));
+}
+
+TEST(RollMotion, HasItsAxisAndExactDerivatives) {
+  const auto roll = roll_motion(rolling(SineMotion{0.07, omega, 2}));
+  ASSERT_TRUE(roll);
+  EXPECT_EQ(roll->axis_x, 0.45);
+  EXPECT_EQ(roll->axis_z, -0.1);
+  expect_consistent_derivatives({roll->angle, roll->rate, roll->acceleration}, 0.1, 20, 1);
+}
+
+TEST(RollMotion, GoesTogetherWithASurge) {
+  CaseDefinition both = rolling(irregular_sine());
+  both.motion.surge = SineMotion{0.02, 2 * omega};
+  EXPECT_NEAR(roll_motion(both)->angle(1.1), std::sin(1.1 * omega), 1e-6);
+  EXPECT_DOUBLE_EQ(surge_motion(both).displacement(1.1), 0.02 * std::sin(2.2 * omega));
+  EXPECT_EQ(surge_motion(rolling(irregular_sine())).displacement(1.1), 0);
+}
+
+TEST(RollMotion, OfATableHasAContinuousAcceleration) {
+  const auto roll = roll_motion(rolling(TableMotion{{}, {0, 1, 1.5, 3, 4}, {0, 2, -1, 0, 3}}));
+  for (double t : {1.0, 1.5, 3.0}) {
+    constexpr double beside = 1e-9;
+    EXPECT_NEAR(roll->acceleration(t - beside), roll->acceleration(t + beside), 1e-6);
+    EXPECT_GT(std::abs(roll->acceleration(t - 0.1) - roll->acceleration(t + 0.1)), 0.1);
+  }
+}
+
+TEST(ForcingFrequency, IsTheSinesAndZeroForATable) {
+  EXPECT_EQ(forcing_frequency(moved_by({})), 0);
+  EXPECT_EQ(forcing_frequency(surging(SineMotion{0.02, omega})), omega);
+  EXPECT_EQ(forcing_frequency(rolling(SineMotion{0.07, 2})), 2);
+  EXPECT_EQ(forcing_frequency(surging(irregular_sine())), 0);
+}
+
+TEST(ForcingFrequency, OfTwoMotionsIsTheOneThatTheyShare) {
+  CaseDefinition both = rolling(SineMotion{0.07, omega});
+  both.motion.surge = SineMotion{0.02, omega};
+  EXPECT_EQ(forcing_frequency(both), omega);
+  both.motion.surge = SineMotion{0.02, 2 * omega};
+  EXPECT_EQ(forcing_frequency(both), 0);
+  both.motion.surge = irregular_sine();
+  EXPECT_EQ(forcing_frequency(both), 0);
+}
+
+TEST(ForcingFrequency, IsWhatTheCaseDeclaresOfATable) {
+  CaseDefinition nearly_a_sine = rolling(irregular_sine());
+  nearly_a_sine.declared_forcing_frequency = 3.84;
+  EXPECT_EQ(forcing_frequency(nearly_a_sine), 3.84);
+}
+
+}  // namespace
+}  // namespace slosh::motion_test

@@ -1,0 +1,226 @@
+// [motion] of a case file: a surge, a roll, both, after a sine or a table, and every way in which
+// they make no sense.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "verification/case/motion.hpp"
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh::motion_section_test {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+const std::string axis = "axis_x_m = 1.0\naxis_z_m = -0.5\n";
+const std::string sine_roll =
+    "[motion.roll]\ntype = \"sine\"\namplitude_deg = 4\nangular_frequency_rad_s = 1.5\n" + axis;
+const std::string table_roll = "[motion.roll]\ntype = \"table\"\nfile = \"roll.csv\"\n" + axis;
+const std::string table_surge = "[motion.surge]\ntype = \"table\"\nfile = \"surge.csv\"\n";
+
+// The motion takes the place of the sine surge on lines 17 to 20; no gate row, since a table has no
+// forced mode.
+std::string moved_by(const std::string& motion) {
+  const std::string text = edited({sine_surge, motion});
+  return text.substr(0, text.find("[[gate]]"));
+}
+
+CaseDefinition with_table(const std::string& motion, const std::string& name,
+                          const std::string& csv) {
+  const Workspace workspace;
+  workspace.write(name, csv);
+  return read_case(workspace.write("trial.toml", moved_by(motion)));
+}
+
+std::string complaint_about_motion(const std::string& motion) {
+  const Workspace workspace;
+  return complaint(workspace.write("trial.toml", moved_by(motion)));
+}
+
+std::string complaint_about_table(const std::string& motion, const std::string& name,
+                                  const std::string& csv) {
+  const Workspace workspace;
+  workspace.write(name, csv);
+  return complaint(workspace.write("trial.toml", moved_by(motion)));
+}
+
+using Complaints = std::vector<std::pair<std::string, std::string>>;  // of what, how it begins
+
+TEST(MotionSection, ReadsARollAboutAnyPoint) {
+  const CaseDefinition definition = read_text(moved_by(sine_roll + "ramp_periods = 2\n"));
+  EXPECT_FALSE(definition.motion.surge);
+  const RollDefinition& roll = definition.motion.roll.value();
+  EXPECT_DOUBLE_EQ(std::get<SineMotion>(roll.angle).amplitude, 4 * degree);
+  EXPECT_EQ(std::get<SineMotion>(roll.angle).angular_frequency, 1.5);
+  EXPECT_EQ(std::get<SineMotion>(roll.angle).ramp_periods, 2);
+  EXPECT_EQ(roll.axis_x, 1);
+  EXPECT_EQ(roll.axis_z, -0.5);
+}
+
+TEST(MotionSection, ReadsASurgeAndARollTogether) {
+  const CaseDefinition definition = read_text(moved_by(sine_surge + sine_roll));
+  EXPECT_EQ(std::get<SineMotion>(definition.motion.surge.value()).amplitude, 0.02);
+  EXPECT_DOUBLE_EQ(std::get<SineMotion>(definition.motion.roll.value().angle).amplitude,
+                   4 * degree);
+  EXPECT_EQ(forcing_frequency(definition), 1.5);
+}
+
+TEST(MotionSection, ReadsASurgeTableBesideTheCase) {
+  const CaseDefinition definition = with_table(
+      table_surge, "surge.csv", "time_s,displacement_m\r\n0,0\r\n1, 0.1\r\n2.5,-2e-1\r\n20,0\r\n");
+  const auto& table = std::get<TableMotion>(definition.motion.surge.value());
+  EXPECT_EQ(table.time, (std::vector<double>{0, 1, 2.5, 20}));
+  EXPECT_EQ(table.value, (std::vector<double>{0, 0.1, -0.2, 0}));
+}
+
+TEST(MotionSection, ReadsARollTableInDegrees) {
+  const CaseDefinition definition =
+      with_table(table_roll, "roll.csv", "time_s,angle_deg\n0,0.0009\n1,90\n2.5,-360\n20,0\n");
+  const auto& table = std::get<TableMotion>(definition.motion.roll.value().angle);
+  EXPECT_EQ(table.time, (std::vector<double>{0, 1, 2.5, 20}));
+  EXPECT_DOUBLE_EQ(table.value[0], 0.0009 * degree);
+  EXPECT_DOUBLE_EQ(table.value[1], std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(table.value[2], -2 * std::numbers::pi);
+  EXPECT_EQ(forcing_frequency(definition), 0);
+}
+
+TEST(MotionSection, RefusesAMotionThatMakesNoSense) {
+  const Complaints motions{
+      {"[motion]\n",
+       "trial.toml:17: motion = {}: expected still = true, [motion.surge], [motion.roll] or both"},
+      {"[motion]\nstill = false\n",
+       "trial.toml:18: motion.still = false: expected true, or [motion.surge] or [motion.roll]"},
+      {"[motion]\nstill = true\n" + sine_roll,
+       "trial.toml:18: motion.still = true: expected no such key beside [motion.surge] or"},
+      {"[motion]\nstill = 1\n", "trial.toml:18: motion.still = 1: expected true or false"},
+      {"[motion]\nstil = true\n",
+       "trial.toml:18: motion.stil = true: expected only these keys here: still, surge, roll; "
+       "nearest known key: still"},
+      {"[motion]\nsurge = 3\n",
+       "trial.toml:18: motion.surge = 3: expected a table, "
+       "[motion.surge]"},
+      {"[motion]\ntype = \"sine_roll\"\n",
+       "trial.toml:18: motion.type = \"sine_roll\": expected only these keys here: still, surge"}};
+  for (const auto& [motion, wanted] : motions) {
+    const std::string message = complaint_about_motion(motion);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+TEST(MotionSection, RefusesARollThatMakesNoSense) {
+  const std::string sine = "[motion.roll]\ntype = \"sine\"\nangular_frequency_rad_s = 1.5\n";
+  const Complaints rolls{
+      {sine + axis,
+       "trial.toml:17: motion.roll.amplitude_deg is missing: expected a number > 0 and <= 360, in "
+       "deg"},
+      {sine + axis + "amplitude_deg = 0\n",
+       "trial.toml:22: motion.roll.amplitude_deg = 0: expected a number > 0 and <= 360, in deg"},
+      {sine + axis + "amplitude_deg = 361\n", "trial.toml:22: motion.roll.amplitude_deg = 361: "},
+      {sine + axis + "amplitude_deg = nan\n", "trial.toml:22: motion.roll.amplitude_deg = nan"},
+      {sine + "amplitude_deg = 4\naxis_z_m = 0\n",
+       "trial.toml:17: motion.roll.axis_x_m is missing: expected a number from -2000 to 2000 (1000 "
+       "tank lengths), in m from the left wall"},
+      {sine + "amplitude_deg = 4\naxis_x_m = 2001.0\naxis_z_m = 0\n",
+       "trial.toml:21: motion.roll.axis_x_m = 2001.0: expected a number from -2000 to 2000"},
+      {sine + "amplitude_deg = 4\naxis_x_m = 0\naxis_z_m = inf\n",
+       "trial.toml:22: motion.roll.axis_z_m = inf: expected a number from -2000 to 2000 (1000 tank "
+       "lengths), in m from the bottom"},
+      {sine + "amplitude_deg = 4\naxis_x_m = nan\naxis_z_m = 0\n",
+       "trial.toml:21: motion.roll.axis_x_m = nan: expected"},
+      {sine_roll + "axis_y_m = 0\n",
+       "trial.toml:23: motion.roll.axis_y_m = 0: expected only these keys here: type, "
+       "amplitude_deg, angular_frequency_rad_s, ramp_periods, file, axis_x_m, axis_z_m; nearest "
+       "known key: axis_x_m"},
+      {sine_roll + "file = \"roll.csv\"\n",
+       "trial.toml:23: motion.roll.file = \"roll.csv\": expected only these keys here: type, "
+       "amplitude_deg"},
+      {table_roll + "ramp_periods = 1\n",
+       "trial.toml:22: motion.roll.ramp_periods = 1: expected only these keys here: type, file"},
+      {table_roll, "trial.toml:19: motion.roll.file = \"roll.csv\": expected a CSV file's path"},
+      {table_surge,
+       "trial.toml:19: motion.surge.file = \"surge.csv\": expected a CSV file's path"}};
+  for (const auto& [roll, wanted] : rolls) {
+    const std::string message = complaint_about_motion(roll);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+TEST(MotionSection, RefusesABadSurgeTableByItsOwnLine) {
+  const std::string head = "time_s,displacement_m\n";
+  const Complaints tables{
+      {"", "surge.csv:1: header = : expected time_s,displacement_m"},
+      {"t,x\n0,0\n", "surge.csv:1: header = t,x: expected time_s,displacement_m"},
+      {"time_s,angle_deg\n0,0\n", "surge.csv:1: header = time_s,angle_deg: expected time_s,disp"},
+      {head + "0,0\n1,0\n20,0\n", "surge.csv:4: rows = 3: expected at least 4"},
+      {head + "0,0\n1,0\n2,0\n19.9,0\n",
+       "surge.csv:5: time_s = 19.9: expected a last time of at least the case's duration (20), in "
+       "s"},
+      {head + "0.1,0\n1,0\n2,0\n20,0\n",
+       "surge.csv:2: time_s = 0.1: expected 0 in the first row, in s"},
+      {head + "0,0\n2,0\n1,0\n20,0\n",
+       "surge.csv:4: time_s = 1: expected a number above the last row's 2, in s"},
+      {head + "0,0\n1,0\n1,0\n20,0\n", "surge.csv:4: time_s = 1: expected"},
+      {head + "0,0\n1,nan\n2,0\n20,0\n",
+       "surge.csv:3: displacement_m = nan: expected a number, in m"},
+      {head + "0,0\n1,0,5\n2,0\n20,0\n",
+       "surge.csv:3: row = 1,0,5: expected 2 values with commas between them"},
+      {head + "0,0\none,0\n2,0\n20,0\n", "surge.csv:3: time_s = one: expected a number, in s"},
+      {head + "0,0\n1 0\n2,0\n20,0\n", "surge.csv:3: row = 1 0: expected 2 values"}};
+  for (const auto& [csv, wanted] : tables) {
+    const std::string message = complaint_about_table(table_surge, "surge.csv", csv);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+TEST(MotionSection, RefusesABadRollTableByItsOwnLine) {
+  const std::string head = "time_s,angle_deg\n";
+  const Complaints tables{
+      {"time_s,displacement_m\n", "roll.csv:1: header = time_s,displacement_m: expected time_s,an"},
+      {head + "0,0\n1,0\n20,0\n", "roll.csv:4: rows = 3: expected at least 4"},
+      {head + "0,0\n1,1\n2,2\n19.9,0\n",
+       "roll.csv:5: time_s = 19.9: expected a last time of at least the case's duration (20), in "
+       "s"},
+      {head + "0.1,0\n1,0\n2,0\n20,0\n", "roll.csv:2: time_s = 0.1: expected 0 in the first row"},
+      {head + "0,0\n2,0\n1,0\n20,0\n",
+       "roll.csv:4: time_s = 1: expected a number above the last row's 2, in s"},
+      {head + "0,0\n1,0\n1,0\n20,0\n",
+       "roll.csv:4: time_s = 1: expected a number above the last row's 1, in s"},
+      {head + "0,-0.0011\n1,0\n2,0\n20,0\n",
+       "roll.csv:2: angle_deg = -0.0011: expected 0 to within 0.001 in the first row, in deg: the "
+       "liquid stands level"},
+      {head + "0,0\n1,0\n2,-360.5\n20,0\n",
+       "roll.csv:4: angle_deg = -360.5: expected a number from -360 to 360, in deg"},
+      {head + "0,0\n1,nan\n2,0\n20,0\n", "roll.csv:3: angle_deg = nan: expected a number, in deg"},
+      {head + "0,0\n1,inf\n2,0\n20,0\n", "roll.csv:3: angle_deg = inf: expected a number"}};
+  for (const auto& [csv, wanted] : tables) {
+    const std::string message = complaint_about_table(table_roll, "roll.csv", csv);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+TEST(MotionSection, KnowsNoForcedModeOfATableUnlessItsFrequencyIsDeclared) {
+  const Workspace workspace;
+  workspace.write("roll.csv", "time_s,angle_deg\n0,0\n1,1\n2,0\n20,0\n");
+  std::string text = edited({sine_surge, table_roll});
+  const std::string message = complaint(workspace.write("trial.toml", text));
+  EXPECT_NE(message.find("gate.mode = \"forced\": expected"), std::string::npos) << message;
+  const std::string modes = "natural_modes = 2\n";
+  text.insert(text.find(modes), "forcing_angular_frequency_rad_s = 3.84\n");
+  const CaseDefinition definition = read_case(workspace.write("trial.toml", text));
+  EXPECT_EQ(forcing_frequency(definition), 3.84);
+  EXPECT_EQ(definition.gate.at(0).mode, "forced");
+}
+
+TEST(MotionSection, TakesADeclaredFrequencyOfATableAlone) {
+  EXPECT_EQ(complaint_about(
+                {"natural_modes = 2", "natural_modes = 2\nforcing_angular_frequency_rad_s = 1.5"}),
+            "trial.toml:35: comparison.forcing_angular_frequency_rad_s = 1.5: expected no such key "
+            "where no motion is a table: a sine has its own");
+  EXPECT_EQ(complaint_about(
+                {"natural_modes = 2", "natural_modes = 2\nforcing_angular_frequency_rad_s = 0"}),
+            "trial.toml:35: comparison.forcing_angular_frequency_rad_s = 0: expected a number > 0, "
+            "in rad/s");
+}
+
+}  // namespace
+}  // namespace slosh::motion_section_test

@@ -1,0 +1,126 @@
+#include "verification/case_file/sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "verification/case/ensemble.hpp"
+#include "verification/case_file/campaign_parser.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/tests/small_campaign.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::sweep_test {
+namespace {
+
+const std::string head =
+    "schema_version = 1\nname = \"swept\"\ntitle = \"t\"\nsource = \"s\"\ncases = "
+    "[\"./small.toml\"]\n";
+const std::string sweep = R"([[sweep]]
+cases = ["sm*"]
+name = "{scheme}_{particle_spacing_m}"
+solver = "sph"
+scheme = ["recommended", "delta_sph"]
+particle_spacing_m = [0.05, 0.025]
+courant_number = 0.5
+)";
+const std::string row = R"([[sweep.gate]]
+reference = "theory"
+quantity = "elevation@right"
+mode = "forced"
+metric = "amplitude_error"
+unit = "1"
+limit = 0.5
+reason = "The runs are coarse."
+source = "made for a test"
+)";
+
+class Sweep : public ::testing::Test {
+ protected:
+  Sweep() { std::ofstream(directory.path() / "small.toml") << particles_case; }
+
+  CampaignDefinition campaign(const std::string& text) const {
+    std::ofstream(directory.path() / "swept.toml") << head << text;
+    return read_campaign(directory.path() / "swept.toml", directory.path(), {});
+  }
+  CaseDefinition swept(const std::string& text) const {
+    CaseDefinition definition = read_case(directory.path() / "small.toml");
+    const CampaignDefinition swept = campaign(text);
+    add_swept_runs(swept, "", definition);
+    require_swept_cases(swept, {definition});
+    return definition;
+  }
+  std::string refusal(const std::string& text) const {
+    try {
+      swept(text);
+    } catch (const CaseFileError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryDirectory directory;
+};
+
+TEST_F(Sweep, AddsEveryCombinationOfWhatItLists) {
+  const CaseDefinition definition = swept(sweep);
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs) names.push_back(run.name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"theory", "particles", "recommended_0p05", "delta_sph_0p05",
+                                      "recommended_0p025", "delta_sph_0p025"}));
+  const auto& sph = std::get<SphRun>(run_named(definition, "delta_sph_0p025").solver);
+  EXPECT_EQ(sph.scheme, "delta_sph");
+  EXPECT_EQ(sph.particle_spacing, 0.025);
+  EXPECT_EQ(sph.numbers.courant_number, 0.5);
+  EXPECT_EQ(definition.gate.size(), 1u) << "the case's own";
+}
+
+TEST_F(Sweep, GatesEachOfItsRunsAndSaysWhere) {
+  const CaseDefinition definition = swept(sweep + row);
+  ASSERT_EQ(definition.gate.size(), 5u);
+  EXPECT_EQ(definition.gate[1].candidate, "recommended_0p05");
+  EXPECT_EQ(definition.gate[4].candidate, "delta_sph_0p025");
+  EXPECT_EQ(definition.gate[4].limit, 0.5);
+  EXPECT_NE(definition.gate[4].where.file.find("swept.toml"), std::string::npos);
+  EXPECT_EQ(definition.gate[4].where.line, 13);
+}
+
+TEST_F(Sweep, RefusesWhatARunOrARowOfACaseWouldWithItsOwnLine) {
+  EXPECT_NE(refusal(with(sweep, "0.05, 0.025", "0.05, -1"))
+                .find("swept.toml:6: sweep.particle_spacing_m"),
+            std::string::npos)
+      << refusal(with(sweep, "0.05, 0.025", "0.05, -1"));
+  EXPECT_NE(refusal(with(sweep, "courant_number", "courant")).find("nearest known key"),
+            std::string::npos);
+  EXPECT_NE(refusal(sweep + with(row, "\"theory\"", "\"teory\"")).find("teory"), std::string::npos);
+  EXPECT_NE(refusal(with(sweep, "[0.05, 0.025]", "[]")).find("at least one"), std::string::npos);
+}
+
+TEST_F(Sweep, MayRepeatEachOfItsRunsUnderOneRow) {
+  const CaseDefinition definition = swept(sweep + "start_disorder = 1e-6\nrepeats = 2\n" + row);
+  EXPECT_EQ(members_of(definition, "recommended_0p05"),
+            (std::vector<std::string>{"recommended_0p05", "recommended_0p05_2"}));
+  for (const GateRow& one : definition.gate)
+    EXPECT_FALSE(is_later_member(run_named(definition, one.candidate))) << one.candidate;
+}
+
+TEST_F(Sweep, RefusesNamesThatDoNotTellRunsApartAndCasesThatAreNone) {
+  EXPECT_NE(refusal(with(sweep, "{scheme}_", "")).find("names each run apart"), std::string::npos);
+  EXPECT_NE(refusal(with(sweep, "{scheme}", "{schema}")).find("there is no schema"),
+            std::string::npos);
+  EXPECT_NE(refusal(with(sweep, "sm*", "big*")).find("match none"), std::string::npos);
+}
+
+TEST_F(Sweep, IsReadWithTheCampaignsTiming) {
+  const TimingDefinition timing =
+      campaign("[timing]\nrepeats = 3\nlongest_run_s = 5\nonly = [\"small/*\"]\n").timing;
+  EXPECT_EQ(timing.repeats, 3);
+  EXPECT_EQ(timing.longest_run, 5);
+  EXPECT_EQ(timing.only, std::vector<std::string>{"small/*"});
+  EXPECT_THROW(campaign("[timing]\nrepeats = 0\n"), CaseFileError);
+  EXPECT_THROW(campaign("[timing]\nrepeat = 1\n"), CaseFileError);
+}
+
+}  // namespace
+}  // namespace slosh::sweep_test

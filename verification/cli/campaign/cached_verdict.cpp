@@ -1,0 +1,89 @@
+#include "verification/cli/campaign/cached_verdict.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "verification/campaign/campaign_plan.hpp"
+#include "verification/campaign/problem_run.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* file_name = "standing.json";
+
+// Of a file as it is now, all of it read; null of one that is absent or cannot be read.
+json content_of(const fs::path& file) try {
+  return {file.string(), content_hash(read_bytes(file))};
+} catch (const fs::filesystem_error&) {
+  return nullptr;
+}
+
+}  // namespace
+
+std::string judges_of(const CampaignSettings& settings, const fs::path& ledger) {
+  return json{content_of(settings.executable), content_of(ledger)}.dump(
+      -1, ' ', false, json::error_handler_t::replace);
+}
+
+std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
+                                          const std::vector<CaseDefinition>& cases,
+                                          const CampaignSettings& settings,
+                                          const std::string& judges) {
+  json all{{"campaign", campaign.text},
+           {"selection", selection_options(settings.selection)},
+           {"experiments", settings.experiments.string()},
+           {"place", settings.output.string()},
+           {"judges", judges},
+           {"cases", json::array()},
+           {"results", json::array()}};
+  for (const CaseDefinition& one : cases) {
+    all["cases"].push_back(one.text);
+    if (one.impacts) all["cases"].push_back(content_of(one.impacts->peak_table));
+  }
+  for (const PlannedRun& planned : plan_runs(cases, settings)) {
+    if (is_pending(planned) || !timing_jobs(planned, settings).empty()) return std::nullopt;
+    all["results"].push_back({static_cast<int>(planned.status.state), planned.status.message});
+    if (planned.status.state != RunState::finished) continue;
+    all["results"].push_back(content_of(planned.file));
+    all["results"].push_back(content_of(settings.store.file(planned.key, ".timings.json")));
+  }
+  for (const ProblemDefinition& problem : campaign.problems) {
+    const ProblemRun run = standing_problem(problem, settings);
+    if (run.status.state == RunState::missing) return std::nullopt;
+    all["results"].push_back({static_cast<int>(run.status.state), run.status.message});
+    if (run.result)
+      all["results"].push_back(content_of(settings.store.file(run.result->key, ".json")));
+  }
+  return content_hash(all.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+std::optional<CachedVerdict> read_cached_verdict(const fs::path& output) {
+  const fs::path file = output / file_name;
+  if (!fs::is_regular_file(file)) return std::nullopt;
+  const json read = json::parse(read_bytes(file), nullptr, false);
+  const auto has = [&](const char* key, json::value_t type) {
+    return read.is_object() && read.contains(key) && read.at(key).type() == type;
+  };
+  if (has("fingerprint", json::value_t::string) && has("out", json::value_t::string) &&
+      has("status", json::value_t::number_unsigned))
+    return CachedVerdict{read.at("fingerprint"), read.at("status"), read.at("out")};
+  std::cerr << file.string() << ": no verdict of an earlier start can be read from it; the results "
+            << "are judged again\n";
+  return std::nullopt;
+}
+
+void forget_cached_verdict(const fs::path& output) { fs::remove(output / file_name); }
+
+void write_cached_verdict(const CachedVerdict& cached, const fs::path& output) {
+  const json all{
+      {"fingerprint", cached.fingerprint}, {"status", cached.status}, {"out", cached.out}};
+  replace_file(output / file_name, all.dump(1, ' ', false, json::error_handler_t::replace),
+               Durability::process_crash);
+}
+
+}  // namespace slosh

@@ -1,0 +1,127 @@
+#include "verification/cli/campaign/requested_campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/case_file/campaign_parser.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/problem_table.hpp"
+#include "verification/case_file/sweep.hpp"
+#include "verification/cli/named_paths.hpp"
+#include "verification/evidence/case_evidence.hpp"
+#include "verification/input/complaints.hpp"
+#include "verification/problems/problem.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_window(const CaseDefinition& definition) try {
+  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
+} catch (const ComparisonError& error) {
+  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
+}
+
+void require_timed_runs(const CampaignDefinition& campaign,
+                        const std::vector<CaseDefinition>& cases) {
+  for (const std::string& pattern : campaign.timing.only) {
+    const auto names_one_of = [&](const CaseDefinition& one) {
+      return std::any_of(one.runs.begin(), one.runs.end(), [&](const RunDefinition& run) {
+        return names_run({.only = {pattern}}, one, run);
+      });
+    };
+    if (std::none_of(cases.begin(), cases.end(), names_one_of))
+      throw CaseFileError(fmt::format("{}: timing.only = \"{}\": expected patterns of its runs",
+                                      campaign.file.string(), pattern));
+  }
+}
+
+std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
+                                       const fs::path& experiments) {
+  std::vector<CaseDefinition> cases;
+  Complaints complaints;
+  for (const fs::path& file : campaign.cases)
+    complaints.allow([&] {
+      CaseDefinition definition = read_case(file, experiments);
+      for (const CaseDefinition& other : cases)
+        if (other.name == definition.name)
+          throw CaseFileError(
+              fmt::format("{}: name = \"{}\": expected a name other than that of {}", file.string(),
+                          definition.name, other.file.string()));
+      add_swept_runs(campaign, experiments, definition);
+      cases.push_back(std::move(definition));
+    });
+  complaints.tell();
+  require_swept_cases(campaign, cases);
+  require_timed_runs(campaign, cases);
+  return cases;
+}
+
+// All else that a campaign's cases get wrong is found before anything runs. It takes seconds: the
+// start of every SPH run is set up.
+void require_runnable(const std::vector<CaseDefinition>& cases) {
+  Complaints complaints;
+  for (const CaseDefinition& definition : cases) {
+    complaints.allow([&] { require_window(definition); });
+    for (const RunDefinition& run : definition.runs)
+      complaints.allow([&] { require_runnable(definition, run); });
+  }
+  complaints.tell();
+}
+
+std::vector<std::string> names_of(const std::vector<ProblemDefinition>& problems) {
+  std::vector<std::string> names;
+  for (const ProblemDefinition& one : problems) names.push_back(one.name);
+  return names;
+}
+
+TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOptions& options) {
+  TimingDefinition timing = campaign.timing;
+  if (options.timings) timing.repeats = *options.timings;
+  return timing;
+}
+
+}  // namespace
+
+std::string form_of(const CampaignOptions& options) {
+  return options.selection.quick ? "-quick" : "";
+}
+
+RequestedCampaign requested(const CampaignOptions& options, const Installation& installation) {
+  RequestedCampaign campaign{
+      .definition = read_campaign(find_campaign(options.campaign, installation.campaigns),
+                                  installation.cases, known_problems()),
+      .cases = {},
+      .settings = {},
+      .place = {}};
+  const fs::path experiments = whole(options.experiments);
+  campaign.cases = read_cases(campaign.definition, experiments);
+  require_matches(options.selection, {campaign.cases, names_of(campaign.definition.problems)});
+  require_runnable(campaign.cases);
+  const fs::path usual =
+      installation.build / "campaigns" / (campaign.definition.name + form_of(options));
+  campaign.settings = {.output = fs::absolute(options.output.empty() ? usual : options.output),
+                       .store = ResultStore(whole(options.store.empty() ? usual_store(installation)
+                                                                        : options.store)),
+                       .campaign_file = whole(campaign.definition.file),
+                       .executable = installation.executable,
+                       .builds = installation.builds,
+                       .openfoam_templates = installation.openfoam_templates,
+                       .experiments = experiments,
+                       .selection = options.selection,
+                       .solve = options.solve,
+                       .engine = options.engine,
+                       .at_once = options.at_once,
+                       .timing = timing_of(campaign.definition, options)};
+  campaign.place = campaign.settings.output;
+  if (options.selection.is_partial()) {
+    campaign.definition.title += " (" + selection_text(options.selection) + ")";
+    campaign.place /= "selected";
+  }
+  return campaign;
+}
+
+}  // namespace slosh

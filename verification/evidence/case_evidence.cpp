@@ -1,0 +1,206 @@
+#include "verification/evidence/case_evidence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/case/ensemble.hpp"
+#include "verification/case/metric_table.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/case/natural_modes.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/evidence/input_uncertainty.hpp"
+#include "verification/evidence/row_uncertainty.hpp"
+#include "verification/evidence/run_cost.hpp"
+#include "verification/gate/impact_metrics.hpp"
+#include "verification/gate/measured_value.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/series/windowed_series.hpp"
+#include "verification/solvers/reference_tank.hpp"
+
+namespace slosh {
+namespace {
+
+const RecordRun* record_named(const CaseDefinition& definition, const std::string& run) {
+  return std::get_if<RecordRun>(&run_named(definition, run).solver);
+}
+
+// Whether no small disturbance decides what the run gives.
+bool is_exact(const decltype(RunDefinition::solver)& solver) {
+  return !std::holds_alternative<SphRun>(solver) && !std::holds_alternative<InterFoamRun>(solver) &&
+         !std::holds_alternative<ExternalRun>(solver);
+}
+
+// A record may be too short or too sparse for the modes.
+bool can_tell(const std::vector<ToneRequest>& modes, const TimeSeries& record,
+              TimeWindow window) try {
+  require_resolved(window, modes);
+  require_sampled(cut_to_window(record, window), modes);
+  return true;
+} catch (const ComparisonError&) {
+  return false;
+}
+
+// Of a member of an ensemble that failed or was not run there is none.
+const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
+                            const std::string& quantity) {
+  const auto found = runs.results.find(run);
+  if (found == runs.results.end()) throw ResultError("there is no result of " + run);
+  return found->second.at(quantity);
+}
+
+}  // namespace
+
+std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
+  const reference::Tank tank = tank_of(definition);
+  std::vector<ToneRequest> modes;
+  if (const double forcing = forcing_frequency(definition); forcing > 0)
+    modes.push_back({"forced", forcing, false});
+  const std::vector<int> natural = natural_modes(definition, count);
+  for (std::size_t n = 0; n < natural.size(); ++n)
+    modes.push_back(
+        {fmt::format("natural_{}", n + 1), reference::natural_frequency(tank, natural[n]), true});
+  return modes;
+}
+
+std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
+  return modes_of(definition, definition.natural_modes);
+}
+
+TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference) {
+  TimeWindow window{definition.window_begin, definition.window_end};
+  if (const RecordRun* record = record_named(definition, reference)) {
+    window.begin = std::max(window.begin, record->time.front());
+    window.end = std::min(window.end, record->time.back());
+  }
+  return window;
+}
+
+AskedOfModes asked_by(const std::vector<GateRow>& rows) {
+  AskedOfModes asked{Detail::spectrum_alone};
+  bool of_all = false;
+  for (const GateRow& row : rows) {
+    const MeasuredOn on = metric_entry(row.metric).measured_on;
+    const bool is_of_a_mode = on == MeasuredOn::any_mode || on == MeasuredOn::natural_mode;
+    of_all |= on == MeasuredOn::cost;
+    if (of_all || (is_of_a_mode && row.metric != Metric::band_energy_error))
+      asked.detail = Detail::fitted_tones;
+    asked.names.insert(row.mode);
+  }
+  if (of_all) asked.names.clear();
+  return asked;
+}
+
+CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
+                           const FittedComparisons* known, AskedOfModes asked)
+    : definition_(definition),
+      runs_(runs),
+      known_(known),
+      asked_(std::move(asked)),
+      modes_(fitted_modes(definition)) {}
+
+const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std::string& run,
+                                             const std::string& quantity, TimeWindow window,
+                                             const std::vector<ToneRequest>& modes) {
+  const PreparedKey key{role, run, quantity, window.begin, window.end, modes.size()};
+  if (known_)
+    if (const auto known = known_->series.find(key); known != known_->series.end())
+      return *known->second;
+  std::shared_ptr<const PreparedSeries>& here = fitted_.series[key];
+  if (!here)
+    here = std::make_shared<PreparedSeries>(role, series_of(runs_, run, quantity), window, modes,
+                                            asked_.detail);
+  return *here;
+}
+
+// The histories alone are compared where a record cannot tell the modes. Where the candidate's own
+// series cannot, that is its fault and no reason to ask less of it.
+Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
+                                  const std::string& quantity, const std::string& ending) {
+  const TimeWindow window = compared_window(definition_, reference);
+  std::vector<ToneRequest> modes;
+  if (has_modes(quantity)) modes = modes_;
+  if (record_named(definition_, reference) &&
+      !can_tell(modes, series_of(runs_, reference, quantity), window))
+    modes.clear();
+  Comparison comparison =
+      compare(prepared("candidate", candidate, quantity, window, modes),
+              prepared("reference", reference, quantity + ending, window, modes), asked_.names);
+  comparison.candidate = candidate;
+  comparison.reference = reference;
+  return comparison;
+}
+
+const Comparison& CaseEvidence::comparison(const std::string& candidate,
+                                           const std::string& reference,
+                                           const std::string& quantity) {
+  return comparison_with(candidate, reference, quantity, "");
+}
+
+const Comparison& CaseEvidence::comparison_with(const std::string& candidate,
+                                                const std::string& reference,
+                                                const std::string& quantity,
+                                                const std::string& ending) {
+  const std::array<std::string, 3> key{candidate, reference, quantity + ending};
+  if (known_)
+    if (const auto known = known_->of.find(key); known != known_->of.end()) return known->second;
+  if (const auto fitted = fitted_.of.find(key); fitted != fitted_.of.end()) return fitted->second;
+  return fitted_.of.emplace(key, compared(candidate, reference, quantity, ending)).first->second;
+}
+
+const Contribution& CaseEvidence::input_contribution(const GateRow& row) {
+  const std::string key = row_name(row);
+  if (known_)
+    if (const auto known = known_->input.find(key); known != known_->input.end())
+      return known->second;
+  if (const auto found = fitted_.input.find(key); found != fitted_.input.end())
+    return found->second;
+  return fitted_.input.emplace(key, input_uncertainty(definition_, runs_, row)).first->second;
+}
+
+GateEvidence CaseEvidence::gate_evidence() {
+  const FindComparison find = [this](const std::string& candidate, const std::string& reference,
+                                     const std::string& quantity) -> const Comparison& {
+    return comparison(candidate, reference, quantity);
+  };
+  const FindSeries find_series = [this](const std::string& run, const std::string& quantity) {
+    return cut_to_window(series_of(runs_, run, quantity),
+                         {definition_.window_begin, definition_.window_end});
+  };
+  const FindHistory history = [this](const std::string& run, const std::string& quantity) {
+    return series_of(runs_, run, quantity);
+  };
+  const MeasureImpacts measure_impacts = [this](const std::string& run, const GateRow& of) {
+    return impact_metric(of.metric, of.mode, series_of(runs_, run, of.quantity),
+                         series_of_record(definition_, runs_, of.quantity), definition_);
+  };
+  const MeasureCost cost = [this, find](const GateRow& row) {
+    return cost_to_reach(definition_, runs_, row, find);
+  };
+  const FindEnsemble ensemble = [this](const std::string& run) {
+    return EnsembleOfRun{members_of(definition_, run),
+                         is_exact(run_named(definition_, run).solver)};
+  };
+  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble, history};
+  GateEvidence against_coarser = evidence;
+  against_coarser.comparison = [this](const std::string& candidate, const std::string& reference,
+                                      const std::string& quantity) -> const Comparison& {
+    return comparison_with(candidate, reference, quantity, coarser);
+  };
+  const RowMeasures measures{
+      .comparison = find,
+      .measure = [evidence](const GateRow& row) { return measured(row, evidence); },
+      .measure_against_coarser =
+          [against_coarser](const GateRow& row) { return measured(row, against_coarser); },
+      .input = [this](const GateRow& row) { return input_contribution(row); }};
+  const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
+    return row_uncertainty(definition_, runs_, row, measures);
+  };
+  return {find, find_series, measure_impacts, uncertainty, cost, ensemble, history};
+}
+
+GateOutcome CaseEvidence::judge(const GateRow& row) {
+  return evaluate(row, runs_.status, gate_evidence());
+}
+
+}  // namespace slosh

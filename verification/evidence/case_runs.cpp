@@ -1,0 +1,38 @@
+#include "verification/evidence/case_runs.hpp"
+
+#include <algorithm>
+
+#include "verification/case/quantities.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh {
+
+bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity) {
+  const auto& series = runs.results.at(run).series;
+  return std::any_of(series.begin(), series.end(),
+                     [&](const TimeSeries& one) { return one.name == quantity; });
+}
+
+RunResult judged_part(const RunResult& result, const std::string& quantity) {
+  RunResult part{};
+  part.case_name = result.case_name;
+  part.run_name = result.run_name;
+  part.diagnostics = result.diagnostics;
+  part.cost = result.cost;
+  for (const TimeSeries& one : result.series)
+    if (one.name == quantity || one.name == quantity + coarser) part.series.push_back(one);
+  return part;
+}
+
+const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,
+                                   const std::string& quantity) {
+  for (const RunDefinition& run : definition.runs) {
+    const RecordRun* record = std::get_if<RecordRun>(&run.solver);
+    if (record && !record->earlier_run && runs.results.contains(run.name) &&
+        has_series(runs, run.name, quantity))
+      return &runs.results.at(run.name).at(quantity);
+  }
+  return nullptr;
+}
+
+}  // namespace slosh

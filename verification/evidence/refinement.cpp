@@ -1,0 +1,158 @@
+#include "verification/evidence/refinement.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slosh {
+namespace {
+
+double recorded(const RunDefinition& run, const CaseRuns& runs, const char* name) {
+  const auto& diagnostics = runs.results.at(run.name).diagnostics;
+  const auto found = diagnostics.find(name);
+  if (found == diagnostics.end())
+    throw ComparisonError(fmt::format("the result of {} does not tell its {}", run.name, name));
+  return found->second;
+}
+
+GateRow with(GateRow row, Role role, const std::string& run) {
+  (role == Role::candidate ? row.candidate : row.reference) = run;
+  return row;
+}
+
+DiscretisationUncertainty of_two(const ValueAtStep& fine, const ValueAtStep& coarse,
+                                 double at_step) {
+  const double difference =
+      std::max(std::abs(coarse.value - fine.value), std::hypot(coarse.noise, fine.noise));
+  return {.behaviour = StepBehaviour::diverging,
+          .order = {},
+          .extrapolated = at_step == fine.step ? fine.value : coarse.value,
+          .uncertainty = first_order_uncertainty(difference, at_step, fine.step, coarse.step),
+          .explanation =
+              "two values have no order: three times their difference on one of the first order"};
+}
+
+// Coarse to fine.
+DiscretisationUncertainty judge(const std::vector<ValueAtStep>& values, double at_step) {
+  return values.size() == 2 ? of_two(values[1], values[0], at_step)
+                            : discretisation_uncertainty(values, at_step);
+}
+
+struct MeasuredRun {
+  std::string name;
+  ValueAtStep value;
+};
+
+// The row's metric with each run of the path in the role, coarse to fine.
+std::vector<MeasuredRun> measure_path(const RefinementDefinition& path,
+                                      const CaseDefinition& definition, const CaseRuns& runs,
+                                      const GateRow& row, Role role, const MeasureRow& measure) {
+  std::vector<MeasuredRun> measured;
+  for (const std::string& name : path.runs) {
+    if (!runs.results.contains(name)) continue;
+    const double step = step_of(path.number, run_named(definition, name), runs);
+    try {
+      const Estimate value = measure(with(row, role, name));
+      if (std::isfinite(value.value) && std::isfinite(value.half_width))
+        measured.push_back({name, {step, value.value, value.half_width}});
+    } catch (const std::runtime_error&) {
+      continue;  // ComparisonError or ResultError: this run has no such metric
+    }
+  }
+  std::sort(measured.begin(), measured.end(),
+            [](const MeasuredRun& a, const MeasuredRun& b) { return a.value.step > b.value.step; });
+  return measured;
+}
+
+// Whether the metric's interval is that of a difference between two fits of one window.
+bool is_of_two_fits(Metric metric) {
+  return metric == Metric::amplitude_error || metric == Metric::phase_lag ||
+         metric == Metric::frequency_error || metric == Metric::decay_error;
+}
+
+// Of a difference between two runs of one path, both fitted together.
+std::optional<double> noise_of_pair(const GateRow& row, const std::string& run,
+                                    const std::string& finest, const MeasureRow& measure) {
+  if (!is_of_two_fits(row.metric)) return std::nullopt;
+  GateRow pair = row;
+  pair.candidate = run;
+  pair.reference = finest;
+  try {
+    const double half_width = measure(pair).half_width;
+    return std::isfinite(half_width) ? std::optional(half_width) : std::nullopt;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;  // ComparisonError or ResultError: the two cannot be compared
+  }
+}
+
+// The runs of a path see the same flow, and what the fit of one window cannot explain is nearly the
+// same in all of them: what counts between two of them is the interval of their own difference. The
+// finest is given the smallest share of it that leaves each difference to it its interval.
+void take_noise_of_differences(std::vector<MeasuredRun>& measured, const GateRow& row,
+                               const MeasureRow& measure) {
+  const std::string finest = measured.back().name;
+  std::vector<double> noise;
+  for (const MeasuredRun& one : measured) {
+    if (one.name == finest) continue;
+    const auto of_pair = noise_of_pair(row, one.name, finest, measure);
+    if (!of_pair) return;
+    noise.push_back(*of_pair);
+  }
+  const double own = *std::min_element(noise.begin(), noise.end()) / std::sqrt(2.0);
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    measured[i].value.noise = std::sqrt(noise[i] * noise[i] - own * own);
+  measured.back().value.noise = own;
+}
+
+}  // namespace
+
+double step_of(RefinedNumber number, const RunDefinition& run, const CaseRuns& runs) {
+  switch (number) {
+    case RefinedNumber::particle_spacing:
+      return std::get<SphRun>(run.solver).particle_spacing;
+    case RefinedNumber::smoothing_length_ratio:
+      return 1 / recorded(run, runs, "smoothing_length_ratio");
+    case RefinedNumber::speed_of_sound:
+      return 1 / recorded(run, runs, "speed_of_sound_m_s");
+    case RefinedNumber::courant_number:
+      return recorded(run, runs, "courant_number");
+    case RefinedNumber::mesh: {
+      const InterFoamRun& mesh = std::get<InterFoamRun>(run.solver);
+      return 1 / std::sqrt(static_cast<double>(mesh.cells_x) * mesh.cells_z);
+    }
+  }
+  throw std::logic_error("a refined number without a step");
+}
+
+std::vector<RefinedMetric> refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
+                                           const GateRow& row, Role role,
+                                           const MeasureRow& measure) {
+  const std::string& own = role == Role::candidate ? row.candidate : row.reference;
+  std::vector<RefinedMetric> metrics;
+  for (const RefinementDefinition& path : definition.refinements) {
+    if (std::find(path.runs.begin(), path.runs.end(), own) == path.runs.end()) continue;
+    std::vector<MeasuredRun> measured = measure_path(path, definition, runs, row, role, measure);
+    const auto itself = std::find_if(measured.begin(), measured.end(),
+                                     [&](const MeasuredRun& one) { return one.name == own; });
+    if (measured.size() < 2 || itself == measured.end()) continue;
+    take_noise_of_differences(measured, row, measure);
+    RefinedMetric metric{path.name, {}, {}, {}};
+    for (const auto& [name, value] : measured) {
+      metric.values.push_back(value);
+      metric.runs.push_back(name);
+    }
+    metric.found = judge(metric.values, itself->value.step);
+    metrics.push_back(std::move(metric));
+  }
+  return metrics;
+}
+
+double numerical_uncertainty(const std::vector<RefinedMetric>& paths) {
+  double squares = 0;
+  for (const RefinedMetric& path : paths)
+    squares += path.found.uncertainty * path.found.uncertainty;
+  return std::sqrt(squares);
+}
+
+}  // namespace slosh

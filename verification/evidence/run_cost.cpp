@@ -1,0 +1,122 @@
+#include "verification/evidence/run_cost.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "verification/case/ensemble.hpp"
+#include "verification/case/run_family.hpp"
+#include "verification/series/estimate.hpp"
+#include "verification/series/sample_moments.hpp"
+
+namespace slosh {
+namespace {
+
+double core_seconds(const RunCost& cost) { return cost.user_time + cost.system_time; }
+
+Estimate mean_with_interval(const std::vector<double>& values) {
+  const double n = static_cast<double>(values.size());
+  if (values.size() < 2) return {mean(values), not_a_number};
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  return {mean(values), t * rms(without_mean(values)) / std::sqrt(n - 1)};
+}
+
+std::vector<WorkPoint> points_of(const WorkFamily& family, Estimate MeasuredCost::*cost) {
+  std::vector<WorkPoint> points;
+  for (const WorkRun& run : family.runs)
+    points.push_back({run.run, run.resolution, run.cost.*cost, run.error});
+  return points;
+}
+
+// Of the candidate's family those that `comparison` can compare; of the candidate it must.
+WorkFamily family_of_row(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
+                         const FindComparison& comparison) {
+  const std::string name = work_family(run_named(definition, row.candidate));
+  WorkFamily family{name, row.reference, false, {}};
+  for (const RunDefinition& run : definition.runs) {
+    if (work_family(run) != name || is_later_member(run) || !runs.results.contains(run.name))
+      continue;
+    try {
+      family.runs.push_back(
+          work_run(run, runs, comparison(run.name, row.reference, row.quantity).normalised_rms));
+    } catch (const std::runtime_error&) {  // ComparisonError and ResultError: no error to count
+      if (run.name == row.candidate) throw;
+    }
+  }
+  sort_by_resolution(family);
+  return family;
+}
+
+void require_all_runs(const CaseDefinition& definition, const CaseRuns& runs,
+                      const WorkFamily& family) {
+  for (const RunDefinition& run : definition.runs)
+    if (work_family(run) == family.name && runs.status.at(run.name).state == RunState::not_selected)
+      throw NotSelectedError(fmt::format(
+          "not reached, but the run {} is not part of this form of the campaign", run.name));
+}
+
+void require_timings(const WorkFamily& family, const CostAtError& found) {
+  std::vector<std::string> lacking;
+  for (const WorkRun& run : family.runs)
+    if (!run.cost.has_interval() &&
+        std::find(found.rests_on.begin(), found.rests_on.end(), run.run) != found.rests_on.end())
+      lacking.push_back(run.run);
+  if (!lacking.empty())
+    throw ComparisonError(fmt::format(
+        "{} {} not timed twice or more on a core of {} own: run the campaign with timings",
+        fmt::join(lacking, " and "), lacking.size() == 1 ? "was" : "were",
+        lacking.size() == 1 ? "its" : "their"));
+}
+
+}  // namespace
+
+MeasuredCost cost_of(const CaseRuns& runs, const std::string& run) {
+  const auto timed = runs.timings.find(run);
+  if (timed == runs.timings.end() || timed->second.empty()) {
+    const RunCost& beside_others = runs.results.at(run).cost;
+    return {
+        {core_seconds(beside_others), not_a_number}, {beside_others.peak_memory, not_a_number}, 0};
+  }
+  std::vector<double> times, memories;
+  for (const RunCost& one : timed->second) {
+    times.push_back(core_seconds(one));
+    memories.push_back(one.peak_memory);
+  }
+  return {mean_with_interval(times), mean_with_interval(memories), times.size()};
+}
+
+WorkRun work_run(const RunDefinition& run, const CaseRuns& runs, const Estimate& error) {
+  return {run.name, resolution(run), cost_of(runs, run.name), error};
+}
+
+void sort_by_resolution(WorkFamily& family) {
+  std::stable_sort(family.runs.begin(), family.runs.end(),
+                   [](const WorkRun& a, const WorkRun& b) { return a.resolution < b.resolution; });
+}
+
+std::vector<WorkPoint> by_core_seconds(const WorkFamily& family) {
+  return points_of(family, &MeasuredCost::core_seconds);
+}
+
+std::vector<WorkPoint> by_memory(const WorkFamily& family) {
+  return points_of(family, &MeasuredCost::memory);
+}
+
+CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,
+                          const GateRow& row, const FindComparison& comparison) {
+  const WorkFamily family = family_of_row(definition, runs, row, comparison);
+  const CostAtError found = cost_at_error(by_core_seconds(family), row.error.value());
+  if (found.reach == Reach::not_at_all) require_all_runs(definition, runs, family);
+  require_timings(family, found);
+  // An upper bound, which within the limit is enough to pass.
+  if (found.reach == Reach::by_cheapest && row.limit && found.cost > *row.limit)
+    throw ComparisonError(fmt::format(
+        "{} errs less than {} at {}: without a coarser run what that error costs is not known",
+        found.rests_on.front(), in_unit(*row.error, "1"), in_unit(found.cost, row.unit)));
+  return found;
+}
+
+}  // namespace slosh

@@ -1,0 +1,134 @@
+// The ribbons of time histories, on histories whose differences fall with a known order.
+#include "verification/evidence/history_uncertainty.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reports/figures/case_figures.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/tests/figure_results.hpp"
+
+namespace slosh::history_uncertainty_test {
+namespace {
+
+TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+// "particles" at 10 mm, besides runs at other spacings, each too high by error(h).
+struct Spacings {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs = surge_runs();
+
+  template <class Error>
+  Spacings(const std::vector<double>& coarser_spacings, Error error) {
+    definition.refinements = {{"spacing", RefinedNumber::particle_spacing, {"particles"}}};
+    runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1 + error(0.01)));
+    for (const double spacing : coarser_spacings) {
+      RunDefinition coarse = definition.runs.at(2);
+      coarse.name = "particles_" + std::to_string(std::lround(1000 * spacing));
+      auto& sph = std::get<SphRun>(coarse.solver);
+      sph.particle_spacing = sph.surface_particle_spacing = spacing;
+      definition.runs.push_back(coarse);
+      definition.refinements[0].runs.push_back(coarse.name);
+      runs.results[coarse.name] =
+          result_of(coarse.name, scaled(elevation_of({}), 1 + error(spacing)));
+      runs.status[coarse.name] = {RunState::finished, ""};
+    }
+  }
+  std::vector<double> widths(const std::string& run = "particles") const {
+    return numerical_half_widths(definition, runs, run, surge_quantity);
+  }
+};
+
+double second_order(double spacing) { return 100 * spacing * spacing; }
+
+TEST(HistoryUncertainty, OfThreeRunsIsTheErrorThatTheirOrderLeavesTimesItsSafetyFactor) {
+  const std::vector<double> widths = Spacings({0.02, 0.04}, second_order).widths();
+  const TimeSeries wave = elevation_of({});
+  ASSERT_EQ(widths.size(), wave.value.size());
+  for (std::size_t i = 0; i < widths.size(); i += 50)
+    EXPECT_NEAR(widths[i], 1.25 * second_order(0.01) * std::abs(wave.value[i]), 1e-9) << i;
+}
+
+TEST(HistoryUncertainty, OfAnOrderThatNothingExplainsHasTheCautiousFactor) {
+  const auto fourth_order = [](double h) { return 1e5 * h * h * h * h; };
+  const std::vector<double> widths = Spacings({0.02, 0.04}, fourth_order).widths();
+  const TimeSeries wave = elevation_of({});
+  const double apart = fourth_order(0.02) - fourth_order(0.01);
+  EXPECT_NEAR(widths[500], 3 * apart / (2 * 2 - 1) * std::abs(wave.value[500]), 1e-9);
+}
+
+TEST(HistoryUncertainty, OfTwoRunsIsThreeTimesTheirDifferenceOnAnErrorOfFirstOrder) {
+  const std::vector<double> widths = Spacings({0.015}, second_order).widths();
+  const double apart = second_order(0.015) - second_order(0.01);
+  EXPECT_NEAR(widths[500], 3 * apart / 0.5 * std::abs(elevation_of({}).value[500]), 1e-9);
+}
+
+TEST(HistoryUncertainty, IsNoneWithoutACoarserRunThatCanBeRead) {
+  EXPECT_TRUE(Spacings({}, second_order).widths().empty());
+  Spacings spacings({0.02}, second_order);
+  EXPECT_TRUE(spacings.widths("particles_20").empty());
+  EXPECT_TRUE(spacings.widths("theory").empty());
+  spacings.runs.results.at("particles_20").series[0].value[300] = std::nan("");
+  EXPECT_TRUE(spacings.widths().empty());
+}
+
+TEST(HistoryUncertainty, OfPotentialFlowIsWhatItsCoarserRunDiffersBy) {
+  Spacings spacings({}, second_order);
+  TimeSeries coarse = scaled(elevation_of({}), 1.03);
+  coarse.name += coarser;
+  spacings.runs.results.at("theory").series.push_back(coarse);
+  EXPECT_NEAR(spacings.widths("theory").at(500), 0.03 * std::abs(elevation_of({}).value[500]),
+              1e-12);
+}
+
+// Potential flow ends where it leaves its range, and that of fewer nodes may do so earlier.
+TEST(HistoryUncertainty, OfPotentialFlowEndsWithTheShorterOfItsTwoRuns) {
+  Spacings spacings({}, second_order);
+  TimeSeries coarse = scaled(elevation_of({}), 1.03);
+  coarse.name += coarser;
+  coarse.time.resize(17);
+  coarse.value.resize(17);
+  spacings.runs.results.at("theory").series.push_back(coarse);
+  const std::vector<double> widths = spacings.widths("theory");
+  ASSERT_EQ(widths.size(), 1001u);
+  EXPECT_NEAR(widths[16], 0.03 * std::abs(elevation_of({}).value[16]), 1e-12);
+  for (std::size_t i = 17; i < widths.size(); ++i) EXPECT_TRUE(std::isnan(widths[i])) << i;
+  const reports::Figure figure = figure_of(assess(spacings.definition, spacings.runs), "history");
+  for (const double edge : figure.curves.at(0).upper)
+    EXPECT_FALSE(std::abs(edge) > 1000) << "[mm], of a wave of some 10 mm";
+}
+
+TEST(MainHistory, HasARibbonAboutTheRunThatHasCoarserOnesAndShadesWhatIsNotCompared) {
+  const Spacings spacings({0.02, 0.04}, second_order);
+  const reports::Figure figure = figure_of(assess(spacings.definition, spacings.runs), "history");
+  ASSERT_EQ(figure.curves.at(2).label, "particles");
+  const reports::Curve& curve = figure.curves[2];
+  ASSERT_EQ(curve.lower.size(), curve.y.size());
+  const double half = 1000 * spacings.widths()[500];  // [mm]
+  EXPECT_NEAR(curve.upper[500] - curve.y[500], half, 1e-9);
+  EXPECT_NEAR(curve.y[500] - curve.lower[500], half, 1e-9);
+  EXPECT_TRUE(figure.curves.at(0).lower.empty());
+  EXPECT_NE(figure.caption.find("Ribbons about solvers"), std::string::npos);
+  ASSERT_EQ(figure.spans.size(), 1u);  // the window ends with the case
+  EXPECT_EQ(figure.spans[0].begin, 0);
+  EXPECT_EQ(figure.spans[0].end, 1);
+}
+
+TEST(ResidualFigure, ShadesWhatIsNotComparedAndHasTheHistorysAxis) {
+  CaseDefinition definition = surge_case();
+  definition.window_end = 19;
+  const CaseAssessment assessment = assess(definition, surge_runs());
+  const reports::Figure figure = figure_of(assessment, "residual");
+  EXPECT_EQ(figure.x_range, (std::pair{0.0, 20.0}));
+  ASSERT_EQ(figure.spans.size(), 2u);
+  EXPECT_EQ(figure.spans[1].begin, 19);
+  EXPECT_EQ(figure.spans[1].end, 20);
+}
+
+}  // namespace
+}  // namespace slosh::history_uncertainty_test

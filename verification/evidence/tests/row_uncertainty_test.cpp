@@ -1,0 +1,430 @@
+// What makes a row uncertain beside its own interval, on the small surge of surge_results.hpp.
+#include "verification/evidence/row_uncertainty.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "reports/tables/uncertainty_table.hpp"
+#include "verification/assessment/validity_envelope.hpp"
+#include "verification/case/changed_input.hpp"
+#include "verification/evidence/input_uncertainty.hpp"
+#include "verification/series/sample_moments.hpp"
+#include "verification/series/windowed_series.hpp"
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::row_uncertainty_test {
+namespace {
+
+TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
+// The forced amplitude of "particles" against the fine mesh, each mesh too high by what is told.
+struct OfMeshes {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs = surge_runs();
+
+  OfMeshes(double coarse, double fine) {
+    definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+    definition.gate[0].reference = "fine_mesh";
+    const TimeSeries wave = elevation_of({});
+    runs.results["coarse_mesh"] = result_of("coarse_mesh", scaled(wave, 1 + coarse));
+    runs.results["fine_mesh"] = result_of("fine_mesh", scaled(wave, 1 + fine));
+    definition.refinements = {{"mesh", RefinedNumber::mesh, {"coarse_mesh", "fine_mesh"}}};
+  }
+  GateOutcome judged() const { return assess(definition, runs).gate.at(0); }
+};
+
+TEST(RowUncertainty, CountsThatOfAMeshThatIsTheReference) {
+  // Two meshes of 50 x 50 and 50 x 100: steps apart by sqrt(2), so three times their difference
+  // over sqrt(2) - 1.
+  const GateOutcome outcome = OfMeshes(0.01, 0.005).judged();
+  const double difference = 1 / 1.005 - 1 / 1.01;
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference.known(),
+              3 * difference / (std::sqrt(2.0) - 1), 1e-6);
+  EXPECT_EQ(outcome.verdict, Verdict::pass);  // 0.5 % +- 3.6 % within 5 %
+}
+
+TEST(RowUncertainty, OfTheCoarserMeshCountsTheFinerOneToo) {
+  OfMeshes meshes(0.01, 0.005);
+  meshes.definition.gate[0].reference = "coarse_mesh";
+  // The whole error of first order at the coarser step: sqrt(2) times that of the finer one.
+  const double difference = 1 / 1.005 - 1 / 1.01;
+  const GateOutcome outcome = meshes.judged();
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference.half_width.value(),
+              3 * difference * std::sqrt(2.0) / (std::sqrt(2.0) - 1), 1e-6);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);  // 1 % +- 5.1 % of 5 %
+}
+
+TEST(RowUncertainty, OfAMeshWithoutAnotherIsUnknownAndDoesNotPass) {
+  OfMeshes meshes(0.01, 0.005);
+  ASSERT_EQ(meshes.judged().verdict, Verdict::pass);
+  OfMeshes alone = meshes;  // as where the quick form leaves the other mesh out
+  alone.runs.results.erase("coarse_mesh");
+  alone.runs.status["coarse_mesh"] = {RunState::not_selected, ""};
+  OfMeshes without_path = meshes;
+  without_path.definition.refinements.clear();
+  for (OfMeshes* unknown : {&alone, &without_path}) {
+    const GateOutcome outcome = unknown->judged();
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+    EXPECT_FALSE(outcome.judgement.value().contributions.reference.half_width.has_value());
+    EXPECT_NE(outcome.message.find("the numerical uncertainty of the reference fine_mesh is "
+                                   "unknown; a [[refinement]]"),
+              std::string::npos)
+        << outcome.message;
+    unknown->definition.gate[0].kind = RowKind::regression;
+    EXPECT_EQ(unknown->judged().verdict, Verdict::pass);
+  }
+}
+
+TEST(RowUncertainty, OfTheCandidatesOwnDecayHasNothingOfTheReference) {
+  OfMeshes meshes(0.03, 0.01);
+  meshes.definition.gate = {surge_row("natural_1", Metric::decay_rate, "1/s", 0.05)};
+  meshes.definition.gate[0].reference = "coarse_mesh";
+  EXPECT_EQ(meshes.judged().judgement.value().contributions.reference.half_width.value(), 0);
+}
+
+TEST(RowUncertainty, MakesARowInconclusiveAgainstAMeshThatHasNotConverged) {
+  const OfMeshes meshes(0.03, 0.01);
+  EXPECT_EQ(meshes.judged().verdict, Verdict::inconclusive);
+  const CaseAssessment assessment = assess(meshes.definition, meshes.runs);
+  EXPECT_EQ(exit_status({assessment}), exit_inconclusive);
+  const auto remedies = remedy_table(assessment);
+  ASSERT_TRUE(remedies.has_value());
+  EXPECT_NE(remedies->rows.at(0).at(2).find("reference"), std::string::npos);
+  const auto refined = refinement_table(assessment);
+  ASSERT_TRUE(refined.has_value());
+  EXPECT_EQ(refined->rows.at(0).at(2), "coarse_mesh, fine_mesh");
+}
+
+TEST(RowUncertainty, OfAVerificationRowIsNotTheDiscretisationErrorThatItMeasures) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  RunDefinition coarse = definition.runs.at(2);
+  coarse.name = "coarse_particles";
+  std::get<SphRun>(coarse.solver).particle_spacing = 0.02;
+  definition.runs.push_back(coarse);
+  definition.refinements = {
+      {"spacing", RefinedNumber::particle_spacing, {"coarse_particles", "particles"}}};
+  CaseRuns runs = surge_runs();
+  runs.results["coarse_particles"] = result_of("coarse_particles", scaled(elevation_of({}), 1.04));
+  runs.status["coarse_particles"] = {RunState::finished, ""};
+  const GateOutcome outcome = assess(definition, runs).gate.at(0);
+  EXPECT_EQ(outcome.judgement.value().contributions.discretisation.known(), 0);
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+}
+
+TEST(RowUncertainty, OfPotentialFlowIsWhatItsCoarserRunChanges) {
+  CaseDefinition definition = surge_case();
+  definition.runs.at(0).solver = PotentialRun{};
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  CaseRuns runs = surge_runs();
+  RunResult& flow = runs.results.at("theory");
+  flow.diagnostics = {{"valid_until_s", 20}};
+  TimeSeries coarse = scaled(elevation_of({}), 1 / 1.03);
+  coarse.name += "/coarser";
+  flow.series.push_back(coarse);
+  const GateOutcome outcome = assess(definition, runs).gate.at(0);
+  EXPECT_NEAR(outcome.judgement.value().contributions.reference.known(), 0.03, 1e-9);
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+  flow.series.pop_back();  // a run that does not tell it
+  EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::not_compared);
+}
+
+TEST(RowUncertainty, OfAFlowThatDisturbancesDecideIsWhatItsRepeatsSpread) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  CaseRuns runs = surge_runs();
+  const double errors[] = {0.01, 0.03, 0.05};
+  for (int seed = 1; seed <= 3; ++seed) {
+    RunDefinition repeat = definition.runs.at(2);
+    repeat.name = "repeat_" + std::to_string(seed);
+    auto& sph = std::get<SphRun>(repeat.solver);
+    sph.particle_spacing = sph.surface_particle_spacing = 0.02;  // another spacing serves too
+    sph.start_disorder = 0.05;
+    sph.start_seed = seed;
+    definition.runs.push_back(repeat);
+    runs.results[repeat.name] =
+        result_of(repeat.name, scaled(elevation_of({}), 1 + errors[seed - 1]));
+    runs.status[repeat.name] = {RunState::finished, ""};
+  }
+  const GateOutcome outcome = assess(definition, runs).gate.at(0);
+  // Standard deviation 0.02, Student's t of two degrees of freedom 4.3027 (tables).
+  EXPECT_NEAR(outcome.judgement.value().contributions.statistics.known(),
+              4.3027 * 0.02 * std::sqrt(4.0 / 3), 1e-5);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+  definition.runs.pop_back();
+  runs.results.erase("repeat_3");
+  runs.status.erase("repeat_3");
+  EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::pass);  // of two: not known
+}
+
+TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
+  CaseDefinition definition = surge_case();
+  const TimeSeries wave = elevation_of({});
+  RecordRun record{"eta.csv", surge_quantity, "m", wave.time, wave.value, 0.0005};
+  definition.runs.at(0).solver = record;
+  definition.runs.resize(3);
+  definition.runs.erase(definition.runs.begin() + 1);
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05),
+                     surge_row("whole", Metric::normalised_rms, "1", 0.05)};
+  CaseRuns runs;
+  for (const char* name : {"theory", "particles"}) {
+    runs.results[name] = result_of(name, wave);
+    runs.status[name] = {RunState::finished, ""};
+  }
+  const CaseAssessment assessment = assess(definition, runs);
+  const double amplitude = assessment.comparisons.at(0).modes.at(0).reference.amplitude.value;
+  EXPECT_NEAR(assessment.gate.at(0).judgement.value().contributions.reference.known(),
+              0.0005 / amplitude, 1e-12);
+  // A record that is all too high by its half width, over its rms about its mean.
+  double squares = 0;
+  const std::vector<double> deviations = without_mean(cut_to_window(wave, {1, 20}).value);
+  for (const double one : deviations) squares += one * one;
+  EXPECT_NEAR(assessment.gate.at(1).judgement.value().contributions.reference.known(),
+              0.0005 / std::sqrt(squares / static_cast<double>(deviations.size())), 2e-3 * 0.08);
+  std::get<RecordRun>(definition.runs.at(0).solver).uncertainty.reset();
+  const CaseAssessment undeclared = assess(definition, runs);
+  for (const GateOutcome& outcome : undeclared.gate) {
+    EXPECT_FALSE(outcome.judgement.value().contributions.reference.half_width.has_value());
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+    EXPECT_NE(outcome.message.find("the record theory declares no uncertainty"), std::string::npos);
+  }
+}
+
+// "particles" against a record, with a coarser run that is higher by what is told.
+struct OfARecord {
+  CaseDefinition definition = surge_case();
+  CaseRuns runs;
+
+  OfARecord(Metric metric, const std::string& mode, const std::string& unit, double limit,
+            double coarse_error) {
+    const TimeSeries wave = elevation_of({});
+    definition.runs.at(1).solver =
+        RecordRun{"eta.csv", surge_quantity, "m", wave.time, wave.value, 1e-6};
+    definition.runs.at(1).name = "record";
+    RunDefinition coarse = definition.runs.at(2);
+    coarse.name = "coarse_particles";
+    std::get<SphRun>(coarse.solver).particle_spacing = 0.02;
+    definition.runs.resize(3);
+    definition.runs.push_back(coarse);
+    definition.gate = {surge_row(mode, metric, unit, limit)};
+    definition.gate[0].reference = "record";
+    definition.refinements = {
+        {"spacing", RefinedNumber::particle_spacing, {"coarse_particles", "particles"}}};
+    for (const char* name : {"theory", "record", "particles"})
+      runs.results[name] = result_of(name, wave);
+    runs.results["coarse_particles"] =
+        result_of("coarse_particles", scaled(wave, 1 + coarse_error));
+    for (const auto& [name, result] : runs.results) runs.status[name] = {RunState::finished, ""};
+  }
+  GateOutcome judged() const { return assess(definition, runs).gate.at(0); }
+  UncertaintyContributions contributions() const { return judged().judgement->contributions; }
+};
+
+TEST(RowUncertainty, AgainstAnExperimentCountsTheCandidatesDiscretisation) {
+  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
+  EXPECT_NEAR(row.contributions().discretisation.half_width.value(), 0.03, 1e-6);  // 2 h and h
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.definition.refinements.clear();
+  EXPECT_FALSE(row.contributions().discretisation.half_width.has_value());
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+  EXPECT_NE(row.judged().message.find("the numerical uncertainty of the candidate particles is "
+                                      "unknown"),
+            std::string::npos);
+}
+
+TEST(RowUncertainty, OfARegressionAgainstAnExperimentIsThatOfTheLimitsMeasurement) {
+  OfARecord row(Metric::normalised_rms, "whole", "1", 0.05, 0.01);
+  std::get<RecordRun>(row.definition.runs.at(1).solver).uncertainty = 0.01;
+  row.definition.inputs = {{Input::amplitude, 0.0002, "a ruler"}};
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+  row.definition.gate[0].kind = RowKind::regression;
+  const UncertaintyContributions found = row.contributions();
+  for (const Contribution* one : {&found.reference, &found.discretisation, &found.input}) {
+    EXPECT_EQ(one->half_width.value(), 0);
+    EXPECT_EQ(one->basis.find("as large as when the limit was measured"), 0U) << one->basis;
+  }
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1.1));
+  EXPECT_EQ(row.judged().verdict, Verdict::violated);
+}
+
+TEST(RowUncertainty, OfInputsThatNobodyKnowsIsSaidToBeUnknown) {
+  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.definition.gate[0].reference = "theory";
+  EXPECT_EQ(row.contributions().input.half_width.value(), 0);  // both sides are told the same
+}
+
+TEST(RowUncertainty, OfTheMotionsAmplitudeIsItsShare) {
+  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0);
+  row.definition.inputs = {{Input::amplitude, 0.0002, "a ruler"}};
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.0002 / 0.02, 1e-6);
+}
+
+TEST(RowUncertainty, OfTheInputsTogetherIsTheRootOfTheirSquares) {
+  OfARecord row(Metric::frequency_error, "natural_1", "1", 0.05, 0);
+  // omega_1^2 = g k tanh(k h): d omega / omega = dg / 2 g, and k dh / sinh(2 k h) of the depth;
+  // the fit, of one natural mode, adds two or three percent of that.
+  row.definition.inputs = {{Input::gravity, 0.02, "a table"}};
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.02 / (2 * 9.81), 3e-5);
+  const double k = std::numbers::pi;
+  row.definition.inputs.push_back({Input::fill_depth, 0.002, "a ruler"});
+  EXPECT_NEAR(row.contributions().input.half_width.value(),
+              std::hypot(0.02 / (2 * 9.81), k * 0.002 / std::sinh(2 * k * 0.35)), 3.5e-5);
+  row.runs.status["theory"] = {RunState::out_of_range, "too high"};
+  row.definition.runs.at(0).solver = SphRun{"recommended", 0.03, 0.03};  // no theory at all
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+}
+
+// Where no theory holds: the coarse run of the case, with waves that are higher by the same share
+// as the input.
+struct WithACoarseRun : OfARecord {
+  WithACoarseRun() : OfARecord(Metric::amplitude_error, "forced", "1", 0.05, 0) {
+    definition.runs.at(0).solver = SphRun{"recommended", 0.03, 0.03};  // theory no more
+    definition.inputs = {{Input::amplitude, 0.0002, "a ruler", "coarse_particles"}};
+    for (const RunDefinition& run : runs_at_ends(definition.inputs[0], definition.runs.at(3))) {
+      definition.runs.push_back(run);
+      ends.push_back(run.name);
+      add(run.name, 1 + run.at_input->change / 0.02);
+    }
+  }
+  void add(const std::string& run, double factor) {
+    runs.results[run] = result_of(run, scaled(elevation_of({}), factor));
+    runs.status[run] = {RunState::finished, ""};
+  }
+  std::vector<std::string> ends;
+};
+
+TEST(RowUncertainty, OfAnInputThatNoTheoryTellsIsThatOfACoarseRunAtBothEnds) {
+  WithACoarseRun row;
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.01, 1e-6);
+  EXPECT_EQ(row.judged().verdict, Verdict::pass);
+  row.add(row.ends[1], 1.09);  // the difference halved: 5 %
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.05, 1e-6);
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+}
+
+TEST(RowUncertainty, OfAnInputWithoutOneOfItsEndsIsUnknown) {
+  WithACoarseRun row;
+  row.runs.results.erase(row.ends[0]);
+  row.runs.status[row.ends[0]] = {RunState::failed, "a particle left the tank"};
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+  const CaseAssessment assessment = assess(row.definition, row.runs);
+  EXPECT_EQ(assessment.runs.status.at(row.ends[0]).state, RunState::failed) << "told as such";
+  EXPECT_EQ(exit_status(std::vector{assessment}), exit_solver_failed);
+}
+
+TEST(RowUncertainty, OfAnInputShowsNothingOfTheRunsThatTellIt) {
+  const WithACoarseRun row;
+  const CaseAssessment assessment = assess(row.definition, row.runs);
+  EXPECT_EQ(assessment.definition.runs.size(), 4U);
+  for (const std::string& end : row.ends) {
+    EXPECT_FALSE(assessment.runs.results.contains(end));
+    EXPECT_FALSE(assessment.runs.status.contains(end));
+    for (const Comparison& comparison : assessment.comparisons)
+      EXPECT_NE(comparison.candidate, end);
+  }
+}
+
+TEST(WithInput, ChangesNothingButTheInput) {
+  CaseDefinition definition = surge_case();
+  definition.pressure_gauges = {{"p", Wall::left, 0.1}};
+  EXPECT_EQ(with_input(definition, Input::fill_depth, 0.01).liquid.fill_depth, 0.36);
+  EXPECT_EQ(with_input(definition, Input::density, 2).liquid.density, 1002);
+  EXPECT_EQ(with_input(definition, Input::kinematic_viscosity, 1e-7).liquid.kinematic_viscosity,
+            1.1e-6);
+  EXPECT_NEAR(with_input(definition, Input::sensor_position, 0.01).gauges[0].x, 0.96, 1e-12);
+  EXPECT_NEAR(with_input(definition, Input::sensor_position, 0.01).pressure_gauges[0].position,
+              0.11, 1e-12);
+  const double period = 2 * std::numbers::pi / (0.3 * 4.94488);
+  const CaseDefinition slower = with_input(definition, Input::period, 0.01 * period);
+  EXPECT_NEAR(std::get<SineMotion>(*slower.motion.surge).angular_frequency, 0.3 * 4.94488 / 1.01,
+              1e-12);
+  // A table of a roll, in degrees: its largest angle is 0.1 rad.
+  definition.motion = {};
+  definition.motion.roll = {TableMotion{"roll.csv", {0, 1, 2, 3}, {0, 0.1, 0, -0.05}}, 0.5, 0};
+  definition.declared_forcing_frequency = std::numbers::pi;
+  const CaseDefinition wider =
+      with_input(definition, Input::amplitude, 0.01 * 180 / std::numbers::pi);
+  EXPECT_NEAR(std::get<TableMotion>(wider.motion.roll->angle).value[3], -0.055, 1e-12);
+  const CaseDefinition longer = with_input(definition, Input::period, 0.02);
+  EXPECT_NEAR(std::get<TableMotion>(longer.motion.roll->angle).time[3], 3.03, 1e-12);
+  EXPECT_NEAR(longer.declared_forcing_frequency.value(), std::numbers::pi / 1.01, 1e-12);
+}
+
+TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
+  CaseDefinition definition = surge_case();
+  ImpactsDefinition impacts{};
+  impacts.plateau = 500;
+  definition.impacts = impacts;
+  GateRow row = surge_row("impact_1", Metric::impact_time, "s", 0.1);
+  row.reference.clear();
+  const MeasureRow measure = [](const GateRow&) { return Estimate{0.1, 0}; };
+  const auto reference = [&] {
+    const RowMeasures measures{.measure = measure,
+                               .input = [](const GateRow&) { return Contribution{}; }};
+    return row_uncertainty(definition, surge_runs(), row, measures).reference.half_width;
+  };
+  EXPECT_FALSE(reference().has_value());
+  definition.impacts->times_half_width = 0.002;
+  EXPECT_EQ(reference().value(), 0.002);
+  row.metric = Metric::plateau_error;
+  EXPECT_FALSE(reference().has_value());
+  definition.impacts->plateau_half_width = 10;
+  EXPECT_NEAR(reference().value(), 1.1 * 10 / 500, 1e-12);
+}
+
+TEST(ValidityEnvelope, LetsASmallWaveFarFromResonanceGate) {
+  EXPECT_FALSE(
+      outside_validity(surge_case(), surge_case().runs.at(0), surge_runs().results.at("theory")));
+}
+
+TEST(ValidityEnvelope, KeepsLinearTheoryFromGatingNearResonance) {
+  CaseDefinition definition = surge_case();
+  definition.motion.surge = SineMotion{.amplitude = 0.02, .angular_frequency = 0.98 * 4.96646};
+  const auto reason =
+      outside_validity(definition, definition.runs.at(0), surge_runs().results.at("theory"));
+  ASSERT_TRUE(reason.has_value());
+  EXPECT_NE(reason->find("0.98 times its natural mode 1"), std::string::npos) << *reason;
+  // A tenth of the motion narrows the band by 10^(2/3): 4 % of detuning is outside then.
+  definition.motion.surge = SineMotion{.amplitude = 0.0002, .angular_frequency = 0.98 * 4.96646};
+  EXPECT_FALSE(
+      outside_validity(definition, definition.runs.at(0), surge_runs().results.at("theory")));
+}
+
+TEST(ValidityEnvelope, KeepsLinearTheoryFromGatingASteepOrAHighWaveOrOneThatItDoesNotTell) {
+  CaseDefinition definition = surge_case();
+  RunResult theory = surge_runs().results.at("theory");
+  theory.diagnostics["highest_elevation_over_depth"] = 0.11;
+  EXPECT_NE(outside_validity(definition, definition.runs.at(0), theory)->find("0.11 fill depths"),
+            std::string::npos);
+  std::get<LinearRun>(definition.runs.at(0).solver).valid_elevation_over_depth = 1;
+  theory.diagnostics["highest_elevation_over_depth"] = 0.19;  // k A = pi 0.19 0.35 = 0.209
+  EXPECT_NE(outside_validity(definition, definition.runs.at(0), theory)->find("steepness"),
+            std::string::npos);
+  theory.diagnostics.clear();
+  EXPECT_TRUE(outside_validity(definition, definition.runs.at(0), theory).has_value());
+}
+
+TEST(ValidityEnvelope, KeepsPotentialFlowFromGatingBeyondItsEnd) {
+  CaseDefinition definition = surge_case();
+  definition.runs.at(0).solver = PotentialRun{};
+  RunResult flow = surge_runs().results.at("theory");
+  flow.diagnostics = {{"valid_until_s", 12}};
+  flow.provenance["left_range_because"] = "too steep";
+  const auto reason = outside_validity(definition, definition.runs.at(0), flow);
+  ASSERT_TRUE(reason.has_value());
+  EXPECT_NE(reason->find("12 s, before the window's end at 20 s: too steep"), std::string::npos)
+      << *reason;
+  flow.diagnostics = {{"valid_until_s", 20}};
+  EXPECT_FALSE(outside_validity(definition, definition.runs.at(0), flow));
+}
+
+}  // namespace
+}  // namespace slosh::row_uncertainty_test

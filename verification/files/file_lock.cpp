@@ -1,0 +1,48 @@
+#include "verification/files/file_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <thread>
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds lock_interval{100};
+
+fs::filesystem_error failure(const fs::path& file) {
+  return fs::filesystem_error("cannot lock", file, std::error_code(errno, std::generic_category()));
+}
+
+void wait_for(int descriptor, const fs::path& file, const std::function<void()>& waiting) {
+  while (::flock(descriptor, waiting ? LOCK_EX | LOCK_NB : LOCK_EX) != 0) {
+    if (errno == EINTR) continue;
+    if (errno != EWOULDBLOCK) throw failure(file);
+    waiting();
+    std::this_thread::sleep_for(lock_interval);
+  }
+}
+
+}  // namespace
+
+FileLock::FileLock(const fs::path& file, const std::function<void()>& waiting) {
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw failure(file);
+  try {
+    wait_for(descriptor_, file, waiting);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+FileLock::~FileLock() { ::close(descriptor_); }
+
+}  // namespace slosh

@@ -1,0 +1,124 @@
+// Results and saved states that were cut, altered, appended to or taken for one another.
+#include "verification/files/sealed_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "verification/files/content_hash.hpp"
+#include "verification/fuzz/memory_file.hpp"
+#include "verification/results/result_file.hpp"
+#include "verification/solvers/state_file.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::sealed_file_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Kind {
+  const char* name;
+  const char *seal, *next_seal;
+  std::function<void(const fs::path&)> write, read;
+};
+
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+void write_small_result(const fs::path& file) {
+  RunResult result{};
+  result.case_name = "a case";
+  result.series = {{"elevation@left", "m", {0, 1}, {2, 3}}};
+  write_result(result, file);
+}
+
+void write_small_state(const fs::path& file) {
+  sph::SavedState state;
+  state.fields = {{"x", {0.1, 0.2}}};
+  write_state(state, "key", file);
+}
+
+const Kind kinds[] = {{"result", "slosh result 002 ", "slosh result 003 ", write_small_result,
+                       [](const fs::path& file) { read_result(file); }},
+                      {"state", "slosh state 001 ", "slosh state 002 ", write_small_state,
+                       [](const fs::path& file) { read_state("key", file); }}};
+
+class SealedFile : public ::testing::TestWithParam<Kind> {
+ protected:
+  SealedFile() : bytes(written_by(GetParam())) {}
+
+  static std::string written_by(const Kind& kind) {
+    const TemporaryDirectory directory;
+    kind.write(directory.path() / "a file.h5");
+    return read_bytes(directory.path() / "a file.h5");
+  }
+
+  // The message that reading these bytes ends with; empty where they are taken.
+  std::string refusal(const std::string& content) {
+    memory.replace(content);
+    try {
+      GetParam().read(memory.path());
+    } catch (const ResultError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  MemoryFile memory;  // tens of thousands of writes
+  const std::string name = memory.path().string();
+  const std::string bytes;
+};
+
+TEST_P(SealedFile, IsTakenAsItWasWritten) { EXPECT_EQ(refusal(bytes), ""); }
+
+TEST_P(SealedFile, IsRefusedByNameWhereverItIsCut) {
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    const std::string words = refusal(bytes.substr(0, length));
+    ASSERT_NE(words.find(name), std::string::npos) << length << " bytes: " << words;
+    ASSERT_NE(words.find("not a whole"), std::string::npos) << length << " bytes: " << words;
+  }
+}
+
+TEST_P(SealedFile, IsRefusedByNameWhicheverBitIsFlipped) {
+  const std::size_t seal_begin = bytes.size() - 100;
+  for (std::size_t i = 0; i < bytes.size(); i += i < seal_begin ? 7 : 1) {
+    for (int bit = i < seal_begin ? static_cast<int>(i % 8) : 0; bit < 8; ++bit) {
+      std::string altered = bytes;
+      altered[i] = static_cast<char>(altered[i] ^ (1 << bit));
+      const std::string words = refusal(altered);
+      ASSERT_NE(words.find(name), std::string::npos) << "byte " << i << ", bit " << bit;
+      if (i < seal_begin) break;
+    }
+  }
+}
+
+TEST_P(SealedFile, IsRefusedWithAnythingAfterItsEnd) {
+  for (const std::string& more :
+       {std::string("\n"), std::string(1, '\0'), std::string(5000, 'x'), bytes})
+    EXPECT_NE(refusal(bytes + more).find(name), std::string::npos) << more.size() << " bytes";
+}
+
+TEST_P(SealedFile, IsRefusedWhereAPartOfItIsMissing) {
+  std::string shorter = bytes;
+  shorter.erase(bytes.size() / 2, 512);
+  EXPECT_NE(refusal(shorter).find("altered"), std::string::npos) << refusal(shorter);
+}
+
+TEST_P(SealedFile, IsRefusedInAnotherVersionThoughItsChecksumFits) {
+  std::string later = bytes;
+  const std::string seal = GetParam().seal;
+  later.replace(later.rfind(seal), seal.size(), GetParam().next_seal);
+  EXPECT_NE(refusal(later).find("format version 00"), std::string::npos) << refusal(later);
+}
+
+TEST_P(SealedFile, IsRefusedForAnyOtherKind) {
+  for (const Kind& other : kinds) {
+    if (other.name == GetParam().name) continue;
+    EXPECT_NE(refusal(written_by(other)).find("foreign"), std::string::npos) << other.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EachKind, SealedFile, ::testing::ValuesIn(kinds),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace slosh::sealed_file_test

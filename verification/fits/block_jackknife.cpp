@@ -1,0 +1,50 @@
+#include "verification/fits/block_jackknife.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace slosh {
+namespace {
+
+BlockIntegrals sum_without(const std::vector<BlockIntegrals>& blocks, std::size_t left_out) {
+  BlockIntegrals sum;
+  for (std::size_t j = 0; j < blocks.size(); ++j)
+    if (j != left_out) sum += blocks[j];
+  return sum;
+}
+
+}  // namespace
+
+BlockIntegrals& BlockIntegrals::operator+=(const BlockIntegrals& other) {
+  residual += other.residual;
+  variation += other.variation;
+  candidate += other.candidate;
+  reference += other.reference;
+  product += other.product;
+  return *this;
+}
+
+int block_count(double duration, double longest_period) {
+  const double periods = std::floor(duration / longest_period * (1 + 1e-9));
+  return periods >= fewest_blocks ? static_cast<int>(std::min<double>(periods, most_blocks)) : 1;
+}
+
+Estimate block_jackknife(const std::vector<BlockIntegrals>& blocks,
+                         const std::function<double(const BlockIntegrals&)>& of) {
+  const double value = of(sum_without(blocks, blocks.size()));
+  if (blocks.size() < 2) return {value, 0};
+  const double count = static_cast<double>(blocks.size());
+  std::vector<double> without;
+  double mean = 0;
+  for (std::size_t j = 0; j < blocks.size(); ++j) {
+    without.push_back(of(sum_without(blocks, j)));
+    mean += without.back() / count;
+  }
+  double squares = 0;
+  for (const double one : without) squares += (one - mean) * (one - mean);
+  const double t = boost::math::quantile(boost::math::students_t(count - 1), 0.975);
+  return {value, t * std::sqrt((count - 1) / count * squares)};
+}
+
+}  // namespace slosh

@@ -1,0 +1,144 @@
+#include "verification/fits/local_noise.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "verification/fits/dense_algebra.hpp"
+
+namespace slosh {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+// 2.5 spectral bins to either side: up to 10 degrees of freedom.
+constexpr int half_band = 5;
+
+// R x with R_ij = correlation^|i - j|.
+MatrixXd correlated(const MatrixXd& columns, double correlation) {
+  MatrixXd ahead = columns, behind = columns;
+  const Index last = columns.rows() - 1;
+  for (Index k = 0; k < columns.cols(); ++k) {
+    for (Index i = 1; i <= last; ++i) {
+      ahead(i, k) += correlation * ahead(i - 1, k);
+      behind(last - i, k) += correlation * behind(last - i + 1, k);
+    }
+  }
+  return ahead + behind - columns;
+}
+
+// The likelihoods of noises of one correlation after another: what does not depend on it is
+// computed once.
+class RestrictedLikelihood {
+ public:
+  explicit RestrictedLikelihood(const FittedSamples& fit)
+      : count_(static_cast<double>(fit.residual.size())), parameters_(fit.basis.cols()) {
+    MatrixXd columns(fit.basis.rows(), parameters_ + 1);
+    columns << fit.basis, fit.residual;
+    const Index after_first = columns.rows() - 1;
+    const auto later = columns.bottomRows(after_first), earlier = columns.topRows(after_first);
+    first_ = columns.row(0).transpose() * columns.row(0);
+    later_ = transposed_product(later, later);
+    earlier_ = transposed_product(earlier, earlier);
+    mixed_ = transposed_product(later, earlier);
+    mixed_ += mixed_.transpose().eval();
+  }
+
+  // The logarithm, the level eliminated.
+  double log(double correlation) const {
+    const double square = correlation * correlation;
+    // The products of whitened() columns.
+    const MatrixXd products =
+        first_ + (later_ - correlation * mixed_ + square * earlier_) / (1 - square);
+    const MatrixXd normal = products.topLeftCorner(parameters_, parameters_);
+    const VectorXd product = products.col(parameters_).head(parameters_);
+    const double squares =
+        products(parameters_, parameters_) - product.dot(SymmetricFactors(normal).solve(product));
+    return -0.5 * ((count_ - 1) * std::log1p(-square) + log_determinant(normal) +
+                   (count_ - static_cast<double>(parameters_)) * std::log(squares));
+  }
+
+ private:
+  double count_;
+  Index parameters_;
+  MatrixXd first_, later_, earlier_, mixed_;
+};
+
+}  // namespace
+
+MatrixXd whitened(const MatrixXd& columns, double correlation) {
+  const Index after_first = columns.rows() - 1;
+  MatrixXd white = columns;
+  white.bottomRows(after_first) =
+      (columns.bottomRows(after_first) - correlation * columns.topRows(after_first)) /
+      std::sqrt(1 - correlation * correlation);
+  return white;
+}
+
+MatrixXd band_about(const VectorXd& elapsed, double angular_frequency, double span, int half_band) {
+  const MatrixXd tone = tone_columns(elapsed, {angular_frequency, 0});
+  MatrixXd columns(elapsed.size(), 2 * (half_band + 1));
+  for (int j = 0; j <= half_band; ++j) {
+    const VectorXd envelope = tone_columns(elapsed, {j * std::numbers::pi / span, 0}).col(0);
+    columns.middleCols<2>(2 * j) = envelope.asDiagonal() * tone;
+  }
+  return orthonormal(unit_columns(columns), 0.05);
+}
+
+std::vector<LikelyNoise> likely_noises(const FittedSamples& fit) {
+  if (fit.residual.squaredNorm() == 0) return {{0, 1}};
+  // Correlation times of 0, then doubling from half a sample to twice the window.
+  const RestrictedLikelihood likelihood(fit);
+  std::vector<LikelyNoise> noises{{0, likelihood.log(0)}};
+  for (double samples = 0.5; samples < 2.0 * static_cast<double>(fit.elapsed.size()); samples *= 2)
+    noises.push_back({std::exp(-1 / samples), likelihood.log(std::exp(-1 / samples))});
+  double best = noises.front().weight, sum = 0;
+  for (const LikelyNoise& noise : noises) best = std::max(best, noise.weight);
+  for (LikelyNoise& noise : noises) sum += noise.weight = std::exp(noise.weight - best);
+  for (LikelyNoise& noise : noises) noise.weight /= sum;
+  std::erase_if(noises, [](const LikelyNoise& noise) { return !(noise.weight > 1e-3); });
+  return noises;
+}
+
+ParameterNoise::ParameterNoise(const FittedSamples& fit, std::vector<LikelyNoise> likely)
+    : noises(std::move(likely)) {
+  const VectorXd scale = inverse_lengths(fit.jacobian);
+  const MatrixXd scaled = fit.jacobian * scale.asDiagonal();
+  const MatrixXd inverse = scale.asDiagonal() * pseudo_inverse(transposed_product(scaled, scaled));
+  const MatrixXd weights = product(scaled, inverse.transpose());  // one column per parameter
+  for (const LikelyNoise& noise : noises)
+    covariances.push_back(transposed_product(weights, correlated(weights, noise.correlation)));
+}
+
+LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, double span,
+                       const ParameterNoise& of_parameters) {
+  const MatrixXd band = band_about(fit.elapsed, angular_frequency, span, half_band);
+  const MatrixXd outside = band - product(fit.basis, transposed_product(fit.basis, band));
+  // Directions that the fit takes more than half of tell of the fit.
+  const MatrixXd directions = orthonormal(outside, 0.5);
+  if (directions.cols() == 0) return;
+  const auto count = static_cast<double>(directions.cols());
+  level_ = (directions.transpose() * fit.residual).norm() / std::sqrt(count);
+  for (std::size_t i = 0; i < of_parameters.noises.size(); ++i) {
+    const auto& [correlation, weight] = of_parameters.noises[i];
+    const MatrixXd variance = transposed_product(directions, correlated(directions, correlation));
+    const double trace = variance.trace();
+    const double freedom = trace * trace / variance.squaredNorm();
+    shapes_.push_back({weight * boost::math::quantile(boost::math::students_t(freedom), 0.975),
+                       count / trace * of_parameters.covariances[i]});
+  }
+}
+
+double LocalNoise::half_width(const VectorXd& gradient) const {
+  if (!known()) return std::numeric_limits<double>::infinity();
+  double factor = 0;
+  for (const Shape& shape : shapes_) {
+    const auto of_gradient = shape.covariance.topLeftCorner(gradient.size(), gradient.size());
+    factor += shape.weighted_quantile * std::sqrt(gradient.dot(of_gradient * gradient));
+  }
+  return level_ * factor;
+}
+
+}  // namespace slosh

@@ -1,0 +1,157 @@
+// Each adapter on a file in the form of its program: imports/README.md says where they come from.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verification/files/hdf5_handles.hpp"
+#include "verification/import/import_series.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::import_formats_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path samples = fs::path(SLOSH_SOURCE_DIR) / "verification/tests/imports";
+
+// The wave of the samples that no program itself wrote.
+double wave(double time) { return 0.02 * std::sin(2 * std::numbers::pi * 0.8 * time); }
+
+void expect_wave(const TimeSeries& series, double factor, double mean, double tolerance) {
+  ASSERT_GE(series.time.size(), 20u);
+  for (std::size_t i = 0; i < series.time.size(); ++i)
+    EXPECT_NEAR(series.value[i], mean + factor * wave(series.time[i]), tolerance);
+}
+
+SeriesSource source(const std::string& quantity, const std::string& file, const std::string& format,
+                    const std::string& column, const std::string& unit = "") {
+  return {.quantity = quantity,
+          .file = samples / file,
+          .format = format,
+          .column = column,
+          .unit = unit};
+}
+
+SeriesSource of_column(const std::string& column, SeriesSource source) {
+  source.column = column;
+  return source;
+}
+
+TEST(ImportFormats, ReadTheSurfaceThatAGaugeOfDualSPHysicsFound) {
+  SeriesSource swl =
+      source("elevation@right", "dualsphysics/GaugesSWL_right.csv", "dualsphysics_gauge", "swlz");
+  swl.offset = -0.35;
+  const TimeSeries elevation = import_series(swl);
+  EXPECT_EQ(elevation.name, "elevation@right");
+  EXPECT_EQ(elevation.unit, "m");
+  EXPECT_EQ(elevation.time.front(), 0);
+  expect_wave(elevation, 1, 0, 1e-6);
+  swl = of_column("swlz [m]", swl);
+  EXPECT_EQ(import_series(swl).value, elevation.value);
+}
+
+TEST(ImportFormats, ReadTheForceThatAGaugeOfDualSPHysicsFoundAsOnePerMetreWhereThatIsSaid) {
+  SeriesSource force =
+      source("force_x", "dualsphysics/GaugesForce_tank.csv", "dualsphysics_gauge", "forcex", "N/m");
+  force.scale = 2;
+  expect_wave(import_series(force), 6000, 0, 1e-3);
+}
+
+TEST(ImportFormats, ReadAGaugeOfDualSPHysicsThatIsPartedByCommas) {
+  const std::string file = "dualsphysics/GaugesVel_middle.csv";
+  const auto place = source("elevation@middle", file, "dualsphysics_gauge", "posz");
+  EXPECT_EQ(import_series(place).value, std::vector<double>(24, 0.2));
+  const auto velocity = source("elevation@middle", file, "dualsphysics_gauge", "velx");
+  EXPECT_THROW(import_series(velocity), CaseFileError);  // in m/s
+}
+
+TEST(ImportFormats, ReadThePressuresOfMeasureTool) {
+  const std::string file = "dualsphysics/PointsPressure_Press.csv";
+  const auto press_0 = source("wall_pressure@low", file, "dualsphysics_points", "Press_0");
+  const auto press_1 = source("wall_pressure@high", file, "dualsphysics_points", "Press_1");
+  expect_wave(import_series(press_0), -9810, 2452.5, 0.01);
+  expect_wave(import_series(press_1), 9810, 490.5, 0.01);
+}
+
+TEST(ImportFormats, ReadScalarsAndVectorsOfOpenFoamsProbes) {
+  const TimeSeries pressure = import_series([] {
+    SeriesSource of =
+        source("wall_pressure@p", "openfoam/probes_p", "openfoam_probes", "probe_1", "Pa");
+    return of;
+  }());
+  ASSERT_EQ(pressure.time.size(), 15u);
+  EXPECT_DOUBLE_EQ(pressure.time[1], 0.04);
+  EXPECT_DOUBLE_EQ(pressure.value[0], 1569.56516284);
+  SeriesSource velocity =
+      source("momentum_z", "openfoam/probes_U", "openfoam_probes", "probe_1.z", "kg/s");
+  EXPECT_DOUBLE_EQ(import_series(velocity).value[1], -0.0168105356845);
+  SeriesSource wall =
+      source("wall_pressure@p", "openfoam/patchProbes_p", "openfoam_probes", "probe_0", "Pa");
+  EXPECT_DOUBLE_EQ(import_series(wall).value[2], 2547.44160787);
+}
+
+TEST(ImportFormats, ReadForcesMomentsAndFieldValuesOfOpenFoam) {
+  SeriesSource force = source("force_x", "openfoam/force.dat", "openfoam_forces", "total_x", "N/m");
+  const TimeSeries total = import_series(force);
+  EXPECT_DOUBLE_EQ(total.time.front(), 0.02);
+  EXPECT_DOUBLE_EQ(total.value[1], -8.542250749746);
+  force = of_column("viscous_z", force);
+  EXPECT_DOUBLE_EQ(import_series(force).value[0], -2.189654232253e-06);
+  SeriesSource moment =
+      source("moment", "openfoam/moment.dat", "openfoam_forces", "pressure_y", "N");
+  EXPECT_DOUBLE_EQ(import_series(moment).value[0], 1.718542258825e+03);
+  SeriesSource momentum = source("momentum_x", "openfoam/volFieldValue.dat", "openfoam_field_value",
+                                 "weightedVolIntegrate(U).x", "kg/s");
+  momentum.scale = 1000;
+  EXPECT_DOUBLE_EQ(import_series(momentum).value[0], -6.566656739096);
+}
+
+TEST(ImportFormats, ReadTheHeightsAndPositionsOfOpenFoamsInterfaceHeight) {
+  SeriesSource height =
+      source("elevation@right", "openfoam/height.dat", "openfoam_interface_height", "hB_1", "m");
+  height.offset = -0.35;
+  expect_wave(import_series(height), 1, 0, 1e-6);
+  height = of_column("hL_0", height);
+  expect_wave(import_series(height), -1, 0, 1e-6);
+  height.file = samples / "openfoam/position.dat";
+  height = of_column("p_1.z", height);
+  expect_wave(import_series(height), 1, 0, 1e-6);
+}
+
+TEST(ImportFormats, ReadObservedAndReducedQuantitiesOfSphinxsys) {
+  SeriesSource position = source("elevation@right", "sphinxsys/WaveGauge_Position.dat", "sphinxsys",
+                                 "Position[0][1]", "m");
+  position.offset = -0.35;
+  expect_wave(import_series(position), 1, 0, 1e-8);
+  SeriesSource force = source("force_x", "sphinxsys/Tank_TotalPressureForceFromFluid.dat",
+                              "sphinxsys", "TotalPressureForceFromFluid[0]", "N/m");
+  expect_wave(import_series(force), 3000, 0, 1e-6);
+}
+
+TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "probes.h5";
+  const std::vector<double> time{0, 1, 2, 3}, eta{4, 5, 6, 7};
+  {
+    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                            H5Fclose, "make a file");
+    const hdf5::Handle group = hdf5::create_group(root, "elevation@right");
+    hdf5::write_attribute(hdf5::write_numbers(group, "time", time), "unit", "s");
+    hdf5::write_attribute(hdf5::write_numbers(group, "value", eta), "unit", "mm");
+    hdf5::write_numbers(group, "bare", eta);
+  }
+  SeriesSource of{
+      .quantity = "elevation@right", .file = file, .format = "hdf5", .column = "/elevation@right"};
+  EXPECT_EQ(import_series(of).value, (std::vector<double>{0.004, 0.005, 0.006, 0.007}));
+  of.time_column = "/elevation@right/time";
+  of = of_column("/elevation@right/bare", of);
+  of.unit = "cm";
+  const TimeSeries bare = import_series(of);
+  EXPECT_EQ(bare.time, time);
+  EXPECT_DOUBLE_EQ(bare.value[3], 0.07);
+}
+
+}  // namespace
+}  // namespace slosh::import_formats_test

@@ -1,0 +1,44 @@
+#include "verification/input/toml_letters.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/toml_reader.hpp"
+
+namespace slosh::toml_letters_test {
+namespace {
+
+TEST(TomlLetters, AreFoundWithTheirPlaceWhereTheyStandOutsideStrings) {
+  const auto place = letter_outside_strings("a = 1\nb = 2 \xC2\xA1");
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->line, 2);
+  EXPECT_EQ(place->column, 7);
+}
+
+TEST(TomlLetters, AreAllowedInStringsOfEveryKindAndInComments) {
+  for (const char* text :
+       {"a = \"\xC3\xA4\" # \xC3\xA4", "a = '\xC3\xA4\\'", "a = \"\\\"\xC3\xA4\"",
+        "a = \"\"\"\n\"\xC3\xA4\"\n\"\"\"", "a = '''\n'\xC3\xA4'\n'''",
+        "\xEF\xBB\xBF"
+        "a = 1"})
+    EXPECT_FALSE(letter_outside_strings(text)) << text;
+}
+
+TEST(TomlLetters, BehindAClosedStringAreFound) {
+  EXPECT_TRUE(letter_outside_strings("a = \"b\"\xC3\xA4"));
+  EXPECT_TRUE(letter_outside_strings("a = '\\'\xC3\xA4"));
+}
+
+TEST(TomlLetters, AreRefusedByTheReaderWithTheirPlace) {
+  try {
+    TomlTable("name = \xE2\x80\x9Ctank\xE2\x80\x9D\n", "trial.toml");
+    FAIL() << "typographic quotation marks were read";
+  } catch (const CaseFileError& error) {
+    EXPECT_STREQ(error.what(),
+                 "trial.toml:1:8: not TOML: a letter beyond ASCII; expected such letters in "
+                 "strings and comments alone");
+  }
+}
+
+}  // namespace
+}  // namespace slosh::toml_letters_test

@@ -1,0 +1,54 @@
+#include "verification/input/toml_letters.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace slosh {
+namespace {
+
+// The position behind the string that opens at `begin`: basic ("), with escapes, or literal ('),
+// each also over several lines between triple marks.
+std::size_t behind_string(std::string_view text, std::size_t begin) {
+  const char mark = text[begin];
+  const std::string triple(3, mark);
+  const bool several_lines = text.substr(begin).starts_with(triple);
+  const std::string closing = several_lines ? triple : std::string(1, mark);
+  for (std::size_t i = begin + closing.size(); i < text.size(); ++i) {
+    if (mark == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text.substr(i).starts_with(closing)) {
+      return i + closing.size();
+    } else if (text[i] == '\n' && !several_lines) {
+      return i;  // never closed: the library reports it
+    }
+  }
+  return text.size();
+}
+
+TextPlace place_of(std::string_view text, std::size_t position) {
+  const std::string_view before = text.substr(0, position);
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 where there is none
+  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+          1 + static_cast<int>(position - line_begin)};
+}
+
+}  // namespace
+
+std::optional<TextPlace> letter_outside_strings(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  while (i < text.size()) {
+    if (text[i] == '"' || text[i] == '\'') {
+      i = behind_string(text, i);
+    } else if (text[i] == '#') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (static_cast<unsigned char>(text[i]) > 0x7F) {
+      return place_of(text, i);
+    } else {
+      ++i;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace slosh

@@ -1,0 +1,302 @@
+#include "verification/input/toml_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "verification/input/complaints.hpp"
+#include "verification/input/nearest_name.hpp"
+#include "verification/input/toml_letters.hpp"
+
+namespace slosh {
+
+struct TomlTable::Content {
+  std::shared_ptr<const toml::table> root;  // keeps `table`, a part of it, alive
+  const toml::table* table;
+  std::string file;
+  std::string path;  // "" for the root, "tank." inside [tank]
+  int line = 0;      // of a copy, whose nodes know no place
+  // The refusals of read_all() so far; null outside it.
+  std::shared_ptr<std::vector<std::string>> kept = nullptr;
+
+  SourceLocation where(const toml::node& node) const {
+    const auto own = node.source().begin.line;
+    return {file, own ? static_cast<int>(own) : line};
+  }
+  std::shared_ptr<const Content> copy(toml::table changed) const {
+    const auto held = std::make_shared<const toml::table>(std::move(changed));
+    return std::make_shared<const Content>(
+        Content{held, held.get(), file, path, where(*table).line, kept});
+  }
+  // A table that this one holds.
+  std::shared_ptr<const Content> part(const toml::node& node, std::string_view key) const {
+    return std::make_shared<const Content>(
+        Content{root, node.as_table(), file, fmt::format("{}{}.", path, key), 0, kept});
+  }
+  std::string place(const toml::node& node) const {
+    return fmt::format("{}:{}", file, where(node).line);
+  }
+};
+
+namespace {
+
+std::string as_written(const toml::node& node) {
+  if (const auto* text = node.as_string()) return fmt::format("\"{}\"", text->get());
+  if (const auto* number = node.as_floating_point()) {
+    const std::string digits = fmt::format("{}", number->get());
+    return digits.find_first_not_of("-0123456789") == digits.npos ? digits + ".0" : digits;
+  }
+  if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* flag = node.as_boolean()) return fmt::format("{}", flag->get());
+  if (node.is_table()) return "(a table)";
+  if (node.is_array_of_tables()) return "(an array of tables)";
+  return node.is_array() ? "(an array)" : "(a date or time)";
+}
+
+template <class T>
+std::optional<T> converted(const toml::node& node) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+    const auto* number = node.as_floating_point();
+    return number && std::isfinite(number->get()) ? std::optional(number->get()) : std::nullopt;
+  } else if constexpr (std::is_same_v<T, int>) {
+    using Limits = std::numeric_limits<int>;
+    const auto* integer = node.as_integer();
+    const bool fits = integer && integer->get() >= Limits::min() && integer->get() <= Limits::max();
+    return fits ? std::optional(static_cast<int>(integer->get())) : std::nullopt;
+  } else {
+    const auto* value = node.as<T>();
+    return value ? std::optional<T>(value->get()) : std::nullopt;
+  }
+}
+
+toml::table parsed(std::string_view text, const std::filesystem::path& file) {
+  if (const auto letter = letter_outside_strings(text))
+    throw CaseFileError(fmt::format(
+        "{}:{}:{}: not TOML: a letter beyond ASCII; expected such letters in strings and comments "
+        "alone",
+        file.string(), letter->line, letter->column));
+  try {
+    return toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    const auto& place = error.source().begin;
+    throw CaseFileError(fmt::format("{}:{}:{}: not TOML: {}", file.string(), place.line,
+                                    place.column, error.description()));
+  }
+}
+
+}  // namespace
+
+TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
+  const auto root = std::make_shared<const toml::table>(parsed(text, file));
+  content_ = std::make_shared<const Content>(Content{root, root.get(), file.string(), ""});
+}
+
+void TomlTable::allow_only(const std::vector<std::string>& keys) const {
+  std::vector<std::string> unknown;
+  for (const auto& [key, node] : *content_->table) {
+    if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+    unknown.push_back(
+        fmt::format("{}: {}{} = {}: expected only these keys here: {}; nearest known key: {}",
+                    content_->place(node), content_->path, key.str(), as_written(node),
+                    fmt::join(keys, ", "), nearest_names(key.str(), keys, 1).front()));
+  }
+  if (!unknown.empty()) throw CaseFileErrors(std::move(unknown));
+}
+
+template <class T>
+T TomlTable::refused(std::string_view key, const Rule<T>& rule) const {
+  if (!content_->kept || !rule.stand_in) refuse(key, rule.expected);
+  content_->kept->push_back(refusal(key, rule.expected));
+  return *rule.stand_in;
+}
+
+template <class T>
+std::optional<T> TomlTable::find(std::string_view key, const Rule<T>& rule) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node) return std::nullopt;
+  const std::optional<T> value = converted<T>(*node);
+  return value && rule.holds(*value) ? value : refused(key, rule);
+}
+
+template <class T>
+T TomlTable::get(std::string_view key, const Rule<T>& rule) const {
+  const std::optional<T> value = find(key, rule);
+  return value ? *value : refused(key, rule);
+}
+
+template std::optional<std::string> TomlTable::find(std::string_view,
+                                                    const Rule<std::string>&) const;
+template std::optional<double> TomlTable::find(std::string_view, const Rule<double>&) const;
+template std::optional<int> TomlTable::find(std::string_view, const Rule<int>&) const;
+template double TomlTable::get(std::string_view, const Rule<double>&) const;
+template int TomlTable::get(std::string_view, const Rule<int>&) const;
+template std::string TomlTable::get(std::string_view, const Rule<std::string>&) const;
+
+bool TomlTable::flag(std::string_view key) const {
+  return find<bool>(key, {"true or false", [](bool) { return true; }, false}).value_or(false);
+}
+
+std::string TomlTable::choice(std::string_view key, std::string_view expected,
+                              const std::vector<std::string>& known) const {
+  const std::string one_of = one_of_text(expected, known);
+  if (known.empty()) refuse(key, one_of);
+  const std::string value =
+      get<std::string>(key, {one_of, [](const std::string&) { return true; }});
+  if (std::find(known.begin(), known.end(), value) != known.end()) return value;
+  throw CaseFileErrors({refusal(key, one_of + nearest_text(value, known))});
+}
+
+std::vector<PlacedText> TomlTable::texts(std::string_view key,
+                                         const Rule<std::string>& each) const {
+  const std::string expected = "an array of texts, each " + each.expected;
+  const toml::node* node = content_->table->get(key);
+  if (!node || !node->is_array()) refuse(key, expected);
+  std::vector<PlacedText> values;
+  for (const toml::node& element : *node->as_array()) {
+    const auto value = converted<std::string>(element);
+    if (!value || !each.holds(*value)) {
+      throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(element),
+                                      content_->path, key, as_written(element), each.expected));
+    }
+    values.push_back({*value, content_->where(element)});
+  }
+  return values;
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key, const Rule<double>& each) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node || !node->is_array()) refuse(key, "an array of numbers, each " + each.expected);
+  std::vector<double> values;
+  for (const toml::node& element : *node->as_array()) {
+    const auto value = converted<double>(element);
+    if (!value || !each.holds(*value)) {
+      throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(element),
+                                      content_->path, key, as_written(element), each.expected));
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<double> TomlTable::increasing_numbers(std::string_view key,
+                                                  const Rule<double>& each) const {
+  std::vector<double> values;
+  const toml::node* node = content_->table->get(key);
+  if (!node) return values;
+  if (!node->is_array()) refuse(key, "an array of numbers, each " + each.expected);
+  for (const toml::node& element : *node->as_array()) {
+    const auto value = converted<double>(element);
+    const bool increases = value && (values.empty() || *value > values.back());
+    if (!value || !each.holds(*value) || !increases) {
+      throw CaseFileError(fmt::format(
+          "{}: {}{} = {}: expected {}", content_->place(element), content_->path, key,
+          as_written(element),
+          value && each.holds(*value) ? "a number above the one before it" : each.expected));
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node || !node->is_table()) refuse(key, fmt::format("a table, [{}{}]", content_->path, key));
+  return TomlTable(content_->part(*node, key));
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> tables;
+  const toml::node* node = content_->table->get(key);
+  if (!node) return tables;
+  if (!node->is_array())
+    refuse(key, fmt::format("an array of tables, [[{}{}]]", content_->path, key));
+  for (const toml::node& element : *node->as_array()) {
+    if (!element.is_table()) {
+      refuse(key, fmt::format("an array of tables, [[{}{}]]", content_->path, key));
+    }
+    tables.push_back(TomlTable(content_->part(element, key)));
+  }
+  return tables;
+}
+
+TomlTable TomlTable::without(const std::vector<std::string>& keys) const {
+  toml::table rest = *content_->table;
+  for (const std::string& key : keys) rest.erase(key);
+  return TomlTable(content_->copy(std::move(rest)));
+}
+
+TomlTable TomlTable::with(std::string_view key, const std::string& text) const {
+  toml::table more = *content_->table;
+  more.insert_or_assign(key, text);
+  return TomlTable(content_->copy(std::move(more)));
+}
+
+std::vector<TomlTable> TomlTable::combinations() const {
+  std::vector<toml::table> made{*content_->table};
+  for (const auto& [key, node] : *content_->table) {
+    const toml::array* axis = node.as_array();
+    const std::string name(key.str());
+    if (!axis || node.is_array_of_tables()) continue;
+    if (axis->empty()) refuse(name, "a value, or an array of at least one");
+    std::vector<toml::table> longer;
+    for (const toml::table& table : made)
+      for (const toml::node& element : *axis) {
+        longer.push_back(table);
+        element.visit([&](const auto& value) { longer.back().insert_or_assign(name, value); });
+      }
+    made = std::move(longer);
+  }
+  std::vector<TomlTable> tables;
+  for (toml::table& table : made) tables.push_back(TomlTable(content_->copy(std::move(table))));
+  return tables;
+}
+
+std::string TomlTable::written(std::string_view key) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node) return "";
+  return node->is_string() ? node->as_string()->get() : as_written(*node);
+}
+
+bool TomlTable::has(std::string_view key) const { return content_->table->contains(key); }
+
+SourceLocation TomlTable::where() const { return content_->where(*content_->table); }
+
+void TomlTable::read_all(const std::function<void(const TomlTable&)>& read) const {
+  Content keeping = *content_;
+  const auto kept = keeping.kept = std::make_shared<std::vector<std::string>>();
+  try {
+    read(TomlTable(std::make_shared<const Content>(std::move(keeping))));
+  } catch (const CaseFileErrors& errors) {
+    kept->insert(kept->end(), errors.messages.begin(), errors.messages.end());
+  } catch (const CaseFileError&) {
+    if (kept->empty()) throw;
+  }
+  if (!kept->empty()) throw CaseFileErrors(*kept);
+}
+
+std::string TomlTable::refusal(std::string_view key, std::string_view expected) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node)
+    return fmt::format("{}: {}{} is missing: expected {}", content_->place(*content_->table),
+                       content_->path, key, expected);
+  return fmt::format("{}: {}{} = {}: expected {}", content_->place(*node), content_->path, key,
+                     as_written(*node), expected);
+}
+
+void TomlTable::refuse(std::string_view key, std::string_view expected) const {
+  throw CaseFileError(refusal(key, expected));
+}
+
+void TomlTable::refuse_table(std::string_view holds, std::string_view expected) const {
+  const std::string name = content_->path.substr(0, content_->path.find_last_of('.'));
+  throw CaseFileError(fmt::format("{}: {} = {}: expected {}", content_->place(*content_->table),
+                                  name, holds, expected));
+}
+
+}  // namespace slosh

@@ -1,0 +1,116 @@
+#include "verification/papers/surface_spectrum.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verification/case/ensemble.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/papers/claim_evidence.hpp"
+#include "verification/series/estimate.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr int sought_peaks = 8;
+// Within the window's resolution: two peaks are further apart than that.
+SpectralPeak nearest(const std::vector<SpectralPeak>& peaks, double frequency, double resolution) {
+  SpectralPeak best{not_a_number, not_a_number};
+  double distance = resolution;
+  for (const SpectralPeak& peak : peaks) {
+    if (!(std::abs(peak.frequency - frequency) < distance)) continue;
+    best = peak;
+    distance = std::abs(peak.frequency - frequency);
+  }
+  return best;
+}
+
+double amplitude(const CaseDefinition& definition) {
+  const auto* sine =
+      definition.motion.surge ? std::get_if<SineMotion>(&*definition.motion.surge) : nullptr;
+  return sine ? sine->amplitude : not_a_number;
+}
+
+std::vector<std::string> cells(const SurfaceSpectrum& spectrum) {
+  const auto& [first, second] = spectrum.peak;
+  return {fmt::format("{:.3f}", first.frequency), fmt::format("{:.3e}", first.power),
+          fmt::format("{:.3f}", second.frequency), fmt::format("{:.3e}", second.power),
+          fmt::format("{:.3g}", spectrum.ratio())};
+}
+
+// The two rows of a run, the second with what has grown.
+void add_rows(const CaseAssessment& smaller, const CaseAssessment& larger, const std::string& run,
+              reports::Table& table) {
+  const auto row_of = [&](const CaseAssessment& assessment) {
+    std::vector<std::string> row{run, fmt::format("{}", amplitude(assessment.definition))};
+    try {
+      const auto found = cells(surface_spectrum(assessment, run));
+      row.insert(row.end(), found.begin(), found.end());
+    } catch (const std::runtime_error& error) {
+      row.push_back(error.what());
+    }
+    row.resize(table.header.size());
+    return row;
+  };
+  table.rows.push_back(row_of(smaller));
+  auto last = row_of(larger);
+  try {
+    const SurfaceSpectrum less = surface_spectrum(smaller, run),
+                          more = surface_spectrum(larger, run);
+    for (const std::size_t k : {0u, 1u})
+      last[7 + k] = fmt::format("{:.3g}", more.peak[k].power / less.peak[k].power);
+  } catch (const std::runtime_error&) {
+    // The row says what is missing.
+  }
+  table.rows.push_back(std::move(last));
+}
+
+}  // namespace
+
+SurfaceSpectrum surface_spectrum(const CaseAssessment& assessment, const std::string& run) {
+  const CaseDefinition& definition = assessment.definition;
+  const TimeSeries& surface =
+      standing_result(assessment, run).at(at_first_gauge(definition, "highest_surface"));
+  const Spectrum spectrum = power_spectrum(surface, comparison_window(definition));
+  const auto peaks = spectral_peaks(spectrum, sought_peaks);
+  SurfaceSpectrum found{.excitation = forcing_frequency(definition) / (2 * std::numbers::pi),
+                        .peak = {},
+                        .highest = false};
+  for (const std::size_t k : {0u, 1u})
+    found.peak[k] =
+        nearest(peaks, static_cast<double>(k + 1) * found.excitation, spectrum.resolution);
+  const auto is_highest = [&](const SpectralPeak& peak) {
+    return peaks.size() >= 2 && (peak.power == peaks[0].power || peak.power == peaks[1].power);
+  };
+  found.highest = is_highest(found.peak[0]) && is_highest(found.peak[1]);
+  return found;
+}
+
+reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger) {
+  reports::Table table{
+      "li2010-spectrum",
+      "Spectrum of the highest surface elevation",
+      fmt::format(
+          "Its peaks at the excitation and at twice it, {} m from the left wall, from {} to {} s. "
+          "Power here: half the squared amplitude of a sine [m2], one-sided, Hann window; the unit "
+          "of the printed power is not known, so that only ratios compare. Growth: from the "
+          "smaller "
+          "to the larger amplitude b.",
+          smaller.definition.gauges.empty() ? not_a_number : smaller.definition.gauges.front().x,
+          smaller.definition.window_begin, smaller.definition.window_end),
+      {"run", "b [m]", "first peak [Hz]", "its power", "second peak [Hz]", "its power",
+       "first / second", "growth of the first", "growth of the second"},
+      {{"printed", "0.075", "0.77", "0.048", "1.54", "0.024", "2.00", "", ""},
+       {"printed", "0.125", "0.77", "0.2423", "1.54", "0.0493", "4.915",
+        fmt::format("{:.3g}", 0.2423 / 0.048), fmt::format("{:.3g}", 0.0493 / 0.024)}}};
+  for (const RunDefinition& run : smaller.definition.runs) {
+    const bool solved = std::holds_alternative<SphRun>(run.solver) ||
+                        std::holds_alternative<InterFoamRun>(run.solver);
+    if (solved && !is_later_member(run) && larger.runs.status.contains(run.name))
+      add_rows(smaller, larger, run.name, table);
+  }
+  return table;
+}
+
+}  // namespace slosh

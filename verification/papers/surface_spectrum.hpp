@@ -1,0 +1,30 @@
+// The spectrum of the highest surface elevation at a surging tank's first gauge, as Li et al. 2010
+// discuss it: its peaks at the excitation and at twice it. Power as spectrum.hpp defines it, over
+// the comparison's window.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "reports/model/report_model.hpp"
+#include "verification/assessment/case_assessment.hpp"
+
+namespace slosh {
+
+struct SurfaceSpectrum {
+  double excitation;                 // [Hz]
+  std::array<SpectralPeak, 2> peak;  // nearest to one and two times it; NaN where there is none
+  bool highest;                      // whether these are the two highest peaks of the spectrum
+
+  double ratio() const { return peak[0].power / peak[1].power; }
+};
+
+// Throws std::runtime_error where the run left no result or no such series, ComparisonError as
+// power_spectrum() does.
+SurfaceSpectrum surface_spectrum(const CaseAssessment& assessment, const std::string& run);
+
+// Of every solver's run that the two cases share, beside the printed numbers.
+reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger);
+
+}  // namespace slosh

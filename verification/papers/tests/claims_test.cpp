@@ -1,0 +1,176 @@
+// How findings make a verdict, and the measures that findings are made of.
+#include "verification/papers/claims.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include "verification/papers/claim_evidence.hpp"
+#include "verification/tests/impact_runs.hpp"
+
+namespace slosh::claims_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Find finding(Held held, const std::string& text) {
+  return [=] { return Finding{held, text}; };
+}
+
+Find missing(const std::string& text) {
+  return [=]() -> Finding { throw std::runtime_error(text); };
+}
+
+TEST(Claims, AreConfirmedByAllFindingsTogether) {
+  const DecidedClaim claim =
+      decide({"water is wet", {finding(Held::yes, "a"), finding(Held::yes, "b")}});
+  EXPECT_EQ(claim.held, Held::yes);
+  EXPECT_EQ(claim.found, "a; b");
+  EXPECT_EQ(claim.why, "");
+}
+
+TEST(Claims, AreRefutedByOneFindingWhateverElseIsMissing) {
+  const DecidedClaim claim =
+      decide({"", {finding(Held::yes, "a"), missing("b"), finding(Held::no, "c")}});
+  EXPECT_EQ(claim.held, Held::no);
+  EXPECT_EQ(claim.why, "c");
+}
+
+TEST(Claims, AreNotDecidableWhereAFindingIsMissingOrThereIsNone) {
+  const DecidedClaim claim = decide({"", {finding(Held::yes, "a"), missing("no run")}});
+  EXPECT_EQ(claim.held, Held::undecided);
+  EXPECT_EQ(claim.why, "no run");
+  EXPECT_EQ(decide({"", {}}).held, Held::undecided);
+}
+
+TEST(Claims, StandInATableWithTheirVerdictsInWords) {
+  const reports::Table table = claims_table("papers-claims", {{"one", {finding(Held::yes, "a")}},
+                                                              {"two", {finding(Held::no, "b")}},
+                                                              {"three", {missing("c")}}});
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"(1)", "one", "confirmed", "a", ""}));
+  EXPECT_EQ(table.rows[1][2], "refuted");
+  EXPECT_EQ(table.rows[2][2], "not decidable");
+  EXPECT_EQ(table.rows[2][4], "c");
+}
+
+TEST(Within, CountsTheIntervalOnEitherSide) {
+  const auto held = [](double value, double half_width) {
+    return within({"error", 100, "%"}, {value, half_width}, -0.02, 0.02).held;
+  };
+  EXPECT_EQ(held(0.015, 0.005), Held::yes);
+  EXPECT_EQ(held(0.015, 0.006), Held::undecided);
+  EXPECT_EQ(held(0.03, 0.009), Held::no);
+  EXPECT_EQ(held(-0.03, 0.009), Held::no);
+  EXPECT_EQ(held(0.03, 0.011), Held::undecided);
+}
+
+TEST(Within, NeverConfirmsNorRefutesByNaN) {
+  for (const Estimate& estimate : {Estimate{nan, 0}, Estimate{0, nan}, Estimate{1, nan}}) {
+    const Finding found = within({"error", 100, "%"}, estimate, -0.02, 0.02);
+    EXPECT_EQ(found.held, Held::undecided);
+    EXPECT_TRUE(found.text.ends_with("no number")) << found.text;
+  }
+  EXPECT_EQ(at_least(nan, 1, 1.1), Held::undecided);
+}
+
+TEST(Within, SaysNumberIntervalAndThreshold) {
+  EXPECT_EQ(within({"error", 100, "%"}, {0.0123, 0.001}, -0.02, 0.02).text,
+            "error +1.23 ± 0.1 % (-2 to 2)");
+}
+
+TEST(AtLeast, IsUndecidedBetweenItsTwoLevels) {
+  EXPECT_EQ(at_least(1.1, 1, 1.1), Held::yes);
+  EXPECT_EQ(at_least(1.05, 1, 1.1), Held::undecided);
+  EXPECT_EQ(at_least(1, 1, 1.1), Held::no);
+}
+
+template <class Function>
+TimeSeries series_of(const Function& f, double sampling = 0.01) {
+  TimeSeries series{"x", "Pa", {}, {}};
+  for (int i = 0; i * sampling <= 10 * (1 + 1e-12); ++i) {
+    series.time.push_back(i * sampling);
+    series.value.push_back(f(i * sampling));
+  }
+  return series;
+}
+
+constexpr TimeWindow whole{0, 10};
+constexpr double omega = 2 * std::numbers::pi / 2.5;  // four periods
+double tone(double t) { return std::cos(omega * t); }
+
+TEST(HistoryDifference, IsThatOfAScaledOrRaisedHistory) {
+  const TimeSeries other = series_of(tone);
+  const auto scaled = difference(series_of([](double t) { return 1.2 * tone(t); }), other, whole);
+  EXPECT_NEAR(scaled.as_it_is, 0.2, 1e-3);
+  EXPECT_NEAR(scaled.without_means, 0.2, 1e-3);
+  const auto raised = difference(series_of([](double t) { return tone(t) - 3; }), other, whole);
+  EXPECT_NEAR(raised.as_it_is, 3 * std::numbers::sqrt2, 1e-2);
+  EXPECT_NEAR(raised.without_means, 0, 1e-9);
+  EXPECT_NEAR(raised.offset, 3, 1e-9);
+}
+
+TEST(HistoryDifference, IsOfNoHistoryThatEndsEarlyOrHoldsNaN) {
+  const TimeSeries other = series_of(tone);
+  TimeSeries poisoned = other, early = other;
+  poisoned.value[300] = nan;
+  early.time.resize(800);
+  early.value.resize(800);
+  for (const TimeSeries& one : {poisoned, early}) {
+    EXPECT_THROW(difference(one, other, whole), ComparisonError);
+    EXPECT_THROW(difference(other, one, whole), ComparisonError);
+  }
+}
+
+// a cos t + c cos 2t: 3/4 a^2 c / ((a^2 + c^2) / 2)^1.5.
+TEST(Skewness, IsThatOfASecondHarmonic) {
+  const double c = 0.1;
+  const auto wave = [=](double t) { return tone(t) + c * std::cos(2 * omega * t); };
+  EXPECT_NEAR(skewness(series_of(wave), whole), 0.75 * c / std::pow((1 + c * c) / 2, 1.5), 2e-3);
+  EXPECT_NEAR(skewness(series_of([&](double t) { return 5 - wave(t); }), whole),
+              -0.75 * c / std::pow((1 + c * c) / 2, 1.5), 2e-3);
+}
+
+TEST(ToneDifference, GivesLagAndAmplitudeAtTheTimesOfASparseRecord) {
+  const auto late = [](double t) { return 7 + 0.9 * std::cos(omega * (t - 0.05)); };
+  std::mt19937 random(1);
+  std::normal_distribution<double> error(0, 0.1);
+  const auto noisy = [&](double t) { return tone(t) + error(random); };
+  const ToneDifference found =
+      tone_difference(series_of(late), series_of(noisy, 0.4), whole, omega);
+  EXPECT_NEAR(found.lag_degrees.value, omega * 0.05 * 180 / std::numbers::pi,
+              found.lag_degrees.half_width);
+  EXPECT_NEAR(found.amplitude_ratio.value, 0.9, found.amplitude_ratio.half_width);
+  EXPECT_LT(found.lag_degrees.half_width, 5);
+  EXPECT_GT(found.lag_degrees.half_width, 0.5);
+}
+
+TEST(ClaimEvidence, NamesWhatIsMissing) {
+  const auto message = [](const auto& ask) {
+    try {
+      ask();
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CaseAssessment assessment = no_runs_of(impact_case());
+  add_absent_run(assessment, "gone", SphRun{"recommended", 0.01, 0.01}, RunState::failed);
+  EXPECT_EQ(message([&] { case_named({}, "a_case"); }),
+            "the case a_case is not part of this campaign");
+  EXPECT_EQ(message([&] { standing_result(assessment, "gone"); }),
+            "gone of impacts: solver failed (so it goes)");
+  EXPECT_EQ(message([&] { standing_result(assessment, "other"); }),
+            "other of impacts is not declared");
+  EXPECT_EQ(message([&] { at_first_gauge(assessment.definition, "elevation"); }),
+            "the case impacts has no gauge");
+  EXPECT_EQ(message([&] { filtered_gauge(assessment.definition); }),
+            "the case impacts filters no pressure");
+}
+
+}  // namespace
+}  // namespace slosh::claims_test

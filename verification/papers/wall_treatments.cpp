@@ -1,0 +1,158 @@
+#include "verification/papers/wall_treatments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/assessment/pressure_noise.hpp"
+#include "verification/papers/claim_evidence.hpp"
+#include "verification/series/estimate.hpp"
+#include "verification/series/impact_peaks.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double late_part = 0.2;  // of the run: what a treatment has settled to
+
+bool has_tag(const CaseDefinition& definition, const std::string& tag) {
+  return std::find(definition.tags.begin(), definition.tags.end(), tag) != definition.tags.end();
+}
+
+// Mean over the last fifth of the run; NaN where the run has no such series or one that is no
+// number or ends early.
+double late_mean(const CaseAssessment& assessment, const std::string& run,
+                 const std::string& series) {
+  const double end = assessment.definition.duration;
+  if (!has_series(assessment.runs, run, series)) return not_a_number;
+  try {
+    return plateau_mean(assessment.runs.results.at(run).at(series), {(1 - late_part) * end, end});
+  } catch (const ComparisonError&) {
+    return not_a_number;
+  }
+}
+
+// Of the case's first pressure gauge; NaN as above.
+double noise_of(const CaseAssessment& assessment, const std::string& run) {
+  const CaseDefinition& definition = assessment.definition;
+  if (definition.pressure_gauges.empty()) return not_a_number;
+  const std::string pressure = "wall_pressure@" + definition.pressure_gauges.front().name;
+  if (!has_series(assessment.runs, run, pressure)) return not_a_number;
+  try {
+    return pressure_noise(assessment.runs.results.at(run).at(pressure),
+                          comparison_window(definition), noise_band(definition));
+  } catch (const ComparisonError&) {
+    return not_a_number;
+  }
+}
+
+double nanoseconds(const RunCost& cost) {
+  return 1e9 * cost.user_time / (cost.elements * cost.steps);
+}
+
+std::string number(double value, const char* format) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "no number";
+}
+
+struct Crossings {
+  std::string count, verdict;
+};
+
+// Written so that a count that is NaN or was not made confirms nothing.
+Crossings crossings_of(const RunResult& result) {
+  const auto found = result.diagnostics.find("wall_crossings");
+  if (found == result.diagnostics.end()) return {"not counted", "not decidable"};
+  if (!std::isfinite(found->second)) return {"no number", "not decidable"};
+  return {fmt::format("{:.0f}", found->second), found->second == 0 ? "confirmed" : "refuted"};
+}
+
+std::vector<std::string> row_of(const CaseAssessment& assessment, const std::string& run) {
+  std::vector<std::string> row{assessment.definition.name, run};
+  const auto found = assessment.runs.results.find(run);
+  if (found == assessment.runs.results.end()) {
+    const RunStatus& status = assessment.runs.status.at(run);
+    const std::string message = status.message.empty() ? "" : ": " + status.message;
+    row.insert(row.end(),
+               {"", "", "", "", "not decidable", "", state_name(status.state) + message});
+    return row;
+  }
+  const Crossings crossings = crossings_of(found->second);
+  row.insert(row.end(),
+             {number(late_mean(assessment, run, "wall_gap"), "{:+.3f}"),
+              number(noise_of(assessment, run), "{:.2e}"),
+              number(100 * late_mean(assessment, run, "volume_drift"), "{:+.3f}"), crossings.count,
+              crossings.verdict, number(nanoseconds(found->second.cost), "{:.0f}"), ""});
+  return row;
+}
+
+bool declares(const CaseDefinition& definition, const std::string& run) {
+  return std::any_of(definition.runs.begin(), definition.runs.end(),
+                     [&](const RunDefinition& one) { return one.name == run; });
+}
+
+reports::Table table_of(const std::vector<const CaseAssessment*>& cases) {
+  std::vector<std::string> bands;
+  for (const CaseAssessment* one : cases)
+    bands.push_back(
+        fmt::format("{:.3g} Hz ({})", noise_band(one->definition), one->definition.name));
+  reports::Table table{
+      "walls-table",
+      "Wall treatments side by side",
+      fmt::format(
+          "Gap: between a wall and the particles next to it, and volume drift: each the mean over "
+          "the last fifth of the run, where the run records it. Pressure noise: power of the first "
+          "pressure gauge's series above a frequency over its mean square, its mean included; the "
+          "frequency is 5 Hz or three times the third natural mode that surge excites, whichever "
+          "is "
+          "larger: {}. Wall crossings: how often a particle beyond a wall was put back; none must "
+          "be for the walls to hold. Cost: user time.",
+          fmt::join(bands, ", ")),
+      {"case", "walls", "gap [spacings]", "pressure noise [1]", "volume drift [%]",
+       "wall crossings", "holds the liquid", "cost [ns per particle and step]", "remark"},
+      {}};
+  for (const CaseAssessment* one : cases)
+    for (const char* treatment : wall_treatments)
+      if (declares(one->definition, treatment)) table.rows.push_back(row_of(*one, treatment));
+  return table;
+}
+
+reports::Figure figure_of(const std::vector<const CaseAssessment*>& cases) {
+  reports::Figure figure;
+  figure.id = "walls-noise-and-cost";
+  figure.title = "Noise and cost of each wall treatment";
+  figure.caption = "Each point is a case of the table above; nearer to the lower left is better.";
+  figure.x_label = "user time [ns per particle and step]";
+  figure.y_label = "pressure noise [1]";
+  figure.log_y = true;
+  for (const char* treatment : wall_treatments) {
+    reports::Curve curve{treatment, {}, {}, {}, reports::Curve::Style::points};
+    for (const CaseAssessment* one : cases) {
+      const auto found = one->runs.results.find(treatment);
+      if (found == one->runs.results.end()) continue;
+      curve.x.push_back(nanoseconds(found->second.cost));
+      curve.y.push_back(noise_of(*one, treatment));
+    }
+    if (std::any_of(curve.y.begin(), curve.y.end(), [](double y) { return y > 0; }))
+      figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+}  // namespace
+
+std::optional<reports::Section> wall_treatment_section(const std::vector<CaseAssessment>& cases) {
+  std::vector<const CaseAssessment*> tagged;
+  for (const CaseAssessment& one : cases)
+    if (has_tag(one.definition, "walls")) tagged.push_back(&one);
+  reports::Section section{"walls", "Wall treatments", {}, {table_of(tagged)}, {}};
+  if (section.tables[0].rows.empty()) return std::nullopt;
+  section.paragraphs = {
+      "`repulsive_mirror` are the walls of Li et al. 2010, `dynamic_moving` and `dynamic_fixed` "
+      "those of Zhao et al. 2021, `mirror` those of the scheme `recommended`."};
+  reports::Figure figure = figure_of(tagged);
+  if (!figure.curves.empty()) section.figures.push_back(std::move(figure));
+  return section;
+}
+
+}  // namespace slosh

@@ -1,0 +1,84 @@
+// The list of problems, those that take no time, and the shipped campaigns over them.
+#include "verification/problems/problem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "verification/assessment/problem_assessment.hpp"
+#include "verification/case_file/campaign_parser.hpp"
+
+namespace slosh::problem_test {
+namespace {
+
+// Of both campaigns that have problems.
+std::vector<ProblemDefinition> shipped() {
+  const std::filesystem::path verification =
+      std::filesystem::path(SLOSH_SOURCE_DIR) / "verification";
+  std::vector<ProblemDefinition> problems;
+  for (const char* name : {"campaigns/verification.toml", "campaigns/stability.toml"}) {
+    const CampaignDefinition campaign =
+        read_campaign(verification / name, verification / "cases", known_problems());
+    problems.insert(problems.end(), campaign.problems.begin(), campaign.problems.end());
+  }
+  return problems;
+}
+
+TEST(Problems, HaveNamesOfTheirOwnAndMeasuresOfTheirOwn) {
+  std::set<std::string> names;
+  for (const Problem& problem : all_problems()) {
+    EXPECT_TRUE(names.insert(problem.name).second) << problem.name;
+    std::set<std::string> measures;
+    for (const MeasureKind& kind : problem.measures)
+      EXPECT_TRUE(measures.insert(kind.name).second) << kind.name;
+    EXPECT_FALSE(measures.empty()) << problem.name;
+  }
+  EXPECT_EQ(find_problem("kernels").name, "kernels");
+}
+
+TEST(Problems, AreSuggestedWhereANameIsWrong) {
+  try {
+    find_problem("taylor_gren");
+    FAIL() << "found a problem that is not there";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("nearest: taylor_green"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(ShippedCampaigns, GateEveryProblemOnceAndEveryGateRowHasASource) {
+  std::set<std::string> names;
+  for (const ProblemDefinition& problem : shipped()) EXPECT_TRUE(names.insert(problem.name).second);
+  EXPECT_EQ(names.size(), all_problems().size());
+  for (const ProblemDefinition& problem : shipped())
+    for (const ProblemGateRow& row : problem.gate) EXPECT_GT(row.source.size(), 8u);
+}
+
+// Those that take less than a second in any build.
+class QuickProblem : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Named, QuickProblem,
+                         testing::Values("kernels", "uniform_translation", "wall_impulse",
+                                         "mirror_symmetry"),
+                         [](const auto& problem) { return problem.param; });
+
+TEST_P(QuickProblem, LeavesItsMeasuresAndHoldsItsGate) {
+  const Problem& problem = find_problem(GetParam());
+  ProblemRun run;
+  run.status.state = RunState::finished;
+  run.result.emplace().outcome = problem.run(true);
+  const std::vector<MeasuredErrors>& measures = run.result->outcome.measures;
+  ASSERT_EQ(measures.size(), problem.measures.size());
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    EXPECT_EQ(measures[i].name, problem.measures[i].name);
+    EXPECT_GE(measures[i].errors.size(), 3u);
+  }
+  for (const ProblemDefinition& definition : shipped()) {
+    if (definition.name != problem.name) continue;
+    for (const ProblemGateOutcome& outcome : assess(definition, run).gate)
+      EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.row.measure << ": " << outcome.message;
+  }
+}
+
+}  // namespace
+}  // namespace slosh::problem_test

@@ -1,0 +1,73 @@
+// What a run leaves: one HDF5 file, written under a temporary name and renamed when complete.
+// Everything after it (metrics, gate, report) can be redone without running a solver. Layout,
+// version 2 (texts are UTF-8, numbers float64):
+//   /              attributes format ("slosh result"), format_version, case_name, run_name,
+//                  solver, key
+//   /case_text     the case file as read, one text
+//   /active_terms  texts
+//   /cost          attributes wall_time_s, user_time_s, system_time_s, peak_memory_byte, steps,
+//                  elements
+//   /provenance    attributes, texts
+//   /diagnostics   attributes, numbers, the unit in the name
+//   /series/NAME   attribute name; data sets time and value, each with the attribute unit and
+//                  Fletcher32 sums; in NAME a '/' is "%2F" and a '%' is "%25"
+//   /snapshots/N   N = 00000, 00001, ...: attributes time_s, width_m, height_m; data sets x, z,
+//                  velocity_x, velocity_z, pressure, each with the attribute unit
+// Sealed as sealed_file.hpp says.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verification/files/result_error.hpp"
+#include "verification/series/time_series.hpp"
+
+namespace slosh {
+
+// What the run took, in the operating system's figures for its process and its children.
+struct RunCost {
+  double wall_time = 0;    // [s]
+  double user_time = 0;    // [s], all threads and children
+  double system_time = 0;  // [s]
+  double peak_memory = 0;  // [byte], largest single process
+  double steps = 0;
+  double elements = 0;  // particles (walls apart) or cells
+};
+
+// The liquid at one moment: places of equal size, particles or those cells that are at least half
+// liquid.
+struct FieldSnapshot {
+  double time;                                 // [s]
+  double width, height;                        // of a place [m]
+  std::vector<double> x, z;                    // middles, from the tank's bottom left corner [m]
+  std::vector<double> velocity_x, velocity_z;  // against the tank, along its axes [m/s]
+  std::vector<double> pressure;                // above the gas's [Pa]
+};
+
+struct RunResult {
+  std::string case_name, run_name, solver;
+  std::string case_text;  // the case file as read
+  std::string key;        // hash of all that determined the run
+  std::map<std::string, std::string>
+      provenance;  // versions, compiler, host's processor, time of the run, command
+  std::vector<std::string> active_terms;  // the physics compiled in or switched on
+  std::map<std::string, double>
+      diagnostics;  // "max_courant_number", "mass_loss", ... (unit in the name)
+  RunCost cost;
+  std::vector<TimeSeries> series;
+  std::vector<FieldSnapshot> snapshots = {};  // at the case's snapshot times
+
+  // Throws ResultError when there is no such series.
+  const TimeSeries& at(const std::string& series_name) const;
+};
+
+// Makes the directory if need be. Throws ResultError, also for a series without a name, of a name
+// given twice or with unequal numbers of times and values; what was under the name stays then.
+void write_result(const RunResult& result, const std::filesystem::path& file);
+
+// Throws ResultError with the file's name.
+RunResult read_result(const std::filesystem::path& file);
+
+}  // namespace slosh

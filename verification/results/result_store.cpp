@@ -1,0 +1,113 @@
+#include "verification/results/result_store.hpp"
+
+#include <set>
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string question_of(const std::string& key) { return key.substr(0, key.find('-')); }
+std::string answer_of(const std::string& key) { return key.substr(key.find('-') + 1); }
+
+// Of the names that atomic_file.hpp writes under.
+void remove_half_written(const fs::path& directory, const std::string& answer) {
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("." + answer + ".") && name.ends_with(".partial")) fs::remove(entry);
+  }
+}
+
+constexpr const char* lock_extension = ".lock";
+constexpr std::size_t digits_of_half = 32;
+
+// A question or an answer, as content_hash() writes them.
+bool is_half(const std::string& name) {
+  return name.size() == digits_of_half &&
+         name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// "<answer>.h5", and of a file that is half written ".<answer>.h5.123.partial".
+std::string answer_in(const std::string& file_name) {
+  const std::size_t begin = file_name.starts_with(".") ? 1 : 0;
+  return file_name.substr(begin, file_name.find('.', begin) - begin);
+}
+
+std::uintmax_t size_of(const fs::path& path) {
+  if (fs::is_symlink(path)) return 0;
+  if (fs::is_regular_file(path)) return fs::file_size(path);
+  std::uintmax_t size = 0;
+  if (fs::is_directory(path))
+    for (const auto& entry : fs::directory_iterator(path)) size += size_of(entry);
+  return size;
+}
+
+}  // namespace
+
+fs::path ResultStore::file(const std::string& key, const char* extension) const {
+  return root_ / question_of(key) / (answer_of(key) + extension);
+}
+
+std::optional<fs::path> ResultStore::newest_file(const std::string& key,
+                                                 const char* extension) const {
+  const fs::path own = file(key, extension);
+  if (fs::exists(own)) return own;
+  std::optional<fs::path> newest;
+  if (!fs::is_directory(own.parent_path())) return newest;
+  for (const auto& entry : fs::directory_iterator(own.parent_path())) {
+    // "<answer>.h5", and none of the states that lie beside it in work directories.
+    if (entry.path().extension() != extension || entry.path().stem().has_extension()) continue;
+    if (!newest || fs::last_write_time(entry) > fs::last_write_time(*newest)) newest = entry;
+  }
+  return newest;
+}
+
+std::vector<std::string> ResultStore::keys() const {
+  std::set<std::string> found;
+  if (!fs::is_directory(root_)) return {};
+  for (const auto& question : fs::directory_iterator(root_)) {
+    const std::string name = question.path().filename().string();
+    if (!is_half(name) || !question.is_directory()) continue;
+    for (const auto& entry : fs::directory_iterator(question)) {
+      const std::string answer = answer_in(entry.path().filename().string());
+      if (is_half(answer) && entry.path().filename() != answer + lock_extension)
+        found.insert(name + "-" + answer);
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+std::vector<fs::path> ResultStore::contents(const std::string& key) const {
+  std::vector<fs::path> found;
+  const std::string answer = answer_of(key);
+  for (const auto& entry : fs::directory_iterator(file(key, "").parent_path())) {
+    const std::string name = entry.path().filename().string();
+    if (answer_in(name) == answer && name != answer + lock_extension) found.push_back(entry.path());
+  }
+  return found;
+}
+
+std::uintmax_t ResultStore::size(const std::string& key) const {
+  std::uintmax_t size = 0;
+  for (const fs::path& path : contents(key)) size += size_of(path);
+  return size;
+}
+
+bool ResultStore::remove(const std::string& key) const {
+  struct InUse {};
+  try {
+    const FileLock lock(file(key, lock_extension), [] { throw InUse(); });
+    for (const fs::path& path : contents(key)) fs::remove_all(path);
+    return true;
+  } catch (const InUse&) {
+    return false;
+  }
+}
+
+StoreLock::StoreLock(const ResultStore& store, const std::string& key,
+                     const std::function<void()>& waiting)
+    : lock_(store.file(key, lock_extension), waiting) {
+  remove_half_written(store.file(key, "").parent_path(), answer_of(key));
+}
+
+}  // namespace slosh

@@ -1,0 +1,36 @@
+// The series that SPH and interFoam name alike, from their own histories into a result.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "verification/results/result_file.hpp"
+
+namespace slosh {
+
+// A history that the solver did not record is no series.
+template <class History>
+void take_series(const std::string& name, const std::string& unit, History& history,
+                 RunResult& result) {
+  if (!history.time.empty())
+    result.series.push_back({name, unit, std::move(history.time), std::move(history.value)});
+}
+
+// Those of both; `output` of either solver.
+template <class Output>
+void take_common_series(Output& output, RunResult& result) {
+  for (auto& [gauge, history] : output.elevation)
+    take_series("elevation@" + gauge, "m", history, result);
+  for (auto& [gauge, history] : output.highest_surface)
+    take_series("highest_surface@" + gauge, "m", history, result);
+  for (auto& [gauge, history] : output.wall_pressure)
+    take_series("wall_pressure@" + gauge, "Pa", history, result);
+  take_series("front_position", "m", output.front_position, result);
+  take_series("force_x", "N/m", output.force_x, result);
+  take_series("force_z", "N/m", output.force_z, result);
+  take_series("moment", "N", output.moment, result);
+  take_series("momentum_x", "kg/s", output.momentum_x, result);
+  take_series("momentum_z", "kg/s", output.momentum_z, result);
+}
+
+}  // namespace slosh

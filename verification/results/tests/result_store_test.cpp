@@ -1,0 +1,144 @@
+#include "verification/results/result_store.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "verification/files/content_hash.hpp"
+#include "verification/results/timings.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::result_store_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Store : public ::testing::Test {
+ protected:
+  void put(const std::string& key, const char* extension) const {
+    fs::create_directories(store.file(key, "").parent_path());
+    std::ofstream(store.file(key, extension)) << "x";
+  }
+
+  TemporaryDirectory directory;
+  ResultStore store{directory.path()};
+};
+
+TEST_F(Store, FindsTheResultOfAKeyBeforeAnotherBuilds) {
+  EXPECT_FALSE(store.newest_file("q-a", ".h5"));
+  put("q-old", ".h5");
+  put("q-new", ".h5");
+  put("other-a", ".h5");
+  put("q-new", ".timings.json");
+  fs::last_write_time(store.file("q-old", ".h5"),
+                      fs::file_time_type::clock::now() - std::chrono::hours(1));
+  EXPECT_EQ(store.newest_file("q-a", ".h5"), store.file("q-new", ".h5"));
+  EXPECT_EQ(store.newest_file("q-old", ".h5"), store.file("q-old", ".h5"));
+  EXPECT_FALSE(store.newest_file("q-a", ".json")) << "timings are no result";
+}
+
+TEST_F(Store, ClearsAwayWhatADeadProcessHasHalfWrittenOfTheKeyAlone) {
+  put("q-a", ".h5");
+  const fs::path half = store.file("q-a", "").parent_path() / ".a.h5.123.partial",
+                 others = store.file("q-a", "").parent_path() / ".b.h5.123.partial";
+  for (const fs::path& file : {half, others}) std::ofstream(file) << "half";
+  const StoreLock lock(store, "q-a");
+  EXPECT_FALSE(fs::exists(half));
+  EXPECT_TRUE(fs::exists(others));
+  EXPECT_TRUE(fs::exists(store.file("q-a", ".h5")));
+}
+
+TEST_F(Store, LetsOneProcessAtATimeHoldAKeyAndForgetsADeadOne) {
+  int ready[2];
+  ASSERT_EQ(pipe(ready), 0);
+  const pid_t holder = fork();
+  if (holder == 0) {
+    const StoreLock lock(store, "q-a");
+    (void)!write(ready[1], "x", 1);
+    for (;;) pause();
+  }
+  char byte;
+  ASSERT_EQ(read(ready[0], &byte, 1), 1);
+  bool waited = false;
+  std::thread killer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    waited = true;
+    kill(holder, SIGKILL);
+  });
+  const StoreLock other(store, "q-b");
+  EXPECT_FALSE(waited) << "another key waits for none";
+  const StoreLock lock(store, "q-a");
+  EXPECT_TRUE(waited);
+  killer.join();
+  waitpid(holder, nullptr, 0);
+}
+
+const std::string question(32, 'a'), answer(32, 'b'),
+    other_answer(32, 'c'), kept_key = question + "-" + other_answer,
+                           removed_key = question + "-" + answer;
+
+TEST_F(Store, ListsItsKeysAndNothingElseThatLiesThere) {
+  EXPECT_TRUE(ResultStore(directory.path() / "absent").keys().empty());
+  put(kept_key, ".h5");
+  put(removed_key, ".failure.json");
+  put(question + "-" + std::string(32, 'd'), ".lock");
+  put(question + "-notes", ".txt");
+  put("letters-" + answer, ".h5");
+  EXPECT_EQ(store.keys(), (std::vector<std::string>{removed_key, kept_key}));
+}
+
+TEST_F(Store, RemovesAllOfAKeyAndNothingOfAnother) {
+  put(kept_key, ".h5");
+  for (const char* extension : {".h5", ".timings.json", ".lock"}) put(removed_key, extension);
+  const fs::path work = store.file(removed_key, ".work");
+  fs::create_directories(work / "case");
+  std::ofstream(work / "case/log") << "0123456789";
+  EXPECT_EQ(store.size(removed_key), 12u);
+  EXPECT_TRUE(store.remove(removed_key));
+  EXPECT_EQ(store.keys(), std::vector<std::string>{kept_key});
+  EXPECT_FALSE(fs::exists(work));
+  EXPECT_EQ(store.size(removed_key), 0u);
+}
+
+TEST_F(Store, RemovesNothingOfAKeyThatIsHeld) {
+  put(removed_key, ".h5");
+  {
+    const StoreLock holder(store, removed_key);
+    EXPECT_FALSE(store.remove(removed_key));
+    EXPECT_TRUE(fs::exists(store.file(removed_key, ".h5")));
+  }
+  EXPECT_TRUE(store.remove(removed_key));
+}
+
+TEST_F(Store, KeepsTimingsAndComparesThoseOfOneProcessor) {
+  const fs::path file = directory.path() / "a.timings.json";
+  EXPECT_TRUE(read_timings(file).empty());
+  const auto timing = [](double user, const char* processor) {
+    return Timing{{.user_time = user, .peak_memory = 1e6}, processor, "2026-01-01T00:00:00Z"};
+  };
+  add_timing(timing(1, "old"), file);
+  add_timing(timing(2, "new"), file);
+  add_timing(timing(3, "new"), file);
+  ASSERT_EQ(read_timings(file).size(), 3u);
+  const std::vector<RunCost> costs = comparable_costs(read_timings(file));
+  ASSERT_EQ(costs.size(), 2u);
+  EXPECT_EQ(costs[0].user_time, 2);
+  EXPECT_EQ(costs[1].user_time, 3);
+  EXPECT_EQ(costs[1].peak_memory, 1e6);
+  EXPECT_TRUE(comparable_costs({}).empty());
+  const std::string whole = read_bytes(file);
+  std::string altered = whole;
+  altered.replace(altered.find("\"user_time_s\": 2"), 16, "\"user_time_s\": 1");
+  std::ofstream(file) << altered;
+  EXPECT_TRUE(read_timings(file).empty()) << "a time that was altered counts for nothing";
+  std::ofstream(file) << whole.substr(0, whole.size() / 2);
+  EXPECT_TRUE(read_timings(file).empty()) << "they are made again";
+}
+
+}  // namespace
+}  // namespace slosh::result_store_test

@@ -1,0 +1,57 @@
+#include "verification/runs/cost_records.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace slosh {
+namespace {
+
+constexpr double shortest = 2;          // [s]: a shorter run tells of its start, not of its solver
+constexpr std::size_t recent = 30;      // runs
+constexpr std::streamoff tail = 65536;  // [byte], some 1500 lines
+
+std::filesystem::path file_of(const ResultStore& store) { return store.root() / "costs.txt"; }
+
+// The file's end, without its first line, which may be cut.
+std::string last_lines(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(0, std::ios::end);
+  const std::streamoff size = stream.tellg(), begin = std::max<std::streamoff>(size - tail, 0);
+  stream.seekg(begin);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return begin > 0 ? text.substr(std::min(text.find('\n'), text.size())) : text;
+}
+
+}  // namespace
+
+void record_cost(const CostRecord& record, const ResultStore& store) {
+  if (!(record.taken >= shortest) || !(record.modelled > 0)) return;
+  // A short line in one write: those of runs that end at once do not mix.
+  std::ofstream(file_of(store), std::ios::app)
+      << fmt::format("{} {:.4g} {:.4g}\n", record.solver, record.modelled, record.taken);
+}
+
+std::optional<double> machine_factor(const std::string& solver, const ResultStore& store) {
+  std::vector<double> factors;
+  std::istringstream lines(last_lines(file_of(store)));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    CostRecord record;
+    const bool is_record =
+        static_cast<bool>(words >> record.solver >> record.modelled >> record.taken);
+    if (is_record && record.solver == solver && record.modelled > 0 && record.taken > 0)
+      factors.push_back(record.taken / record.modelled);
+  }
+  if (factors.empty()) return {};
+  if (factors.size() > recent) factors.erase(factors.begin(), factors.end() - recent);
+  const auto middle = factors.begin() + static_cast<long>(factors.size() / 2);
+  std::nth_element(factors.begin(), middle, factors.end());
+  return *middle;
+}
+
+}  // namespace slosh

@@ -1,0 +1,93 @@
+#include "verification/runs/expected_cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "verification/runs/cost_model.hpp"
+#include "verification/runs/cost_records.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/solvers/solver_runs.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr double mebibyte = 1024 * 1024;
+
+// The model's own error, and with it that of a machine of which nothing is known: the same machine
+// took twice as long crowded as idle.
+constexpr double of_known_machine = 1.5, of_unknown_machine = 2;
+
+// Memory above what any run took on two-core machines.
+ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run,
+                      const ResultStore& store) {
+  const double area = definition.liquid.column_width.value_or(definition.tank.length) *
+                      definition.liquid.fill_depth;
+  const std::optional<double> factor = machine_factor(solver_name(run), store);
+  ExpectedCost cost{.processor_time = factor.value_or(1) * modelled_time(definition, run),
+                    .wall_time = 0,
+                    .memory = 64 * mebibyte,
+                    .uncertainty = factor ? of_known_machine : of_unknown_machine};
+  if (const auto* sph = std::get_if<SphRun>(&run.solver)) {
+    cost.memory += 2048 * area / std::pow(sph->particle_spacing, 2);
+  } else if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) {
+    cost.memory += 128 * mebibyte + 8192.0 * mesh->cells_x * mesh->cells_z;
+    cost.cores = mesh->processes;
+  } else if (std::holds_alternative<ExternalRun>(run.solver)) {
+    cost.uncertainty = 0;
+  }
+  cost.wall_time = cost.processor_time / cost.cores;
+  return cost;
+}
+
+// Two digits, or whole seconds.
+std::string seconds_text(double seconds) {
+  return seconds < 10 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.0f}", seconds);
+}
+
+}  // namespace
+
+ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition& run,
+                           const std::string& key, const ResultStore& store) {
+  ExpectedCost cost = estimate(definition, run, store);
+  const auto earlier = store.newest_file(key, ".h5");
+  if (!earlier) return cost;
+  try {
+    const RunCost taken = read_result(*earlier).cost;
+    cost.processor_time = taken.user_time + taken.system_time;
+    cost.wall_time = taken.wall_time;
+    cost.memory = taken.peak_memory;
+    cost.measured = true;
+    cost.uncertainty = 1;
+  } catch (const ResultError&) {  // damaged: it says nothing
+  }
+  return cost;
+}
+
+void learn_cost(const RunResult& result, const CaseDefinition& definition, const RunDefinition& run,
+                const ResultStore& store) {
+  const bool ended_early = result.provenance.contains("left_range_because");
+  if (ended_early || std::holds_alternative<ExternalRun>(run.solver)) return;
+  record_cost({.solver = solver_name(run),
+               .modelled = modelled_time(definition, run),
+               .taken = result.cost.user_time + result.cost.system_time},
+              store);
+}
+
+std::string cost_text(const ExpectedCost& cost) {
+  const double taken = cost.processor_time;
+  if (cost.measured) return fmt::format("{} core-seconds measured", seconds_text(taken));
+  if (cost.uncertainty == 0) return "core-seconds not known";
+  return fmt::format("about {} core-seconds, an estimate: {} to {}", seconds_text(taken),
+                     seconds_text(taken / cost.uncertainty),
+                     seconds_text(taken * cost.uncertainty));
+}
+
+double time_limit(const ExpectedCost& cost) {
+  constexpr double shortest = 600;  // [s]
+  return std::max(shortest, 20 * cost.wall_time);
+}
+
+}  // namespace slosh

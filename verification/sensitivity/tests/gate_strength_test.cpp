@@ -1,0 +1,282 @@
+#include "verification/sensitivity/gate_strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "verification/gate/gate.hpp"
+#include "verification/tests/synthetic_series.hpp"
+
+namespace slosh::gate_strength_test {
+namespace {
+
+constexpr double forced = 3, natural = 4.96646;  // [rad/s]
+constexpr TimeWindow window{5, 25};
+const std::vector<ToneRequest> modes{{"forced", forced, false}, {"natural_1", natural, true}};
+
+// The candidate is 1 % high, 1.7 degrees late in the forced mode, and a little noisy.
+const TimeSeries reference = sampled(
+    [](double t) { return 0.01 * std::sin(forced * t) + 0.006 * std::sin(natural * t); }, 0, 26);
+const TimeSeries candidate = with_noise(
+    sampled(
+        [](double t) {
+          return 1.01 * (0.01 * std::sin(forced * (t - 0.01)) + 0.006 * std::sin(natural * t));
+        },
+        0, 26),
+    5e-5, 0.5, 3);
+
+GateRow row_of(Metric metric, const std::string& mode, const std::string& unit, double limit) {
+  GateRow row{};
+  row.candidate = "sph";
+  row.reference = "linear";
+  row.quantity = reference.name;
+  row.metric = metric;
+  row.mode = mode;
+  row.unit = unit;
+  row.limit = limit;
+  return row;
+}
+
+const PreparedSeries prepared("reference", reference, window, modes);
+
+// As the gate judges a campaign's rows.
+GateOutcome judge(const GateRow& row, const FindComparison& comparison) {
+  return evaluate(row, {{"sph", {RunState::finished, ""}}, {"linear", {RunState::finished, ""}}},
+                  {comparison, {}});
+}
+
+Comparison comparison_of(const TimeSeries& series) {
+  return compare({"candidate", series, window, modes}, prepared);
+}
+
+constexpr double depth = 0.35;  // [m]
+
+MutationFrame frame_of(const GateRow& row) {
+  return {window, two_pi / (row.mode == "natural_1" ? natural : forced), depth, modes};
+}
+
+TimeSeries candidate_with(const Mutation* mutation, const MutationFrame& frame) {
+  return mutation ? mutated(candidate, *mutation, frame) : candidate;
+}
+
+// Each mutant is compared once for all tests of this program, as the fits take most of their time.
+GateOutcome judge(const GateRow& row, const Mutation* mutation) {
+  using Mutant = std::tuple<double, std::optional<MutationKind>, double, std::string>;
+  static std::map<Mutant, Comparison> known;
+  return judge(row, [&](const auto&, const auto&, const auto&) -> const Comparison& {
+    const MutationFrame frame = frame_of(row);
+    const Mutant mutant =
+        mutation ? Mutant{frame.period, mutation->kind, mutation->strength, mutation->mode}
+                 : Mutant{};
+    const auto found = known.find(mutant);
+    if (found != known.end()) return found->second;
+    return known[mutant] = comparison_of(candidate_with(mutation, frame));
+  });
+}
+
+double measured(const GateRow& row) { return judge(row, nullptr).value.value; }
+
+GateStrength strength_of(const GateRow& row) {
+  return gate_strengths({{row, measured(row)}}, candidate, frame_of(row),
+                        [&](const Mutation* mutation) {
+                          return std::vector<Verdict>{judge(row, mutation).verdict};
+                        })
+      .at(0);
+}
+
+bool detects(const GateStrength& strength, MutationKind kind) {
+  return detected_from(strength, kind).has_value();
+}
+
+void expect_to_detect_what_is_unsound(const GateStrength& strength) {
+  for (const MutationKind kind : {MutationKind::truncated, MutationKind::not_a_number,
+                                  MutationKind::swapped_columns, MutationKind::other_unit})
+    EXPECT_TRUE(detects(strength, kind)) << mutation_name(kind);
+}
+
+const GateRow amplitude = row_of(Metric::amplitude_error, "forced", "1", 0.025);
+const GateRow lag = row_of(Metric::phase_lag, "forced", "deg", 4);
+const GateRow frequency = row_of(Metric::frequency_error, "natural_1", "1", 0.004);
+const GateRow rms = row_of(Metric::normalised_rms, "whole", "1", 0.06);
+
+TEST(GateStrength, OfANarrowAmplitudeRowBeginsAtItsLimit) {
+  const GateStrength strength = strength_of(amplitude);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::louder), 0.02);
+  EXPECT_EQ(detected_from(strength, MutationKind::quieter), 0.05);
+  EXPECT_TRUE(detects(strength, MutationKind::thousandfold));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfALagRowIsInShiftsAndTheSign) {
+  const GateStrength strength = strength_of(lag);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::late), 0.01);   // 1.7 and 3.6 degrees
+  EXPECT_EQ(detected_from(strength, MutationKind::early), 0.02);  // 1.7 less 7.2 degrees
+  EXPECT_TRUE(detects(strength, MutationKind::sign_flipped));
+  EXPECT_FALSE(detects(strength, MutationKind::louder));
+  EXPECT_FALSE(detects(strength, MutationKind::thousandfold));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfAFrequencyRowIsInStretches) {
+  const GateStrength strength = strength_of(frequency);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::faster), 0.005);
+  EXPECT_EQ(detected_from(strength, MutationKind::slower), 0.005);
+  EXPECT_FALSE(detects(strength, MutationKind::quieter));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfAResidualRowIsInAllOfThem) {
+  const GateStrength strength = strength_of(rms);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  for (const MutationKind kind :
+       {MutationKind::louder, MutationKind::quieter, MutationKind::late, MutationKind::early,
+        MutationKind::faster, MutationKind::slower, MutationKind::raised, MutationKind::lowered,
+        MutationKind::drifting, MutationKind::chirped, MutationKind::mode_gained,
+        MutationKind::noisy, MutationKind::slipped, MutationKind::thousandfold,
+        MutationKind::sign_flipped})
+    EXPECT_TRUE(detects(strength, kind)) << mutation_name(kind);
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, ShowsTheWeaknessOfAWideLimit) {
+  const GateStrength strength = strength_of(row_of(Metric::amplitude_error, "forced", "1", 0.5));
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_FALSE(detects(strength, MutationKind::louder));
+  EXPECT_FALSE(detects(strength, MutationKind::quieter));
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(broken_claims(strength).empty());  // it claims no more than it can
+}
+
+TEST(GateStrength, FindsOutAJudgeThatAlwaysPasses) {
+  const GateStrength strength =
+      gate_strengths({{amplitude, 0.01}}, candidate, frame_of(amplitude), [](const auto&) {
+        return std::vector<Verdict>{Verdict::pass};
+      }).at(0);
+  EXPECT_TRUE(detects_no_change(strength));
+  for (const MutationOutcome& outcome : strength.outcomes) EXPECT_FALSE(outcome.detected);
+  const std::vector<Mutation> broken = broken_claims(strength);
+  for (const MutationKind kind : {MutationKind::louder, MutationKind::truncated,
+                                  MutationKind::not_a_number, MutationKind::swapped_columns})
+    EXPECT_TRUE(std::any_of(broken.begin(), broken.end(),
+                            [kind](const Mutation& one) { return one.kind == kind; }));
+}
+
+TEST(GateStrength, FindsOutAJudgeThatIgnoresNaN) {
+  const auto careless = [](const Mutation* mutation) {
+    TimeSeries cleaned = candidate_with(mutation, frame_of(amplitude));
+    for (double& value : cleaned.value)
+      if (std::isnan(value)) value = 0;
+    Comparison comparison;
+    const auto compared = [&](const auto&, const auto&, const auto&) -> const Comparison& {
+      return comparison = comparison_of(cleaned);
+    };
+    return std::vector<Verdict>{judge(amplitude, compared).verdict};
+  };
+  const auto broken = broken_claims(
+      gate_strengths({{amplitude, 0.01}}, candidate, frame_of(amplitude), careless).at(0));
+  ASSERT_EQ(broken.size(), 1U);
+  EXPECT_EQ(broken[0].kind, MutationKind::not_a_number);
+}
+
+TEST(GateStrength, OfARowThatAnythingPassesIsNone) {
+  const GateStrength strength = strength_of(row_of(Metric::amplitude_error, "forced", "1", 1e300));
+  ASSERT_TRUE(strength.passes_as_it_is);
+  expect_to_detect_what_is_unsound(strength);
+  EXPECT_TRUE(detects_no_change(strength));
+  EXPECT_FALSE(detects_no_change(strength_of(amplitude)));
+}
+
+TEST(GateStrength, OfACostIsToldByRunsThatTheFormLeavesOut) {
+  const auto tried_with = [](const GateRow& row) {
+    return gate_strengths(
+               {{row, 10}}, candidate, frame_of(row),
+               [](const Mutation* mutation) {
+                 return std::vector<Verdict>{mutation ? Verdict::not_selected : Verdict::pass};
+               })
+        .at(0);
+  };
+  EXPECT_FALSE(detects_no_change(tried_with(row_of(Metric::cost_to_reach, "whole", "s", 60))));
+  EXPECT_TRUE(detects_no_change(tried_with(amplitude)));
+}
+
+TEST(GateStrength, OfAnOffsetRowIsInTheDatum) {
+  const GateRow offset = row_of(Metric::mean_offset, "whole", "m", 0.003);
+  const GateStrength strength = strength_of(offset);
+  ASSERT_TRUE(strength.passes_as_it_is);
+  EXPECT_EQ(detected_from(strength, MutationKind::raised), 0.01);  // of 0.35 m: 3.5 mm
+  EXPECT_EQ(detected_from(strength, MutationKind::lowered), 0.01);
+  EXPECT_TRUE(detects(strength, {MutationKind::raised, 0.02}));
+  EXPECT_FALSE(detects(strength, {MutationKind::raised, 0.005}));
+  EXPECT_FALSE(detects(strength, MutationKind::louder));
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfADriftIsThatOfItsMean) {
+  const GateStrength strength = strength_of(row_of(Metric::mean_offset, "whole", "m", 0.001));
+  ASSERT_TRUE(strength.passes_as_it_is);  // the deviation is 8.3 mm
+  EXPECT_EQ(detected_from(strength, MutationKind::drifting), 0.5);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, OfASlowChangeOfFrequencyIsItsMeanLag) {
+  const GateStrength strength = strength_of(lag);
+  // 6 degrees less 1.7; a smaller one is told where the fit refuses what lies beside the forcing.
+  EXPECT_LE(detected_from(strength, MutationKind::chirped).value(), 0.05);
+  EXPECT_TRUE(broken_claims(strength).empty());
+}
+
+TEST(GateStrength, TellsTheGainOfANaturalModeFromThatOfTheForcedOne) {
+  const GateRow natural_row = row_of(Metric::amplitude_error, "natural_1", "1", 0.04);
+  EXPECT_EQ(detected_from(strength_of(natural_row), MutationKind::mode_gained), 0.05);
+  EXPECT_TRUE(broken_claims(strength_of(natural_row)).empty());
+  EXPECT_FALSE(detected_from(strength_of(amplitude), MutationKind::mode_gained).has_value());
+}
+
+TEST(GateStrength, JudgesRowsTogetherAsEachAlone) {
+  const auto together =
+      gate_strengths({{amplitude, measured(amplitude)}, {rms, measured(rms)}}, candidate,
+                     frame_of(amplitude), [&](const Mutation* mutation) {
+                       return std::vector<Verdict>{judge(amplitude, mutation).verdict,
+                                                   judge(rms, mutation).verdict};
+                     });
+  for (const auto& [one, alone] :
+       {std::pair{together[0], strength_of(amplitude)}, std::pair{together[1], strength_of(rms)}}) {
+    ASSERT_EQ(one.outcomes.size(), alone.outcomes.size());
+    for (std::size_t i = 0; i < one.outcomes.size(); ++i) {
+      EXPECT_EQ(one.outcomes[i].detected, alone.outcomes[i].detected) << i;
+      EXPECT_EQ(one.outcomes[i].claimed, alone.outcomes[i].claimed) << i;
+    }
+  }
+}
+
+TEST(GateStrength, IsNotAskedOfARowThatDoesNotPassAsItIs) {
+  const GateStrength strength = strength_of(row_of(Metric::amplitude_error, "forced", "1", 0.001));
+  EXPECT_FALSE(strength.passes_as_it_is);
+  EXPECT_TRUE(strength.outcomes.empty());
+  EXPECT_FALSE(detected_from(strength, MutationKind::louder));
+}
+
+TEST(GateStrength, CountsFromWhereNothingStrongerIsMissed) {
+  const auto outcome = [](double strength, bool detected) {
+    return MutationOutcome{{MutationKind::louder, strength}, true, detected};
+  };
+  EXPECT_EQ(detected_from({true, {outcome(0.1, true), outcome(0.2, false), outcome(0.3, true)}},
+                          MutationKind::louder),
+            0.3);
+  EXPECT_FALSE(
+      detected_from({true, {outcome(0.1, true), outcome(0.2, false)}}, MutationKind::louder));
+}
+
+}  // namespace
+}  // namespace slosh::gate_strength_test

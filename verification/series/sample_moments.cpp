@@ -1,0 +1,36 @@
+#include "verification/series/sample_moments.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+
+namespace slosh {
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double rms(const std::vector<double>& values) {
+  double squares = 0;
+  for (const double value : values) squares += value * value;
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+std::vector<double> without_mean(std::vector<double> values) {
+  const double m = mean(values);
+  for (double& value : values) value -= m;
+  return values;
+}
+
+std::vector<double> minus(std::vector<double> values, const std::vector<double>& other) {
+  if (values.size() != other.size())
+    throw std::invalid_argument(
+        fmt::format("{} samples less {}; expected as many of both", values.size(), other.size()));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= other[i];
+  return values;
+}
+
+}  // namespace slosh

@@ -1,0 +1,148 @@
+#include "verification/series/distribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace slosh::distribution_test {
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Distribution of(std::vector<double> values) { return {"peak 1", std::move(values)}; }
+
+// Peaks of 60 repeats, skewed as an impact's are.
+std::vector<double> peaks(unsigned seed, double median = 4000) {
+  std::mt19937_64 generator(seed);
+  std::lognormal_distribution<double> peak(std::log(median), 0.3);
+  std::vector<double> values(60);
+  std::generate(values.begin(), values.end(), [&] { return peak(generator); });
+  return values;
+}
+
+std::vector<double> mapped(std::vector<double> values, double factor, double shift) {
+  for (double& value : values) value = factor * value + shift;
+  return values;
+}
+
+TEST(Distribution, HasTheMeanAndDeviationOfTheSampleInAnyOrder) {
+  const Distribution sample = of({9, 2, 4, 4, 5, 5, 7, 4});  // squares of deviations: 32
+  EXPECT_DOUBLE_EQ(sample.mean(), 5);
+  EXPECT_DOUBLE_EQ(sample.standard_deviation(), std::sqrt(32.0 / 7));
+  EXPECT_THROW(of({5}).standard_deviation(), ComparisonError);
+  EXPECT_EQ(of({5, 5}).standard_deviation(), 0);
+}
+
+TEST(Distribution, HasQuantilesBetweenItsSortedValues) {
+  const Distribution sample = of({40, 10, 30, 20});  // places 1, 2, 3, 4 at p = 0, 1/3, 2/3, 1
+  EXPECT_DOUBLE_EQ(sample.quantile(0), 10);
+  EXPECT_DOUBLE_EQ(sample.quantile(0.25), 17.5);
+  EXPECT_DOUBLE_EQ(sample.quantile(0.5), 25);
+  EXPECT_DOUBLE_EQ(sample.quantile(0.9), 37);
+  EXPECT_DOUBLE_EQ(sample.quantile(1), 40);
+  EXPECT_DOUBLE_EQ(of({7}).quantile(0.3), 7);
+  for (const double wrong : {-0.01, 1.01, nan_value})
+    EXPECT_THROW(sample.quantile(wrong), ComparisonError);
+}
+
+TEST(Distribution, HasACdfThatStepsUpAtItsValues) {
+  const Distribution sample = of({1, 2, 2, 5});
+  EXPECT_EQ(sample.cumulative(0.99), 0);
+  EXPECT_EQ(sample.cumulative(1), 0.25);
+  EXPECT_EQ(sample.cumulative(1.99), 0.25);
+  EXPECT_EQ(sample.cumulative(2), 0.75);
+  EXPECT_EQ(sample.cumulative(5), 1);
+}
+
+TEST(Distribution, TellsWhereAValueFalls) {
+  const Distribution sample = of({1, 2, 2, 5});
+  EXPECT_EQ(sample.percentile(0), 0);
+  EXPECT_EQ(sample.percentile(1), 12.5);
+  EXPECT_EQ(sample.percentile(2), 50);
+  EXPECT_EQ(sample.percentile(3), 75);
+  EXPECT_EQ(sample.percentile(6), 100);
+  EXPECT_THROW(sample.percentile(nan_value), ComparisonError);
+}
+
+TEST(Distribution, HoldsNineTenthsBetweenTheEndsOfItsCentralInterval) {
+  std::vector<double> values;
+  for (int i = 0; i <= 100; ++i) values.push_back(i);
+  EXPECT_DOUBLE_EQ(of(values).central_90_percent().low, 5);
+  EXPECT_DOUBLE_EQ(of(values).central_90_percent().high, 95);
+  values.resize(20);
+  EXPECT_DOUBLE_EQ(of(values).central_90_percent().low, 0.95);
+  values.resize(19);
+  EXPECT_THROW(of(values).central_90_percent(), ComparisonError);
+}
+
+TEST(Distribution, RefusesNoValuesAndValuesThatAreNone) {
+  EXPECT_THROW(of({}), ComparisonError);
+  for (const double wrong : {nan_value, infinity, -infinity}) {
+    try {
+      of({1, 2, wrong, 4});
+      FAIL() << wrong;
+    } catch (const ComparisonError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("peak 1: value 3 of 4 is not finite: ", 0), 0U);
+    }
+  }
+}
+
+TEST(Distribution, ScalesAndShiftsWithItsValues) {
+  const Distribution sample = of(peaks(1)), moved = of(mapped(peaks(1), 0.01, 3));
+  EXPECT_NEAR(moved.mean(), 0.01 * sample.mean() + 3, 1e-12);
+  EXPECT_NEAR(moved.standard_deviation(), 0.01 * sample.standard_deviation(), 1e-12);
+  EXPECT_NEAR(moved.quantile(0.37), 0.01 * sample.quantile(0.37) + 3, 1e-12);
+  EXPECT_NEAR(moved.central_90_percent().high, 0.01 * sample.central_90_percent().high + 3, 1e-12);
+  EXPECT_EQ(moved.percentile(0.01 * 4321 + 3), sample.percentile(4321));
+}
+
+TEST(AreaMetric, IsTheAreaBetweenTheStepsByHand) {
+  // F1 - F2 is 1/2 on (0, 1), 0 on (1, 2), 1/2 on (2, 4).
+  EXPECT_DOUBLE_EQ(area_metric(of({0, 2}), of({1, 4})), 1.5);
+  // Of unequal sizes: 1/3 - 0 on (1, 2), 2/3 - 1/2 on (2, 3), 2/3 - 1 on (3, 6).
+  EXPECT_DOUBLE_EQ(area_metric(of({1, 2, 6}), of({2, 3})), 1.0 / 3 + 1.0 / 6 + 1);
+}
+
+TEST(AreaMetric, IsZeroForTheSameCdfOnly) {
+  EXPECT_EQ(area_metric(of({3, 1, 2}), of({1, 2, 3})), 0);
+  EXPECT_NEAR(area_metric(of({1, 2, 3}), of({1, 1, 2, 2, 3, 3})), 0, 1e-15);
+  // Mean and deviation the same, the third moments not.
+  EXPECT_DOUBLE_EQ(area_metric(of({0, 0, 3}), of({2, 2, -1})), 4.0 / 3);
+}
+
+TEST(AreaMetric, OfSingleValuesIsTheirDistanceAndOfAValueAndASampleTheMeanDistance) {
+  EXPECT_DOUBLE_EQ(area_metric(of({4}), of({7})), 3);
+  EXPECT_DOUBLE_EQ(area_metric(of({4}), of({1, 2, 9})), (3.0 + 2 + 5) / 3);
+}
+
+TEST(AreaMetric, IsSymmetricAndScalesAndShiftsWithTheData) {
+  const auto one = peaks(1), other = peaks(2, 4500);
+  const double area = area_metric(of(one), of(other));
+  EXPECT_DOUBLE_EQ(area_metric(of(other), of(one)), area);
+  EXPECT_NEAR(area_metric(of(mapped(one, 0.01, 0)), of(mapped(other, 0.01, 0))), 0.01 * area,
+              1e-12 * area);
+  EXPECT_NEAR(area_metric(of(mapped(one, 1, 9)), of(mapped(other, 1, 9))), area, 1e-12 * area);
+  EXPECT_NEAR(area_metric(of(one), of(mapped(one, 1, 250))), 250, 1e-9);
+  // Every value grows by the factor, so the area is the growth of the mean.
+  EXPECT_NEAR(area_metric(of(one), of(mapped(one, 1.1, 0))), 0.1 * of(one).mean(), 1e-9);
+}
+
+TEST(AreaMetric, SeesATailThatWasCutOff) {
+  // 3 and 5 are cut to 2: by 1 and 3, over four values.
+  EXPECT_DOUBLE_EQ(area_metric(of({1, 2, 3, 5}), of({1, 2, 2, 2})), 1);
+  auto cut = peaks(1);
+  std::sort(cut.begin(), cut.end());
+  cut.resize(48);  // the highest fifth is gone
+  const Distribution whole = of(peaks(1)), rest = of(cut);
+  EXPECT_LT(rest.mean(), whole.mean());
+  EXPECT_LT(rest.central_90_percent().high, whole.central_90_percent().high);
+  // The one cdf is nowhere below the other, so the area is the difference of the means.
+  EXPECT_NEAR(area_metric(whole, rest), whole.mean() - rest.mean(), 1e-9);
+}
+
+}  // namespace
+}  // namespace slosh::distribution_test

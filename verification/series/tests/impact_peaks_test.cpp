@@ -1,0 +1,169 @@
+#include "verification/series/impact_peaks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "verification/tests/published_records.hpp"
+#include "verification/tests/synthetic_series.hpp"
+
+namespace slosh::impact_peaks_test {
+namespace {
+
+constexpr double period = 1.636;
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+struct Impact {
+  double time, height;  // [s], [Pa]
+};
+
+// Impacts that rise within 10 ms and decay within some 50 ms, on a plateau that ebbs away.
+TimeSeries pressure_of(const std::vector<Impact>& impacts, double end = 9) {
+  const auto pressure = [&](double t) {
+    double sum = 0;
+    for (const auto& [time, height] : impacts) {
+      const double s = t - time;
+      if (s < -0.01) continue;
+      sum += s < 0 ? height * (1 + s / 0.01)
+                   : (height - 670) * std::exp(-s / 0.05) + 670 * std::exp(-s / 0.5);
+    }
+    return sum;
+  };
+  return sampled(pressure, 0, end, 0.001);
+}
+
+TEST(ImpactWindows, FollowOneAnotherByAPeriodOrLieAboutTheExpectedTimes) {
+  const auto following = impact_windows(1.6, period, 3);
+  ASSERT_EQ(following.size(), 3U);
+  EXPECT_DOUBLE_EQ(following[0].begin, 1.6);
+  EXPECT_DOUBLE_EQ(following[0].end, 3.236);
+  EXPECT_DOUBLE_EQ(following[2].begin, 4.872);
+  EXPECT_DOUBLE_EQ(following[2].end, 6.508);
+  const auto about = impact_windows({2.375, 4.073}, period);
+  ASSERT_EQ(about.size(), 2U);
+  EXPECT_DOUBLE_EQ(about[1].begin, 4.073 - 0.409);
+  EXPECT_DOUBLE_EQ(about[1].end, 4.073 + 0.409);
+}
+
+TEST(ImpactThreshold, IsAQuarterOfTheLowestPublishedMeanPeak) {
+  EXPECT_DOUBLE_EQ(impact_threshold({3710, 4816, 4691, 4643}), 927.5);
+  EXPECT_THROW(impact_threshold({}), ComparisonError);
+}
+
+TEST(ImpactPeaks, AreTheHighestOfEachWindow) {
+  const TimeSeries pressure =
+      pressure_of({{2.375, 3710}, {4.073, 4816}, {4.2, 2000}, {5.718, 4691}, {7.303, 4643}});
+  for (const auto& windows :
+       {impact_windows(1.6, period, 4), impact_windows({2.4, 4.0, 5.7, 7.3}, period)}) {
+    const auto peaks = impact_peaks(pressure, windows, 910);
+    ASSERT_EQ(peaks.size(), 4U);
+    const std::vector<double> times{2.375, 4.073, 5.718, 7.303};
+    for (std::size_t i = 0; i < 4; ++i) {
+      ASSERT_TRUE(peaks[i]) << i;
+      EXPECT_NEAR(peaks[i]->time, times[i], 1e-9);
+    }
+    EXPECT_NEAR(peaks[0]->pressure, 3710, 1e-9);
+    EXPECT_NEAR(peaks[1]->pressure, 4816 + 670 * std::exp(-1.698 / 0.5), 1);
+  }
+}
+
+TEST(ImpactPeaks, ReportAnImpactThatDoesNotComeAsAbsent) {
+  const auto peaks = impact_peaks(pressure_of({{2.375, 3710}, {4.073, 800}, {5.718, 4691}}),
+                                  impact_windows(1.6, period, 4), 910);
+  EXPECT_TRUE(peaks.at(0));
+  EXPECT_FALSE(peaks.at(1));  // came, but weaker than an impact
+  EXPECT_TRUE(peaks.at(2));
+  EXPECT_FALSE(peaks.at(3));  // never came: what is left of the third one's plateau
+}
+
+TEST(ImpactPeaks, AreNotWhatAWindowsEdgeCutsOff) {
+  const TimeSeries pressure = pressure_of({{2.375, 3710}});
+  EXPECT_FALSE(impact_peaks(pressure, {{2.38, 4}}, 910).at(0));   // the fall
+  EXPECT_FALSE(impact_peaks(pressure, {{1, 2.374}}, 910).at(0));  // the rise
+  EXPECT_TRUE(impact_peaks(pressure, {{1, 2.376}}, 910).at(0));
+  // A record that ends or begins in the rise or fall holds no peak either.
+  EXPECT_FALSE(impact_peaks(pressure_of({{2.375, 3710}}, 2.37), {{1, 2.37}}, 910).at(0));
+}
+
+TEST(ImpactPeaks, BelongToOneWindowOnly) {
+  const auto peaks = impact_peaks(pressure_of({{2.375, 3710}}), {{1, 2.375}, {2.375, 4}}, 910);
+  EXPECT_FALSE(peaks.at(0));
+  EXPECT_TRUE(peaks.at(1));
+}
+
+TEST(ImpactPeaks, OfASaturatedSensorBeginWithTheFirstOfTheEqualSamples) {
+  TimeSeries pressure = pressure_of({{2.375, 3710}});
+  for (double& value : pressure.value) value = std::min(value, 2000.0);
+  const auto peaks = impact_peaks(pressure, {{1, 4}}, 910);
+  ASSERT_TRUE(peaks.at(0));
+  EXPECT_EQ(peaks[0]->pressure, 2000);
+  EXPECT_NEAR(peaks[0]->time, 2.371, 1e-9);
+  // A stair on the way up is no peak.
+  EXPECT_FALSE(
+      impact_peaks(sampled([](double t) { return 1000 * std::floor(t); }, 0, 5), {{1, 4}}, 910)
+          .at(0));
+}
+
+std::string complaint(const TimeSeries& pressure, const std::vector<TimeWindow>& windows,
+                      double threshold) {
+  try {
+    impact_peaks(pressure, windows, threshold);
+  } catch (const ComparisonError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ImpactPeaks, RefuseWhatTheyCannotSearch) {
+  const TimeSeries pressure = pressure_of({{2.375, 3710}});
+  const auto windows = impact_windows(1.6, period, 4);
+  EXPECT_EQ(complaint(pressure, windows, 910), "");
+  EXPECT_NE(complaint(pressure_of({{2.375, 3710}}, 5), windows, 910).find("covers 0 s to 5 s"),
+            std::string::npos);
+  TimeSeries with_nan = pressure;
+  with_nan.value[2375] = nan_value;
+  EXPECT_NE(complaint(with_nan, windows, 910).find("sample 2375 is not finite"), std::string::npos);
+  for (const double threshold : {0.0, -1.0, nan_value})
+    EXPECT_NE(complaint(pressure, windows, threshold).find("threshold = "), std::string::npos);
+  EXPECT_NE(complaint(pressure, {}, 910).find("no windows"), std::string::npos);
+  EXPECT_NE(complaint(pressure, {{1, 3}, {2.5, 4}}, 910)
+                .find("the window of impact 2 begins at 2.5 s; expected at or after the last one's "
+                      "end, 3 s"),
+            std::string::npos);
+}
+
+TEST(PlateauMean, IsTheMeanOverTimeOfUnevenSamplesToo) {
+  TimeSeries line{.name = "p", .unit = "Pa", .time = {0, 1, 1.5, 2, 4, 5}, .value = {}};
+  for (const double t : line.time) line.value.push_back(100 + 10 * t);
+  EXPECT_DOUBLE_EQ(plateau_mean(line, {1, 4}), 125);  // the samples' own mean is 121.25
+  EXPECT_THROW(plateau_mean(line, {4, 7}), ComparisonError);
+}
+
+TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
+  const std::string name = "spheric_test10/pressure_sensor1_lateral_water_1kHz.csv";
+  const auto file = published_record(name);
+  if (!file) GTEST_SKIP() << name << record_missing;
+  TimeSeries pressure{.name = "sensor 1", .unit = "Pa", .time = {}, .value = {}};
+  std::ifstream stream(*file);
+  std::string header;
+  std::getline(stream, header);
+  char comma = 0;
+  for (double t = 0, p = 0; stream >> t >> comma >> p;) {
+    pressure.time.push_back(t);
+    pressure.value.push_back(p);
+  }
+  const auto peaks = impact_peaks(pressure, impact_windows(1.6, period, 4),
+                                  impact_threshold({3710, 4816, 4691, 4643}));
+  const std::vector<double> published{2.375, 4.073, 5.718, 7.303};  // [s]
+  for (std::size_t i = 0; i < 4; ++i) {
+    ASSERT_TRUE(peaks[i]) << i;
+    EXPECT_NEAR(peaks[i]->time, published[i], 0.001);
+  }
+  EXPECT_NEAR(plateau_mean(pressure, {2.45, 2.65}), 670, 1);
+}
+
+}  // namespace
+}  // namespace slosh::impact_peaks_test

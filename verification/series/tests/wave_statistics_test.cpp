@@ -1,0 +1,75 @@
+#include "verification/series/wave_statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "verification/tests/synthetic_series.hpp"
+
+namespace slosh::wave_statistics_test {
+namespace {
+
+constexpr double period = 1.3;
+
+// Steep crests and flat troughs about a level of 0.02: 0.1 cos + 0.03 cos of twice the frequency.
+double steep_wave(double t) {
+  return 0.02 + 0.1 * std::cos(two_pi / period * t) + 0.03 * std::cos(2 * two_pi / period * t);
+}
+
+TEST(WaveStatistics, GiveMeanDeviationCrestAndTroughOfAKnownWave) {
+  const auto wave = wave_statistics(sampled(steep_wave, 0, 10 * period), period);
+  EXPECT_NEAR(wave.mean, 0.02, 2e-4);  // both ends of the window are counted
+  EXPECT_NEAR(wave.deviation, std::sqrt(0.5 * (0.01 + 0.0009)), 2e-4);
+  EXPECT_NEAR(wave.crest, 0.15, 2e-4);
+  EXPECT_NEAR(wave.trough, 0.02 - 0.0717, 3e-4);  // -0.1 c + 0.03 (2 c^2 - 1) at c = -5 / 6
+}
+
+TEST(WaveStatistics, AverageTheCrestsOverThePeriods) {
+  // The k-th of ten periods is (1 + k / 10) as high.
+  const auto growing = [](double t) {
+    return (1 + 0.1 * std::floor(t / period)) * std::sin(two_pi / period * t);
+  };
+  const auto wave = wave_statistics(sampled(growing, 0, 10 * period, 0.005), period);
+  EXPECT_NEAR(wave.crest, 1.45, 2e-3);
+  EXPECT_NEAR(wave.trough, -1.45, 2e-3);
+}
+
+TEST(WaveStatistics, LeaveOutThePeriodThatTheWindowCuts) {
+  const auto last_is_high = [](double t) { return t > 2.5 * period ? 9.0 : std::sin(two_pi * t); };
+  const auto whole = wave_statistics(sampled(last_is_high, 0, 2.7 * period), period);
+  EXPECT_NEAR(whole.crest, 1, 1e-3);
+  EXPECT_TRUE(std::isnan(wave_statistics(sampled(steep_wave, 0, 0.9 * period), period).crest));
+  EXPECT_TRUE(std::isnan(
+      wave_statistics(sampled(steep_wave, 0, 10 * period), std::numeric_limits<double>::infinity())
+          .trough));
+}
+
+TEST(NoiseShare, FindsWhiteNoiseOfAnyStrengthInASteepWave) {
+  const auto clean = sampled(steep_wave, 0, 24);
+  EXPECT_LT(noise_share(clean), 1e-4);
+  const double deviation = wave_statistics(clean, period).deviation;
+  for (const double strength : {0.02, 0.1, 0.3})
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+      EXPECT_NEAR(noise_share(with_noise(clean, strength * deviation, 0, seed)),
+                  strength / std::hypot(1, strength), 0.08 * strength);
+}
+
+TEST(NoiseShare, IsNoneOfSmoothDisturbances) {
+  // 0.3 s of correlation: a tenth of the deviation, and yet no white noise.
+  const auto clean = sampled(steep_wave, 0, 24);
+  const auto disturbed =
+      sampled([](double t) { return steep_wave(t) + 0.007 * std::sin(two_pi * t / 0.3); }, 0, 24);
+  EXPECT_LT(noise_share(disturbed), 2e-3);
+  // A breaker that passes in a twentieth of the samples hides nothing and adds nothing.
+  const auto breaking = sampled(
+      [](double t) { return steep_wave(t) + (std::fmod(t, period) < 0.05 ? 0.05 : 0); }, 0, 24);
+  EXPECT_LT(noise_share(breaking), 2e-3);
+}
+
+TEST(NoiseShare, RefusesWhatDoesNotVaryAndTooFewSamples) {
+  EXPECT_THROW(noise_share(sampled([](double) { return 0.2; }, 0, 5)), ComparisonError);
+  EXPECT_THROW(noise_share(sampled(steep_wave, 0, 0.14)), ComparisonError);
+}
+
+}  // namespace
+}  // namespace slosh::wave_statistics_test

@@ -1,0 +1,115 @@
+#include "verification/solvers/external_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <boost/process/search_path.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "verification/input/nearest_name.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Placeholders = std::vector<std::pair<std::string, std::string>>;
+
+Placeholders placeholders(const CaseDefinition& definition, const fs::path& work_directory) {
+  const fs::path file = fs::absolute(definition.file);
+  return {{"case_file", file.string()},
+          {"case_directory", file.parent_path().string()},
+          {"work_directory", work_directory.string()},
+          {"duration_s", fmt::format("{}", definition.duration)},
+          {"sample_interval_s", fmt::format("{}", definition.sample_interval)}};
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == text.npos;
+}
+
+// Braces around anything but a name stay. Throws std::invalid_argument for a name of no
+// placeholder.
+std::string filled_in(const std::string& argument, const Placeholders& known) {
+  std::string filled;
+  for (std::size_t at = 0; at < argument.size();) {
+    const std::size_t open = argument.find('{', at), close = argument.find('}', open);
+    if (close == argument.npos) return filled + argument.substr(at);
+    const std::string name = argument.substr(open + 1, close - open - 1);
+    filled += argument.substr(at, open - at);
+    at = is_name(name) ? close + 1 : open + 1;
+    if (!is_name(name)) {
+      filled += '{';
+      continue;
+    }
+    std::vector<std::string> names;
+    const std::string* value = nullptr;
+    for (const auto& [one, text] : known) {
+      names.push_back(one);
+      if (one == name) value = &text;
+    }
+    if (!value)
+      throw std::invalid_argument(fmt::format(
+          "command: {}: {{{}}} is no placeholder, expected one of {}; nearest: {}", argument, name,
+          fmt::join(names, ", "), nearest_names(name, names, 1).front()));
+    filled += *value;
+  }
+  return filled;
+}
+
+// The argument, and what it sets where it has the form "--name=value".
+std::vector<std::string> texts_of(const std::string& argument) {
+  std::vector<std::string> texts{argument};
+  if (const std::size_t equals = argument.find('='); equals != argument.npos)
+    texts.push_back(argument.substr(equals + 1));
+  return texts;
+}
+
+}  // namespace
+
+fs::path external_program(const ExternalRun& external, const CaseDefinition& definition) {
+  const std::string& name = external.command.front();
+  if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
+  const fs::path directory = fs::absolute(definition.file).parent_path();
+  const fs::path file = directory / filled_in(name, placeholders(definition, ""));
+  return fs::is_regular_file(file) ? file.lexically_normal() : fs::path();
+}
+
+std::vector<std::string> external_command(const ExternalRun& external,
+                                          const CaseDefinition& definition,
+                                          const fs::path& work_directory) {
+  const Placeholders known = placeholders(definition, work_directory);
+  std::vector<std::string> command;
+  for (const std::string& argument : external.command)
+    command.push_back(filled_in(argument, known));
+  command.front() = external_program(external, definition).string();
+  return command;
+}
+
+std::vector<fs::path> external_inputs(const ExternalRun& external,
+                                      const CaseDefinition& definition) {
+  const fs::path case_file = fs::absolute(definition.file).lexically_normal();
+  std::vector<fs::path> files;
+  const auto add = [&](const fs::path& file) {
+    const fs::path normal = file.lexically_normal();
+    if (std::find(files.begin(), files.end(), normal) == files.end()) files.push_back(normal);
+  };
+  const auto add_argument = [&](const fs::path& file) {
+    std::error_code none;
+    if (fs::is_regular_file(file, none) && file.lexically_normal() != case_file) add(file);
+  };
+  for (const fs::path& input : external.inputs) add(input);
+  // What lies in the work directory is made by the run; nothing lies below /dev/null.
+  const std::vector<std::string> command = external_command(external, definition, "/dev/null");
+  for (auto argument = command.begin() + 1; argument != command.end(); ++argument)
+    for (const std::string& text : texts_of(*argument)) {
+      add_argument(case_file.parent_path() / text);
+      if (!external.directory.empty()) add_argument(external.directory / text);
+    }
+  return files;
+}
+
+}  // namespace slosh

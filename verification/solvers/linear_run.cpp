@@ -1,0 +1,219 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "reference/linear_roll.hpp"
+#include "reference/linear_surge.hpp"
+#include "reference/standing_wave.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/solvers/reference_tank.hpp"
+#include "verification/solvers/solver_runs.hpp"
+
+namespace slosh {
+namespace {
+
+// Samples per sample interval of a motion that has no closed form. Duhamel's integral takes X'' as
+// linear between them: relative error (omega step)^2 / 12, below 1e-4 where a forcing period has 50
+// samples.
+constexpr int motion_samples_per_sample = 4;
+// The same error up to 14 rad/s, without more memory for a case that is sampled for its impacts.
+// [s]
+constexpr double shortest_motion_step = 2.5e-3;
+
+// The surge where it has a closed form: a sine without a ramp.
+const SineMotion* sine_surge(const CaseDefinition& definition) {
+  if (!definition.motion.surge) return nullptr;
+  const auto* sine = std::get_if<SineMotion>(&*definition.motion.surge);
+  return sine && sine->ramp_periods == 0 ? sine : nullptr;
+}
+
+std::optional<reference::Gas> gas_of(const LinearRun& linear, const CaseDefinition& definition) {
+  if (!linear.two_layer) return {};
+  return reference::Gas{definition.gas.density,
+                        definition.tank.height - definition.liquid.fill_depth};
+}
+
+// The answer to `motion`, with the gas where the run counts it.
+template <class Solution, class Motion>
+Solution solution(const LinearRun& linear, const CaseDefinition& definition, const Motion& motion) {
+  const auto gas = gas_of(linear, definition);
+  if (!gas) return {tank_of(definition), start_of(definition), motion, linear.modes};
+  return {tank_of(definition), *gas, start_of(definition), motion, linear.modes};
+}
+
+double motion_step(const CaseDefinition& definition) {
+  return std::max(shortest_motion_step, definition.sample_interval / motion_samples_per_sample);
+}
+
+std::optional<reference::LinearSurge> surge_of(const LinearRun& linear,
+                                               const CaseDefinition& definition) {
+  if (!definition.motion.surge) return {};
+  if (const SineMotion* sine = sine_surge(definition))
+    return solution<reference::LinearSurge>(
+        linear, definition, reference::SineSurge{sine->amplitude, sine->angular_frequency});
+  const SurgeMotion motion = surge_motion(definition);
+  return solution<reference::LinearSurge>(
+      linear, definition,
+      reference::AnySurge{motion.velocity(0), motion.acceleration, definition.duration,
+                          motion_step(definition)});
+}
+
+std::optional<reference::LinearRoll> roll_of(const LinearRun& linear,
+                                             const CaseDefinition& definition) {
+  const std::optional<RollMotion> roll = roll_motion(definition);
+  if (!roll) return {};
+  return solution<reference::LinearRoll>(
+      linear, definition,
+      reference::RollMotion{roll->angle, roll->rate, roll->acceleration,
+                            roll->axis_x - definition.tank.length / 2,
+                            roll->axis_z - definition.liquid.fill_depth, definition.duration,
+                            motion_step(definition)});
+}
+
+std::optional<reference::StandingWave> wave_of(const LinearRun& linear,
+                                               const CaseDefinition& definition) {
+  if (!definition.initial_wave) return {};
+  return reference::StandingWave(
+      tank_of(definition), gas_of(linear, definition),
+      {definition.initial_wave->mode, definition.initial_wave->amplitude});
+}
+
+// Surge, roll and the initial wave together: to the first order the sum of what each does, on still
+// water counted once.
+class LinearTank {
+ public:
+  LinearTank(const LinearRun& linear, const CaseDefinition& definition)
+      : definition_(definition),
+        times_(sample_times(definition)),
+        surge_(surge_of(linear, definition)),
+        roll_(roll_of(linear, definition)),
+        wave_(wave_of(linear, definition)) {}
+
+  const std::vector<double>& times() const { return times_; }
+
+  // x from the tank's centre.
+  std::vector<double> elevation(double x) const {
+    std::vector<double> sum(times_.size(), 0.0);
+    if (surge_) add(sum, surge_->elevation(x, times_));
+    if (roll_) add(sum, roll_->elevation(x, times_));
+    if (wave_) add(sum, series([&](double t) { return wave_->elevation(x, t); }));
+    return sum;
+  }
+
+  // The mean over the sensor, by the midpoint rule; all of it lies under the still surface.
+  std::vector<double> wall_pressure(const PressureGaugeDefinition& gauge) const {
+    const int places = gauge.width > 0 ? places_of_sensor : 1;
+    std::vector<double> mean(times_.size(), 0.0);
+    for (int k = 0; k < places; ++k) {
+      const double along = gauge.position + gauge.width * ((k + 0.5) / places - 0.5);
+      add(mean, pressure(gauge.wall, along), 1.0 / places);
+    }
+    return mean;
+  }
+
+  std::vector<double> force_x() const {
+    return series([&](double t) {
+      return (surge_ ? surge_->horizontal_force(t) : 0) + (roll_ ? roll_->force(t).x : 0) +
+             (wave_ ? wave_->horizontal_force(t) : 0);
+    });
+  }
+  // Where nothing but roll excites the liquid.
+  bool has_moment() const { return roll_ && !surge_ && !wave_; }
+  std::vector<double> moment() const {
+    return series([&](double t) { return roll_->moment(t); });
+  }
+
+ private:
+  static constexpr int places_of_sensor = 8;
+
+  static void add(std::vector<double>& sum, const std::vector<double>& values, double scale = 1) {
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * values[i];
+  }
+
+  template <class Value>
+  std::vector<double> series(const Value& value) const {
+    std::vector<double> values;
+    for (const double t : times_) values.push_back(value(t));
+    return values;
+  }
+
+  std::vector<double> pressure(Wall wall, double along) const {
+    const reference::Observation::Place place = place_on_wall(definition_, wall, along);
+    std::vector<double> sum(times_.size(), 0.0);
+    if (roll_) add(sum, roll_->pressure(place.x, place.z, times_));
+    if (surge_) add(sum, series([&](double t) { return surge_->pressure(place.x, place.z, t); }));
+    if (wave_) add(sum, series([&](double t) { return wave_->pressure(place.x, place.z, t); }));
+    const double still = -definition_.liquid.density * definition_.gravity * place.z;
+    const int counted = surge_.has_value() + roll_.has_value() + wave_.has_value();
+    for (double& value : sum) value -= (counted - 1) * still;
+    return sum;
+  }
+
+  const CaseDefinition& definition_;
+  std::vector<double> times_;
+  std::optional<reference::LinearSurge> surge_;
+  std::optional<reference::LinearRoll> roll_;
+  std::optional<reference::StandingWave> wave_;
+};
+
+bool under_still_water(const PressureGaugeDefinition& gauge, const CaseDefinition& definition) {
+  return gauge.wall == Wall::bottom ||
+         gauge.position + gauge.width / 2 < definition.liquid.fill_depth;
+}
+
+}  // namespace
+
+void require_scene(const LinearRun&, const CaseDefinition& definition, const RunDefinition& run) {
+  if (definition.liquid.column_width)
+    throw refused(run,
+                  "linear theory takes no liquid.column_width_m: a breaking dam is no small "
+                  "motion about a level surface");
+  if (!definition.obstacles.empty())
+    throw refused(run,
+                  "linear theory takes no [[obstacle]]: its modes are those of a tank "
+                  "without one");
+  if (definition.motion.still() && !definition.initial_wave)
+    throw refused(run,
+                  "linear theory of motion.still = true is a level surface, against "
+                  "which nothing can be compared; expected a tank that moves or an [initial_wave]");
+}
+
+RunResult run_linear(const LinearRun& linear, const RunRequest& request) {
+  require_scene(linear, request.definition, request.run);
+  const CaseDefinition& definition = request.definition;
+  const LinearTank tank(linear, definition);
+  const double centre = definition.tank.length / 2;
+
+  RunResult result;
+  const auto add = [&](const std::string& name, const char* unit, std::vector<double> values) {
+    result.series.push_back({name, unit, tank.times(), std::move(values)});
+  };
+  for (const GaugeDefinition& gauge : definition.gauges)
+    add("elevation@" + gauge.name, "m", tank.elevation(gauge.x - centre));
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    if (under_still_water(gauge, definition))
+      add("wall_pressure@" + gauge.name, "Pa", tank.wall_pressure(gauge));
+  add("force_x", "N/m", tank.force_x());
+  if (tank.has_moment()) add("moment", "N", tank.moment());
+  request.progress(definition.duration, 0);
+
+  // Every mode is highest at the walls.
+  const double highest = std::max(largest_magnitude(tank.elevation(-centre)),
+                                  largest_magnitude(tank.elevation(centre)));
+  result.diagnostics = {{"modes", linear.modes},
+                        {"highest_elevation_m", highest},
+                        {"highest_elevation_over_depth", highest / definition.liquid.fill_depth}};
+  result.active_terms = {"linear potential flow"};
+  if (!definition.motion.still()) {
+    result.active_terms.push_back(fmt::format("{} antisymmetric modes", linear.modes));
+    result.active_terms.push_back(sine_surge(definition) && !definition.motion.roll
+                                      ? "closed form of a sine surge"
+                                      : "Duhamel's integral of the motion");
+  }
+  if (definition.initial_wave) result.active_terms.push_back("closed form of the standing wave");
+  if (linear.two_layer) result.active_terms.push_back("gas in the dispersion relation");
+  return result;
+}
+
+}  // namespace slosh

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "reference/nonlinear_potential_flow.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/solvers/reference_tank.hpp"
+#include "verification/solvers/solver_runs.hpp"
+
+namespace slosh {
+namespace {
+
+using reference::NonlinearRecord;
+using reference::NonlinearSloshing;
+
+reference::TankMotion motion_of(const CaseDefinition& definition) {
+  reference::TankMotion motion;
+  if (definition.motion.surge) {
+    const SurgeMotion surge = surge_motion(definition);
+    motion.surge_velocity = surge.velocity;
+    motion.surge_acceleration = surge.acceleration;
+  }
+  if (const std::optional<RollMotion> roll = roll_motion(definition)) {
+    motion.angle = roll->angle;
+    motion.rate = roll->rate;
+    motion.roll_acceleration = roll->acceleration;
+    motion.axis_x = roll->axis_x - definition.tank.length / 2;
+    motion.axis_z = roll->axis_z - definition.liquid.fill_depth;
+  }
+  return motion;
+}
+
+// From the tank's centre; empty for a level surface.
+std::function<double(double)> initial_elevation(const CaseDefinition& definition) {
+  if (!definition.initial_wave) return {};
+  const double wave_number =
+      definition.initial_wave->mode * std::numbers::pi / definition.tank.length;
+  return [wave_number, amplitude = definition.initial_wave->amplitude,
+          half = definition.tank.length / 2](double x) {
+    return amplitude * std::cos(wave_number * (x + half));
+  };
+}
+
+NonlinearSloshing sloshing_of(const PotentialRun& potential, const CaseDefinition& definition) {
+  return {.tank = tank_of(definition),
+          .roof = definition.tank.height - definition.liquid.fill_depth,
+          .motion = motion_of(definition),
+          .start = start_of(definition),
+          .initial_elevation = initial_elevation(definition),
+          .nodes_x = potential.nodes_x,
+          .nodes_z = potential.nodes_z};
+}
+
+reference::Observation observation_of(const CaseDefinition& definition) {
+  reference::Observation observation{.times = sample_times(definition)};
+  for (const GaugeDefinition& gauge : definition.gauges)
+    observation.gauges.push_back(gauge.x - definition.tank.length / 2);
+  // The sensor's middle: over its few millimetres the pressure is linear.
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    observation.pressure_places.push_back(place_on_wall(definition, gauge.wall, gauge.position));
+  return observation;
+}
+
+void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
+                const std::string& suffix, RunResult& result) {
+  const auto add = [&](const std::string& name, const char* unit, std::vector<double> values) {
+    result.series.push_back({name + suffix, unit, record.times, std::move(values)});
+  };
+  for (std::size_t k = 0; k < definition.gauges.size(); ++k)
+    add("elevation@" + definition.gauges[k].name, "m", record.elevation[k]);
+  for (std::size_t k = 0; k < definition.pressure_gauges.size(); ++k)
+    add("wall_pressure@" + definition.pressure_gauges[k].name, "Pa", record.pressure[k]);
+  std::vector<double> force_x, force_z, moment;
+  for (const reference::WallLoad& load : record.load) {
+    force_x.push_back(load.force_x);
+    force_z.push_back(load.force_z);
+    moment.push_back(load.moment);
+  }
+  add("force_x", "N/m", std::move(force_x));
+  add("force_z", "N/m", std::move(force_z));
+  if (definition.motion.roll) add("moment", "N", std::move(moment));
+}
+
+// Series of two runs stand beside one another: both end where the first of them has left its range.
+void cut_to(std::size_t samples, NonlinearRecord& record) {
+  record.times.resize(samples);
+  for (std::vector<double>& series : record.elevation) series.resize(samples);
+  for (std::vector<double>& series : record.pressure) series.resize(samples);
+  record.load.resize(samples);
+}
+
+}  // namespace
+
+void require_scene(const PotentialRun&, const CaseDefinition& definition,
+                   const RunDefinition& run) {
+  if (definition.liquid.column_width)
+    throw refused(run,
+                  "potential flow takes no liquid.column_width_m: a dam's surface is no "
+                  "function of x");
+  if (!definition.obstacles.empty())
+    throw refused(run, "potential flow takes no [[obstacle]]: its tank has four plane walls");
+}
+
+// Twice, with three quarters of the nodes too: what sets the two apart tells the run's uncertainty.
+RunResult run_potential(const PotentialRun& potential, const RunRequest& request) {
+  require_scene(potential, request.definition, request.run);
+  const CaseDefinition& definition = request.definition;
+  const reference::Observation observation = observation_of(definition);
+  NonlinearRecord record =
+      run_nonlinear_potential_flow(sloshing_of(potential, definition), observation);
+  const PotentialRun coarse{potential.nodes_x * 3 / 4, potential.nodes_z * 3 / 4};
+  NonlinearRecord coarse_record =
+      run_nonlinear_potential_flow(sloshing_of(coarse, definition), observation);
+  request.progress(definition.duration, 0);
+  const std::string& because = record.valid_until <= coarse_record.valid_until
+                                   ? record.left_range_because
+                                   : coarse_record.left_range_because;
+  const std::size_t common = std::min(record.times.size(), coarse_record.times.size());
+  if (common == 0) throw SolverError("potential flow leaves its range at once: " + because);
+  for (NonlinearRecord* one : {&record, &coarse_record}) cut_to(common, *one);
+
+  RunResult result;
+  add_series(record, definition, "", result);
+  add_series(coarse_record, definition, coarser, result);
+  result.diagnostics = {{"valid_until_s", std::min(record.valid_until, coarse_record.valid_until)},
+                        {"largest_volume_error_m", largest_magnitude(record.volume_error)},
+                        {"largest_energy_error", largest_magnitude(record.energy_error)},
+                        {"largest_unresolved_share", largest_magnitude(record.unresolved)}};
+  if (!because.empty()) result.provenance["left_range_because"] = because;
+  result.active_terms = {"fully nonlinear potential flow"};
+  result.cost.elements = 1.0 * potential.nodes_x * potential.nodes_z;
+  return result;
+}
+
+}  // namespace slosh

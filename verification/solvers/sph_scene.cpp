@@ -1,0 +1,73 @@
+#include "verification/solvers/sph_scene.hpp"
+
+#include <optional>
+
+#include "verification/case/motion.hpp"
+
+namespace slosh {
+namespace {
+
+std::optional<sph::InitialState> initial_state(const SphRun& sph) {
+  if (sph.initial_state.empty()) return {};
+  if (sph.initial_state == "lattice") return sph::InitialState::lattice;
+  return sph.initial_state == "settled" ? sph::InitialState::settled : sph::InitialState::projected;
+}
+
+std::optional<sph::Roll> roll_of(const CaseDefinition& definition) {
+  const std::optional<RollMotion> roll = roll_motion(definition);
+  if (!roll) return {};
+  return sph::Roll{roll->angle, roll->rate, roll->acceleration, roll->axis_x, roll->axis_z};
+}
+
+sph::Wall wall_of(Wall wall) {
+  if (wall == Wall::bottom) return sph::Wall::bottom;
+  return wall == Wall::left ? sph::Wall::left : sph::Wall::right;
+}
+
+}  // namespace
+
+sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
+  const SurgeMotion motion = surge_motion(definition);
+  const bool still_water =
+      definition.motion.still() && !definition.liquid.column_width && !definition.initial_wave;
+  sph::Scene scene{.tank_length = definition.tank.length,
+                   .tank_height = definition.tank.height,
+                   .fill_depth = definition.liquid.fill_depth,
+                   .gravity = definition.gravity,
+                   .rest_density = definition.liquid.density,
+                   .kinematic_viscosity = definition.liquid.kinematic_viscosity,
+                   .displacement = motion.displacement,
+                   .velocity = motion.velocity,
+                   .acceleration = motion.acceleration,
+                   .roll = roll_of(definition),
+                   .start = definition.start == Start::tank ? sph::Start::tank : sph::Start::earth,
+                   .duration = definition.duration,
+                   .sample_interval = definition.sample_interval,
+                   .particle_spacing = sph.particle_spacing,
+                   .surface_particle_spacing = sph.surface_particle_spacing,
+                   .column_width = definition.liquid.column_width,
+                   .variant = sph.variant,
+                   .numbers = {.smoothing_length_ratio = sph.numbers.smoothing_length_ratio,
+                               .sound_speed_ratio = sph.numbers.sound_speed_ratio,
+                               .courant_number = sph.numbers.courant_number,
+                               .artificial_viscosity = sph.numbers.artificial_viscosity,
+                               .density_diffusion = sph.numbers.density_diffusion},
+                   .initial_state = initial_state(sph),
+                   .start_disorder = sph.start_disorder,
+                   .start_seed = static_cast<unsigned>(sph.start_seed),
+                   .gauges = {},
+                   .record_still_water = still_water,
+                   .record_energy_budget = sph.energy_budget,
+                   .record_snapshot = {}};
+  if (const auto& wave = definition.initial_wave)
+    scene.initial_wave = sph::InitialWave{wave->mode, wave->amplitude};
+  for (const GaugeDefinition& gauge : definition.gauges)
+    scene.gauges.push_back({gauge.name, gauge.x});
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    scene.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
+  for (const ObstacleDefinition& one : definition.obstacles)
+    scene.obstacles.push_back({one.left, one.right, one.bottom, one.top});
+  return scene;
+}
+
+}  // namespace slosh
