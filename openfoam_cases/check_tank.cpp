@@ -6,9 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "openfoam_cases/geometry/front_position.hpp"
+#include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/geometry/liquid_edge.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
 
 namespace slosh::openfoam {
@@ -82,7 +83,7 @@ void check_snapshots(const SloshingTank& tank) {
   }
 }
 
-// Its trough leaves the bottom covered, its crest the roof dry.
+// Checks that the wave's trough leaves the bottom wet and its crest the roof dry.
 void check_wave(const InitialWave& wave, const SloshingTank& tank) {
   require(wave.mode >= 1, "initial_wave mode", wave.mode, "1, 2, ...");
   const double most = std::min(tank.fill_depth, tank.height - tank.fill_depth);
@@ -107,19 +108,12 @@ void check_liquid(const SloshingTank& tank, const TankMesh& mesh) {
   }
   const double volume = initial_volume(tank, mesh);
   const double room = mesh.free_cells() * mesh.cell_width() * mesh.cell_height();
-  // A share of a cell that round-off alone would give.
+  // 1e-9 of the room is what round-off alone could give.
   require(volume > 1e-9 * room && volume < (1 - 1e-9) * room, "liquid volume per metre", volume,
           fmt::format("between nothing and the {} m2 that the obstacles leave", room));
 }
 
 }  // namespace
-
-void require(bool condition, const char* key, double value, const std::string& expected) {
-  if (!condition) {
-    throw std::invalid_argument(
-        fmt::format("OpenFOAM tank: {} = {}: expected {}", key, value, expected));
-  }
-}
 
 void check_tank(const SloshingTank& tank) {
   check_numbers(tank);

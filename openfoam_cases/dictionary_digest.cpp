@@ -1,13 +1,13 @@
-// A library of its own that OpenFOAM's programs preload. OpenFOAM 1912 as GCC 12 and later compile
-// it (Debian 13) ends every run at its first function object with `error in IOstream "sha1"`: the
-// stream that hashes the object's dictionary is made in an order of construction that those
-// compilers leave without a buffer. The hash only tells whether a dictionary has changed since the
-// run read it, which none of ours does, so that this constant serves as well.
+// A library that OpenFOAM's programs preload. OpenFOAM 1912 compiled by GCC 12 or later (Debian 13)
+// ends every run at its first function object with `error in IOstream "sha1"`: with these compilers
+// the stream that hashes the object's dictionary is constructed in an order that leaves it without
+// a buffer. The hash only shows whether a dictionary has changed since the run read it. None of our
+// dictionaries changes, so that a constant is sufficient.
 #include <array>
 
 namespace {
 
-// As Foam::SHA1Digest: twenty bytes. All zeros would be the hash of no dictionary at all.
+// The twenty bytes of Foam::SHA1Digest. All zeros would mean an empty digest.
 struct Digest {
   std::array<unsigned char, 20> bytes;
 };

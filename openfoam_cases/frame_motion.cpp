@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "openfoam_cases/check_tank.hpp"
+#include "openfoam_cases/errors.hpp"
 
 namespace slosh::openfoam {
 namespace {

@@ -8,10 +8,9 @@
 
 #include "openfoam_cases/frame_motion.hpp"
 #include "openfoam_cases/geometry/block_mesh.hpp"
-#include "openfoam_cases/geometry/front_position.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
-#include "openfoam_cases/geometry/highest_surface.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/geometry/liquid_edge.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
 #include "openfoam_cases/time_step.hpp"
 
@@ -22,15 +21,15 @@ using kainjow::mustache::data;
 
 std::string number(double value) { return fmt::format("{}", value); }
 
-// The liquid's share of each cell, in OpenFOAM's order.
+// Returns the liquid's volume fraction in each cell, in OpenFOAM's order.
 std::string liquid_fractions(const SloshingTank& tank, const TankMesh& mesh) {
   std::vector<double> fractions;
   for (const Cell cell : mesh.cells()) fractions.push_back(liquid_share(tank, cell));
   return fmt::format("{}", fmt::join(fractions, "\n"));
 }
 
-// The solver ends with an error where the table does, so it goes on past the end; 2000 intervals
-// keep the spline's error below the time step's where samples are far apart.
+// The table extends past the end, as the solver stops with an error where the table ends. With 2000
+// intervals the spline's error stays below that of the time step where samples are far apart.
 data motion_table(const SloshingTank& tank) {
   const double step = std::min(tank.sample_interval, tank.duration / 2000);
   const int count = static_cast<int>(std::ceil(tank.duration / step)) + 10;
@@ -48,7 +47,7 @@ data motion_table(const SloshingTank& tank) {
   return table;
 }
 
-// The same for every cell where nothing rolls.
+// Returns the initial velocity field, which is uniform without roll.
 std::string initial_field(const SloshingTank& tank, const TankMesh& mesh) {
   const auto vector = [&](Cell cell) {
     const Velocity velocity = initial_velocity(tank, mesh, cell);
@@ -61,7 +60,7 @@ std::string initial_field(const SloshingTank& tank, const TankMesh& mesh) {
                      fmt::join(vectors, "\n"));
 }
 
-// A place in the mesh's axes.
+// Returns a place in the mesh's coordinates.
 data place(const TankMesh& mesh, double x, double z) {
   data place;
   place.set("x", number(x - mesh.origin_x()));
@@ -69,7 +68,7 @@ data place(const TankMesh& mesh, double x, double z) {
   return place;
 }
 
-// A list of places as a section of its own; false, which leaves the section out, where it is empty.
+// Returns a section with the list of places; false, which omits the section, for an empty list.
 data section(const data& places) {
   if (places.list_value().empty()) return data(false);
   data section;
@@ -77,7 +76,7 @@ data section(const data& places) {
   return section;
 }
 
-// Boxes around the columns' cell centres; their faces stay off every centre.
+// Returns boxes around the centres of the columns' cells; no box has a centre on its face.
 data column_boxes(const SloshingTank& tank, const TankMesh& mesh) {
   const double width = tank.length / tank.cells_x;
   data columns(data::type::list);
@@ -103,7 +102,7 @@ data blocks(const std::vector<BlockMesh::Hexahedron>& hexahedra) {
   return list;
 }
 
-// The centres of the lowest row of cells, where a front runs.
+// Returns the centres of the lowest row of cells, along which a front runs.
 data bottom_row(const SloshingTank& tank, const TankMesh& mesh) {
   data places(data::type::list);
   if (tank.column_width) {
@@ -114,7 +113,7 @@ data bottom_row(const SloshingTank& tank, const TankMesh& mesh) {
   return section(places);
 }
 
-// The centres of the cells in which the gauges look for the highest surface.
+// Returns the centres of the cells in which the gauges look for the highest surface.
 data gauge_cells(const SloshingTank& tank, const TankMesh& mesh) {
   data places(data::type::list);
   for (const int column : probed_columns(tank, mesh)) {
@@ -125,7 +124,7 @@ data gauge_cells(const SloshingTank& tank, const TankMesh& mesh) {
   return section(places);
 }
 
-// The centres of the faces that the pressure gauges read, gauge by gauge.
+// Returns the centres of the faces that the pressure gauges read, gauge by gauge.
 data wall_pressure(const SloshingTank& tank, const TankMesh& mesh) {
   data places(data::type::list);
   for (const PressureGauge& gauge : tank.pressure_gauges) {
@@ -134,7 +133,7 @@ data wall_pressure(const SloshingTank& tank, const TankMesh& mesh) {
   return section(places);
 }
 
-// Each is written once: its object ends before twice its time.
+// Each snapshot is written once, as its function object ends before twice its time.
 data snapshots(const SloshingTank& tank) {
   data list(data::type::list);
   for (std::size_t i = 0; i < tank.snapshot_times.size(); ++i) {

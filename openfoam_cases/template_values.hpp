@@ -1,5 +1,5 @@
-// Everything that the dictionaries need, computed once and written in the shortest form that reads
-// back as the same double.
+// The values of all names in the case's templates, as text in the shortest form that reads back as
+// the same double.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -8,7 +8,7 @@
 
 namespace slosh::openfoam {
 
-// The values of the templates' names. Throws std::invalid_argument for a motion that is not finite.
+// Throws std::invalid_argument for a motion that is not finite.
 kainjow::mustache::data template_values(const SloshingTank& tank);
 
 }  // namespace slosh::openfoam

@@ -1,13 +1,16 @@
-// The time steps that the solver is given [s]; in violent flow it shortens them by its Courant
-// number. And how often it corrects the pressure in each.
+// The numerical settings of the solver that depend on the tank.
 #pragma once
 
 #include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
 
+// The largest and the first time step [s]. In violent flow the Courant number limits the step
+// further.
 double max_time_step(const SloshingTank& tank);
 double first_time_step(const SloshingTank& tank);
+
+// The number of pressure corrections in each time step.
 int pressure_corrections(const SloshingTank& tank);
 
 }  // namespace slosh::openfoam

@@ -1,11 +1,12 @@
-// Fills the templates of a case directory from the tank's description.
+#include "openfoam_cases/write_case.hpp"
+
 #include <fmt/format.h>
 
 #include <fstream>
 #include <iterator>
 
 #include "openfoam_cases/check_tank.hpp"
-#include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/template_values.hpp"
 
 namespace slosh::openfoam {
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using kainjow::mustache::data;
 
-// A name that a template uses and nothing defines is an error, not an empty string.
+// An undefined name in a template is an error; mustache would render it as an empty string.
 class StrictContext : public kainjow::mustache::context<std::string> {
  public:
   explicit StrictContext(const data* values) : context(values) {}
@@ -47,7 +48,7 @@ void fill_template(const fs::path& source, const fs::path& target, const data& v
 void write_case(const SloshingTank& tank, const fs::path& template_directory,
                 const fs::path& case_directory) {
   check_tank(tank);
-  // An earlier run's series would be taken for this one's.
+  // The series of an earlier run would be taken for those of this run.
   if (fs::exists(case_directory) && !fs::is_empty(case_directory)) {
     throw std::invalid_argument("case directory " + case_directory.string() + " is not empty");
   }

@@ -1,37 +1,37 @@
-// The sums over the modes, with p_n' = eta_n''/(lambda_n T_n), eta_n'' = zeta_n'' - c_n theta'' and
-// k_n = c_n (z0 lambda_n T_n + 1 - 2/cosh(lambda_n h)), L = length. Integrated over the walls and
-// the bottom up to the still surface, the pressure of linear_roll.hpp gives
+// This file sums the modes, with p_n' = eta_n''/(lambda_n T_n), eta_n'' = zeta_n'' - c_n theta'',
+// k_n = c_n (z0 lambda_n T_n + 1 - 2/cosh(lambda_n h)) and L = length. Integrated over the walls
+// and the bottom up to the still surface, the pressure of linear_roll.hpp gives
 //   F_x = -rho [L h g theta + L h (z0 + h/2) theta'' + sum 2 (-1)^n eta_n''/lambda_n^2],
 //   F_z = -rho L h (g - X0 theta''),
 //   M   = rho [g X0 L h + g theta (L^3/12 - L h (z0 + h/2)) + J theta''
 //              - sum a k_n eta_n''/(lambda_n T_n)],
-// J of StokesJoukowski::wall_moment: a mode turns the tank by as much as the tank's turning raises
-// the mode.
+// where J is StokesJoukowski::wall_moment. The coupling k_n is the same in both directions: it
+// gives the moment of a mode on the tank and the forcing of the mode by the tank's rotation.
 //
-// Convergence: as that of surge about z0 (linear_surge.cpp), since the walls' mean motion is a
-// surge by z0 theta; the rest of the forcing is one power of n smoother. The tank of Zhao et al.
-// 2021 (0.92 m, 4 degrees at 2 rad/s), elevation at the wall, 0 to 12 s, against 8000 modes: set
-// off at once from rest in the earth's frame it errs by at most 0.59, 0.10, 0.034 and 0.018 mm (of
-// 36 mm) with 10, 200, 500 and 1000 modes; raised over pi seconds by 0.041, 0.0021, 0.0008 and
-// 0.0004 mm (of 34 mm). The pressure 0.295 m below the surface is settled to 1e-9 Pa with 40.
+// Convergence is that of a surge (linear_surge.cpp), since the walls' mean motion is a surge by
+// z0 theta; the rest of the forcing is one power of n smoother. In the tank of Zhao et al. 2021
+// (0.92 m, 4 degrees at 2 rad/s) the elevation at the wall over 0 to 12 s was compared with that of
+// 8000 modes. After a sudden start from rest in the earth's frame it differs by at most 0.59, 0.10,
+// 0.034 and 0.018 mm (of 36 mm) with 10, 200, 500 and 1000 modes; with a ramp over pi seconds by
+// 0.041, 0.0021, 0.0008 and 0.0004 mm (of 34 mm). With 40 modes the pressure 0.295 m below the
+// surface has converged to 1e-9 Pa.
 #include "reference/linear_roll.hpp"
 
 #include <cmath>
 #include <optional>
 
-#include "reference/duhamel.hpp"
+#include "reference/mode_response.hpp"
 #include "reference/require.hpp"
 #include "reference/stokes_joukowski.hpp"
 #include "reference/tank_mode.hpp"
-#include "reference/within.hpp"
 
 namespace slosh::reference {
 namespace {
 
 constexpr auto where = "LinearRoll";
 
-// exp(-40) = 4e-18: a mode whose motion at the gauge's depth is this share of that at the surface
-// adds nothing.
+// A mode contributes nothing where its motion at the gauge's depth is exp(-40) = 4e-18 of that at
+// the surface.
 constexpr double negligible_exponent = 40;
 
 const RollMotion& checked(const RollMotion& motion) {
@@ -75,7 +75,7 @@ struct LinearRoll::Modes {
     return {time, theta, waves.acceleration(time)};
   }
 
-  // eta_n'' of the n-th mode.
+  // Returns eta_n'' of the n-th mode.
   double wave_acceleration(std::size_t n, const Instant& now) const {
     return waves.state(n, now.time).acceleration - modes[n].line * now.acceleration;
   }

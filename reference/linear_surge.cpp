@@ -1,30 +1,29 @@
-// The sums over the modes. Relative to the tank the liquid moves with the potential
+// This file sums the modes. The liquid's velocity relative to the tank has the potential
 //   phi = sum sin(lambda_n x) C_n(z) eta_n'/(lambda_n T_n),
-//   C_n(z) = cosh(lambda_n(z+h))/cosh(lambda_n h),  T_n = tanh(lambda_n h), hence
+//   C_n(z) = cosh(lambda_n(z+h))/cosh(lambda_n h),  T_n = tanh(lambda_n h), which gives
 //   velocity  grad phi
 //   pressure  p = -rho (g z + X'' x + phi_t)
 //   force     F = integral over -h < z < 0 of p(a,z) - p(-a,z)
 //               = -rho (X'' L h + sum 2 (-1)^n eta_n''/lambda_n^2),
-// minus the rate of change of the liquid's momentum in the earth's frame.
+// where F is minus the rate of change of the liquid's momentum in the earth's frame.
 //
-// Convergence: a start at rest in the earth's frame sets the walls off at X'(0), so that the
-// liquid's first velocity has a step at the walls (and a logarithmic singularity in the corners),
-// and the free part of eta_n falls only as n^-3/2, with a sign that wanders with omega_n t. Li's
-// tank and gauge, b = 0.02 m, 0 to 12 s, against 20000 modes: the elevation errs by at most 0.062,
-// 0.014, 0.010 and 0.004 mm (of 9 mm) with 100, 500, 800 and 2000 modes, in rms by a sixth of that;
-// from rest in the tank by 2e-5 mm with 100. On the surface the velocity of an earth's start, whose
-// eta_n' falls as 1/n, is never settled (1 mm/s of ripple at the gauge whatever the number); below
-// the surface every field converges exponentially.
+// Convergence. In a start at rest in the earth's frame the walls move off at X'(0). The liquid's
+// initial velocity then has a step at the walls and a logarithmic singularity in the corners, and
+// the free part of eta_n falls only as n^-3/2, with a sign that depends on omega_n t. In Li's tank
+// at Li's gauge, with b = 0.02 m and over 0 to 12 s, the elevation differs from that of 20000 modes
+// by at most 0.062, 0.014, 0.010 and 0.004 mm (of 9 mm) with 100, 500, 800 and 2000 modes; the rms
+// difference is a sixth of that. In a start at rest in the tank the difference is 2e-5 mm with 100
+// modes. After a start at rest in the earth's frame eta_n' falls as 1/n, so that the velocity on
+// the surface does not converge: a ripple of 1 mm/s stays at the gauge with any number of modes.
+// Below the surface every field converges exponentially.
 #include "reference/linear_surge.hpp"
 
 #include <cmath>
 #include <limits>
 #include <variant>
 
-#include "reference/duhamel.hpp"
-#include "reference/forced_mode.hpp"
+#include "reference/mode_response.hpp"
 #include "reference/require.hpp"
-#include "reference/within.hpp"
 
 namespace slosh::reference {
 namespace {
@@ -63,7 +62,7 @@ struct LinearSurge::Modes {
         modes(surge_modes(tank, gas, start == Start::earth ? initial_velocity(any) : 0, count)),
         motion(DuhamelModes(modes, {where, any.acceleration, any.duration, any.step})) {}
 
-  // The time as the motion knows it, or an error.
+  // Returns t, or throws where the motion is not defined.
   double checked_time(double t) const {
     const auto* duhamel = std::get_if<DuhamelModes>(&motion);
     const double last = duhamel ? duhamel->duration() : std::numeric_limits<double>::max();

@@ -1,11 +1,8 @@
-// Natural frequencies of a rectangular tank, k = m pi / length, h_a the gas's height:
-//   one layer    omega^2 = g k tanh kh
-//   two layers   omega^2 = g k (rho_w - rho_a) / (rho_w coth kh + rho_a coth k h_a)
-// (Lamb, Hydrodynamics, chapter IX). Inviscid, small waves, no surface tension.
+#include "reference/natural_frequency.hpp"
+
 #include <cmath>
 #include <numbers>
 
-#include "reference/linear_surge.hpp"
 #include "reference/require.hpp"
 
 namespace slosh::reference {

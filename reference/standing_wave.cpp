@@ -6,7 +6,6 @@
 
 #include "reference/require.hpp"
 #include "reference/tank_mode.hpp"
-#include "reference/within.hpp"
 
 namespace slosh::reference {
 namespace {

@@ -7,9 +7,10 @@
 namespace slosh::reference {
 namespace {
 
-// Leaves sum 8 length^2/(pi m)^3 over odd m > 4000, 4.03e-9 length^2, at a corner of the liquid.
+// At a corner of the liquid the truncation error is the sum of 8 length^2/(pi m)^3 over odd
+// m > 4000, which is 4.03e-9 length^2.
 constexpr int most_terms = 2000;
-// exp(-40) = 4e-18: a term below this share of the first adds nothing.
+// A term below exp(-40) = 4e-18 of the first is left out.
 constexpr double negligible_exponent = 40;
 
 }  // namespace
@@ -18,7 +19,7 @@ StokesJoukowski::StokesJoukowski(const Tank& tank, double axis_x, double axis_z)
     : length_(tank.length), depth_(tank.fill_depth), axis_x_(axis_x), axis_z_(axis_z) {
   const double L = length_, h = depth_, z0 = axis_z_;
   double sum = 0;
-  // The terms fall as n^-5: the rest of 500 is below 1e-13 of the first.
+  // The terms fall as n^-5, so that the terms after the 500th add less than 1e-13 of the first.
   for (int n = 500; n >= 0; --n) {
     const double lambda = (2 * n + 1) * std::numbers::pi / L;
     sum += 48 * std::tanh(lambda * h / 2) / (L * std::pow(lambda, 5));
@@ -28,8 +29,8 @@ StokesJoukowski::StokesJoukowski(const Tank& tank, double axis_x, double axis_z)
 }
 
 double StokesJoukowski::potential(double x, double z) const {
-  // The hyperbolic sine over the cosine, of the distances to the surface and to the bottom: no
-  // exponential grows.
+  // The hyperbolic sine over the cosine is written with the distances to the surface and to the
+  // bottom, so that no exponential grows.
   const double to_surface = std::max(-z, 0.0), to_bottom = std::max(z + depth_, 0.0);
   double sum = 0;
   for (int n = 0; n < most_terms; ++n) {

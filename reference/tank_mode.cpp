@@ -3,12 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/natural_frequency.hpp"
 #include "reference/require.hpp"
 
 namespace slosh::reference {
 namespace {
 
-// The modes of the tank at rest: neither a coupling nor an initial rate.
+// Returns the modes of a tank at rest, with neither a coupling nor an initial rate.
 std::vector<TankMode> still_modes(const Tank& tank, const std::optional<Gas>& gas, int count,
                                   std::string_view where) {
   require(count >= 1, where, "number of modes", count, "1 or more (500 for a converged elevation)");

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "reference/require.hpp"
-#include "reference/within.hpp"
 
 namespace slosh::reference {
 namespace {
@@ -14,7 +13,7 @@ using Complex = std::complex<double>;
 using std::numbers::pi;
 
 constexpr auto where = "ViscousStandingWave";
-constexpr double smallest_share = 1e-16;  // of the height: a double's rounding
+constexpr double smallest_share = 1e-16;  // of the height, as small as a double's rounding
 
 struct Wave {
   double k, h, nu;
@@ -27,7 +26,7 @@ struct ValueAndSlope {
   Complex value, slope;
 };
 
-// D(s) + sigma^2 and its derivative.
+// Returns D(s) + sigma^2 and its derivative.
 ValueAndSlope dispersion(const Wave& wave, Complex s) {
   const auto& [k, h, nu, sigma2] = wave;
   const Complex mu = std::sqrt(k * k + s / nu), coth = 1.0 / std::tanh(mu * h);
@@ -38,7 +37,7 @@ ValueAndSlope dispersion(const Wave& wave, Complex s) {
           2.0 * shifted - wave.drag() * slope};
 }
 
-// Newton's method from Lamb's damping and the inviscid frequency.
+// Finds the complex root by Newton's method from Lamb's damping and the inviscid frequency.
 Complex rate_of_pair(const Wave& wave) {
   Complex s{-2 * wave.nu * wave.k * wave.k, std::sqrt(wave.sigma2)};
   for (int i = 0; i < 50; ++i) {
@@ -53,8 +52,8 @@ Complex rate_of_pair(const Wave& wave) {
   return s;
 }
 
-// On a real root mu = i q: tan(qh) = 4 k^3 T q / ((k^2 - q^2)^2 + sigma^2/nu^2), a small number
-// that hardly depends on q.
+// On a real root mu = i q, so that tan(qh) = 4 k^3 T q / ((k^2 - q^2)^2 + sigma^2/nu^2), which is
+// small and hardly depends on q. Returns the inverse of that.
 double layer_cotangent(const Wave& wave, double q) {
   const double k = wave.k, difference = k * k - q * q;
   return (difference * difference + wave.sigma2 / (wave.nu * wave.nu)) /
@@ -87,7 +86,7 @@ ViscousStandingWave::ViscousStandingWave(const Tank& tank, double kinematic_visc
                          of.drag() * (cot - q * of.h * (1 + cot * cot)) / (2 * nu * q);
     const double share = -of.sigma2 / (s * slope);
     layer_.push_back({s, share});
-    // They grow up to q = k and, after a plateau, fall as q^-8.
+    // The shares grow up to q = k and, after a plateau, fall as q^-8.
     if (q > of.k && std::abs(share) < smallest_share) break;
   }
 }

@@ -1,4 +1,4 @@
-// What a run holds in memory for its particles, array by array and what for.
+// The list of the arrays that a run holds in memory for its particles, with their purposes.
 #pragma once
 
 #include <algorithm>
@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "sph/simulation.hpp"
+#include "sph/run_output.hpp"
 
 namespace slosh::sph {
 
 class HeldArrays {
  public:
-  // Enters what an array has taken, together with others of that purpose and name; nothing where it
-  // has taken nothing.
+  // Adds the memory of an array to the entry of that purpose and name; an array without memory is
+  // not entered.
   template <class Array>
   void add(const std::string& purpose, const std::string& name, const Array& array) {
     const std::size_t bytes = array.capacity() * sizeof(array[0]);
@@ -27,7 +27,7 @@ class HeldArrays {
       same->bytes += bytes;
   }
 
-  // All that the owner's for_each_named_field tells.
+  // Adds every array that the owner's for_each_named_field visits.
   template <class Owner>
   void add_all(const std::string& purpose, Owner& owner) {
     owner.for_each_named_field(

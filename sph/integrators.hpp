@@ -1,11 +1,12 @@
-// Time integration. An integrator advances a Liquid (liquid.hpp) by dt through its two right-hand
-// sides: liquid.accelerate(t) and liquid.compress(t) evaluate dv/dt and drho/dt with the walls of
-// time t. `advances_solids`: whether the density of dynamic
-// boundary particles is carried too; `carries_earlier_state`: whether the particles of a step
-// earlier are; for_each_number tells what else is kept from step to step. liquid.kick, drift and
-// update_density add dt times the rates to velocities, positions and densities; kick_and_drift and
-// update_density_and_drift do two of them in one pass over the memory. The neighbour search is
-// renewed, and the particles thereby reordered, only at the start of a step.
+// Time integration. An integrator advances a Liquid (liquid.hpp) by dt with its two right-hand
+// sides: liquid.accelerate(t) and liquid.compress(t) evaluate dv/dt and drho/dt with the walls at
+// time t. liquid.kick, drift and update_density add dt times the rates to velocities, positions and
+// densities; kick_and_drift and update_density_and_drift do two of these in one pass over the
+// memory. The neighbour search is renewed, and the particles thereby reordered, only at the start
+// of a step.
+//   advances_solids        whether the density of dynamic boundary particles is integrated too
+//   carries_earlier_state  whether the previous step's velocities and densities are kept
+//   for_each_number        visits the numbers that are kept from step to step
 #pragma once
 
 #include <cstddef>
@@ -19,10 +20,10 @@ inline void add_scaled(Array<double>& y, double dt, const Array<double>& rate) {
   for (std::size_t i = 0; i < y.size(); ++i) y[i] += dt * rate[i];
 }
 
-// Staggered leapfrog: velocities live at half steps, positions and densities at whole ones. One
-// momentum and one continuity sum per step; the divergence is taken at the middle of the step, with
-// the velocity of that moment. Second order for constant steps; stable to dt c0 / h of about 1.4 on
-// a calm lattice.
+// Staggered leapfrog: velocities are stored at half steps, positions and densities at whole steps.
+// A step takes one momentum and one continuity sum; the divergence is evaluated in the middle of
+// the step with the velocity at that time. The method is of second order for constant steps and
+// stable up to dt c0 / h of about 1.4 on a calm lattice.
 struct StaggeredLeapfrog {
   static constexpr const char* name = "staggered leapfrog";
   static constexpr bool advances_solids = true, carries_earlier_state = false;
@@ -43,8 +44,8 @@ struct StaggeredLeapfrog {
   }
 };
 
-// Goes to the middle of the step by an Euler half step, and leaves there the rates that carry the
-// whole step from the saved start.
+// Saves the start of the step, goes to its middle by an Euler half step, and evaluates there the
+// rates of the whole step.
 template <class Liquid>
 void evaluate_midpoint(Liquid& liquid, double dt) {
   liquid.renew_neighbours(dt);
@@ -58,8 +59,8 @@ void evaluate_midpoint(Liquid& liquid, double dt) {
   liquid.compress(liquid.time + 0.5 * dt);
 }
 
-// Back at the start, velocities by the midpoint's acceleration and positions by the mean of the old
-// and the new velocity.
+// Returns to the saved start and takes the whole step from there: velocities by the midpoint's
+// acceleration, positions by the mean of the old and the new velocity.
 template <class Liquid>
 void move_from_start(Liquid& liquid, double dt) {
   liquid.restore();
@@ -68,7 +69,7 @@ void move_from_start(Liquid& liquid, double dt) {
   liquid.drift(0.5 * dt);
 }
 
-// Predictor-corrector by the midpoint (Monaghan 1989; Li et al. 2010).
+// Predictor-corrector with the midpoint rule (Monaghan 1989; Li et al. 2010).
 struct PredictorCorrector {
   static constexpr const char* name = "predictor-corrector";
   static constexpr bool advances_solids = true, carries_earlier_state = false;
@@ -83,9 +84,10 @@ struct PredictorCorrector {
   }
 };
 
-// Symplectic, position Verlet with a midpoint predictor (Leimkuhler & Matthews 2015; Dominguez et
-// al. 2022, eqs 24 to 27): as the predictor-corrector, but with a density that, for |e| < 2, cannot
-// turn negative, rho_new = rho (2 + e) / (2 - e), e = dt drho/dt / rho at the middle.
+// Symplectic position Verlet with a midpoint predictor (Leimkuhler & Matthews 2015; Dominguez et
+// al. 2022, eqs 24 to 27). It differs from the predictor-corrector in the density,
+//   rho_new = rho (2 + e) / (2 - e),   e = dt drho/dt / rho at the middle,
+// which cannot become negative for |e| < 2.
 struct Symplectic {
   static constexpr const char* name = "symplectic, two evaluations";
   static constexpr bool advances_solids = false, carries_earlier_state = false;
@@ -104,7 +106,8 @@ struct Symplectic {
 };
 
 // Verlet's two-step scheme (Verlet 1967; Dominguez et al. 2022, eqs 20 to 23): velocity and density
-// from those before the last step, with an Euler step every 40 to keep the two families together.
+// advance from their values before the last step. An Euler step every 40 steps keeps the solutions
+// of odd and even steps together.
 struct Verlet {
   static constexpr const char* name = "Verlet, one evaluation";
   static constexpr bool advances_solids = false, carries_earlier_state = true;

@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "sph/guards/stability_guard.hpp"
 #include "sph/held_arrays.hpp"
 #include "sph/integrators.hpp"
 #include "sph/neighbours/density_gradient.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/pair_sums.hpp"
 #include "sph/neighbours/particles.hpp"
-#include "sph/simulation.hpp"
-#include "sph/stability_guard.hpp"
+#include "sph/scene.hpp"
 #include "sph/terms/kernels.hpp"
 #include "sph/terms/particle_shifting.hpp"
-#include "sph/wall_power.hpp"
+#include "sph/walls/wall_power.hpp"
 
 namespace slosh::sph {
 
@@ -40,7 +40,7 @@ class Liquid {
 
   auto tank_at(double t) const { return Scheme::Frame::tank(scene_, t); }
 
-  // Makes the neighbour search valid for a step of dt from now; whether that took new lists.
+  // Makes the neighbour lists valid for a step of dt from now. Returns whether they were rebuilt.
   bool renew_neighbours(double dt) {
     const auto tank = tank_at(time);
     exchanged_at_walls_ += scheme_.wall_contact.confine(particles, tank);
@@ -60,8 +60,8 @@ class Liquid {
   }
   void compress(double t) { compress(scheme_, tank_at(t), rates); }
 
-  // Fills in the rates of the present state by the numbers of `scheme`; the liquid goes on as if
-  // that had not been asked.
+  // Computes the rates of the present state with the numbers of `scheme`, without any effect on the
+  // liquid's later steps.
   void evaluate(const Scheme& scheme, Rates& result) {
     const auto tank = tank_at(time);
     result.resize(particles.size());
@@ -82,7 +82,7 @@ class Liquid {
     if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, dt);
   }
 
-  // As one after the other.
+  // Each of these does two updates, in the order of its name, in one pass over the memory.
   void kick_and_drift(double kick_dt, double drift_dt) {
     Particles& p = particles;
 #pragma omp parallel for simd schedule(static)
@@ -104,7 +104,7 @@ class Liquid {
     if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, density_dt);
   }
 
-  // For integrators that return to the start of a step.
+  // These serve integrators that return to the start of a step.
   void save() {
     saved_ = particles;
     if constexpr (Scheme::Solids::has_density) saved_solid_density_ = solids_.density();
@@ -114,7 +114,7 @@ class Liquid {
     if constexpr (Scheme::Solids::has_density) solids_.set_density(saved_solid_density_);
   }
 
-  // Evens out the particles' spread, at the end of a step.
+  // Shifts the particles to a more even distribution, at the end of a step.
   void shift() {
     const auto tank = tank_at(time);
     neighbours_.refresh_for_continuity(scheme_, particles, tank);
@@ -124,7 +124,7 @@ class Liquid {
     add_scaled(particles.z, 1, shifts_.z);
   }
 
-  // What the next step reads beside the time, by names: visit(name, value).
+  // Both call visit(name, value) for the state that the next step reads besides the time.
   template <class Visit>
   void for_each_number(const Visit& visit) {
     visit("exchanged_at_walls", exchanged_at_walls_);
@@ -146,21 +146,22 @@ class Liquid {
     held.add_all("solids", solids_);
     held.add_all("neighbours", neighbours_);
   }
-  // The next step sorts and lists anew.
+  // The next step sorts the particles and builds the neighbour lists anew.
   void forget_neighbours() { neighbours_.forget(); }
 
-  // Of the pair loops; the processor's widest, if nothing else is asked for.
+  // Sets the instruction set of the pair loops; the default is the processor's widest.
   void use(InstructionSet set) { instructions_ = set; }
 
   const Scheme& scheme() const { return scheme_; }
   const NeighbourSources& neighbours() const { return neighbours_; }
   const typename Scheme::Solids& solids() const { return solids_; }
-  // The walls' power on the liquid, whose accelerations at that time are given.
+  // Returns the walls' power on the liquid, given its accelerations `of` at the time t.
   PowerAt power_of_walls(const Rates& of, double t) const {
     return {t, slosh::sph::power_of_walls(particles, of, tank_at(t), Motion<Scheme>(scene_, t),
                                           scene_.gravity)};
   }
-  // From the next acceleration on: the walls' power on the liquid where the last one was taken.
+  // From the next evaluation of the accelerations on, wall_power() is the walls' power on the
+  // liquid at the latest evaluation.
   void keep_wall_power() { keeps_wall_power_ = true; }
   const PowerAt& wall_power() const { return wall_power_; }
   // How often a particle that had crossed a wall was put back.
@@ -183,7 +184,7 @@ class Liquid {
                    particles, result, instructions_);
   }
 
-  // Of a scheme of one spacing all particles have the same, and it is kept once.
+  // In a scheme with one spacing, all particles have the same spacing and it is stored once.
   static Particles held_particles(Particles p) {
     if (Scheme::Smoothing::reads_spacing || p.spacing.empty()) return p;
     p.lattice_spacing = p.spacing.front();

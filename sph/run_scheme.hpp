@@ -11,15 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "sph/guards/stability_guard.hpp"
 #include "sph/held_arrays.hpp"
-#include "sph/initial_state.hpp"
-#include "sph/last_good_state.hpp"
 #include "sph/liquid.hpp"
-#include "sph/recorder.hpp"
-#include "sph/resume.hpp"
+#include "sph/recording/recorder.hpp"
+#include "sph/restart/resume.hpp"
+#include "sph/run_output.hpp"
+#include "sph/scene.hpp"
 #include "sph/scheme.hpp"
-#include "sph/simulation.hpp"
-#include "sph/stability_guard.hpp"
+#include "sph/start/initial_state.hpp"
 
 namespace slosh::sph {
 
@@ -44,7 +44,8 @@ void check_fixed_step(const Scene& scene, const Scheme& scheme) {
                     dt, finest, limit));
 }
 
-// How many samples one of `what` comes after the one before it; 0 where there is none.
+// Returns the interval of `what` in samples; 0 for an interval of 0, which stands for none. Throws
+// std::invalid_argument where the interval is not a multiple of the sample interval.
 inline int samples_per(const char* what, double interval, const Scene& scene) {
   if (interval == 0) return 0;
   const double ratio = interval / scene.sample_interval, whole = std::round(ratio);
@@ -72,13 +73,13 @@ std::vector<HeldArray> held_arrays(RunMemory<Choice>& run) {
   return arrays.held();
 }
 
-// From the last sample on to the next one.
+// Advances the run to the time of the next sample.
 template <class Choice>
 void advance_to(double target, RunMemory<Choice>& run, const Scene& scene) {
   auto& [liquid, recorder, integrator, sample, smallest_step] = run;
   const Scheme<Choice>& scheme = liquid.scheme();
   while (liquid.time < target) {
-    // Equal steps up to the sample, each at most the stable one; the last one lands on it exactly.
+    // The steps to the sample are equal, each at most the stable one; the last ends on it exactly.
     const double left = target - liquid.time;
     const double stable = scheme.time_step(largest_acceleration(liquid.rates, scene.gravity));
     check_step(stable, scheme.time_step(0), liquid.particles, liquid.rates, liquid.time);
@@ -94,7 +95,7 @@ void advance_to(double target, RunMemory<Choice>& run, const Scene& scene) {
   }
 }
 
-// From sample to sample.
+// Advances the run to its end, and records, saves and reports at the sample times.
 template <class Choice>
 void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const Scene& scene,
                 const Progress& progress) {

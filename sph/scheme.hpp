@@ -1,5 +1,5 @@
-// A scheme: one policy per physical term, as a choice (schemes.hpp) names them, made for a scene. A
-// term that the choice leaves out is its "No..." policy and costs nothing.
+// A scheme combines a choice of one policy per physical term (schemes.hpp) with the numbers of a
+// scene. A term that the choice leaves out is its "No..." policy and costs nothing.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,31 +11,31 @@
 #include <type_traits>
 #include <vector>
 
-#include "sph/initial_lattice.hpp"
+#include "sph/scene.hpp"
 #include "sph/setting.hpp"
-#include "sph/simulation.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
-// Of the tank's fastest point where it holds the still liquid [m/s].
+// Returns the speed of the tank's fastest point below the still level at time t [m/s].
 double tank_speed(const Scene& scene, double t);
 
-// The largest speed that the liquid is expected to reach: that of a long wave, sqrt(g h), twice
-// that where a dam breaks (Ritter 1892), over the tank's own where it holds the still liquid.
+// Returns the largest speed that the liquid is expected to reach [m/s]: the speed sqrt(g h) of a
+// long wave, or twice that where a dam breaks (Ritter 1892), plus the largest tank_speed.
 double expected_speed(const Scene& scene);
 
-// The scheme's own numbers, changed as the scene says. Throws std::invalid_argument for a number
-// that the scheme does not have.
+// Returns the numbers of a scheme whose own numbers are `own`, with the scene's changes. Throws
+// std::invalid_argument where the scene changes a number that the scheme does not have.
 Setting setting_of(const Scene& scene, const SchemeNumbers& own);
 
 template <class Choice>
 struct Scheme : Choice {
-  // What these policies do not do for one another.
+  // These combinations of policies are not implemented.
   static_assert(!Choice::Solids::has_density || Choice::Integrator::advances_solids);
   static_assert(!Choice::Solids::has_density || !Choice::DensityDiffusion::reads_gradient);
   static_assert(!Choice::Shifting::active || Choice::Formulation::weighs_volumes);
-  // What the walls are made of but dynamic boundary particles stands along the frame's axes.
+  // All walls except dynamic boundary particles have to be parallel to the frame's axes.
   static constexpr bool rolls_in_frame =
       !std::is_base_of_v<TankWalls, typename Choice::Frame::Tank>;
   static_assert(!rolls_in_frame || (!Choice::Mirror::exists && Choice::Solids::has_density &&

@@ -1,10 +1,11 @@
-// The closed list of schemes. Each is a choice of one policy per term with the numbers that go with
-// it; scheme.hpp makes it for a scene. A variant of `recommended` changes one thing.
+// The closed list of schemes. Each is a choice of one policy per term and of the numbers that go
+// with it; scheme.hpp combines it with a scene. A variant of `recommended` changes one thing.
 #pragma once
 
 #include "sph/integrators.hpp"
 #include "sph/neighbours/lanes.hpp"
-#include "sph/simulation.hpp"
+#include "sph/run_output.hpp"
+#include "sph/scene.hpp"
 #include "sph/terms/density_diffusion.hpp"
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/terms/formulation.hpp"
@@ -20,8 +21,8 @@
 
 namespace slosh::sph {
 
-// Li et al. 2010, as printed, but for its errata: gravity and the artificial viscosity stand in the
-// momentum equation, and a mirror particle of a moving wall has the velocity 2 v_wall - v.
+// Li et al. 2010 as printed, except for its errata: the momentum equation includes gravity and the
+// artificial viscosity, and a mirror particle of a moving wall has the velocity 2 v_wall - v.
 struct Li2010 {
   using Frame = EarthFrame;
   using Kernel = CubicSpline;
@@ -44,15 +45,15 @@ struct Li2010 {
                                          .density_diffusion = {}};
 };
 
-// With two spacings.
+// Li et al. 2010 with two particle spacings.
 struct Li2010TwoSpacings : Li2010 {
   using Smoothing = PairSmoothing;
 };
 
-// Chosen by measurement on sloshing tanks, term by term (./slosh campaign schemes): delta-SPH's
-// consistent operators, a kernel whose sums hardly resist the lattice's strain, next to no
-// viscosity, diffusion that leaves still liquid alone, free-slip mirror walls, and a step near the
-// limit of stability.
+// Each term was chosen by measurement on sloshing tanks (docs/schemes.md; ./slosh campaign
+// schemes): delta-SPH's consistent operators, a kernel whose sums hardly resist the lattice's
+// strain, very little viscosity, a diffusion that does not act on still liquid, free-slip mirror
+// walls, and a step near the stability limit.
 struct Recommended {
   using Frame = EarthFrame;
   using Kernel = QuinticSpline;
@@ -76,8 +77,8 @@ struct Recommended {
 };
 
 // delta-SPH as published (Antuono et al. 2010; Marrone et al. 2011): Wendland C2 at h = 2 dp, the
-// linear equation of state, alpha = 0.02, delta = 0.1 on renormalised gradients, fixed ghost
-// particles, free slip.
+// linear equation of state, alpha = 0.02, delta = 0.1 with renormalised gradients, and fixed ghost
+// particles with free slip.
 struct DeltaSph : Recommended {
   using Kernel = WendlandC2;
   using Viscosity = LinearViscosity;
@@ -92,17 +93,17 @@ struct DeltaSph : Recommended {
                                          .density_diffusion = 0.1};
 };
 
-// A scheme of mirror walls in a tank that rolls.
+// A scheme with mirror walls, solved in the frame of a tank that rolls.
 template <class Choice>
 struct InTank : Choice {
   using Frame = TankFrame;
 };
 
-// Zhao et al. 2021 with the dynamic boundary particles carried by the walls: Wendland C2,
-// artificial viscosity, predictor-corrector, CFL = 0.2. Symmetric pressure, Tait's equation and
-// h = 1.5 dp are as in the other weakly compressible schemes; alpha is chosen by measurement: in
-// the mildly rolling tank at 10 mm the wall pressure is within 2.5 % and 2 deg of linear theory at
-// 0.1, where 0.01 leaves noise a fifth as high as the signal and a lag of 4 to 15 deg.
+// Zhao et al. 2021 with dynamic boundary particles that move with the walls: Wendland C2,
+// artificial viscosity, predictor-corrector and CFL = 0.2. Symmetric pressure and Tait's equation
+// are as in Li2010. h = 1.5 dp and alpha = 0.1 are choices of this project and not of the paper
+// (docs/schemes.md); docs/accuracy.md gives the errors of the wall pressure in the mildly rolling
+// tank.
 struct Zhao2021Moving {
   using Frame = RollingEarthFrame;
   using Kernel = WendlandC2;
@@ -125,12 +126,13 @@ struct Zhao2021Moving {
                                          .density_diffusion = {}};
 };
 
-// The same with fixed particles, the liquid being solved in the tank's frame.
+// Zhao et al. 2021 with fixed boundary particles; the liquid is solved in the tank's frame.
 struct Zhao2021Fixed : Zhao2021Moving {
   using Frame = TankFrame;
 };
 
-// The recommended numbers at another Courant number, for integrators that are stable to less.
+// Returns the recommended numbers with another Courant number, for integrators with a lower
+// stability limit.
 constexpr SchemeNumbers recommended_at(double courant_number) {
   SchemeNumbers numbers = Recommended::numbers;
   numbers.courant_number = courant_number;
@@ -237,8 +239,8 @@ struct WithFixedDynamicWalls : WithDynamicWalls {
   using Frame = TankFrame;
   static constexpr const char* variant = "fixed_dynamic_walls";
 };
-// A finer lattice near the surface, whose steps are half the coarse one's where it is twice as
-// fine.
+// The lattice near the surface is up to twice as fine. The Courant number refers to the coarse
+// spacing and is therefore half that of `recommended`.
 struct WithTwoSpacings : Recommended {
   static constexpr const char* variant = "two_spacings";
   using Smoothing = PairSmoothing;
@@ -261,5 +263,19 @@ struct WithVerlet : Recommended {
   using Integrator = Verlet;
   static constexpr SchemeNumbers numbers = recommended_at(0.15);
 };
+
+template <class... Choices>
+struct ChoiceList {};
+using Variants = ChoiceList<
+    WithCubicSpline, WithWendlandC2, WithWendlandC4, WithSymmetricPressure, WithLinearState,
+    WithCubicState, WithQuinticState, WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
+    WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono, WithShifting,
+    WithStickingWalls, WithRepulsiveWalls, WithGhostWalls, WithStickingGhostWalls, WithDynamicWalls,
+    WithFixedDynamicWalls, WithTwoSpacings, WithPredictorCorrector, WithSymplectic, WithVerlet>;
+
+// Runs a scheme of the list. run_scheme.hpp defines it; it is instantiated in sph/instantiations/,
+// one file for each kind of variant, so that the files compile in parallel.
+template <class Choice>
+RunOutput run_scheme(const Scene& scene, const Progress& progress);
 
 }  // namespace slosh::sph

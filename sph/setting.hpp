@@ -1,5 +1,5 @@
-// What the terms of a scheme are made from: the scene's constants and the scheme's own numbers, the
-// latter as the run may have changed them.
+// The constants that the terms of a scheme depend on: those of the scene, and the scheme's own
+// numbers with the changes that the run makes.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Setting {
   double flattest_cell;        // height over width of the lattice's flattest cell, at most 1
   double smoothing_length_ratio;
   double speed_of_sound;        // c0 [m/s]
-  double courant_number;        // dt c0 / h; of a fixed step none
+  double courant_number;        // dt c0 / h; unused by a fixed step
   double artificial_viscosity;  // alpha
   double density_diffusion;     // delta
 

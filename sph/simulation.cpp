@@ -7,13 +7,13 @@
 #include <stdexcept>
 
 #include "sph/scheme.hpp"
-#include "sph/scheme_runs.hpp"
+#include "sph/schemes.hpp"
 #include "sph/threads.hpp"
 
 namespace slosh::sph {
 namespace {
 
-// A choice that is known by name at run time.
+// A choice, made available at run time under its name.
 struct Method {
   RunOutput (*run)(const Scene&, const Progress&);
   double (*stable_time_step)(const Scene&);
@@ -46,8 +46,8 @@ const Methods& schemes() {
   return table;
 }
 
-// What takes the place of a scheme or a variant where the tank rolls, whose walls would have to
-// turn: the same in the tank's frame.
+// The schemes and variants whose walls cannot roll. Where the tank rolls, each is replaced by the
+// same choice in the tank's frame.
 const Methods& rolling() {
   static const Methods table{
       {"li2010", method_of<InTank<Li2010>>()},

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t particles_per_thread = 500;
 
-// cpu.max: the microseconds of processor time in each period, or "max", and the period.
+// The file cpu.max holds the processor time per period in microseconds, or "max", and the period.
 int cores_of_group(const fs::path& group) {
   std::ifstream file(group / "cpu.max");
   double quota, period;
@@ -23,7 +23,7 @@ int cores_of_group(const fs::path& group) {
   return static_cast<int>(std::ceil(quota / period));
 }
 
-// The group's name below the root: of the line "0::/NAME", which version 2 has.
+// Returns the group's name below the root, from the line "0::/NAME" of version 2.
 fs::path group_name(const fs::path& membership) {
   std::ifstream file(membership);
   for (std::string line; std::getline(file, line);)
@@ -31,8 +31,8 @@ fs::path group_name(const fs::path& membership) {
   return {};
 }
 
-// Those of the calling thread's affinity mask, as it is now: not every OpenMP asks again after its
-// start.
+// Returns the size of the calling thread's present affinity mask; some OpenMP implementations read
+// the mask only at their start.
 int cores_of_affinity() {
   cpu_set_t mask;
   if (sched_getaffinity(0, sizeof mask, &mask) != 0)

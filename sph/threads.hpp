@@ -1,5 +1,5 @@
-// How many threads a run takes. OpenMP's threads wait for each other several times a step: where
-// they have little to do, or no core of their own, they only wait.
+// The number of threads of a run. OpenMP's threads wait for one another several times in a step. A
+// thread with little work, or without a core of its own, mostly waits.
 #pragma once
 
 #include <cstddef>
@@ -7,22 +7,22 @@
 
 namespace slosh::sph {
 
-// Cores that the process may keep busy, at least 1: the processors of its affinity mask, or fewer
-// where a control group above it limits its processor time (cgroups(7), version 2, cpu.max; parts
-// of a core count as one).
+// Returns the number of cores that the process may use, at least 1: the processors of its affinity
+// mask, or fewer where a control group limits its processor time (cgroups(7), version 2, cpu.max; a
+// part of a core counts as one).
 int usable_cores();
 
-// The limit of the control groups alone, of the process whose /proc/PID/cgroup and whose root of
-// the control groups are given; 0 where there is none.
+// Returns the limit of the control groups alone, or 0 where there is none. `membership` is the
+// process's /proc/PID/cgroup, `root` the directory of the control groups.
 int cores_of_control_groups(const std::filesystem::path& membership,
                             const std::filesystem::path& root);
 
-// One thread for every 500 particles, never more than OpenMP would take (OMP_NUM_THREADS) or than
-// there are usable cores, at least 1. Measured on 2 cores: 450 particles take 1.3 times as long
-// with two threads as with one, 900 take 0.7 times as long.
+// Returns one thread for every 500 particles, at least 1 and at most OpenMP's own number
+// (OMP_NUM_THREADS) or that of the usable cores. On 2 cores, two threads were measured to take 1.3
+// times as long as one for 450 particles, and 0.7 times as long for 900.
 int threads_for(std::size_t particles);
 
-// The number of threads of the OpenMP regions that this thread starts, until the scope ends.
+// Sets the number of threads of the OpenMP regions that this thread starts, until the scope ends.
 class ThreadScope {
  public:
   explicit ThreadScope(int threads);

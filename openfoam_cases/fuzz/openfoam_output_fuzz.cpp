@@ -1,5 +1,5 @@
-// Any bytes as a log, as a function object's series and as each field of a snapshot: what it holds
-// or a RunError.
+// Reads any bytes as a log, as a function object's series and as each field of a snapshot. The
+// readers must return a value or throw a RunError.
 #include <unistd.h>
 
 #include <cstdint>
@@ -8,16 +8,17 @@
 #include <fstream>
 #include <string>
 
-#include "openfoam_cases/read_log.hpp"
-#include "openfoam_cases/read_series.hpp"
-#include "openfoam_cases/read_snapshot.hpp"
+#include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/output/read_log.hpp"
+#include "openfoam_cases/output/read_series.hpp"
+#include "openfoam_cases/output/read_snapshot.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace slosh::openfoam;
 
-// In memory, and gone with the process.
+// A directory in memory that is removed with the process.
 class CaseDirectory {
  public:
   CaseDirectory() {

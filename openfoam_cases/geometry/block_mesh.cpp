@@ -13,8 +13,8 @@ void append(std::string& list, const std::string& separator, const std::string& 
   list += item;
 }
 
-// Numbers the blocks' corners as they are first met; blocks that touch share them, and none is left
-// over inside an obstacle.
+// Numbers the blocks' corners in the order in which they are first used. Adjacent blocks share
+// corners, and no corner lies inside an obstacle.
 class Vertices {
  public:
   explicit Vertices(const TankMesh& mesh) : mesh_(mesh) {}
@@ -38,7 +38,8 @@ class Vertices {
   std::string text_;
 };
 
-// OpenFOAM's corners of a hexahedron: round the lower face, then round the upper one.
+// Returns the corners of a hexahedron in OpenFOAM's order: around the lower face, then the upper
+// one.
 std::array<int, 8> corners(const Block& block, Vertices& vertices) {
   std::array<int, 8> numbers;
   std::size_t next = 0;
@@ -51,7 +52,7 @@ std::array<int, 8> corners(const Block& block, Vertices& vertices) {
   return numbers;
 }
 
-using Face = std::array<std::size_t, 4>;  // which of a hexahedron's corners, normal outward
+using Face = std::array<std::size_t, 4>;  // indices of a hexahedron's corners, normal outward
 
 std::string face(const std::array<int, 8>& corners, const Face& which) {
   return fmt::format("({} {} {} {})", corners[which[0]], corners[which[1]], corners[which[2]],
@@ -60,7 +61,7 @@ std::string face(const std::array<int, 8>& corners, const Face& which) {
 
 struct Side {
   Face face;
-  Cell beyond;  // one of the cells that the face would lead to
+  Cell beyond;  // one of the cells on the other side
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The tank's mesh in blockMesh's terms.
+// The tank's mesh as entries of blockMeshDict.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ struct BlockMesh {
     std::string corners;
     int cells_x, cells_z;
   };
-  std::string vertices;  // in lines of four
+  std::string vertices;  // four in a line
   std::vector<Hexahedron> hexahedra;
-  std::string wall_faces;  // the tank's and the obstacles'
+  std::string wall_faces;  // of the tank and the obstacles
   std::string front_and_back_faces;
 };
 

@@ -7,8 +7,8 @@
 namespace slosh::openfoam {
 namespace {
 
-// In cells: above what a full column overshoots by (1e-6 in violent flow), and below any film that
-// the mesh can carry over an obstacle.
+// In cells. A full column overshoots by less than this (1e-6 in violent flow), and any film over an
+// obstacle that the mesh can represent is thicker.
 constexpr double film_tolerance = 0.01;
 
 }  // namespace

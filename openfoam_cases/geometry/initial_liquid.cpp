@@ -1,11 +1,39 @@
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 
 #include <algorithm>
-
-#include "openfoam_cases/geometry/wavy_level.hpp"
+#include <cmath>
+#include <numbers>
+#include <random>
 
 namespace slosh::openfoam {
 namespace {
+
+using std::numbers::pi;
+
+const std::optional<InitialWave>& wave_of_level(const SloshingTank& tank) {
+  return tank.initial_wave ? tank.initial_wave : tank.start_disturbance;
+}
+double wave_number(const SloshingTank& tank) {
+  const auto& wave = wave_of_level(tank);
+  return wave ? wave->mode * pi / tank.length : 0;
+}
+double amplitude(const SloshingTank& tank) {
+  const auto& wave = wave_of_level(tank);
+  return wave ? wave->amplitude : 0;
+}
+
+// Adds the places where the level crosses z inside the cell.
+void add_crossings(const SloshingTank& tank, const CellBox& cell, double z,
+                   std::vector<double>& places) {
+  const double cosine = (z - tank.fill_depth) / amplitude(tank);
+  if (!(std::abs(cosine) < 1)) return;
+  const double k = wave_number(tank), angle = std::acos(cosine);
+  for (int turn = 0; 2 * pi * turn <= k * cell.right + pi; ++turn)
+    for (const double x : {(2 * pi * turn - angle) / k, (2 * pi * turn + angle) / k})
+      if (x > cell.left && x < cell.right) places.push_back(x);
+}
+
+bool has_wavy_level(const SloshingTank& tank) { return wave_of_level(tank).has_value(); }
 
 double share_across(const SloshingTank& tank, int column) {
   if (!tank.column_width) return 1;
@@ -26,12 +54,33 @@ double share_under_wave(const SloshingTank& tank, Cell cell) {
 
 }  // namespace
 
+// sin(k to) - sin(k from) is written as a product, which avoids cancellation.
+double mean_height(const SloshingTank& tank, double from, double to) {
+  const double half = wave_number(tank) * (to - from) / 2;
+  const double share = half == 0 ? 1 : std::sin(half) / half;
+  return tank.fill_depth + amplitude(tank) * share * std::cos(wave_number(tank) * (from + to) / 2);
+}
+
+double share_below_level(const SloshingTank& tank, const CellBox& cell) {
+  std::vector<double> places{cell.left, cell.right};
+  add_crossings(tank, cell, cell.bottom, places);
+  add_crossings(tank, cell, cell.top, places);
+  std::sort(places.begin(), places.end());
+  double filled = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double from = places[i - 1], to = places[i];
+    const double share = (mean_height(tank, from, to) - cell.bottom) / (cell.top - cell.bottom);
+    filled += (to - from) * std::clamp(share, 0.0, 1.0);
+  }
+  return filled / (cell.right - cell.left);
+}
+
 double liquid_share(const SloshingTank& tank, Cell cell) {
   if (has_wavy_level(tank)) return share_under_wave(tank, cell);
   return share_across(tank, cell.column) * share_up(tank, cell.row);
 }
 
-// The whole rectangle less what is displaced: free of round-off without obstacles.
+// The volume is the whole rectangle less what is displaced, so that it is exact without obstacles.
 double initial_volume(const SloshingTank& tank, const TankMesh& mesh) {
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {
@@ -51,6 +100,16 @@ double initial_depth(const SloshingTank& tank, const TankMesh& mesh, int column)
     if (!mesh.is_free({column, row})) displaced += share_up(tank, row);
   }
   return share_across(tank, column) * (tank.fill_depth - displaced * mesh.cell_height());
+}
+
+// The distributions of <random> differ between standard libraries, its engines do not.
+InitialWave start_disturbance(double largest, unsigned seed) {
+  constexpr unsigned modes = 8;
+  std::mt19937 generator(seed);
+  const unsigned mode = 1 + static_cast<unsigned>(generator() % modes);
+  const double size = 0.5 + 0.5 * static_cast<double>(generator()) / std::mt19937::max();
+  const double sign = generator() % 2 == 0 ? 1 : -1;
+  return {static_cast<int>(mode), sign * size * largest};
 }
 
 }  // namespace slosh::openfoam

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "openfoam_cases/check_tank.hpp"
+#include "openfoam_cases/errors.hpp"
 
 namespace slosh::openfoam {
 namespace {
 
-// How far from a cell's face an obstacle's edge may lie, in cells: enough for a length that was
-// rounded when it was written down, and below what a run can tell.
+// An obstacle's edge may be this far from a cell's face, in cells. This allows for lengths that
+// were rounded in a case file, and no run resolves it.
 constexpr double snap_tolerance = 0.01;
 
-// The number of the face that the edge lies on.
+// Returns the index of the face on which the edge lies.
 int face_of(const char* key, double edge, double tank_size, int cells) {
   const double cell = tank_size / cells;
   const double nearest = std::round(edge / cell);
@@ -65,7 +65,8 @@ void TankMesh::leave_out(const Obstacle& obstacle) {
   for (const int face : {bottom, top}) insert_sorted(row_breaks_, face);
 }
 
-// Two rooms would need two reference pressures, and a liquid in each.
+// Throws where the tank is divided: each part would need a reference pressure and a liquid of its
+// own.
 void TankMesh::check_rooms() const {
   const auto first = std::find(filled_.begin(), filled_.end(), false);
   if (first == filled_.end()) {
@@ -91,7 +92,7 @@ void TankMesh::check_rooms() const {
   }
 }
 
-// The walls come out as they were given, to the last bit.
+// This form returns the walls exactly as they were given.
 double TankMesh::face_x(int column) const {
   return length_ * (static_cast<double>(column) / columns_);
 }

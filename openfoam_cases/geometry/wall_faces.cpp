@@ -6,14 +6,14 @@
 #include <cmath>
 #include <map>
 
-#include "openfoam_cases/check_tank.hpp"
+#include "openfoam_cases/errors.hpp"
 
 namespace slosh::openfoam {
 namespace {
 
 using Wall = PressureGauge::Wall;
 
-// In faces: how far a gauge's end may pass a corner or an obstacle's edge by round-off.
+// In faces. Round-off may move a gauge's end this far past a corner or an obstacle's edge.
 constexpr double end_tolerance = 1e-9;
 
 struct Span {
@@ -74,12 +74,12 @@ std::vector<FaceShare> face_shares(const TankMesh& mesh, const PressureGauge& ga
     require(is_free(face), "pressure gauge position", gauge.position,
             "a part of the wall that no obstacle covers");
   }
-  // The next face on either side takes part where the gauge ends before the last one's centre.
+  // The next face on either side counts where the gauge ends before the centre of the last face.
   if (is_free(span.first - 1)) --span.first;
   if (is_free(span.last + 1)) ++span.last;
   if (span.first == span.last) return {share_of(mesh, gauge.wall, span.first, 1)};
 
-  // From centre to centre the pressure is linear: its mean is the value in the middle.
+  // Between centres the pressure is linear, so that its mean is the value in the middle.
   std::vector<double> cuts{begin - 0.5};  // in faces from the first centre
   for (int face = span.first; face <= span.last; ++face) {
     if (face > cuts.back() && face < end - 0.5) cuts.push_back(face);

@@ -1,7 +1,7 @@
-// Which of a wall's faces a pressure gauge reads, with which weights: the mean over the gauge's
-// width of the pressure that is linear between the faces' centres, and extrapolated by at most half
-// a cell beside a corner or an obstacle. So a hydrostatic pressure is read without an error at any
-// position and width.
+// Which of a wall's faces a pressure gauge reads, and with which weights. The gauge gives the mean
+// over its width of a pressure that is linear between the faces' centres, and extrapolated by at
+// most half a cell beside a corner or an obstacle. A hydrostatic pressure is thus read without
+// error at any position and width.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ namespace slosh::openfoam {
 
 struct FaceShare {
   double x, z;    // the face's centre [m] from the tank's bottom left corner
-  double weight;  // the weights of a gauge's faces add up to 1
+  double weight;  // the weights of a gauge's faces sum to 1
 };
 
-// Throws std::invalid_argument for a gauge that reaches beyond its wall's ends, or over a part of
-// the wall that an obstacle covers.
+// Throws std::invalid_argument for a gauge that reaches beyond the ends of its wall or covers a
+// part of the wall where an obstacle is.
 std::vector<FaceShare> face_shares(const TankMesh& mesh, const PressureGauge& gauge);
 
 }  // namespace slosh::openfoam

@@ -13,8 +13,8 @@ std::ptrdiff_t entries(const std::string& list) {
   return std::count(list.begin(), list.end(), '(');
 }
 
-// A step in the left corner leaves an L of three blocks, whose eight corners in each of two planes
-// are shared where blocks touch.
+// A step in the left corner leaves an L of three blocks, which share corners where they touch:
+// eight corners in each of two planes.
 TEST(BlockMesh, LeavesOutTheBlockOfAStep) {
   SloshingTank tank = still_tank();
   tank.obstacles = {{0, 0.11, 0, 0.26}};
@@ -28,7 +28,7 @@ TEST(BlockMesh, LeavesOutTheBlockOfAStep) {
   EXPECT_TRUE(mesh.vertices.ends_with("(1.1 0 1.3) (1.1 1 1.3)")) << mesh.vertices;
 }
 
-// Four walls outside and four inside.
+// There are four walls outside and four inside.
 TEST(BlockMesh, GivesAnObstacleInTheMiddleItsWalls) {
   SloshingTank tank = still_tank();
   tank.obstacles = {{0.33, 0.44, 0.26, 0.39}};

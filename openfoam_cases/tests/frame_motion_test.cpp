@@ -17,7 +17,7 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Surge and roll with a phase each, so that no term is zero at a round time.
+// Surge and roll have a phase each, so that no term is zero at a round time.
 SloshingTank moving_tank() {
   SloshingTank tank = small_tank();
   tank.velocity = [](double t) { return 0.6 * std::cos(2 * t + 0.4); };
@@ -31,7 +31,7 @@ SloshingTank moving_tank() {
   return tank;
 }
 
-// Where the tank carries its point (x, z), from the axis, in the earth's frame.
+// Returns the place of the tank's point (x, z), from the axis, in the earth's frame.
 Vector place(const SloshingTank& tank, double x, double z, double time) {
   const double angle = tank.roll->angle(time);
   return {0.3 * std::sin(2 * time + 0.4) + x * std::cos(angle) - z * std::sin(angle), 0,
@@ -43,9 +43,10 @@ Vector into_tank(double angle, const Vector& v) {
           -v[0] * std::sin(angle) + v[2] * std::cos(angle)};
 }
 
-// What rests in the tank feels gravity less the acceleration of its place: in the solver's terms
-// g0 - a - Omega x (Omega x r) - dOmega/dt x r, here with vectors in three dimensions as it has
-// them; there by differentiating the path in the earth's frame, to 1e-7 of it.
+// A body at rest in the tank has the effective gravity g less the acceleration of its place. In the
+// solver's terms this is g0 - a - Omega x (Omega x r) - dOmega/dt x r, computed here with vectors
+// in three dimensions as the solver does. It must agree to 1e-7 with the second derivative of the
+// path in the earth's frame.
 TEST(FrameMotion, IsTheAccelerationOfEveryPointOfTheTank) {
   const SloshingTank tank = moving_tank();
   const double step = 1e-4;
@@ -76,7 +77,8 @@ TEST(FrameMotion, OfATankThatDoesNotRollIsItsSurgeAlone) {
   EXPECT_EQ(motion.omega_y_derivative, 0);
 }
 
-// At rest in the earth's frame is to move against the tank as its own points do, turned round.
+// A liquid at rest in the earth's frame moves relative to the tank with minus the velocity of the
+// tank's points.
 TEST(FrameMotion, StartsAtRestInTheEarthsFrameAgainstTheTanksOwnPoints) {
   SloshingTank tank = moving_tank();
   tank.initial_relative_velocity = -tank.velocity(0);

@@ -1,10 +1,9 @@
-#include "openfoam_cases/geometry/front_position.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "openfoam_cases/geometry/liquid_edge.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam::front_position_test {
@@ -48,7 +47,7 @@ TEST(FrontPosition, OfAFrontOnACellFaceIsExact) {
   }
 }
 
-// A front smeared over many cells, as a linear ramp: half of it is where it is half full.
+// A front that is smeared over many cells as a linear ramp is where the ramp is half full.
 TEST(FrontPosition, OfASmearedFrontIsItsMiddle) {
   const TankMesh mesh(metre_tank());
   std::vector<double> fractions;

@@ -25,7 +25,7 @@ TEST(GaugeColumns, ReadTheMeanOfTwoWhereTheGaugeIsOnTheirEdge) {
   EXPECT_NEAR(columns.right_weight, 0.5, 1e-12);
 }
 
-// A linear profile is reproduced everywhere, at the walls too.
+// A linear profile is reproduced everywhere, also at the walls.
 TEST(GaugeColumns, ReproduceALinearSurfaceFromWallToWall) {
   const TankMesh mesh(metre_tank(7));
   for (int i = 0; i <= 100; ++i) {
@@ -45,7 +45,7 @@ TEST(GaugeColumns, AreListedOnceEach) {
   EXPECT_EQ(columns_read(tank, TankMesh(tank)), (std::vector<int>{93, 94, 95}));
 }
 
-// Cells of 0.05 m in a tank of 1 x 0.5 m.
+// The cells are of 0.05 m in a tank of 1 x 0.5 m.
 TankMesh mesh_with(std::vector<Obstacle> obstacles) {
   SloshingTank tank = metre_tank(20);
   tank.height = 0.5;

@@ -1,9 +1,12 @@
-// Case directories as interFoam leaves them, written by hand, and then spoilt.
+// Case directories as interFoam writes them, made by hand and then damaged.
+#include "openfoam_cases/output/harvest.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 
+#include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
@@ -13,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two columns whose filling differs, so that a wrong column or weight shows.
+// Two columns have different fillings, so that a wrong column or weight shows.
 SloshingTank tank_with_one_gauge() {
   SloshingTank tank = small_tank();
   tank.length = 1;
@@ -55,7 +58,7 @@ class Harvested : public ::testing::Test {
     for (int i = 1; i <= samples; ++i) out << 0.01 * i << "          \t" << value(i) << "\n";
   }
 
-  // Rows of three vectors, whose first three samples are an impulse's.
+  // Rows have three vectors; the first three samples are those of an impulse.
   void write_vectors(const std::string& name, const std::string& file) {
     fs::create_directories(series(name).parent_path());
     std::ofstream out(series(name, file));
@@ -69,7 +72,7 @@ class Harvested : public ::testing::Test {
     }
   }
 
-  // The gauge's column, 19, with a drop in the fourth cell from above in the 30th sample.
+  // The gauge's column, 19, has a drop in the fourth cell from above in the 30th sample.
   void write_gauge_cells(int cells) {
     fs::create_directories(series("gauge_cells").parent_path());
     std::ofstream out(series("gauge_cells", "alpha.liquid"));
@@ -84,7 +87,7 @@ class Harvested : public ::testing::Test {
     }
   }
 
-  // How the harvest refuses the directory as it is now.
+  // Returns the error with which the harvest refuses the directory as it is now.
   std::string refusal() {
     return message_of<RunError>([this] { harvest(tank_with_one_gauge(), directory_.path()); });
   }
@@ -106,7 +109,7 @@ TEST_F(Harvested, GivesTheElevationBetweenTwoColumns) {
   EXPECT_NEAR(result.relative_mass_loss, 0, 1e-12);
 }
 
-// Of the steps at 4, 8 and 12 ms one sample, at 10 ms, lies within the first three.
+// The first three steps are at 4, 8 and 12 ms, so that one sample, at 10 ms, lies within them.
 TEST_F(Harvested, DropsTheForceOfTheFirstThreeSteps) {
   const History force = harvest(tank_with_one_gauge(), directory_.path()).force_x;
   ASSERT_EQ(force.time.size(), 99u);
@@ -126,7 +129,8 @@ TEST_F(Harvested, GivesTheMomentumInTheEarthsFrame) {
   EXPECT_TRUE(result.moment.time.empty());
 }
 
-// The drop's cell is 0.8 full, the next empty: 0.375 of a cell above its centre at 0.65 m.
+// The drop's cell is 0.8 full and the next empty: the surface is 0.375 of a cell above its centre
+// at 0.65 m.
 TEST_F(Harvested, GivesTheHighestSurfaceFromTheStartOn) {
   const History highest =
       harvest(tank_with_one_gauge(), directory_.path()).highest_surface.at("gauge");
@@ -136,7 +140,7 @@ TEST_F(Harvested, GivesTheHighestSurfaceFromTheStartOn) {
   EXPECT_NEAR(highest.value[31], 0.0093, 0.009);
 }
 
-// Of a tank that rolls there is a moment, clockwise in OpenFOAM, and no momentum.
+// A tank that rolls has a moment, which is clockwise in OpenFOAM, and no momentum.
 TEST_F(Harvested, GivesTheMomentOfATankThatRolls) {
   SloshingTank tank = tank_with_one_gauge();
   tank.roll = harmonic_roll(0.1, 2, 0.5, 0);
@@ -149,7 +153,7 @@ TEST_F(Harvested, GivesTheMomentOfATankThatRolls) {
   EXPECT_TRUE(result.momentum_z.time.empty());
 }
 
-// Two gauges in the middle between two faces each, and a gas whose pressure shifts.
+// Two gauges are in the middle between two faces each, and the gas's pressure varies.
 class HarvestedPressure : public Harvested {
  protected:
   void SetUp() override {
@@ -209,7 +213,7 @@ TEST_F(Harvested, RefusesAGaugesCellsThatAreNotAllThere) {
   EXPECT_NE(refusal().find("expected 11 finite numbers"), std::string::npos) << refusal();
 }
 
-// A column whose front runs a cell every ten samples.
+// The column's front moves by a cell every ten samples.
 class HarvestedColumn : public Harvested {
  protected:
   void SetUp() override {

@@ -1,16 +1,15 @@
-#include "openfoam_cases/geometry/highest_surface.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "openfoam_cases/geometry/liquid_edge.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam::highest_surface_test {
 namespace {
 
-// Cells of 0.05 m.
+// The cells are of 0.05 m.
 SloshingTank metre_tank() {
   SloshingTank tank = still_tank();
   tank.length = 1;

@@ -38,7 +38,7 @@ TEST(InitialLiquid, StandsInAColumnAtTheLeftWall) {
   EXPECT_EQ(liquid_share(tank, {0, 2}), 0);
 }
 
-// Two of them overlap, one pierces the surface, one hangs above it.
+// Of the obstacles two overlap, one pierces the surface and one hangs above it.
 TEST(InitialLiquid, LeavesOutWhatObstaclesDisplace) {
   SloshingTank tank = still_tank();
   tank.obstacles = {{0.11, 0.33, 0, 0.13},

@@ -1,4 +1,4 @@
-// Rolls of a tank for tests.
+// Rolls of a tank.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace slosh::openfoam {
 
-// theta(t) = A sin(omega t) [rad], set off at once with the liquid at rest in the tank.
+// Returns theta(t) = A sin(omega t) [rad] with a sudden start and the liquid at rest in the tank.
 inline Roll harmonic_roll(double amplitude, double omega, double axis_x, double axis_z) {
   return {
       .angle = [=](double t) { return amplitude * std::sin(omega * t); },
@@ -19,7 +19,7 @@ inline Roll harmonic_roll(double amplitude, double omega, double axis_x, double 
       .initial_relative_rate = 0};
 }
 
-// From 0 to `angle` over `duration`, without a jump of the rate or the acceleration.
+// Returns a roll from 0 to `angle` over `duration` with continuous rate and acceleration.
 inline Roll slow_roll(double angle, double duration, double axis_x, double axis_z) {
   const auto share = [=](double t) { return std::min(t / duration, 1.0); };
   return {.angle =

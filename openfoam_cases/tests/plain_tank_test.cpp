@@ -1,12 +1,13 @@
-// A tank without a column, obstacles, roll, pressure gauges and snapshots costs nothing of any: its
-// dictionaries are, byte for byte, those that interFoam's results were first obtained with, but for
-// the momentum.
+// Options that a tank does not use must not change its case. The dictionaries of a tank without a
+// column, obstacles, roll, pressure gauges and snapshots are, but for the momentum, byte for byte
+// those of interFoam's first results.
 #include <gtest/gtest.h>
 
 #include <regex>
 
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
+#include "openfoam_cases/write_case.hpp"
 
 namespace slosh::openfoam::plain_tank_test {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr const char* block_mesh_dictionary =
     R"(FoamFile { version 2.0; format ascii; class dictionary; object blockMeshDict; }
 
-// One cell of 1 m across: every integral is per metre of width.
+// The mesh is one cell in y, 1 m long, so that every integral is per metre of width.
 scale 1;
 
 vertices
@@ -60,7 +61,7 @@ writePrecision      12;
 timePrecision       12;
 runTimeModifiable   no;
 
-// Small waves never reach the Courant limits: the largest step is what fixes their accuracy.
+// Small waves never reach the Courant limits, so that the largest step sets their accuracy.
 adjustTimeStep      yes;
 maxDeltaT           MAX_TIME_STEP;
 maxCo               0.5;
@@ -130,7 +131,7 @@ TEST_F(PlainTank, HasTheMeshDictionaryThatItAlwaysHad) {
 }
 
 TEST_F(PlainTank, HasTheFunctionObjectsThatItAlwaysHad) {
-  // The step's last bit depends on the machine's hyperbolic tangent.
+  // The last bit of the step depends on the machine's hyperbolic tangent.
   const std::regex step("(eltaT +)[0-9.e-]+;");
   EXPECT_EQ(std::regex_replace(file("system/controlDict"), step, "$1MAX_TIME_STEP;"),
             control_dictionary);

@@ -1,10 +1,11 @@
 // Excerpts of logs that interFoam 1912 wrote.
-#include "openfoam_cases/read_log.hpp"
+#include "openfoam_cases/output/read_log.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
+#include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam::read_log_test {

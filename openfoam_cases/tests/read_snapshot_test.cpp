@@ -1,11 +1,12 @@
-// Time directories as interFoam leaves them, written by hand, and then spoilt.
-#include "openfoam_cases/read_snapshot.hpp"
+// Time directories as interFoam writes them, made by hand and then damaged.
+#include "openfoam_cases/output/read_snapshot.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <sstream>
 
+#include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
 namespace slosh::openfoam::read_snapshot_test {
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two rows of three cells, of which an obstacle fills the lower right one.
+// There are two rows of three cells, and an obstacle fills the lower right one.
 SloshingTank tank_of_five_cells() {
   SloshingTank tank = still_tank();
   tank.length = 0.3;
@@ -73,7 +74,7 @@ TEST_F(Snapshot, HasEveryCellsPlaceAndFields) {
     EXPECT_NEAR(snapshot.z[cell], is_below ? 0.1 : 0.3, 1e-15);
     EXPECT_EQ(snapshot.velocity_x[cell], cell);
     EXPECT_EQ(snapshot.velocity_z[cell], -2.5e-3);
-    // Half a cell of gas at 30 Pa, and cells at 20 and 10 Pa: a mean of 18.
+    // Half a cell of gas at 30 Pa and cells at 20 and 10 Pa have a mean of 18 Pa.
     EXPECT_NEAR(snapshot.pressure[cell], 10 * (5 - cell) - 18, 1e-12);
   }
   EXPECT_NEAR(snapshot.x[1], 0.15, 1e-15);

@@ -1,15 +1,16 @@
-// A column of liquid that breaks down in the installed interFoam.
+// A dam break in the installed interFoam.
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "openfoam_cases/output/harvest.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
 namespace slosh::openfoam::run_column_test {
 namespace {
 
-// The column of Martin & Moyce 1952, figure 3: 2.25 in wide and twice as high, in a tank that the
-// front crosses within the run.
+// The column of Martin & Moyce 1952, figure 3, is 2.25 in wide and twice as high, in a tank that
+// the front crosses during the run.
 SloshingTank dam() {
   constexpr double width = 0.05715;
   SloshingTank tank = still_tank();
@@ -35,7 +36,7 @@ using RunColumn = RunCase;
 
 TEST_F(RunColumn, KeepsItsVolumeFromTheFirstStepOn) {
   SloshingTank tank = dam();
-  tank.column_width = 0.0591, tank.fill_depth = 0.1103;  // inside cells
+  tank.column_width = 0.0591, tank.fill_depth = 0.1103;  // not on faces of cells
   tank.duration = 0.1;
   const Harvest result = run(tank);
   for (const double volume : result.liquid_volume.value) {
@@ -43,11 +44,11 @@ TEST_F(RunColumn, KeepsItsVolumeFromTheFirstStepOn) {
   }
 }
 
-// An ideal front runs along a dry bottom at 2 sqrt(g h) from the start (Ritter 1892); no real one
-// does, since a column must first turn its fall into speed. The experiment's front is late by 0.27
-// of its unit of time, 14 ms, at all three points, as after a diaphragm that takes a while to go:
-// so its speed is compared, which comes out 4 % higher here (5 % at 120 x 60), with walls that
-// slip.
+// An ideal front moves along a dry bottom at 2 sqrt(g h) from the start (Ritter 1892). A real front
+// does not, since a column must first convert its fall into speed. The experiment's front is late
+// by 0.27 of its unit of time, 14 ms, at all three points, as with a diaphragm that takes time to
+// open. The test therefore compares the speed, which is 4 % higher here (5 % at 120 x 60), with
+// free slip on the walls.
 TEST_F(RunColumn, RunsItsFrontBetweenTheExperimentsAndTheIdealOne) {
   const SloshingTank tank = dam();
   const double width = *tank.column_width;
@@ -60,7 +61,7 @@ TEST_F(RunColumn, RunsItsFrontBetweenTheExperimentsAndTheIdealOne) {
     EXPECT_LE(front.value[i], width + 2 * std::sqrt(9.81 * tank.fill_depth) * front.time[i]);
   }
   EXPECT_NEAR(front.value.back(), tank.length, 0.01 * tank.length);
-  // t sqrt(2 g / a) and x / a, as PySPH (db_exp_data.py) read them off the figure.
+  // t sqrt(2 g / a) and x / a as PySPH (db_exp_data.py) digitised the figure.
   const std::array<std::array<double, 2>, 3> experiment{
       {{1.997, 2.292}, {2.547, 2.995}, {3.345, 4.134}}};
   std::array<double, 3> found;

@@ -1,10 +1,13 @@
-// Tests that run the installed interFoam, and are skipped where there is none.
+// A fixture for tests that run the installed interFoam; they are skipped where it is not installed.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include "openfoam_cases/output/harvest.hpp"
+#include "openfoam_cases/run_case.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
+#include "openfoam_cases/write_case.hpp"
 
 namespace slosh::openfoam {
 

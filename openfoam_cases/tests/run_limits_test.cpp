@@ -1,4 +1,4 @@
-// Stages that do not end, played by scripts under OpenFOAM's names.
+// Stages that do not end, simulated by scripts with the names of OpenFOAM's programs.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -7,7 +7,9 @@
 
 #include <iterator>
 
-#include "openfoam_cases/preloaded_library.hpp"
+#include "openfoam_cases/child_program.hpp"
+#include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/run_case.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
@@ -16,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Processes with this text in their command lines: a sleep of a telling length.
+// Counts processes with this text in their command lines, a sleep of a distinctive length.
 int processes_with(const std::string& text) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator("/proc"))
@@ -24,7 +26,7 @@ int processes_with(const std::string& text) {
   return count;
 }
 
-// A process that was killed shows until the system has taken it away.
+// A killed process is visible until the system has removed it.
 bool all_end_with(const std::string& text) {
   for (int i = 0; i < 200 && processes_with(text) > 0; ++i) usleep(10'000);
   return processes_with(text) == 0;
@@ -59,7 +61,7 @@ void expect_in(const std::string& words, const std::string& part) {
   EXPECT_NE(words.find(part), std::string::npos) << words;
 }
 
-// dictionary_digest.cpp: whether it is the one that OpenFOAM's programs call.
+// Checks that OpenFOAM's programs call the function of dictionary_digest.cpp.
 TEST_F(RunLimits, AreOfProgramsThatPreloadTheDigestOfDictionaries) {
   void* const library = dlopen(preloaded_library().c_str(), RTLD_NOW);
   ASSERT_NE(library, nullptr) << dlerror();

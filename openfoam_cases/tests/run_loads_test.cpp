@@ -1,5 +1,5 @@
-// Wall pressure, force, moment, momentum and fields of the installed interFoam, against statics and
-// mechanics.
+// Wall pressure, force, moment, momentum and fields of the installed interFoam, compared with
+// statics and mechanics.
 #include <gtest/gtest.h>
 
 #include "openfoam_cases/tests/motions.hpp"
@@ -11,14 +11,15 @@ namespace {
 using RunLoads = RunCase;
 using Wall = PressureGauge::Wall;
 
-// Less the gas's mean: the gas between the surface and its middle adds its own.
+// The pressure is relative to the gas's mean, so that the gas between the surface and its middle
+// adds its weight.
 double still_pressure(const SloshingTank& tank, double z) {
   return tank.gravity * (tank.liquid.density * (tank.fill_depth - z) +
                          tank.gas.density * (tank.height - tank.fill_depth) / 2);
 }
 
-// A roll that never leaves 0 asks for the moment. The level lies inside a cell, and the axis off
-// the middle.
+// With a roll whose angle stays 0 the case computes the moment. The level lies inside a cell, and
+// the axis is off the centre line.
 TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
   SloshingTank tank = still_tank();
   tank.cells_z = 52;
@@ -31,7 +32,8 @@ TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
                           {"corner", Wall::bottom, 0, 0},
                           {"bottom", Wall::bottom, 0.7, 0.05}};
   const Harvest result = run(tank);
-  // What the half-filled cells, which bear a part of the liquid above them, add to the gas's mean.
+  // The half-filled cells, which carry part of the liquid above them, change the gas's mean by
+  // this.
   const double pressure_tolerance = 1;
   for (const PressureGauge& gauge : tank.pressure_gauges) {
     const double expected = still_pressure(tank, gauge.wall == Wall::bottom ? 0 : gauge.position);
@@ -62,9 +64,9 @@ TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
   EXPECT_NEAR(liquid, tank.length * tank.fill_depth, 1e-9);
 }
 
-// The liquid takes the tank's velocity before it moves against it, and then changes its momentum by
-// what the walls give it and its weight: Newton's second law, which ties the momentum to the
-// forces. The gas's share of the forces is 0.3 % here.
+// The liquid starts with the tank's velocity. Its momentum then changes by the force of the walls
+// and its weight, which is Newton's second law and relates the momentum to the forces. The gas's
+// part of the forces is 0.3 % here.
 TEST_F(RunLoads, ChangeTheMomentum) {
   SloshingTank tank = small_tank();
   tank.initial_relative_velocity = 0;
@@ -76,7 +78,7 @@ TEST_F(RunLoads, ChangeTheMomentum) {
   const double gas_weight =
       tank.gravity * tank.gas.density * tank.length * (tank.height - tank.fill_depth);
   EXPECT_NEAR(result.momentum_x.value[0], mass * 0.2, 1e-3 * mass * 0.2);
-  // Samples line up at their ends: the force leaves out the first ones.
+  // The series end at the same sample; the force leaves out the first ones.
   const std::size_t dropped = result.momentum_x.time.size() - result.force_x.time.size();
   double mx = result.momentum_x.value[dropped], mz = result.momentum_z.value[dropped];
   for (std::size_t i = 1; i < result.force_x.time.size(); ++i) {
@@ -85,7 +87,7 @@ TEST_F(RunLoads, ChangeTheMomentum) {
     mz -= dt * ((result.force_z.value[i] + result.force_z.value[i - 1]) / 2 + mass * tank.gravity +
                 gas_weight);
     EXPECT_NEAR(mx, result.momentum_x.value[i + dropped], 0.01 * mass * 0.2) << i;
-    EXPECT_NEAR(mz, result.momentum_z.value[i + dropped], 0.1 * 1.78) << i;  // of the largest
+    EXPECT_NEAR(mz, result.momentum_z.value[i + dropped], 0.1 * 1.78) << i;  // 0.1 of the largest
   }
 }
 

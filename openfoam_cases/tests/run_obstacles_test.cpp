@@ -3,6 +3,7 @@
 
 #include <regex>
 
+#include "openfoam_cases/output/harvest.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
 namespace slosh::openfoam::run_obstacles_test {
@@ -10,7 +11,7 @@ namespace {
 
 using RunObstacles = RunCase;
 
-// The largest component of the velocity [m/s] that a time directory holds.
+// Returns the largest velocity component [m/s] in a time directory.
 double largest_velocity(const std::filesystem::path& time_directory) {
   std::string field = contents(time_directory / "U");
   field = field.substr(0, field.find("boundaryField"));
@@ -24,13 +25,13 @@ double largest_velocity(const std::filesystem::path& time_directory) {
   return largest;
 }
 
-// A step in the corner, a submerged one, two that touch at a corner, one that pierces the surface
-// and one that hangs from the roof.
+// The obstacles are a step in the corner, a submerged one, two that touch at a corner, one that
+// pierces the surface and one that hangs from the roof.
 SloshingTank crowded_tank() {
   SloshingTank tank = still_tank();
   tank.length = 1;
   tank.height = 0.5;
-  tank.fill_depth = 0.23;  // inside a cell
+  tank.fill_depth = 0.23;  // not on a face of a cell
   tank.cells_x = 40;
   tank.cells_z = 20;
   tank.obstacles = {{0, 0.1, 0, 0.15},      {0.2, 0.3, 0.05, 0.1}, {0.4, 0.45, 0, 0.05},
@@ -39,8 +40,8 @@ SloshingTank crowded_tank() {
   return tank;
 }
 
-// A net force at rest would be a wall of an obstacle that is missing: the left step's alone bears
-// 230 N/m.
+// A net force at rest would mean that the force leaves out an obstacle's wall; that of the left
+// step alone carries 230 N/m.
 TEST_F(RunObstacles, LeaveStillLiquidStill) {
   const SloshingTank tank = crowded_tank();
   const Harvest result = run(tank);
@@ -55,8 +56,8 @@ TEST_F(RunObstacles, LeaveStillLiquidStill) {
   EXPECT_LT(largest_velocity(directory_.path() / "1"), 1e-4);
 }
 
-// Surged to the left with everything turned round the tank gives the same turned round; a cell in a
-// wrong place or an obstacle's wall left out of the force does not.
+// The mirrored tank in the mirrored motion must give the mirrored result. A cell in a wrong place
+// or an obstacle's wall left out of the force would break the symmetry.
 TEST_F(RunObstacles, GiveTheSameTurnedRound) {
   SloshingTank tank = small_tank();
   tank.duration = 0.4;
@@ -87,8 +88,8 @@ TEST_F(RunObstacles, GiveTheSameTurnedRound) {
   }
 }
 
-// A short run, because processes that wait for each other on busy cores are slow. The divide lies
-// in the obstacle.
+// The run is short, because processes that wait for each other are slow on busy cores. The
+// processes' domains meet inside the obstacle.
 TEST_F(RunObstacles, GiveTheSameOnTwoProcessesAsOnOne) {
   SloshingTank tank = still_tank();
   tank.duration = 0.05;

@@ -1,6 +1,7 @@
 // Tanks that roll in the installed interFoam.
 #include <gtest/gtest.h>
 
+#include "openfoam_cases/output/harvest.hpp"
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
@@ -14,7 +15,7 @@ std::vector<PressureGauge> gauges_on_both_walls() {
   return {{"left", Wall::left, 0.1, 0}, {"right", Wall::right, 0.1, 0}};
 }
 
-// Of liquid and gas, per metre of width [N/m].
+// The weight of liquid and gas per metre of width [N/m].
 double weight(const SloshingTank& tank) {
   return tank.gravity * tank.length *
          (tank.liquid.density * tank.fill_depth +
@@ -30,7 +31,7 @@ double mean_from(const History& history, double time) {
   return sum / count;
 }
 
-// Root mean square of the difference, over that of the second.
+// Returns the rms of the difference relative to the rms of the second series.
 double relative_difference(const History& one, const History& other) {
   EXPECT_EQ(one.time.size(), other.time.size());
   double difference = 0, size = 0;
@@ -47,9 +48,10 @@ History about_mean(History history) {
   return history;
 }
 
-// A counter-clockwise roll lifts the right wall, so that the liquid goes to the left one and its
-// surface, level in the earth's frame, has the slope -tan(theta) in the tank's. Its weight then
-// hangs on the tank at the centroid of that trapezium. Means over a period of the first mode.
+// A counter-clockwise roll raises the right wall, so that the liquid moves to the left one and its
+// surface, horizontal in the earth's frame, has the slope -tan(theta) in the tank's. Its weight
+// then acts at the centroid of that trapezium. The values are means over a period of the first
+// mode.
 TEST_F(RunRoll, TiltsTheSurfaceAgainstASlowRoll) {
   SloshingTank tank = still_tank();
   tank.cells_x = 22;
@@ -82,9 +84,10 @@ TEST_F(RunRoll, TiltsTheSurfaceAgainstASlowRoll) {
   }
 }
 
-// About an axis 2 m below the tank's centre that centre moves by -R sin(theta) to the side and by
-// R (cos(theta) - 1) upward: a roll about the centre and a surge, but for the heave of 1e-4 m. The
-// two put the motion into different terms: gravity's acceleration, or the rotation's.
+// In a roll about an axis 2 m below the tank's centre the centre moves by -R sin(theta) sideways
+// and by R (cos(theta) - 1) upward. Without the heave of 1e-4 m this is a roll about the centre
+// plus a surge. In the solver the two cases use different terms: the acceleration of the frame, or
+// its rotation.
 TEST_F(RunRoll, AboutAFarAxisIsARollAndASurge) {
   SloshingTank tank = still_tank();
   const double amplitude = 0.01, omega = 3, arm = 2, x = tank.length / 2, z = tank.height / 2;
@@ -105,7 +108,7 @@ TEST_F(RunRoll, AboutAFarAxisIsARollAndASurge) {
   for (std::size_t i = 0; i < moment.value.size(); ++i) {
     moment.value[i] -= arm * near.force_x.value[i];
   }
-  // 0.006 to 0.011 on this mesh; a surge turned round gives 2.
+  // The differences are 0.006 to 0.011 on this mesh; a surge of the wrong sign gives 2.
   for (const char* gauge : {"left", "right"}) {
     EXPECT_LT(relative_difference(far.elevation.at(gauge), near.elevation.at(gauge)), 0.02);
     EXPECT_LT(relative_difference(about_mean(far.wall_pressure.at(gauge)),
@@ -116,8 +119,8 @@ TEST_F(RunRoll, AboutAFarAxisIsARollAndASurge) {
   EXPECT_LT(relative_difference(far.moment, moment), 0.02);
 }
 
-// A start at rest in the earth's frame is the limit of a rate that goes up fast from zero, here
-// within 20 ms, which loses half of that of the angle.
+// A start at rest in the earth's frame is the limit of a rate that rises quickly from zero. Here it
+// rises within 20 ms, during which the angle lags by half of that time.
 TEST_F(RunRoll, SetOffAtOnceIsTheLimitOfAFastStart) {
   SloshingTank tank = still_tank();
   const double amplitude = 0.02, omega = 3, rise = 0.02;
@@ -147,7 +150,8 @@ TEST_F(RunRoll, SetOffAtOnceIsTheLimitOfAFastStart) {
     late.value.erase(late.value.begin());
     early.time.pop_back();
     early.value.pop_back();
-    // 0.005; 0.009 where the first step, whose flux is not known, is as long as the others.
+    // The difference is 0.005, or 0.009 if the first step, whose flux is not known, is as long as
+    // the others.
     EXPECT_LT(relative_difference(early, late), 0.007) << gauge;
   }
 }

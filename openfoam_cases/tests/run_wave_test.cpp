@@ -1,5 +1,4 @@
-// The installed interFoam on free waves: let go at rest from where they should be, and damped by
-// the liquid's viscosity.
+// Free waves in the installed interFoam: their release from rest and their viscous damping.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,8 +9,8 @@
 namespace slosh::openfoam::run_wave_test {
 namespace {
 
-// H = 1, g = 1, k = pi, nu = 1/50: the complete solution of the linear Navier-Stokes equations
-// (Prosperetti 1981 in finite depth), eta(t)/eta(0) at 1, 2 and 4.
+// For H = 1, g = 1, k = pi and nu = 1/50 these are eta(t)/eta(0) at t = 1, 2 and 4 from the
+// complete solution of the linear Navier-Stokes equations (Prosperetti 1981 in finite depth).
 TEST_F(RunCase, DampsAWaveByTheLiquidsViscosity) {
   SloshingTank tank = still_tank();
   tank.length = 1;

@@ -1,4 +1,4 @@
-// A tank that is quick to run, and a directory that lasts as long as a test.
+// A tank with a short run, and a directory that exists as long as a test.
 #pragma once
 
 #include <unistd.h>
@@ -19,7 +19,8 @@ inline const std::filesystem::path template_directory =
 inline constexpr double surge_amplitude = 0.02;  // [m]
 inline constexpr double surge_frequency = 1.5;   // [rad/s]
 
-// In X(t) = b sin(omega t), set off at once with the liquid at rest in the earth's frame.
+// Returns a tank in the surge X(t) = b sin(omega t), with a sudden start and the liquid at rest in
+// the earth's frame.
 inline SloshingTank small_tank() {
   const double b = surge_amplitude, omega = surge_frequency;
   return {.length = 1.1,
@@ -38,7 +39,7 @@ inline SloshingTank small_tank() {
           .cells_z = 10};
 }
 
-// The same at rest.
+// Returns the same tank at rest.
 inline SloshingTank still_tank() {
   SloshingTank tank = small_tank();
   tank.velocity = tank.acceleration = [](double) { return 0.0; };
@@ -65,7 +66,7 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-// What a RunError (or another error) says that `action` throws; empty where it throws none.
+// Returns the message of the Error that `action` throws; empty where it throws none.
 template <typename Error, typename Action>
 std::string message_of(Action action) {
   try {

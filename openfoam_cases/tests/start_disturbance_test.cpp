@@ -1,5 +1,3 @@
-#include "openfoam_cases/geometry/start_disturbance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -21,7 +21,7 @@ TEST(TimeStep, IsAHundredthOfTheFirstModesInverseFrequencyOrOfTheWavesOwn) {
   EXPECT_DOUBLE_EQ(max_time_step(tank), 0.01 / omega(3));
 }
 
-// What is left after n corrections is (d / (1 + d))^n, d = 2 nu dt (1/dx^2 + 1/dz^2).
+// After n corrections the error is reduced by (d / (1 + d))^n, d = 2 nu dt (1/dx^2 + 1/dz^2).
 TEST(PressureCorrections, AreTwoOfWaterAndMoreTheMoreViscousTheLiquidIs) {
   SloshingTank tank = still_tank();
   EXPECT_EQ(pressure_corrections(tank), 2);

@@ -9,7 +9,7 @@ namespace {
 
 using Wall = PressureGauge::Wall;
 
-// Cells of 0.05 m in a tank of 1 x 0.5 m.
+// The cells are of 0.05 m in a tank of 1 x 0.5 m.
 TankMesh mesh_with(std::vector<Obstacle> obstacles) {
   SloshingTank tank = still_tank();
   tank.length = 1;
@@ -40,8 +40,8 @@ TEST(WallFaces, ReadALinearPressureRightAtEveryPlaceAndWidth) {
   }
 }
 
-// From 0.08 to 0.28 m, with centres at 0.075, 0.125, ... m: each weight is the integral of the
-// face's hat function over the gauge.
+// The gauge reaches from 0.08 to 0.28 m, and the faces' centres are at 0.075, 0.125, ... m. Each
+// weight is the integral of the face's hat function over the gauge.
 TEST(WallFaces, AverageOverTheWidth) {
   const auto shares = face_shares(mesh_with({}), {"", Wall::left, 0.18, 0.2});
   const std::vector<double> expected{0.10125, 0.24875, 0.25, 0.25, 0.14875, 0.00125};

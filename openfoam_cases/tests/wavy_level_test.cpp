@@ -1,5 +1,3 @@
-#include "openfoam_cases/geometry/wavy_level.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +46,7 @@ TEST(WavyLevel, FillsEveryColumnUpToItsMeanHeight) {
   }
 }
 
-// By 200,000 thin slices.
+// Integrates with 200,000 thin slices.
 TEST(WavyLevel, CutsACellWhereTheCosineCrossesIt) {
   const SloshingTank tank = waved_tank(7, 0.1);
   const CellBox cell{.left = 0.2, .right = 0.45, .bottom = 0.32, .top = 0.41};

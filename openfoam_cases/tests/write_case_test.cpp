@@ -1,9 +1,12 @@
+#include "openfoam_cases/write_case.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <regex>
 #include <sstream>
 
+#include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/frame_motion.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/tests/motions.hpp"
@@ -14,14 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The text that follows `key` in a dictionary, up to the semicolon.
+// Returns the text that follows `key` in a dictionary, up to the semicolon.
 std::string entry(const std::string& text, const std::string& key) {
   std::smatch match;
   return std::regex_search(text, match, std::regex("\\b" + key + "\\s+([^;]*);")) ? match[1].str()
                                                                                   : "no " + key;
 }
 
-// The numbers between the outermost parentheses after `key`.
+// Returns the numbers between the outermost parentheses after `key`.
 std::vector<double> list_after(std::string text, const std::string& key) {
   text = text.substr(text.find('(', text.find(key)));
   text = text.substr(0, text.find("\n)"));
@@ -104,7 +107,7 @@ TEST_F(WrittenCase, AveragesEachColumnThatAGaugeReads) {
   EXPECT_EQ(control.find("column_2\n"), std::string::npos);
 }
 
-// The order of the cells is the mesh's: below the step's top 18 cells a row, then 2 and 18.
+// The cells are in the mesh's order: below the step's top 18 in a row, above it 2 and 18.
 TEST_F(WrittenCase, NumbersTheLiquidsCellsBlockByBlock) {
   SloshingTank tank = small_tank();
   tank.gauges = {};
@@ -131,7 +134,7 @@ TEST_F(WrittenCase, ProbesTheLowestRowForTheFrontOfAColumn) {
   EXPECT_EQ(places[5], 0.065);
 }
 
-// The roll's axis is the origin of the mesh, and all that is placed in it moves along.
+// The roll's axis is the origin of the mesh, and everything in the mesh shifts with it.
 TEST_F(WrittenCase, PutsTheOriginOnTheRollsAxis) {
   SloshingTank tank = small_tank();
   tank.roll = harmonic_roll(0.1, 2, 0.25, -0.5);

@@ -1,5 +1,3 @@
-#include "reference/duhamel.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/forced_mode.hpp"
+#include "reference/mode_response.hpp"
 #include "reference/tests/li_tank.hpp"
 #include "reference/tests/mode_by_odeint.hpp"
 
@@ -17,8 +15,8 @@ namespace {
 
 const std::vector<double> times{0.01, 0.305, 1, 2.7041, 5, 8, 12};
 
-// b sin(omega t) raised over the first two periods by (1 - cos(pi t/rise))/2, and its exact second
-// derivative.
+// The displacement b sin(omega t), multiplied over the first two periods by (1 - cos(pi t/rise))/2,
+// and its exact second derivative.
 struct RampedSine {
   double rise, omega, b;
   double operator()(double t) const {
@@ -39,7 +37,7 @@ TEST(Duhamel, SolvesTheModesEquationForARamp) {
   const double omega = li_surge.angular_frequency;
   const RampedSine ramp{4 * std::numbers::pi / omega, omega, 0.02};
   const auto modes = surge_modes(li_tank, std::nullopt, 0, 6);
-  // The interpolation errs by (omega step)^2/12 of the forcing: 2e-7 of some 3 mm.
+  // The interpolation error is (omega step)^2/12 of the forcing, 2e-7 of some 3 mm.
   const DuhamelModes duhamel(modes, {"LinearSurge", ramp, 12, 1e-3});
   for (std::size_t n = 0; n < modes.size(); ++n) {
     const auto expected = mode_by_odeint(modes[n], ramp, times);
@@ -62,8 +60,8 @@ TEST(Duhamel, EqualsTheClosedFormOnASine) {
   }
 }
 
-// Exact for a piecewise-linear X'', hence the same to rounding from coarse and from fine samples;
-// the motion's own last interval may be a part of a step.
+// The integral is exact for a piecewise-linear X'', so that coarse and fine samples agree to
+// rounding. The last interval may be shorter than a step.
 TEST(Duhamel, IsExactWhereTheAccelerationIsPiecewiseLinear) {
   const auto sawtooth = [](double t) {
     const double phase = t - std::floor(t);

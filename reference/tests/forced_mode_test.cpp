@@ -1,10 +1,9 @@
-#include "reference/forced_mode.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "reference/mode_response.hpp"
 #include "reference/tests/li_tank.hpp"
 #include "reference/tests/mode_by_odeint.hpp"
 
@@ -53,9 +52,9 @@ TEST(ForcedMode, GrowsLinearlyAtExactResonance) {
   }
 }
 
-// Near resonance the textbook form, evaluated with 64 bits of mantissa, still has the digits that
-// are asked for here; nearer yet, the elevation follows its own slope with the frequency through
-// omega = omega_n.
+// Near resonance the textbook form, evaluated with a mantissa of 64 bits, still has the digits that
+// are compared here. Even closer to resonance the elevation must vary linearly with the frequency
+// through omega = omega_n.
 TEST(ForcedMode, PassesThroughResonanceWithoutCancellation) {
   const double omega_n = natural_frequency(li_tank, 1), b = 0.02, t = 7;
   const TankMode mode = surge_modes(li_tank, std::nullopt, 0, 1).front();

@@ -1,4 +1,4 @@
-#include "reference/legendre_grid.hpp"
+#include "reference/potential_flow/legendre_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ TEST(LegendreGrid, DifferentiatesAndInterpolatesPolynomialsExactly) {
   }
 }
 
-// On [-1, 1]: P_5 = (63 x^5 - 70 x^3 + 15 x)/8, and the last of all, whose norm the quadrature
-// misses.
+// Two polynomials on [-1, 1]: P_5 = (63 x^5 - 70 x^3 + 15 x)/8, and the highest one, whose norm the
+// quadrature does not integrate exactly.
 TEST(LegendreGrid, FindsTheLegendreCoefficients) {
   for (const int nodes : {6, 9}) {
     const LegendreGrid grid(-1, 1, nodes);
@@ -40,7 +40,8 @@ TEST(LegendreGrid, FindsTheLegendreCoefficients) {
   }
 }
 
-// d^2 log d at an end, as the corners of an accelerated tank have it: the fourth power.
+// A singularity d^2 log d at an end, as in the corners of an accelerated tank, gives fourth-order
+// convergence.
 TEST(LegendreGrid, InterpolatesAWeakSingularityAtAnEndToTheFourthOrder) {
   const auto error = [](int nodes) {
     const LegendreGrid grid(0, 1, nodes);

@@ -1,10 +1,11 @@
-// The series of Li et al. 2010 (eqs 16-20, after Faltinsen 1978) as printed: A is not defined
-// there. For X = b sin(omega t) it is ours with A = -b omega and minus ours with A = +b omega:
+// The series of Li et al. 2010 (eqs 16-20, after Faltinsen 1978) as printed, where A is not
+// defined. For X = b sin(omega t) it equals ours with A = -b omega, and minus ours with A = +b
+// omega:
 //   K_n = omega A/C_n 2/a (-1)^n/lambda_n^2,    C_n = cosh(lambda_n h),
 //   B_n = omega K_n/(omega_n^2 - omega^2),      A_n = -B_n - K_n/omega,
 //   eta = -1/g {A omega x sin(omega t) + sum sin(lambda_n x) C_n
 //               [A_n omega_n sin(omega_n t) + B_n omega sin(omega t)]}.
-// C_n is cancelled against its own in K_n: alone it overflows from the 323rd mode on.
+// C_n is cancelled against the one in K_n, as it overflows from the 323rd mode on.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +32,7 @@ double printed_elevation(double A, double x, double t, int modes) {
   return -sum / g;
 }
 
-// The printed series holds x whole where ours expands it: the missing tail is below 1e-8 m.
+// The printed series contains x itself, while ours expands it; the truncated part is below 1e-8 m.
 TEST(Li2010Series, IsOursWithMinusTheVelocityAmplitudeAndItsOppositeWithPlus) {
   const double A = li_surge.amplitude * li_surge.angular_frequency;
   const LinearSurge surge(li_tank, Start::earth, li_surge, 800);

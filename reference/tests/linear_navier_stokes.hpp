@@ -1,9 +1,9 @@
-// The viscous standing wave by brute force, for tests alone: the linear Navier-Stokes equations of
+// A direct numerical solution of the viscous standing wave: the linear Navier-Stokes equations of
 // one Fourier mode along x, u(z,t) sin kx, (w, p)(z,t) cos kx, eta(t) cos kx, from rest,
 //   u_t = k p + nu (u'' - k^2 u),  w_t = -p' + nu (w'' - k^2 w),  k u + w' = 0,  eta_t = w(0),
-//   z = 0: u' = k w, p = g eta + 2 nu w';   z = -h: w = 0, u' = 0   (density 1),
-// by Chebyshev collocation in z and Radau's two-stage method of third order in t (Hairer & Wanner,
-// Solving Ordinary Differential Equations II, table IV.5.5).
+//   z = 0: u' = k w, p = g eta + 2 nu w';   z = -h: w = 0, u' = 0   (density 1).
+// They are solved by Chebyshev collocation in z and Radau's two-stage method of third order in t
+// (Hairer & Wanner, Solving Ordinary Differential Equations II, table IV.5.5).
 #pragma once
 
 #include <Eigen/Dense>
@@ -17,7 +17,8 @@ struct LiquidMode {
   double k, depth, gravity, nu;
 };
 
-// On points z_j = depth (cos(pi j / n) - 1) / 2, j = 0 ... n (Trefethen, Spectral Methods, ch. 6).
+// Returns the derivative on the points z_j = depth (cos(pi j / n) - 1) / 2, j = 0 ... n (Trefethen,
+// Spectral Methods, ch. 6).
 inline Eigen::MatrixXd chebyshev_derivative(int n, double depth) {
   const auto x = [n](int j) { return std::cos(std::numbers::pi * j / n); };
   const auto weight = [n](int j) { return (j % n == 0 ? 2.0 : 1.0) * (j % 2 == 0 ? 1 : -1); };
@@ -31,7 +32,7 @@ inline Eigen::MatrixXd chebyshev_derivative(int n, double depth) {
   return d * (2 / depth);
 }
 
-// eta / eta(0) at 0, step, ..., steps * step.
+// Returns eta / eta(0) at 0, step, ..., steps * step.
 inline std::vector<double> height_by_collocation(const LiquidMode& mode, int n, double step,
                                                  int steps) {
   const auto& [k, depth, gravity, nu] = mode;
@@ -39,7 +40,8 @@ inline std::vector<double> height_by_collocation(const LiquidMode& mode, int n, 
   const Eigen::MatrixXd d = chebyshev_derivative(n, depth);
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(points, points);
   const Eigen::MatrixXd friction = nu * (d * d - k * k * one);
-  // B y' = A y: first the equations at every point, then the conditions over those of the ends.
+  // The system is B y' = A y. The equations are set at every point, and the boundary conditions
+  // then replace those at the end points.
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size), b = a;
   a.block(w, w, points, points) = a.block(u, u, points, points) = friction;
   a.block(w, p, points, points) = -d;

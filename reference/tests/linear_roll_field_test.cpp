@@ -1,7 +1,7 @@
-// Pressure, elevation, force and moment of the rolling tank against the equations that they must
-// satisfy, which hold no mode and no potential: the linear Euler equation's pressure is harmonic,
-// its gradient at walls, bottom and surface is what their acceleration asks for, and it vanishes
-// on the wave. The axis stands off the centre line.
+// Pressure, elevation, force and moment of the rolling tank against equations that contain neither
+// modes nor a potential: the pressure of the linear Euler equation is harmonic, its normal gradient
+// on walls, bottom and surface follows from their acceleration, and it vanishes on the wave. The
+// axis is off the centre line.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,8 @@ const LinearRoll& waves() {
   return roll;
 }
 
-// From a place on the boundary along (dx, dz) into the liquid, to the second order of the step.
+// Returns the derivative along (dx, dz) from a place on the boundary into the liquid, to second
+// order in the step.
 double inward_slope(const LinearRoll& roll, double x, double z, double dx, double dz, double t) {
   const auto p = [&](int steps) { return roll.pressure(x + steps * dx, z + steps * dz, t); };
   return (-3 * p(0) + 4 * p(1) - p(2)) / (2 * std::hypot(dx, dz));
@@ -48,8 +49,8 @@ TEST(LinearRollField, HasAHarmonicPressure) {
   }
 }
 
-// p_x = -rho (acceleration along x + g theta), p_z = -rho (acceleration along z + g), in the tank's
-// axes and to the first order.
+// To first order, in the tank's axes, p_x = -rho (acceleration along x + g theta) and p_z = -rho
+// (acceleration along z + g).
 TEST(LinearRollField, AcceleratesWithTheWallsAndTheBottom) {
   const double d = 1e-4;
   for (const double t : instants) {
@@ -82,8 +83,8 @@ TEST(LinearRollField, AcceleratesWithTheSurfaceAndHasNoPressureOnTheWave) {
   }
 }
 
-// Walls and bottom up to the still surface. z = -h s^2 crowds the points at the surface, where the
-// high modes are.
+// Integrates over the walls and the bottom up to the still surface. z = -h s^2 makes the points
+// dense near the surface, where the high modes are.
 TEST(LinearRollField, PushesAndTurnsTheTankAsTheWallPressuresDo) {
   const LinearRoll sudden(zhao_tank, Start::earth, sine_roll(axis, 6, 1e-2), 200);
   const LinearRoll still(zhao_tank, Start::tank, sine_roll(axis, 6, 1e-2), 200);
@@ -110,8 +111,8 @@ TEST(LinearRollField, PushesAndTurnsTheTankAsTheWallPressuresDo) {
   }
 }
 
-// In the earth's frame the liquid's centre of mass obeys Newton; to the first order that of the
-// liquid in the tank lies at x = integral of x eta over L h, and no pressure enters.
+// In the earth's frame the liquid's centre of mass obeys Newton's law. To first order its x in the
+// tank is the integral of x eta over L h. No pressure enters.
 TEST(LinearRollField, BalancesTheLiquidsMomentum) {
   const double d = 5e-3, mass = rho * 2 * a * h;
   const LinearRoll roll(zhao_tank, Start::earth, sine_roll(axis, 6, 1e-3), 40);

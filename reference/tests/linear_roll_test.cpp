@@ -31,7 +31,7 @@ struct Harmonic {
   double mean, sine, cosine;
 };
 
-// y = mean + sine sin(omega t) + cosine cos(omega t) by least squares.
+// Fits y = mean + sine sin(omega t) + cosine cos(omega t) by least squares.
 Harmonic fit(const std::vector<double>& times, const std::vector<double>& values, double omega) {
   double normal[3][4] = {};
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -51,9 +51,9 @@ Harmonic fit(const std::vector<double>& times, const std::vector<double>& values
   return {normal[0][3] / normal[0][0], normal[1][3] / normal[1][1], normal[2][3] / normal[2][2]};
 }
 
-// Set off at once, one tone fitted to the first 10 s gives a mean of 2.894 kPa and an amplitude of
-// 0.3235 kPa; the first natural mode, 0.013 kPa, leaks into both. Raised slowly, what is left is
-// the forced wave alone, in opposition to the roll.
+// After a sudden start one tone fitted to the first 10 s gives a mean of 2.894 kPa and an amplitude
+// of 0.3235 kPa; the first natural mode, 0.013 kPa, affects both. After a slow ramp only the forced
+// wave is left, in opposition to the roll.
 TEST(LinearRoll, GivesThePressureOfZhaosTank) {
   const LinearRoll sudden(zhao_tank, Start::earth, sine_roll(centre, 10, 5e-3), 1000);
   const auto first = instants(0, 10, 0.01);
@@ -69,8 +69,8 @@ TEST(LinearRoll, GivesThePressureOfZhaosTank) {
   EXPECT_NEAR(late.cosine, 0, 0.01);
 }
 
-// Each mode, taken out of the elevation by its projection, against its equation in eta_n with its
-// two forcing terms, the coefficients S_n by quadrature of Psi(x, 0).
+// Each mode is obtained from the elevation by projection and compared with its equation for eta_n
+// with the two forcing terms, where the coefficients S_n are computed by quadrature of Psi(x, 0).
 TEST(LinearRoll, SolvesTheModesEquationInTheElevationInTheTank) {
   const std::vector<double> times{0.01, 0.3, 1, 2.7, 5};
   const RollMotion motion = sine_roll({0.1, zhao_axis_z}, 5, 5e-4);
@@ -107,7 +107,8 @@ TEST(LinearRoll, SolvesTheModesEquationInTheElevationInTheTank) {
   }
 }
 
-// X(t) = R theta about an axis R above, -R theta about one R below: a surge.
+// A roll about an axis at a large distance R is a surge: X(t) = R theta for an axis above, -R theta
+// for one below.
 TEST(LinearRoll, IsASurgeAboutAnAxisFarAway) {
   const AnySurge motion = sampled(li_surge, 5, 5e-3);
   for (const double R : {1e8, -1e8}) {
@@ -141,9 +142,9 @@ TEST(LinearRoll, IsASurgeAboutAnAxisFarAway) {
   }
 }
 
-// Slowly turned counter-clockwise the liquid stays level: down at the right wall, which rises, by x
-// theta. What is left is of the order of theta''/omega_1^2. The gas, heavy as none is, halves
-// the first frequency and must not change the level.
+// In a slow counter-clockwise roll the liquid stays horizontal: in the tank's frame it falls at the
+// right wall, which rises, by x theta. The remainder is of the order of theta''/omega_1^2. A gas
+// that is unrealistically heavy halves the first frequency and must not change the level.
 RollMotion slow_roll() {
   const double omega = 0.01;
   return {.angle = [=](double t) { return 0.05 * (1 - std::cos(omega * t)); },
@@ -165,7 +166,7 @@ TEST(LinearRoll, StaysLevelWhenItIsTurnedSlowly) {
     EXPECT_NEAR(under_gas.elevation(x, t), -x * theta, 1e-6);
     EXPECT_NEAR(plain.pressure(x, -0.2, t), 9810 * (0.2 - x * theta), 0.01);
   }
-  // The weight hangs in the centre of the liquid, whose sideways shift is L^2 theta/(12 h).
+  // The weight acts at the liquid's centre, which moves sideways by L^2 theta/(12 h).
   const double lever = -0.2 + theta * (-0.3 + 0.2325) - theta * 0.92 * 0.92 / (12 * 0.465);
   EXPECT_NEAR(plain.force(t).x, -weight * theta, 0.01);
   EXPECT_NEAR(plain.force(t).z, -weight, 0.01);
@@ -226,7 +227,7 @@ TEST(LinearRoll, OscillatesUnderAGasByTheTwoLayerTheory) {
       .duration = 25,
       .step = 1e-3};
   const LinearRoll roll(zhao_tank, air, Start::tank, resonant, 1);
-  // At its own two-layer frequency the mode grows without bound: its envelope is linear in time.
+  // At its own two-layer frequency the mode grows without bound: the envelope is linear in time.
   const double period = 2 * pi / omega;
   EXPECT_NEAR(roll.elevation(wall, 20 * period) / roll.elevation(wall, 10 * period), 2, 1e-4);
   const LinearRoll empty(zhao_tank, Gas{0, 0.155}, Start::earth, resonant, 50);

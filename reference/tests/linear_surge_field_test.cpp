@@ -62,7 +62,7 @@ TEST(LinearSurgeField, CarriesTheSurfaceWithIt) {
   }
 }
 
-// Euler in the tank's frame, linear: u_t = -p_x/rho - X'', w_t = -p_z/rho - g.
+// The linear Euler equations in the tank's frame: u_t = -p_x/rho - X'', w_t = -p_z/rho - g.
 TEST(LinearSurgeField, ObeysTheEquationOfMotionInTheTanksFrame) {
   const double d = 1e-4, rho = li_tank.density;
   for (const Start start : starts) {
@@ -77,9 +77,9 @@ TEST(LinearSurgeField, ObeysTheEquationOfMotionInTheTanksFrame) {
   }
 }
 
-// The linear condition p(x, 0) = rho g eta: pressure vanishes on the wave. Both sides are separate
-// sums, equal but for the elevation's truncated share of X'' x, at most X'' L/(pi^2 modes) and
-// largest at the wall.
+// The linear condition p(x, 0) = rho g eta means that the pressure vanishes on the wave. Both sides
+// are separate sums. They differ by the elevation's truncated part of X'' x, which is at most X''
+// L/(pi^2 modes) and largest at the wall.
 TEST(LinearSurgeField, HasNoPressureOnTheWave) {
   const double tail = 1000 * li_surge.amplitude * li_surge.angular_frequency *
                       li_surge.angular_frequency / (9.8696 * 800);
@@ -99,7 +99,8 @@ TEST(LinearSurgeField, IsHydrostaticBeforeTheTankMoves) {
 TEST(LinearSurgeField, PushesTheTankAsTheWallPressuresDo) {
   for (const Start start : starts) {
     const auto& surge = waves(start);
-    // Depth z = -h + h s (2 - s): the points crowd at the surface, where the high modes are.
+    // The substitution z = -h + h s (2 - s) makes the points dense near the surface, where the high
+    // modes are.
     const double force = integral(0, 1, 400, [&](double s) {
       const double z = bottom * (1 - s) * (1 - s);
       return (surge.pressure(wall, z, t) - surge.pressure(-wall, z, t)) * -2 * bottom * (1 - s);
@@ -109,9 +110,9 @@ TEST(LinearSurgeField, PushesTheTankAsTheWallPressuresDo) {
   }
 }
 
-// Newton: the force on the tank is minus the mass times the acceleration of the liquid's centre of
-// mass in the earth's frame, X'' plus that of the centre in the tank, integral of x eta over L h.
-// No pressure enters.
+// By Newton's law the force on the tank is minus the mass times the acceleration of the liquid's
+// centre of mass in the earth's frame, which is X'' plus that of the centre in the tank, the
+// integral of x eta over L h. No pressure enters.
 TEST(LinearSurgeField, BalancesTheLiquidsMomentum) {
   const double d = 2e-3, mass = li_tank.density * li_tank.length * li_tank.fill_depth;
   const LinearSurge surge(li_tank, Start::earth, li_surge, 40);

@@ -14,8 +14,9 @@
 namespace slosh::reference::linear_surge_test {
 namespace {
 
-// The published values come out to their last printed digit with this many modes; the converged
-// series (20000 modes) differs by 0.005 mm for the earth's start, not at all for the tank's.
+// With this many modes the published values are reproduced to their last printed digit. The
+// converged series (20000 modes) differs by 0.005 mm for the start in the earth's frame, and not at
+// all for that in the tank's.
 constexpr int table_modes = 800;
 constexpr double millimetre = 1e-3;
 
@@ -95,8 +96,9 @@ TEST(LinearSurge, StartsAtRestInTheFrameThatIsNamed) {
   const LinearSurge tank(li_tank, Start::tank, li_surge, 1000);
   EXPECT_EQ(earth.elevation(li_gauge, 0), 0);
   EXPECT_EQ(tank.elevation(li_gauge, 0), 0);
-  // The surface, where the walls' impulse makes no pressure, stays behind: its velocity against the
-  // tank is minus the tank's, but for the truncated series' ripple.
+  // On the surface the impulse of the walls makes no pressure, so that the liquid there stays at
+  // rest: its velocity relative to the tank is minus the tank's, but for the ripple of the
+  // truncated series.
   EXPECT_NEAR(earth.velocity(0.2, 0, 0).x, -set_off, 1e-3 * set_off);
   EXPECT_EQ(tank.velocity(0.2, -0.1, 0).x, 0);
   EXPECT_EQ(tank.velocity(0.2, -0.1, 0).z, 0);
@@ -130,7 +132,7 @@ TEST(LinearSurge, LagsUnderAirByTheTwoLayerTheory) {
   const Gas air{.density = 1.2, .height = 0.65};
   const double omega = natural_frequency(li_tank, air, 1);
   const LinearSurge resonant(li_tank, air, Start::tank, SineSurge{0.001, omega}, 1);
-  // At its own two-layer frequency the mode grows without bound: its envelope is linear in time.
+  // At its own two-layer frequency the mode grows without bound: the envelope is linear in time.
   const double period = 2 * std::numbers::pi / omega;
   EXPECT_NEAR(resonant.elevation(0.5, 20 * period) / resonant.elevation(0.5, 10 * period), 2, 1e-9);
   const LinearSurge empty(li_tank, Gas{0, 0.65}, Start::earth, li_surge, 50);

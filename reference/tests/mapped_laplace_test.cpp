@@ -1,4 +1,4 @@
-#include "reference/mapped_laplace.hpp"
+#include "reference/potential_flow/mapped_laplace.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@ using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double length = 1.2, depth = 0.4, k = 2 * std::numbers::pi / length;
 
-// A wave that is no mirror image of itself, 0.24 m from trough to crest and as steep as 0.7.
+// An asymmetric wave, 0.24 m from trough to crest and with a slope of up to 0.7.
 VectorXd wave(const LegendreGrid& grid) {
   const ArrayXd s = std::numbers::pi * (grid.nodes.array() / length + 0.5);
   return 0.1 * s.cos() + 0.05 * (3 * s).sin();
 }
 
-// Phi = x z + exp(k z) sin(k x + 0.3): flows through all four sides.
+// Phi = x z + exp(k z) sin(k x + 0.3) flows through all four sides.
 struct Exact {
   static ArrayXd u(const ArrayXd& x, const ArrayXd& z) {
     return z + k * (k * z).exp() * (k * x + 0.3).cos();
@@ -58,8 +58,8 @@ Errors errors(int nodes_x, int nodes_z) {
   return {(solution.surface_flux.array() - flux).abs().maxCoeff(), field};
 }
 
-// Measured: 0.26, 1.6e-3 and 6.7e-6 of a flux of about 8, and 1.9e-3, 6.5e-6 and 1.4e-8 of a
-// potential of about 1.3: a factor of 150 or more for each eight nodes.
+// The measured errors are 0.26, 1.6e-3 and 6.7e-6 of a flux of about 8, and 1.9e-3, 6.5e-6 and
+// 1.4e-8 of a potential of about 1.3: a factor of 150 or more for every eight nodes.
 TEST(MappedLaplace, ConvergesSpectrallyUnderACurvedSurface) {
   const Errors coarse = errors(12, 10), middle = errors(20, 14), fine = errors(28, 20);
   EXPECT_LT(fine.flux, 2e-5);
@@ -68,7 +68,7 @@ TEST(MappedLaplace, ConvergesSpectrallyUnderACurvedSurface) {
   EXPECT_GT(middle.flux / fine.flux, 100);
 }
 
-// Of entries up to 1.6; the iteration stops at 1e-11. Measured: 4.5e-12 and 1.0e-11.
+// The entries are up to 1.6, and the iteration stops at 1e-11. Measured: 4.5e-12 and 1.0e-11.
 TEST(MappedLaplace, GivesASymmetricFluxOperator) {
   MappedLaplace laplace(length, depth, 16, 12);
   laplace.set_surface(wave(laplace.x()));

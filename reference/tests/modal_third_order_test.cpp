@@ -1,10 +1,11 @@
-#include "reference/modal_third_order.hpp"
+#include "reference/tests/modal_third_order.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <stdexcept>
 
+#include "reference/linear_surge.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
 
 namespace slosh::reference::modal_third_order_test {
@@ -33,7 +34,8 @@ TEST(ModalThirdOrder, HasTheFrequencyOfTadjbakhshAndKeller) {
       return (9.5 * pi / zero / s1 - 1) / (pi * pi * amplitude * amplitude);
     };
     const double large = shift(0.02), small = shift(0.01);
-    // Extrapolated. Measured: 2e-5 at the shallowest, 1e-7 elsewhere.
+    // The value is extrapolated to zero amplitude. Measured: 2e-5 at the smallest depth, 1e-7
+    // elsewhere.
     EXPECT_NEAR((4 * small - large) / 3, law, 4e-5);
   }
 }
@@ -51,7 +53,7 @@ TEST(ModalThirdOrder, HasTheSecondOrdersSecondMode) {
 }
 
 struct Errors {
-  double b1, b2, b3;  // by the amplitude
+  double b1, b2, b3;  // relative to the amplitude
 };
 
 Errors errors_of_a_free_wave(double amplitude) {
@@ -68,9 +70,9 @@ Errors errors_of_a_free_wave(double amplitude) {
           largest_difference(mode(modal, 3), mode(full, 3)) / amplitude};
 }
 
-// What is left out is of the fourth order, in the odd modes by symmetry of the fifth. Over two
-// periods b1 errs by 4e-5, 7e-4 and 1.05 % of the amplitudes 0.02, 0.04 and 0.08 of the length;
-// measured ratios from 0.01 to 0.02: 15.97, 7.95 and 15.9.
+// The terms left out are of fourth order, and by symmetry of fifth order in the odd modes. Over two
+// periods the error of b1 is 4e-5, 7e-4 and 1.05 % for amplitudes of 0.02, 0.04 and 0.08 of the
+// length. The measured ratios from 0.01 to 0.02 are 15.97, 7.95 and 15.9.
 TEST(ModalThirdOrder, DiffersFromTheNonlinearFlowByTheFourthOrder) {
   const Errors small = errors_of_a_free_wave(0.01), large = errors_of_a_free_wave(0.02);
   EXPECT_NEAR(large.b1 / small.b1, 16, 0.3);
@@ -79,8 +81,8 @@ TEST(ModalThirdOrder, DiffersFromTheNonlinearFlowByTheFourthOrder) {
   EXPECT_LT(errors_of_a_free_wave(0.08).b1, 0.015);
 }
 
-// Near resonance. Measured: 1.0e-6, 9.4e-6 (b2 up to 8.1e-5: the forced higher modes, left out,
-// take part in it) and 1.0e-6 m.
+// The forcing is near resonance. Measured: 1.0e-6, 9.4e-6 (for b2 of up to 8.1e-5, to which the
+// forced higher modes, left out here, contribute) and 1.0e-6 m.
 TEST(ModalThirdOrder, FollowsTheNonlinearFlowUnderSurge) {
   const auto times = instants_up_to(4, 0.1);
   const TankMotion motion = smooth_surge(0.001, {0.95 * natural_frequency(deep_tank, 1), 1.5});
@@ -110,7 +112,7 @@ TEST(ModalThirdOrder, IsLinearTheoryForSmallWaves) {
     const LinearSurge linear(deep_tank, start, SineSurge{b, omega}, 2);
     const auto elevation = modal.elevation(0.37);
     EXPECT_GT(largest(elevation), 1e-6);
-    // Measured: 2e-11, of the second order.
+    // Measured: 2e-11, which is of second order.
     EXPECT_LT(largest_difference(elevation, linear.elevation(0.37, times)), 5e-11);
   }
 }
@@ -155,7 +157,7 @@ TEST(ModalThirdOrder, RefusesImpossibleInput) {
                std::invalid_argument);
   try {
     run_modal_third_order({.tank = deep_tank, .acceleration = [=](double) { return nan; }}, {1});
-    FAIL() << "an acceleration that is no number was accepted";
+    FAIL() << "a NaN acceleration was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(),
                  "run_modal_third_order: acceleration at 0 s = nan, expected a finite "

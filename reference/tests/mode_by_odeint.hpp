@@ -1,4 +1,5 @@
-// One mode's equation integrated step by step (Dormand-Prince), independent of every closed form.
+// Integrates the equation of one mode numerically (Dormand-Prince), independently of all closed
+// forms.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace slosh::reference {
 
-// eta_n and eta_n' at each of the rising times, from t = 0.
+// Returns eta_n and eta_n' at each of the ascending times; the integration starts at t = 0.
 inline std::vector<std::array<double, 2>> mode_by_odeint(
     const TankMode& mode, const std::function<double(double)>& tank_acceleration,
     const std::vector<double>& times) {

@@ -11,8 +11,8 @@
 namespace slosh::reference::natural_frequency_test {
 namespace {
 
-// Published tanks: Li et al. 2010; SPHERIC benchmark 10; Akyildiz & Unal 2006. Frequencies in
-// rad/s, periods in s.
+// Published tanks of Li et al. 2010, SPHERIC benchmark 10, and Akyildiz & Unal 2006. Frequencies
+// are in rad/s, periods in s.
 TEST(NaturalFrequency, GivesTheFirstModeOfThePublishedTanks) {
   const auto omega = [](double length, double depth) {
     return natural_frequency({length, depth, 9.81, 1000}, 1);

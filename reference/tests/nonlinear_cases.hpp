@@ -1,13 +1,13 @@
-// What the tests of the nonlinear potential flow and of its modal theory share.
+// Motions, waves and measures that the tests of the nonlinear potential flow share.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
-#include "reference/modal_third_order.hpp"
-#include "reference/nonlinear_potential_flow.hpp"
+#include "reference/potential_flow/nonlinear_potential_flow.hpp"
 #include "reference/tests/li_tank.hpp"
 
 namespace slosh::reference {
@@ -18,8 +18,8 @@ inline std::vector<double> instants_up_to(double last, double step) {
   return times;
 }
 
-// q(t) = sin(omega t) (1 - exp(-(t/rise)^8)) and its first two derivatives: it excites no mode that
-// the forcing itself does not.
+// q(t) = sin(omega t) (1 - exp(-(t/rise)^8)) and its first two derivatives. The start is so smooth
+// that it excites no other modes than the forcing itself does.
 struct SmoothStart {
   double omega, rise;
 
@@ -57,49 +57,23 @@ inline NonlinearSloshing standing_wave(const Tank& tank, double amplitude) {
           }};
 }
 
-// b2 to the second order (the second equation of modal_third_order.hpp) of a wave whose first mode
-// is b1 = amplitude cos(s1 t):
-// constant + at_twice cos(2 s1 t), and what swings freely, as cos(s2 t), beside that.
-struct SecondMode {
-  double s1, s2;  // [rad/s], of the first two modes
-  double constant, at_twice;
-
-  SecondMode(const Tank& tank, double amplitude)
-      : s1(natural_frequency(tank, 1)), s2(natural_frequency(tank, 2)) {
-    const auto d = modal_coefficients(tank);
-    const double scale = amplitude * amplitude * s1 * s1;
-    constant = scale * (d[3] - d[4]) / (2 * s2 * s2);
-    at_twice = scale * (d[3] + d[4]) / (2 * (s2 * s2 - 4 * s1 * s1));
-  }
-
-  // At the start of a wave of lasting form, which has no free part.
-  double of_lasting_form() const { return constant + at_twice; }
-
-  // Of a wave released at rest with b2 = 0.
-  std::vector<double> of_released_wave(const std::vector<double>& times) const {
-    std::vector<double> series;
-    for (const double t : times)
-      series.push_back(constant * (1 - std::cos(s2 * t)) +
-                       at_twice * (std::cos(2 * s1 * t) - std::cos(s2 * t)));
-    return series;
-  }
-};
-
 // Tadjbakhsh & Keller (1960): omega/omega_1 = 1 + (k A)^2 (9 T^-4 - 12 T^-2 - 3 - 2 T^2)/64,
-// T = tanh kh, for a wave of lasting form: the factor of (k A)^2.
+// T = tanh kh, for a wave of permanent form. Returns the factor of (k A)^2.
 inline double frequency_shift_of_lasting_wave(const Tank& tank) {
   const double T = std::tanh(std::numbers::pi / tank.length * tank.fill_depth);
   return (9 * std::pow(T, -4) - 12 * std::pow(T, -2) - 3 - 2 * T * T) / 64;
 }
 
-// Midpoints of equal parts of the tank, on which the modes below the count are orthogonal.
+// Returns the midpoints of `count` equal parts of the tank, on which the modes below the count are
+// orthogonal.
 inline std::vector<double> midpoints(double length, int count) {
   std::vector<double> x;
   for (int i = 0; i < count; ++i) x.push_back(length * ((i + 0.5) / count - 0.5));
   return x;
 }
 
-// The amplitude of cos(n pi (x/length + 1/2)) at each time, from elevations at the midpoints.
+// Returns the amplitude of cos(n pi (x/length + 1/2)) at each time, from elevations at the
+// midpoints.
 inline std::vector<double> mode(const NonlinearRecord& record, int n) {
   const auto count = record.elevation.size();
   std::vector<double> series(record.times.size());
@@ -116,7 +90,7 @@ inline double largest(const std::vector<double>& values) {
   return largest;
 }
 
-// Infinite where the series differ in length, so that a run cut short never passes.
+// Returns infinity where the series differ in length, so that a run that ends early never passes.
 inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size() || a.empty()) return std::numeric_limits<double>::infinity();
   double largest = 0;

@@ -1,7 +1,7 @@
-// How fast the nonlinear potential flow converges, and the paper's case over its whole length.
+// How fast the nonlinear potential flow converges, and the full length of the paper's case.
 #include <gtest/gtest.h>
 
-#include "reference/forced_mode.hpp"
+#include "reference/mode_response.hpp"
 #include "reference/tank_mode.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
 
@@ -27,8 +27,9 @@ double difference(const NonlinearRecord& coarse, const NonlinearRecord& fine, in
   return largest_difference(coarse.elevation[gauge], fine.elevation[gauge]);
 }
 
-// A wave of 20 mm over four periods, against 48 x 24 nodes, at 0.45 m and at the wall. Measured: 16
-// nodes 3e-9 and 7e-9 m, 24 nodes 2e-11, where the step in time ends it.
+// A wave of 20 mm over four periods is compared with the solution of 48 x 24 nodes at 0.45 m and at
+// the wall. Measured: 3e-9 and 7e-9 m with 16 nodes; 2e-11 m with 24, where the time step limits
+// it.
 TEST(NonlinearConvergence, ReachesTheStepsErrorWithAStandingWave) {
   const Observation observation{.times = instants_up_to(5, 0.1), .gauges = {0.45, 0.5}};
   const auto wave = standing_wave(li_tank, 0.02);
@@ -42,9 +43,10 @@ TEST(NonlinearConvergence, ReachesTheStepsErrorWithAStandingWave) {
   EXPECT_LT(largest(fine.volume_error), 1e-12);
 }
 
-// The paper's motion raised smoothly over 3 s, waves of 3 mm, against 80 x 28 nodes. The surface's
-// slope at the walls makes the corners d^2 log d. Measured at 0.45 m with 24, 48 and 64 nodes:
-// 1e-8, 5.7e-10 and 3.4e-11 m; on the wall with 64 1.6e-9 m, and 4.8e-6 Pa below it.
+// The paper's motion, with a smooth ramp over 3 s and waves of 3 mm, is compared with the solution
+// of 80 x 28 nodes. The surface's slope at the walls causes a singularity d^2 log d in the corners.
+// Measured at 0.45 m with 24, 48 and 64 nodes: 1e-8, 5.7e-10 and 3.4e-11 m; with 64 nodes 1.6e-9 m
+// on the wall, and 4.8e-6 Pa below it.
 TEST(NonlinearConvergence, ReachesTenToTheMinusTenWithAForcedWave) {
   const Observation observation{
       .times = instants_up_to(5, 0.25), .gauges = {0.45, 0.5}, .pressure_places = {{0.5, -0.1}}};
@@ -62,10 +64,10 @@ TEST(NonlinearConvergence, ReachesTenToTheMinusTenWithAForcedWave) {
   EXPECT_LT(largest(usual.volume_error), 1e-12);
 }
 
-// The paper's motion over 20 s, set off at once, against linear theory. With its modes set off as
-// the run's are, what remains is nonlinearity: measured at most 0.33 mm and 0.125 mm in the root of
-// the mean square, 2.5 % of the wave's. With all modes set off, which no grid resolves, 0.47 mm and
-// 0.171 mm.
+// The paper's motion over 20 s, with a sudden start, is compared with linear theory. Where the
+// modes of linear theory are excited as those of the run, the difference is the nonlinearity: at
+// most 0.33 mm, and 0.125 mm rms, which is 2.5 % of the wave's rms. With all modes excited, which
+// no grid resolves, it is 0.47 mm and 0.171 mm.
 TEST(NonlinearConvergence, FollowsThePapersCaseForTwentySeconds) {
   NonlinearSloshing paper{.tank = li_tank, .roof = 0.65};
   const auto [b, omega] = li_surge;
@@ -75,7 +77,8 @@ TEST(NonlinearConvergence, FollowsThePapersCaseForTwentySeconds) {
   };
   const Observation observation{.times = instants_up_to(20, 0.02), .gauges = {li_gauge}};
   const auto record = run(paper, 64, 24, observation);
-  // Measured: 3e-9, which the smoothing takes from the short waves of the sudden start; 6e-13 m.
+  // Measured: 3e-9, which the smoothing removes from the short waves of the sudden start, and 6e-13
+  // m.
   EXPECT_LT(largest(record.energy_error), 1e-8);
   EXPECT_LT(largest(record.volume_error), 1e-11);
   EXPECT_LT(largest(record.unresolved), 2e-4);

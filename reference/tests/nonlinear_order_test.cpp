@@ -1,14 +1,15 @@
-// The nonlinear potential flow as its waves become small: linear theory and what comes after it.
+// The nonlinear potential flow for small waves: linear theory and the next order.
 #include <gtest/gtest.h>
 
 #include "reference/linear_roll.hpp"
+#include "reference/tests/modal_third_order.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
 namespace slosh::reference::nonlinear_order_test {
 namespace {
 
-constexpr double duration = 1.8, sampling = 1e-3;  // [s]; linear theory errs by 1e-6 of itself
+constexpr double duration = 1.8, sampling = 1e-3;  // [s]; linear theory's relative error is 1e-6
 
 NonlinearSloshing on_grid(NonlinearSloshing sloshing, int nodes_x, int nodes_z) {
   sloshing.nodes_x = nodes_x;
@@ -16,7 +17,7 @@ NonlinearSloshing on_grid(NonlinearSloshing sloshing, int nodes_x, int nodes_z) 
   return sloshing;
 }
 
-// What the nonlinear flow differs by from linear theory, by the motion's size.
+// The difference between nonlinear flow and linear theory, relative to the motion's size.
 struct Difference {
   double elevation, pressure, force, moment;
 };
@@ -74,9 +75,9 @@ Difference difference_in_roll(double amplitude) {
       largest_difference(moment, linear_moment) / amplitude};
 }
 
-// By the motion's size the difference halves with the motion. The force of the second order
-// vanishes by symmetry: its difference is of the third, and needs a larger motion to stand out.
-// Measured: 1.988, 2.019 and 4.024.
+// Relative to the motion's size the difference halves with the motion. The second-order force
+// vanishes by symmetry, so that the difference of the force is of third order and needs a larger
+// motion to be visible. Measured: 1.988, 2.019 and 4.024.
 TEST(NonlinearOrder, TendsToTheLinearSurgeAtSecondOrder) {
   const Difference large = difference_in_surge(2e-3), small = difference_in_surge(1e-3);
   EXPECT_NEAR(large.elevation / small.elevation, 2, 0.05);
@@ -84,7 +85,8 @@ TEST(NonlinearOrder, TendsToTheLinearSurgeAtSecondOrder) {
   EXPECT_NEAR(difference_in_surge(8e-3).force / difference_in_surge(4e-3).force, 4, 0.1);
 }
 
-// About an axis off the centre line, which heaves the tank. Measured: 1.999, 2.001, 1.997, 2.001.
+// The roll is about an axis off the centre line, which also heaves the tank. Measured: 1.999,
+// 2.001, 1.997, 2.001.
 TEST(NonlinearOrder, TendsToTheLinearRollAtSecondOrder) {
   const Difference large = difference_in_roll(4e-3), small = difference_in_roll(2e-3);
   EXPECT_NEAR(large.elevation / small.elevation, 2, 0.02);
@@ -93,7 +95,7 @@ TEST(NonlinearOrder, TendsToTheLinearRollAtSecondOrder) {
   EXPECT_NEAR(large.moment / small.moment, 2, 0.02);
 }
 
-// b2(t) of a wave released at rest, against the second order: the error is of the fourth.
+// b2(t) of a wave released at rest agrees with second-order theory to fourth order.
 TEST(NonlinearOrder, HasTheSecondOrdersSecondMode) {
   const auto relative_error = [&](double amplitude) {
     const auto record = run_nonlinear_potential_flow(
@@ -107,8 +109,8 @@ TEST(NonlinearOrder, HasTheSecondOrdersSecondMode) {
   EXPECT_NEAR(relative_error(0.01) / relative_error(0.005), 4, 0.02);
 }
 
-// Of a wave released from the second-order shape of the lasting one. The frequency is that of the
-// first mode's tenth return to zero.
+// The wave is released with the second-order shape of the permanent one. Its frequency is computed
+// from the tenth zero of the first mode.
 TEST(NonlinearOrder, HasTheFrequencyOfTadjbakhshAndKeller) {
   for (const double depth : {0.25, 0.6}) {
     const Tank tank{.length = 1, .fill_depth = depth, .gravity = 9.81, .density = 1000};
@@ -129,7 +131,7 @@ TEST(NonlinearOrder, HasTheFrequencyOfTadjbakhshAndKeller) {
       return (9.5 * k / zero / s1 - 1) / (k * k * amplitude * amplitude);
     };
     const double large = shift(0.02), small = shift(0.01);
-    // Extrapolated, the fourth order in A leaves 4e-5 of the law at 0.25 and less at 0.6.
+    // After extrapolation the fourth order in A is 4e-5 of the law at 0.25 and less at 0.6.
     EXPECT_NEAR((4 * small - large) / 3 / law, 1, 2e-4);
   }
 }

@@ -1,9 +1,9 @@
-// Exact flows and symmetries, balances, and the second order.
-#include "reference/nonlinear_potential_flow.hpp"
+// Exact solutions, symmetries, balances and second-order theory.
+#include "reference/potential_flow/nonlinear_potential_flow.hpp"
 
 #include <gtest/gtest.h>
 
-#include "reference/legendre_grid.hpp"
+#include "reference/potential_flow/legendre_grid.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
@@ -18,8 +18,9 @@ NonlinearSloshing coarse(NonlinearSloshing sloshing) {
   return sloshing;
 }
 
-// Held at an angle and pulled by a constant acceleration from rest, the liquid stands square to the
-// gravity that it feels; the tank's velocity grows, and turns into both its axes.
+// In a tank that is held at an angle and accelerated from rest by a constant amount, the surface
+// stays normal to the effective gravity. The tank's growing velocity has components along both of
+// its axes.
 TEST(NonlinearPotentialFlow, StandsStillInATiltedTankUnderAConstantAcceleration) {
   const double tilt = 0.2, pull = 1.5, g = li_tank.gravity;
   const double slope = -std::tan(tilt + std::atan(pull / g)), felt = std::hypot(g, pull);
@@ -38,7 +39,7 @@ TEST(NonlinearPotentialFlow, StandsStillInATiltedTankUnderAConstantAcceleration)
   ASSERT_EQ(record.left_range_because, "");
   const double to_surface = (0.3 + slope * 0.1) / std::hypot(1, slope);
   const double weight = li_tank.density * felt * li_tank.length * li_tank.fill_depth;
-  const double lean = std::atan(-slope);  // of the felt gravity in the tank
+  const double lean = std::atan(-slope);  // of the effective gravity in the tank
   // Measured: 2e-12 m, 5e-10 Pa of 3000, 9e-10 N/m of 3500.
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(record.elevation[0][i], slope * -0.5, 1e-11);
@@ -49,7 +50,7 @@ TEST(NonlinearPotentialFlow, StandsStillInATiltedTankUnderAConstantAcceleration)
   }
 }
 
-// Seen from a frame that moves at 3 m/s the tank rolls alike.
+// The roll is the same in a frame that moves at 3 m/s.
 TEST(NonlinearPotentialFlow, IsTheSameInATankThatAlsoMovesSteadily) {
   NonlinearSloshing roll = coarse({.tank = zhao_tank});
   roll.start = Start::tank;
@@ -107,9 +108,9 @@ TEST(NonlinearPotentialFlow, MirrorsTheFlowOfAMirroredMotion) {
 TEST(NonlinearPotentialFlow, StaysLevelWhenItIsTurnedSlowly) {
   const double final_angle = 0.3, rise = 12;
   const std::vector<double> gauges{-0.46, 0.1, 0.46};
-  // 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7: three derivatives vanish at both ends.
+  // 35 s^4 - 84 s^5 + 70 s^6 - 20 s^7 has three vanishing derivatives at both ends.
   NonlinearSloshing slow{.tank = zhao_tank};
-  slow.nodes_x = 12;  // for a level surface
+  slow.nodes_x = 12;  // enough for a horizontal surface
   slow.nodes_z = 10;
   slow.motion.angle = [=](double t) {
     const double s = std::min(t / rise, 1.0);
@@ -128,7 +129,8 @@ TEST(NonlinearPotentialFlow, StaysLevelWhenItIsTurnedSlowly) {
   const auto record = run_nonlinear_potential_flow(
       slow, {.times = {rise + 1}, .gauges = gauges, .pressure_places = {{0.3, -0.4}}});
   ASSERT_EQ(record.left_range_because, "");
-  // The waves that so slow a turn leaves behind. Measured: 3e-7 m of 0.14, 1.3e-3 Pa of 2900.
+  // The differences are the waves that a turn as slow as this leaves behind. Measured: 3e-7 m of
+  // 0.14, 1.3e-3 Pa of 2900.
   for (std::size_t i = 0; i < gauges.size(); ++i) {
     EXPECT_NEAR(record.elevation[i][0], -std::tan(final_angle) * gauges[i], 1e-6);
   }
@@ -136,8 +138,9 @@ TEST(NonlinearPotentialFlow, StaysLevelWhenItIsTurnedSlowly) {
               9810 * std::cos(final_angle) * (0.4 - 0.3 * std::tan(final_angle)), 5e-3);
 }
 
-// Newton: the force on the tank is minus the rate of the liquid's momentum, less its weight. The
-// liquid's centre in the tank is at integral of x eta and of eta^2/2, by length h.
+// By Newton's law the force on the tank is minus the rate of change of the liquid's momentum, less
+// its weight. The liquid's centre in the tank is at the integrals of x eta and of eta^2/2 over
+// length h.
 TEST(NonlinearPotentialFlow, BalancesTheLiquidsMomentum) {
   const double step = 0.01, rho = li_tank.density;
   NonlinearSloshing surge{.tank = li_tank, .motion = smooth_surge(0.02, {4, 1.2})};
@@ -159,13 +162,13 @@ TEST(NonlinearPotentialFlow, BalancesTheLiquidsMomentum) {
       rise.back() += line.weights[j] * eta * eta / 2;
     }
   }
-  // Second differences over seven samples, of the sixth order.
+  // Returns second differences over seven samples, of sixth order.
   const auto second = [&](const std::vector<double>& y, std::size_t i) {
     return (-49.0 / 18 * y[i] + 1.5 * (y[i - 1] + y[i + 1]) - 0.15 * (y[i - 2] + y[i + 2]) +
             (y[i - 3] + y[i + 3]) / 90) /
            (step * step);
   };
-  // Measured: 5e-5 N/m of 100 and of 3434, the differences' own error.
+  // Measured: 5e-5 N/m of 100 and of 3434, which is the error of the differences.
   for (std::size_t i = 3; i + 3 < record.times.size(); ++i) {
     const double pull = surge.motion.surge_acceleration(record.times[i]);
     EXPECT_NEAR(record.load[i].force_x, -rho * (0.35 * pull + second(lean, i)), 2e-4);
@@ -174,7 +177,7 @@ TEST(NonlinearPotentialFlow, BalancesTheLiquidsMomentum) {
   EXPECT_GT(std::abs(record.load.back().force_x), 50);
 }
 
-// Measured: 7e-14 m and 3e-14 of the wave's energy; moved, 2e-14 m and 7e-9 at most.
+// Measured: 7e-14 m and 3e-14 of the wave's energy; in a moving tank at most 2e-14 m and 7e-9.
 TEST(NonlinearPotentialFlow, KeepsTheVolumeAndBalancesTheEnergyAgainstTheWallsWork) {
   const auto wave = run_nonlinear_potential_flow(standing_wave(li_tank, 0.03),
                                                  {.times = instants_up_to(0.5, 0.1)});

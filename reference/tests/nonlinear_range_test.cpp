@@ -1,4 +1,4 @@
-// Where the nonlinear potential flow says that it has left its range, and what it refuses.
+// Where the nonlinear potential flow leaves its valid range, and which input it refuses.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -22,7 +22,7 @@ NonlinearSloshing shape(std::function<double(double)> elevation) {
   return {.tank = li_tank, .initial_elevation = std::move(elevation)};
 }
 
-// Two seconds of a run that must end before: no series goes beyond what is valid.
+// Two seconds of a run that must end before that; no series is longer than the valid part.
 NonlinearRecord cut_short(const NonlinearSloshing& sloshing) {
   const auto times = instants_up_to(2, 0.05);
   const auto record = run_nonlinear_potential_flow(
@@ -83,7 +83,8 @@ TEST(NonlinearRange, EndsWhereTheGridDoesNotResolveTheSurface) {
   EXPECT_GT(bore.valid_until, 0.5);
 }
 
-// A motion whose acceleration is not its velocity's rate does another work than it says.
+// A motion whose acceleration is not the rate of its velocity does other work than the energy
+// balance assumes.
 TEST(NonlinearRange, EndsWhereTheEnergyDoesNotBalanceTheWallsWork) {
   NonlinearSloshing wrong =
       on_grid({.tank = li_tank, .motion = smooth_surge(0.02, {4, 1.2})}, 32, 14);
@@ -99,7 +100,7 @@ TEST(NonlinearRange, RefusesAMotionThatIsNotFinite) {
   lost.motion.surge_acceleration = [](double) { return 0.0; };
   try {
     run_nonlinear_potential_flow(lost, {.times = {1}});
-    FAIL() << "a velocity that is no number was accepted";
+    FAIL() << "a NaN velocity was accepted";
   } catch (const std::invalid_argument& error) {
     const std::string expected = "TankMotion: surge velocity at 0.1";
     EXPECT_EQ(beginning(error.what(), expected), expected);

@@ -3,7 +3,7 @@
 
 namespace slosh::reference {
 
-// Integral of f over [from, to] by an even number of intervals.
+// Integrates f over [from, to] with an even number of intervals.
 template <class Function>
 double integral(double from, double to, int intervals, Function f) {
   const double step = (to - from) / intervals;

@@ -38,7 +38,8 @@ TEST(StandingWave, SwingsWithTheNaturalFrequencyOfItsModeAndWithTheGasOnTop) {
 
 TEST(StandingWave, HasTheSurfacesPressureUnderItsOwnWeight) {
   const StandingWave wave(li_tank, std::nullopt, {2, 0.01});
-  // To the first order p = rho g eta on the still surface, and still water far below a short wave.
+  // To first order p = rho g eta on the still surface; far below a short wave the pressure is
+  // hydrostatic.
   for (const double x : {-0.5, -0.2, 0.4})
     for (const double t : {0.0, 0.3})
       EXPECT_NEAR(wave.pressure(x, 0, t), 1000 * 9.81 * wave.elevation(x, t), 1e-10);

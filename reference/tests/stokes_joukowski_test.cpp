@@ -23,10 +23,10 @@ const StokesJoukowski& psi() {
   return potential;
 }
 
-// The same problem by least squares on the boundary: harmonic polynomials about the middle, and in
-// each corner the singularity w^2 log w that a linear boundary condition has there (w = x + i z
-// from the corner, cut outside). The solution is then regular, and the polynomials converge
-// geometrically.
+// Solves the same problem by least squares on the boundary. The functions are harmonic polynomials
+// about the middle and, in each corner, the singularity w^2 log w that a linear boundary condition
+// has there (w = x + i z from the corner, with the cut outside). The remaining solution is regular,
+// and the polynomials converge geometrically.
 class ByCollocation {
  public:
   explicit ByCollocation(int degree) : degree_(degree) {
@@ -34,7 +34,7 @@ class ByCollocation {
     Eigen::MatrixXd matrix(4 * points, unknowns);
     Eigen::VectorXd wanted(4 * points);
     for (int i = 0; i < points; ++i) {
-      // Chebyshev points, which crowd in the corners.
+      // The points are Chebyshev points, which are dense in the corners.
       const double s = std::cos(std::numbers::pi * (i + 0.5) / points);
       const double x = a * s, z = h * (s - 1) / 2;
       const std::pair<double, double> places[] = {{a, z}, {-a, z}, {x, 0}, {x, -h}};
@@ -68,8 +68,8 @@ class ByCollocation {
     Complex value, slope;
   };
 
-  // The k-th function and its derivative; even k by 1 and odd by -i, whose real part is the
-  // imaginary part.
+  // Returns the k-th function and its derivative. Even k have the factor 1 and odd k the factor -i,
+  // whose real part is the imaginary part.
   Term term(int k, double x, double z) const {
     const Complex factor = k % 2 == 0 ? Complex(1, 0) : Complex(0, -1);
     const Complex place(x, z);
@@ -104,7 +104,7 @@ TEST(StokesJoukowski, IsWhatCollocationOnTheBoundaryFinds) {
   }
 }
 
-// The gradient to the second order of the step, from points in the liquid only.
+// Returns the gradient, to second order in the step, from points in the liquid only.
 TEST(StokesJoukowski, TurnsWallsBottomAndLidAsOne) {
   const double d = 1e-4;
   const auto slope = [&](double x, double z, double dx, double dz) {
@@ -133,10 +133,10 @@ TEST(StokesJoukowski, IsHarmonic) {
   }
 }
 
-// -rho theta'' Psi pushes walls and bottom outwards: over rho theta'', the moment counter-clockwise
-// is the integral of Psi times the lever.
+// The pressure -rho theta'' Psi acts outwards on walls and bottom. Divided by rho theta'', its
+// counter-clockwise moment is the integral of Psi times the lever arm.
 TEST(StokesJoukowski, HasTheMomentOfItsOwnWallPressure) {
-  // Graded points: the slope is logarithmic in the corners.
+  // The points are graded, as the slope is logarithmic in the corners.
   const auto grade = [](double s) { return s * s * (3 - 2 * s); };
   const auto density = [](double s) { return 6 * s * (1 - s); };
   const double walls = integral(0, 1, 400, [&](double s) {

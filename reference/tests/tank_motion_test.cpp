@@ -1,4 +1,4 @@
-#include "reference/tank_motion.hpp"
+#include "reference/potential_flow/tank_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,14 +25,14 @@ struct Point {
   double x, z;
 };
 
-// Where a point of the tank stands in the earth's frame.
+// Returns the place of a point of the tank in the earth's frame.
 Point in_the_earth(double x, double z, double t) {
   const double theta = 0.8 * std::sin(t), dx = x - 0.1, dz = z + 0.2;
   return {0.1 + 0.3 * std::sin(2 * t) + dx * std::cos(theta) - dz * std::sin(theta),
           -0.2 + dx * std::sin(theta) + dz * std::cos(theta)};
 }
 
-// The centred differences err by 2e-9.
+// The error of the central differences is 2e-9.
 TEST(TankMotion, MovesThePointsOfTheTankAlongItsAxes) {
   const double t = 0.7, x = -0.4, z = -0.3, d = 1e-5;
   const TankPlace now = place(swing(), t);
@@ -74,7 +74,7 @@ TEST(TankMotion, RefusesHalfAMotionAndWhatIsNotFinite) {
   lost.rate = [=](double) { return nan; };
   try {
     place(lost, 0.5);
-    FAIL() << "a rate that is no number was accepted";
+    FAIL() << "a NaN rate was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "TankMotion: rate at 0.5 s = nan, expected a finite value");
   }

@@ -14,13 +14,13 @@ namespace slosh::reference::viscous_standing_wave_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// Lengths in depths, times in sqrt(depth / g): k = pi, nu = 1 / Re.
+// Lengths are in depths and times in sqrt(depth / g), with k = pi and nu = 1 / Re.
 constexpr Tank unit_tank{.length = 1, .fill_depth = 1, .gravity = 1, .density = 1};
 constexpr InitialWave first_mode{.mode = 1, .amplitude = 0.1};
 
 double inviscid(const Tank& tank, int mode) { return natural_frequency(tank, mode); }
 
-// The roots of the exact dispersion relation, found by two other programs.
+// The roots of the exact dispersion relation as two other programs give them.
 TEST(ViscousStandingWave, HasTheKnownDampingAndFrequencyAtFourReynoldsNumbers) {
   struct Known {
     double reynolds, damping, frequency;
@@ -44,7 +44,7 @@ TEST(ViscousStandingWave, StartsFromItsHeightAndFromRest) {
       for (const double share : {1.0, 0.3, 1e-2, 1e-4}) {
         const ViscousStandingWave wave(tank, share * omega / (4 * k * k), {mode, 1});
         EXPECT_NEAR(wave.elevation(-0.5, 0), 1, 1e-11) << depth << " " << mode << " " << share;
-        // From rest under gravity alone, cos(omega t).
+        // A wave from rest under gravity alone is cos(omega t).
         const double t = 1e-5 / omega;
         EXPECT_NEAR(wave.elevation(-0.5, t), 1 - 0.5e-10, 1e-11) << depth << " " << mode;
       }

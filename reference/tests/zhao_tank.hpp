@@ -1,5 +1,4 @@
-// The tank and the roll of Zhao et al. 2021 after Akyildiz & Unal 2006, as the reference's tests
-// use them.
+// The tank and the roll of Zhao et al. 2021 after Akyildiz & Unal 2006.
 #pragma once
 
 #include <cmath>
@@ -20,7 +19,7 @@ struct RollAxis {
   double x, z;
 };
 
-// amplitude sin(omega t), set off at once.
+// Returns the roll amplitude sin(omega t) with a sudden start.
 inline RollMotion sine_roll(RollAxis axis, double duration, double step) {
   const double amplitude = zhao_amplitude, omega = zhao_frequency;
   return {
@@ -33,7 +32,7 @@ inline RollMotion sine_roll(RollAxis axis, double duration, double step) {
       .step = step};
 }
 
-// The same raised over the time `rise` by (1 - cos(pi t/rise))/2.
+// Returns the same roll multiplied by (1 - cos(pi t/rise))/2 up to the time `rise`.
 inline RollMotion ramped_roll(RollAxis axis, double rise, double duration, double step) {
   const double b = zhao_amplitude, omega = zhao_frequency, q = std::numbers::pi / rise;
   const auto ramp = [=](double t) { return t < rise ? (1 - std::cos(q * t)) / 2 : 1; };

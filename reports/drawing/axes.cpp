@@ -17,12 +17,12 @@ double round_tick(double value, bool up) {
 
 namespace {
 
-constexpr double point_margin = 0.04;  // of the axis, so that no point sits on the frame
+constexpr double point_margin = 0.04;  // of the axis: no point sits on the frame
 constexpr double vertical_margin =
     0.06;  // of the axis, above and below the highest and lowest sample
 
-constexpr double largest_magnitude = 1e300;  // gnuplot takes more than 1e307 for infinite
-constexpr double smallest_width = 1e-9;      // of the values: samples this equal make a flat line
+constexpr double largest_magnitude = 1e300;  // gnuplot takes more than 1e307 as infinite
+constexpr double smallest_width = 1e-9;      // of the values: a narrower curve is a flat line
 
 bool has_place(double value, bool logarithmic) {
   return std::abs(value) < largest_magnitude && !(logarithmic && value < 1 / largest_magnitude);
@@ -43,7 +43,7 @@ struct Extent {
 AxisRange padded(const Extent& extent, bool logarithmic, double margin) {
   if (extent.empty()) return logarithmic ? AxisRange{0.1, 1} : AxisRange{0, 1};
   if (logarithmic) {
-    // 5 % beyond the data before rounding keeps samples off the frame.
+    // The range is 5 % wider than the data before rounding, which keeps samples off the frame.
     return {round_tick(extent.lower / 1.05, false), round_tick(extent.upper * 1.05, true)};
   }
   double width = extent.upper - extent.lower;
@@ -128,7 +128,7 @@ PlotRanges plot_ranges(const Figure& figure) {
 }
 
 std::string logarithmic_ticks(const AxisRange& range) {
-  // The quotient of the two may exceed the largest number; the difference is rounded.
+  // The quotient of the ends may overflow. The difference of the logarithms has rounding errors.
   const double decades = std::log10(range.upper) - std::log10(range.lower) - 1e-9;
   const int step =
       std::max(1, static_cast<int>(std::ceil(decades / 8)));  // at most nine labels fit
@@ -149,7 +149,7 @@ std::string logarithmic_ticks(const AxisRange& range) {
 std::vector<std::optional<std::size_t>> drawn_samples(const Figure& figure, const Curve& curve,
                                                       std::size_t limit) {
   const std::size_t count = curve.x.size();
-  // Each run leaves up to three entries: its lowest and highest sample and one gap.
+  // Each run gives up to three entries: its lowest and highest sample and one gap.
   const std::size_t runs = count <= limit ? count : (limit - 2) / 3;
   std::vector<std::optional<std::size_t>> drawn;
   for (std::size_t run = 0; run < runs; ++run) {

@@ -2,21 +2,109 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <kainjow/mustache.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
-#include "reports/drawing/svg_markup.hpp"
-#include "reports/model/png_file.hpp"
-#include "reports/model/report_error.hpp"
+#include "reports/model/file_formats.hpp"
 #include "reports/templates.hpp"
 
 namespace slosh::reports {
 namespace {
 
-// The figure in words, for its <desc>: axes and what is drawn.
+// Every colour of a figure of curves.
+std::vector<PaletteColour> figure_colours() {
+  std::vector<PaletteColour> colours{paper, ink, faint_ink, grid};
+  colours.insert(colours.end(), curve_colours.begin(), curve_colours.end());
+  colours.insert(colours.end(), band_colours.begin(), band_colours.end());
+  return colours;
+}
+
+using Replacements = std::vector<std::pair<std::string, std::string>>;
+
+// gnuplot writes colours as "rgb(  0, 114, 178)", in text as "rgb(0,114,178)", and its own defaults
+// by name.
+Replacements replacements(const std::string& figure_id) {
+  Replacements all{{" id='", fmt::format(" id='plot-{}-", figure_id)},
+                   {" id=\"", fmt::format(" id=\"plot-{}-", figure_id)},
+                   {"xlink:href='#", fmt::format("href='#plot-{}-", figure_id)},
+                   {" font-family=\"sans-serif\"", ""},
+                   {"'black'", fmt::format("'{}'", ink.light)},
+                   {"\"black\"", fmt::format("\"{}\"", ink.light)}};
+  for (const PaletteColour& colour : figure_colours()) {
+    const auto channel = [&](int position) {
+      return std::stoi(std::string(colour.light + position, 2), nullptr, 16);
+    };
+    const int red = channel(1), green = channel(3), blue = channel(5);
+    all.emplace_back(fmt::format("rgb({:3}, {:3}, {:3})", red, green, blue), colour.light);
+    all.emplace_back(fmt::format("rgb({},{},{})", red, green, blue), colour.light);
+  }
+  return all;
+}
+
+// Removes the definitions of text boxes, which no figure here uses.
+void drop_filters(std::string& drawing) {
+  for (auto start = drawing.find("<filter"); start != std::string::npos;
+       start = drawing.find("<filter")) {
+    const std::string closing = "</filter>";
+    drawing.erase(start, drawing.find(closing, start) + closing.size() - start);
+  }
+}
+
+// Returns the drawing inside gnuplot's <svg> element as markup that many figures of one page can
+// share: every id and every reference to one starts with "plot-<figure_id>-", the palette's colours
+// are #rrggbb (so that dark_rules() match them), the font is the page's, and no group is empty.
+// Text between tags is left as it is. Throws ReportError where there is no drawing.
+std::string shared_markup(const std::string& gnuplot_svg, const std::string& figure_id) {
+  const auto start = gnuplot_svg.find("<g id=\"gnuplot_canvas\"");
+  const auto end = gnuplot_svg.rfind("</svg>");
+  const bool is_whole = start != std::string::npos && end != std::string::npos && start < end &&
+                        gnuplot_svg.rfind('<', end - 1) < gnuplot_svg.rfind('>', end - 1);
+  if (!is_whole) {
+    throw ReportError("figure '" + figure_id +
+                      "': gnuplot's output is not a complete SVG document");
+  }
+  std::string drawing = gnuplot_svg.substr(start, end - start);
+  drop_filters(drawing);
+
+  const Replacements in_tags = replacements(figure_id);
+  std::string markup;
+  std::string
+      opened_group;  // a <g> tag and the blanks after it, held back until something is drawn in it
+  for (std::size_t position = 0; position < drawing.size();) {
+    const bool is_tag = drawing[position] == '<';
+    const auto stop = is_tag ? drawing.find('>', position) + 1
+                             : std::min(drawing.find('<', position), drawing.size());
+    std::string piece = drawing.substr(position, stop - position);
+    position = stop;
+    if (!opened_group.empty() && piece == "</g>") {
+      opened_group.clear();
+      continue;
+    }
+    // gnuplot erases the error bar under a point in white, whatever the colour below.
+    if (boost::starts_with(piece, "<use ") && boost::contains(piece, "'white'")) continue;
+    if (is_tag) {
+      for (const auto& [from, to] : in_tags) boost::replace_all(piece, from, to);
+    }
+    if (is_tag && boost::starts_with(piece, "<g ")) {
+      markup += std::exchange(opened_group, piece);
+    } else if (!opened_group.empty() && boost::trim_copy(piece).empty()) {
+      opened_group += piece;
+    } else {
+      markup += std::exchange(opened_group, "") + piece;
+    }
+  }
+  return markup;
+}
+
+// Describes the axes and what is drawn in words, for the <desc> element.
 std::string description(const Figure& figure) {
   std::vector<std::string> names;
   for (const Curve& curve : figure.curves) names.push_back(curve.label);
@@ -60,6 +148,16 @@ std::string svg_element(const Figure& figure, const DrawnFigure& drawn, SvgPlace
   data.set("dark_rules", dark_rules());
   data.set("markup", drawn.markup);
   return frame.render(data);
+}
+
+std::string dark_rules() {
+  std::string rules;
+  for (const auto& [light, dark] : figure_colours()) {
+    for (const char* property : {"fill", "stroke", "color"}) {
+      rules += fmt::format(".plot [{0}=\"{1}\"]{{{0}:{2}}}\n", property, light, dark);
+    }
+  }
+  return rules;
 }
 
 }  // namespace slosh::reports

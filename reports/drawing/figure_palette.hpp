@@ -8,13 +8,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <string>
 
 namespace slosh::reports {
 
-// The same role in both schemes, as #rrggbb. The SVG carries the light one; the dark one comes from
-// dark_rules().
+// One role in both schemes, as #rrggbb. The SVG carries the light colour; dark_rules() (in
+// draw_figure.hpp) replace it by the dark one.
 struct PaletteColour {
   const char* light;
   const char* dark;
@@ -43,20 +41,16 @@ inline constexpr std::array<const char*, 10> field_colours{
     "#440154", "#482878", "#3e4a89", "#31688e", "#26828e",
     "#1f9e89", "#35b779", "#6dcd59", "#b4de2c", "#fde725"};
 
-// gnuplot dash types, cycled by the curves of one style: mostly drawn for lines, mostly gaps for
-// dashed ones.
+// gnuplot dash types. The curves of one style take them in turn: lines have short gaps, dashed
+// curves long ones.
 inline constexpr std::array<const char*, 4> line_dashes{"solid", "(14,3)", "(14,3,2,3)",
                                                         "(24,3,2,3,2,3)"};
 inline constexpr std::array<const char*, 4> dashed_dashes{"(6,4)", "(2,3)", "(6,3,2,3)", "(9,6)"};
 
-// gnuplot point types: circle, square, triangle, diamond, inverted triangle, then the same hollow.
+// gnuplot point types: filled circle, square, triangle, diamond and inverted triangle, then hollow.
 inline constexpr std::array<int, 10> point_types{7, 5, 9, 13, 11, 6, 4, 8, 12, 10};
 
 inline constexpr double band_opacity =
     0.16;  // two nested bands stay apart, and the grid shows through
-
-// CSS rules that repaint a figure drawn in the light colours, one per colour, for use under a media
-// query.
-std::string dark_rules();
 
 }  // namespace slosh::reports

@@ -8,7 +8,7 @@
 
 #include "reports/drawing/axes.hpp"
 #include "reports/drawing/figure_palette.hpp"
-#include "reports/drawing/gnuplot_text.hpp"
+#include "reports/drawing/run_gnuplot.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -29,7 +29,7 @@ constexpr double key_sample_width =
     55;                  // px, the line before a legend entry and the space after it
 constexpr int foot = 8;  // px, below the legend: its descenders
 
-// Each once.
+// Returns each label once.
 std::vector<std::string> span_labels(const Figure& figure) {
   std::vector<std::string> labels;
   for (const Span& span : figure.spans)
@@ -40,8 +40,8 @@ std::vector<std::string> span_labels(const Figure& figure) {
 
 struct KeyLayout {
   int columns, rows;
-  double narrower;  // characters to take off each entry: gnuplot reckons with wide ones, 0.7 of the
-                    // font size
+  double narrower;  // characters to take off each entry: gnuplot assumes wide ones, 0.7 of the font
+                    // size
 };
 
 KeyLayout key_layout(const Figure& figure) {
@@ -65,7 +65,7 @@ struct PlacedMarker {
   int row;  // of its label, counted upwards from the frame
 };
 
-// Puts each label in the lowest row above the frame where it does not touch the one to its left.
+// Puts each label in the lowest row above the frame in which it does not touch its left neighbour.
 std::vector<PlacedMarker> placed_markers(const Figure& figure, const AxisRange& range) {
   std::vector<PlacedMarker> placed;
   for (const Marker& marker : figure.markers) {
@@ -194,7 +194,8 @@ std::string marker_lines(const std::vector<PlacedMarker>& placed) {
   return commands;
 }
 
-// One line a sample and a blank one a gap; two blank lines together would end the data set.
+// Writes one line per sample and one blank line per gap: two consecutive blank lines would end the
+// data set.
 std::string datablock(const Figure& figure, std::size_t number) {
   const Curve& curve = figure.curves[number];
   std::string block = fmt::format("$curve_{} << END_OF_CURVE\n", number);
@@ -213,13 +214,13 @@ std::string datablock(const Figure& figure, std::size_t number) {
   return block + "END_OF_CURVE\n";
 }
 
-// "", "x", "y" or "xy", as gnuplot's styles begin.
+// Returns "", "x", "y" or "xy", with which gnuplot's styles of error bars begin.
 std::string bar_directions(const Curve& curve) {
   return std::string(curve.x_error.empty() ? "" : "x") + (curve.y_error.empty() ? "" : "y");
 }
 
-// As a datablock, of the samples where both edges have a place; on a logarithmic axis an edge that
-// is not positive lies on the frame.
+// Writes the samples of which both edges are finite. On a logarithmic axis an edge that is not
+// positive lies on the frame.
 std::string ribbon_block(const Figure& figure, std::size_t number, const AxisRange& vertical) {
   const Curve& curve = figure.curves[number];
   std::string block = fmt::format("$ribbon_{} << END_OF_RIBBON\n", number);
@@ -247,7 +248,7 @@ std::string ribbon_element(std::size_t number) {
       number, curve_colours[number % curve_colours.size()].light, band_opacity);
 }
 
-// `of_style`: how many earlier curves share the curve's dashes.
+// `of_style` is the number of earlier curves that share the curve's dashes.
 std::string curve_element(const Curve& curve, std::size_t number, std::size_t of_style) {
   const std::string bars = bar_directions(curve);
   const std::string colour = curve_colours[number % curve_colours.size()].light;

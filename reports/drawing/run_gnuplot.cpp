@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/process.hpp>
 #include <chrono>
 #include <system_error>
 #include <thread>
 
-#include "reports/model/report_error.hpp"
-#include "reports/model/text_file.hpp"
+#include "reports/model/report_files.hpp"
+#include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
 
@@ -16,7 +17,8 @@ namespace process = boost::process;
 
 namespace {
 
-// Or kills it. It starts no process of its own.
+// Waits for the child, which starts no processes of its own. Returns false after killing it at the
+// time limit.
 bool ends_within(process::child& child, double time_limit) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(time_limit);
@@ -53,7 +55,7 @@ std::string run_gnuplot_within(double time_limit, const std::string& script,
   const auto messages = scratch_directory / (figure_id + ".log");
   write_text(program, script);
   for (const auto& file : {output, messages})
-    std::filesystem::remove(file);  // one that is there would be overwritten, but not cut
+    std::filesystem::remove(file);  // an earlier one would be overwritten, but not truncated
   std::error_code failure;
   process::child child(gnuplot.string(), "--default-settings", program.string(),
                        process::std_in<process::null, process::std_out> output.string(),
@@ -73,12 +75,28 @@ std::string run_gnuplot_within(double time_limit, const std::string& script,
 
 std::string broken_output(const std::string& figure_id, const std::string& what,
                           const std::filesystem::path& scratch_directory) {
-  constexpr std::uintmax_t a_page = 4096;  // [byte]: less is as good as none
+  constexpr std::uintmax_t a_page = 4096;  // [byte]: with less, the disk is as good as full
   std::error_code unknown;
   const auto space = std::filesystem::space(scratch_directory, unknown);
   const bool is_full = !unknown && space.available < a_page;
   return fmt::format("figure '{}': gnuplot's output is not a complete {}{}", figure_id, what,
                      is_full ? ": no space left in " + scratch_directory.string() : "");
+}
+
+std::string quoted(const std::string& text) {
+  std::string literal = "'";
+  for (const char c : text) {
+    if (c == '\'') literal += '\'';
+    literal += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  }
+  return literal + "'";
+}
+
+double text_width(const std::string& text, double character_width) {
+  const auto characters = std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  });
+  return character_width * static_cast<double>(characters);
 }
 
 }  // namespace slosh::reports

@@ -1,4 +1,4 @@
-// Runs gnuplot on a program.
+// Runs gnuplot on a program, and quotes the texts in such a program.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,13 @@
 
 namespace slosh::reports {
 
-// The program that is found on the PATH; empty where there is none.
+// The gnuplot on the PATH; empty where there is none.
 std::filesystem::path gnuplot_program();
 
-// What gnuplot (started without a shell and without the user's start-up files) writes to its
-// standard output. The files about it go to the scratch directory, under the figure's id. Throws
-// ReportError with gnuplot's own words when it is missing, fails, or takes longer than two minutes:
-// a figure takes a second at most.
+// Returns what gnuplot, started without a shell and without the user's start-up files, writes to
+// its standard output. Its program, output and messages are kept in the scratch directory under the
+// figure's id. Throws ReportError with gnuplot's own words when it is missing, fails, or takes
+// longer than two minutes: a figure takes a second at most.
 std::string run_gnuplot(const std::string& script, const std::string& figure_id,
                         const std::filesystem::path& scratch_directory);
 // The same with a time limit [s].
@@ -21,13 +21,21 @@ std::string run_gnuplot_within(double time_limit, const std::string& script,
                                const std::string& figure_id,
                                const std::filesystem::path& scratch_directory);
 
-// Gives what run_gnuplot() gives, from any thread.
+// A function that returns what run_gnuplot() returns and may be called from any thread.
 using Gnuplot = std::function<std::string(const std::string& script, const std::string& figure_id,
                                           const std::filesystem::path& scratch_directory)>;
 
-// Why output that breaks off, of a gnuplot that says nothing of it, is refused. `what` it should
-// be.
+// The message for output that breaks off although gnuplot reported no error. `what` names what the
+// output should be, and the message says so if the disk is full.
 std::string broken_output(const std::string& figure_id, const std::string& what,
                           const std::filesystem::path& scratch_directory);
+
+// A string literal in which gnuplot expands nothing. Control characters, which would break the
+// script's lines and make an SVG invalid, become blanks.
+std::string quoted(const std::string& text);
+
+// The approximate width [px] of a text as drawn, to lay labels out; each UTF-8 character counts
+// once.
+double text_width(const std::string& text, double character_width);
 
 }  // namespace slosh::reports

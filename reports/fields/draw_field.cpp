@@ -3,16 +3,151 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
+#include "reports/drawing/axes.hpp"
+#include "reports/drawing/figure_palette.hpp"
+#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/fields/field_arrows.hpp"
 #include "reports/fields/field_layout.hpp"
 #include "reports/fields/field_range.hpp"
-#include "reports/fields/field_script.hpp"
-#include "reports/model/base64.hpp"
-#include "reports/model/png_file.hpp"
-#include "reports/model/report_error.hpp"
+#include "reports/fields/field_raster.hpp"
+#include "reports/model/file_formats.hpp"
+#include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
+namespace {
+
+// The key stands above the panels: the scale bar, the arrow's legend and the colour bar.
+constexpr double bar_start = 0.44, bar_width = 0.5;        // of the canvas' width
+constexpr double scale_start = 0.018, arrow_start = 0.19;  // of the canvas' width
+constexpr double bar_height = 16;                          // [px]
+constexpr double bar_bottom = 38, words_middle = 57;       // [px] from the canvas' top
+constexpr double longest_scale_bar = 150;                  // [px]
+
+// The axes of each panel are its cell's pixels. A velocity arrow is drawn white (style 1) below
+// dark (style 2), so that it shows on every colour. Style 3 is the scale bar.
+std::string canvas(const FieldLayout& layout) {
+  const auto across = [&](int pixels) { return static_cast<double>(pixels) / layout.width; };
+  const auto down = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
+  const int right =
+      layout.left + layout.columns * (layout.cell_width + layout.column_gap) - layout.column_gap;
+  const int label_height = layout.label_lines * label_line;
+  return fmt::format(
+      "set encoding utf8\nset minussign\n"
+      "set terminal pngcairo size {},{} font 'sans,12' noenhanced background rgb '{}'\n"
+      "unset border\nunset tics\nunset key\nset xrange [0:{}]\nset yrange [0:{}]\n"
+      "set style arrow 1 head size screen {:.6f},22 nofilled lw 2.2 lc rgb '{}'\n"
+      "set style arrow 2 head size screen {:.6f},22 nofilled lw 1.2 lc rgb '{}'\n"
+      "set style arrow 3 heads size screen {:.6f},90 lw 1.6 lc rgb '{}'\n"
+      "set multiplot layout {},{} margins screen {:.7f},{:.7f},{:.7f},{:.7f} "
+      "spacing screen {:.7f},{:.7f}\n",
+      layout.width, layout.height, paper.light, layout.cell_width, layout.cell_height, across(6),
+      paper.light, across(6), ink.light, across(5), ink.light, layout.rows, layout.columns,
+      across(layout.left), across(right), down(row_gap), 1 - down(key_height + label_height),
+      across(layout.column_gap), down(row_gap + label_height));
+}
+
+std::string colour_bar(const FieldFigure& figure, const FieldLayout& layout,
+                       const ColourRange& range) {
+  std::vector<std::string> colours;
+  for (std::size_t i = 0; i < field_colours.size(); ++i)
+    colours.push_back(fmt::format("{} '{}'", i, field_colours[i]));
+  const double room = 0.6 * range.step;  // beside the labels of the ends, which are wider
+  return fmt::format(
+      "set palette maxcolors {} defined ({})\nset cbrange [{}:{}]\n"
+      "set colorbox user horizontal origin screen {},{:.5f} size screen {},{:.5f} noborder\n"
+      "set cbtics {},{},{} out nomirror scale 0.6 offset 0,0.4 textcolor rgb '{}'\nset cbtics add "
+      "({} {}, {} "
+      "{})\n"
+      "set cblabel {} offset 0,0.8 textcolor rgb '{}'\n",
+      colour_levels, fmt::join(colours, ", "), range.lower, range.upper, bar_start,
+      1 - bar_bottom / layout.height, bar_width, bar_height / layout.height,
+      range.step * std::ceil((range.lower + room) / range.step), range.step, range.upper - room,
+      ink.light, quoted(range.lower_label), range.lower, quoted(range.upper_label), range.upper,
+      quoted(figure.value_label), ink.light);
+}
+
+// A part of the key: an arrow of the given length [px] with words below it.
+std::string key_part(const FieldLayout& layout, double start, double length, int style,
+                     const std::string& words) {
+  return fmt::format(
+      "set arrow from screen {0},{1:.5f} to screen {2:.5f},{1:.5f} arrowstyle {3}\n"
+      "set label {4} at screen {0},{5:.5f} left textcolor rgb '{6}'\n",
+      start, 1 - (bar_bottom - bar_height / 2) / layout.height, start + length / layout.width,
+      style, quoted(words), 1 - words_middle / layout.height, ink.light);
+}
+
+std::string scale_bar(const FieldLayout& layout) {
+  const double length = round_tick(longest_scale_bar / layout.scale, false);  // [m]
+  return key_part(
+      layout, scale_start, length * layout.scale, 3,
+      length < 1 ? fmt::format("{:.6g} mm", 1000 * length) : fmt::format("{:.6g} m", length));
+}
+
+std::string arrow_legend(const FieldLayout& layout, const FieldArrows& arrows) {
+  if (!(arrows.pixels_per_speed > 0)) return "";
+  std::string words = fmt::format("{:.6g} m/s", arrows.legend_speed);
+  if (arrows.cut_speed > 0) words += fmt::format(" (cut at {:.2g} m/s)", arrows.cut_speed);
+  return key_part(layout, arrow_start, arrows.legend_speed * arrows.pixels_per_speed, 2, words);
+}
+
+std::string data_blocks(const FieldPanel& panel, const FieldLayout& layout,
+                        const std::vector<int>& levels, const std::vector<DrawnArrow>& arrows) {
+  std::string blocks = "$field << END\n";
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    blocks += levels[i] == no_level ? "NaN" : std::to_string(levels[i]);
+    blocks += (i + 1) % static_cast<std::size_t>(layout.cell_width) == 0 ? '\n' : ' ';
+  }
+  blocks += "END\n$tank << END\n";
+  const double out =
+      0.75 / layout.scale;  // half the line's width, so that the line is outside the water
+  const double right = panel.tank_length + out, top = panel.tank_height + out;
+  for (const auto& [x, z] :
+       {std::array{-out, -out}, std::array{right, -out}, std::array{right, top},
+        std::array{-out, top}, std::array{-out, -out}}) {
+    const Pixel corner = layout.in_cell(panel, x, z);
+    blocks += fmt::format("{:.2f} {:.2f}\n", corner.x, corner.y);
+  }
+  blocks += "END\n$arrows << END\n";
+  for (const auto& [tail, length] : arrows)
+    blocks += fmt::format("{:.1f} {:.1f} {:.1f} {:.1f}\n", tail.x, tail.y, length.x, length.y);
+  return blocks + "END\n";
+}
+
+// The image is given the middles of the pixels and of the levels.
+std::string plot_command(const ColourRange& range, bool has_arrows) {
+  std::string command = fmt::format(
+      "plot $field matrix using (0.5+$1):(0.5+$2):({}+({})*(0.5+$3)/{}) with image, \\\n"
+      "  $tank with lines lw 1.5 lc rgb '{}'",
+      range.lower, range.upper - range.lower, colour_levels, faint_ink.light);
+  for (const int style : {1, 2})
+    if (has_arrows) command += fmt::format(", \\\n  $arrows with vectors arrowstyle {}", style);
+  return command + "\n";
+}
+
+// The gnuplot program, whose multiplot places the panels. All data is in inline datablocks.
+std::string field_script(const FieldFigure& figure, const FieldLayout& layout) {
+  const ColourRange range = colour_range(figure);
+  const FieldArrows arrows = field_arrows(figure, layout);
+  std::string script = canvas(layout) + colour_bar(figure, layout, range) + scale_bar(layout) +
+                       arrow_legend(layout, arrows);
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    std::vector<std::string> lines;
+    for (const std::string& line : layout.labels[i]) lines.push_back(quoted(line));
+    script += fmt::format("set title {} offset 0,-0.7 textcolor rgb '{}'\n",
+                          fmt::join(lines, ".\"\\n\"."), ink.light);
+    script += data_blocks(figure.panels[i], layout, field_raster(figure.panels[i], layout, range),
+                          arrows.panels[i]);
+    script += plot_command(range, !arrows.panels[i].empty());
+    if (i == 0) script += "unset arrow\nunset label\nunset colorbox\n";  // the key is drawn once
+  }
+  return script + "unset multiplot\n";
+}
+
+}  // namespace
 
 DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory,
                       const Gnuplot& gnuplot) {
@@ -27,11 +162,11 @@ std::string description(const FieldFigure& figure) {
   std::vector<std::string> labels;
   for (const FieldPanel& panel : figure.panels) labels.push_back(panel.label);
   const ColourRange range = colour_range(figure);
-  const bool arrows = std::any_of(figure.panels.begin(), figure.panels.end(),
-                                  [](const FieldPanel& panel) { return !panel.arrow_x.empty(); });
+  const bool has_arrows = std::any_of(figure.panels.begin(), figure.panels.end(),
+                                      [](const auto& panel) { return !panel.arrow_x.empty(); });
   return fmt::format("{}. Panels: {}. Colour: {} from {} to {}.{}", figure.title,
-                     fmt::join(labels, "; "), figure.value_label, range.ticks.front().label,
-                     range.ticks.back().label, arrows ? " Arrows: velocity." : "");
+                     fmt::join(labels, "; "), figure.value_label, range.lower_label,
+                     range.upper_label, has_arrows ? " Arrows: velocity." : "");
 }
 
 std::string data_address(const DrawnField& drawn) {

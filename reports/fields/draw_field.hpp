@@ -11,18 +11,18 @@ namespace slosh::reports {
 
 struct DrawnField {
   std::string png;    // the whole file
-  int width, height;  // px
+  int width, height;  // [px]
 };
 
-// Throws as draw_figure() does.
+// Throws ReportError as draw_figure() does.
 DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory,
                       const Gnuplot& gnuplot = run_gnuplot);
 
-// The picture in words, for those who do not see it: title, panels, what the colours and the arrows
-// show.
+// Describes the picture for readers who do not see it: its title, its panels, and what the colours
+// and the arrows show.
 std::string description(const FieldFigure& figure);
 
-// For an <img> of a page that holds all it shows (RFC 2397).
+// The data URL (RFC 2397) for an <img> of a page that holds its pictures itself.
 std::string data_address(const DrawnField& drawn);
 
 }  // namespace slosh::reports

@@ -11,83 +11,76 @@
 namespace slosh::reports {
 namespace {
 
-constexpr double smallest_square = 26;  // px
+constexpr double smallest_square = 26;  // [px]
 constexpr double typical_length = 1.8;  // squares
-constexpr double longest_arrow = 3;   // squares: longer ones, of a jet, would hide its surroundings
-constexpr double shortest_arrow = 2;  // px: a dot tells no direction
-constexpr double slowest = 1e-200;    // m/s: water at rest, and no overflow of its inverse
-constexpr double legend_length = 75;  // px, at most
+constexpr double longest_arrow = 3;     // squares: longer ones of a jet would hide its surroundings
+constexpr double shortest_arrow = 2;    // [px]: a dot shows no direction
+constexpr double slowest = 1e-200;      // [m/s]: water at rest; the inverse does not overflow
+constexpr double legend_length = 75;    // [px], at most
 
-// Velocities turned with the tank: [px] of the tank's scale per second.
-std::vector<DrawnArrow> drawable_arrows(const FieldPanel& panel, const PlacedPanel& placed) {
+double length_of(const Pixel& vector) { return std::hypot(vector.x, vector.y); }
+
+// The arrows of a panel at 1 px per tank's pixel and second.
+std::vector<DrawnArrow> drawable_arrows(const FieldPanel& panel, const FieldLayout& layout) {
   std::vector<DrawnArrow> arrows;
   for (std::size_t i = 0; i < panel.arrow_x.size(); ++i) {
     if (!is_drawn(panel.arrow_x[i]) || !is_drawn(panel.arrow_z[i]) || !is_drawn(panel.arrow_u[i]) ||
         !is_drawn(panel.arrow_w[i])) {
       continue;
     }
-    const Pixel tail = placed.on_canvas(panel.arrow_x[i], panel.arrow_z[i]);
-    if (placed.holds(tail))
-      arrows.push_back({tail, placed.turned(panel.arrow_u[i], panel.arrow_w[i])});
+    const Pixel tail = layout.in_cell(panel, panel.arrow_x[i], panel.arrow_z[i]);
+    if (layout.holds(tail))
+      arrows.push_back({tail, layout.turned(panel, panel.arrow_u[i], panel.arrow_w[i])});
   }
   return arrows;
 }
 
-std::vector<DrawnArrow> one_a_square(const std::vector<DrawnArrow>& arrows, double square) {
-  std::map<std::pair<int, int>, std::pair<double, const DrawnArrow*>> nearest;
+std::vector<DrawnArrow> one_per_square(const std::vector<DrawnArrow>& arrows, double square) {
+  std::map<std::pair<double, double>, std::pair<double, DrawnArrow>> nearest;
   for (const DrawnArrow& arrow : arrows) {
     const double column = std::floor(arrow.tail.x / square),
                  row = std::floor(arrow.tail.y / square);
     const double distance =
-        std::hypot(arrow.tail.x - (column + 0.5) * square, arrow.tail.y - (row + 0.5) * square);
-    const auto [found, is_new] =
-        nearest.try_emplace({static_cast<int>(column), static_cast<int>(row)}, distance, &arrow);
-    if (!is_new && distance < found->second.first) found->second = {distance, &arrow};
+        length_of({arrow.tail.x - (column + 0.5) * square, arrow.tail.y - (row + 0.5) * square});
+    const auto [kept, is_new] = nearest.try_emplace({column, row}, distance, arrow);
+    if (!is_new && distance < kept->second.first) kept->second = {distance, arrow};
   }
   std::vector<DrawnArrow> kept;
-  for (const auto& [place, arrow] : nearest) kept.push_back(*arrow.second);
+  for (const auto& [place, arrow] : nearest) kept.push_back(arrow.second);
   return kept;
 }
 
 }  // namespace
 
 FieldArrows field_arrows(const FieldFigure& figure, const FieldLayout& layout) {
-  FieldArrows arrows;
+  std::vector<std::vector<DrawnArrow>> drawable;
   std::vector<double> speeds;  // [m/s]
-  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    arrows.panels.push_back(drawable_arrows(figure.panels[i], layout.panels[i]));
-    for (const DrawnArrow& arrow : arrows.panels.back())
-      speeds.push_back(std::hypot(arrow.length.x, arrow.length.y) / layout.scale);
+  for (const FieldPanel& panel : figure.panels) {
+    drawable.push_back(drawable_arrows(panel, layout));
+    for (const DrawnArrow& arrow : drawable.back())
+      speeds.push_back(length_of(arrow.length) / layout.scale);
   }
-  double square = smallest_square;
-  const auto thinned = [&] {
-    std::vector<std::vector<DrawnArrow>> panels;
-    for (const auto& panel : arrows.panels) panels.push_back(one_a_square(panel, square));
-    return panels;
-  };
-  auto kept = thinned();
-  const auto too_many = [](const auto& panel) { return panel.size() > most_arrows; };
-  while (std::any_of(kept.begin(), kept.end(), too_many)) {
-    square *= 1.1;
-    kept = thinned();
-  }
-  arrows.panels = std::move(kept);
-
+  FieldArrows arrows;
+  arrows.panels.resize(drawable.size());
   const double typical_speed = speeds.empty() ? 0 : percentile(speeds, 0.95);
-  if (!(typical_speed > slowest)) {
-    for (auto& panel : arrows.panels) panel.clear();
-    return arrows;
+  if (!(typical_speed > slowest)) return arrows;
+
+  double square = smallest_square;
+  for (std::size_t i = 0; i < drawable.size();) {
+    arrows.panels[i] = one_per_square(drawable[i], square);
+    if (arrows.panels[i++].size() <= most_arrows) continue;
+    square *= 1.1;
+    i = 0;  // the squares have one size in all panels
   }
+
   arrows.pixels_per_speed = figure.arrow_scale > 0 ? figure.arrow_scale * layout.scale
                                                    : typical_length * square / typical_speed;
   arrows.legend_speed = round_tick(legend_length / arrows.pixels_per_speed, false);
   const double longest = std::max(longest_arrow * square, legend_length);
-  for (std::size_t i = 0; i < arrows.panels.size(); ++i) {
-    auto& panel = arrows.panels[i];
-    const PlacedPanel& placed = layout.panels[i];
+  for (auto& panel : arrows.panels) {
     for (DrawnArrow& arrow : panel) {
       double factor = arrows.pixels_per_speed / layout.scale;
-      const double length = factor * std::hypot(arrow.length.x, arrow.length.y);
+      const double length = factor * length_of(arrow.length);
       if (length > longest) {
         factor *= longest / length;
         arrows.cut_speed = longest / arrows.pixels_per_speed;
@@ -96,7 +89,7 @@ FieldArrows field_arrows(const FieldFigure& figure, const FieldLayout& layout) {
     }
     std::erase_if(panel, [&](const DrawnArrow& arrow) {
       const Pixel head{arrow.tail.x + arrow.length.x, arrow.tail.y + arrow.length.y};
-      return !(std::hypot(arrow.length.x, arrow.length.y) >= shortest_arrow) || !placed.holds(head);
+      return !(length_of(arrow.length) >= shortest_arrow) || !layout.holds(head);
     });
   }
   return arrows;

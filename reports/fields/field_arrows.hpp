@@ -9,22 +9,22 @@
 namespace slosh::reports {
 
 struct DrawnArrow {
-  Pixel tail, length;  // [px] on the canvas
+  Pixel tail, length;  // [px] in the panel's cell
 };
 
 struct FieldArrows {
-  double pixels_per_speed = 0;  // px per m/s; 0 where nothing moves
+  double pixels_per_speed = 0;  // [px per m/s]; 0 where nothing moves
   double legend_speed = 0;      // [m/s], a round one
   double cut_speed = 0;         // [m/s], faster arrows are cut to this one's length; 0: none was
-  std::vector<std::vector<DrawnArrow>> panels;  // as the figure's
+  std::vector<std::vector<DrawnArrow>> panels;  // in the figure's order
 };
 
-inline constexpr std::size_t most_arrows = 300;  // a panel
+inline constexpr std::size_t most_arrows = 300;  // in a panel
 
-// One arrow of each square of the canvas, the nearest to its centre; the squares have one size in
-// all panels, as small as arrows can be told apart and as most_arrows allows. With an automatic
+// Keeps one arrow in each square of a cell, the nearest to its centre. The squares have one size
+// in all panels, as small as arrows can be told apart and as most_arrows allows. With an automatic
 // scale the 95th percentile of all speeds is a little shorter than two squares. An arrow that would
-// end outside its panel's cell is left out: it would lie on the next one or on a label.
+// end outside its cell, on a neighbour or on a label, is left out.
 FieldArrows field_arrows(const FieldFigure& figure, const FieldLayout& layout);
 
 }  // namespace slosh::reports

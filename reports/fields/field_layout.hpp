@@ -1,7 +1,8 @@
-// Where the parts of a picture of flow fields stand: all in px from the canvas' lower left corner.
+// The grid of panels in a picture of flow fields. gnuplot's multiplot places the panels; this
+// computes the sizes that it is given and that the arrows and the raster depend on.
 //
-// All panels have one scale and cells of one size, which hold every tank as it is turned; a tank's
-// axis stands at the same place of each cell, so that a roll shows from panel to panel.
+// All panels have one scale and cells of one size, which hold every tank as it is rolled. The
+// tank's axis stands at the same place of each cell, so that a roll shows from panel to panel.
 #pragma once
 
 #include <string>
@@ -12,51 +13,33 @@
 namespace slosh::reports {
 
 struct Pixel {
-  double x, y;
-};
-
-// A panel's cell, and the way from its tank to the canvas: turned by the roll about the axis.
-struct PlacedPanel {
-  double left, bottom, width, height;  // the cell
-  std::vector<std::string> label;      // its lines, above the cell
-  double scale;                        // px per m
-  double tank_axis_x, tank_axis_z;     // [m]
-  Pixel axis;
-  double cosine, sine;  // of the roll
-
-  Pixel turned(double along_x, double along_z) const {  // a vector [m], without the shift
-    return {scale * (cosine * along_x - sine * along_z),
-            scale * (sine * along_x + cosine * along_z)};
-  }
-  Pixel on_canvas(double x, double z) const {
-    const Pixel from_axis = turned(x - tank_axis_x, z - tank_axis_z);
-    return {axis.x + from_axis.x, axis.y + from_axis.y};
-  }
-  bool holds(const Pixel& place) const {
-    return place.x >= left && place.x < left + width && place.y >= bottom &&
-           place.y < bottom + height;
-  }
+  double x, y;  // [px] from the lower left corner of a panel's cell
 };
 
 struct FieldLayout {
-  int width, height;
-  double scale;                     // px per m
-  std::vector<PlacedPanel> panels;  // as the figure's
+  int width, height;            // [px] of the canvas
+  int columns, rows;            // of panels
+  int cell_width, cell_height;  // [px]
+  int left, column_gap;         // [px], left of the first column and between two columns
+  int label_lines;              // above each cell
+  double scale;                 // [px/m]
+  Pixel axis;                   // of every tank, in its cell
+  std::vector<std::vector<std::string>> labels;  // the panels' labels, broken into lines
+
+  int row_height() const;      // [px], a row of labels, its cells and the gap below
+  int row_top(int row) const;  // [px] from the canvas' top
+
+  // A vector in the tank's directions [m], as it shows on the canvas [px].
+  Pixel turned(const FieldPanel& panel, double along_x, double along_z) const;
+  // The place (x, z) of a tank [m] in its cell.
+  Pixel in_cell(const FieldPanel& panel, double x, double z) const;
+  bool holds(const Pixel& place) const;  // whether the place is inside a cell
 };
 
-inline constexpr int key_height = 96;           // px, at the top: colour bar, arrow and scale bar
-inline constexpr int canvas_margin = 16;        // px
-inline constexpr int label_line = 21;           // px, of the font
-inline constexpr double label_character = 8.8;  // px, of gnuplot's 'sans,12' on average (measured)
+inline constexpr int key_height = 96;  // [px], at the top: colour bar, arrow and scale bar
+inline constexpr int label_line = 21;  // [px], of gnuplot's 'sans,12'
+inline constexpr int row_gap = 16;     // [px], below a cell
 
 FieldLayout field_layout(const FieldFigure& figure);
-
-// Where the rows of an animation stand [px from the canvas' top], and the tallest one's height.
-struct FilmFrames {
-  std::vector<double> tops;
-  double height;
-};
-
-FilmFrames film_frames(const FieldFigure& figure, const FieldLayout& layout);
 
 }  // namespace slosh::reports

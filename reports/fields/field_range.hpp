@@ -8,27 +8,25 @@
 
 namespace slosh::reports {
 
-// Whether a quantity of a field can be drawn: finite, and no diverged 1e300, which overflows in
-// sums.
+// Whether a quantity of a field can be drawn: it is finite and not a diverged 1e300, which
+// overflows in sums.
 bool is_drawn(double value);
 
-// The value below which the given fraction of the samples lies; they are reordered. At least one.
+// The value below which the given fraction of the samples lies. Reorders the samples, of which
+// there must be at least one.
 double percentile(std::vector<double>& samples, double fraction);
 
-// Whether a bar can show the two ends apart.
+// Whether a colour bar can tell the two ends apart.
 bool is_range(double lower, double upper);
 
 struct ColourRange {
-  double lower, upper;  // lower < upper
-  struct Tick {
-    double value;
-    std::string label;  // an end beyond which values lie carries "≤" or "≥"
-  };
-  std::vector<Tick> ticks;  // both ends, and round values between them
+  double lower, upper;                   // lower < upper
+  double step;                           // between two ticks: 1, 2 or 5 times a power of ten
+  std::string lower_label, upper_label;  // "≤" or "≥" marks an end beyond which values lie
 };
 
-// The given value_range, or what holds the 1st to the 99th percentile of all panels' values,
-// rounded outwards to a tick: one particle in a jet does not bleach all others.
+// Returns the given value_range, or what holds the 1st to the 99th percentile of all panels'
+// values, rounded outwards to a tick: one particle in a jet does not bleach all others.
 ColourRange colour_range(const FieldFigure& figure);
 
 }  // namespace slosh::reports

@@ -7,25 +7,20 @@
 #include <vector>
 
 #include "reports/fields/field_layout.hpp"
-#include "reports/model/base64.hpp"
+#include "reports/model/file_formats.hpp"
 #include "reports/templates.hpp"
 
 namespace slosh::reports {
-namespace {
-
-// Where a frame stands in the picture as `background-position-y` counts: a share of what the
-// picture is taller than the frame, which holds at any width of the page.
-double position(double top, double frame_height, double picture_height) {
-  return picture_height > frame_height ? 100 * top / (picture_height - frame_height) : 0;
-}
-
-}  // namespace
 
 std::string film_element(const FieldFigure& figure, const DrawnField& drawn) {
-  const FilmFrames film = film_frames(figure, field_layout(figure));
+  const FieldLayout layout = field_layout(figure);
+  // A row's place counts as `background-position-y` does: as a percentage of what the picture is
+  // taller than the frame, which holds at any width of the page.
+  const int frame_height = layout.row_height() - row_gap;
   std::vector<std::string> positions;
-  for (const double top : film.tops)
-    positions.push_back(fmt::format("{:.4f}", position(top, film.height, drawn.height)));
+  for (int row = 0; row < layout.rows; ++row)
+    positions.push_back(
+        fmt::format("{:.4f}", 100.0 * layout.row_top(row) / (layout.height - frame_height)));
   kainjow::mustache::mustache frame(film_template);
   kainjow::mustache::data data;
   data.set("id", figure.id);
@@ -33,7 +28,7 @@ std::string film_element(const FieldFigure& figure, const DrawnField& drawn) {
   data.set("description", description(figure));
   data.set("width", std::to_string(drawn.width));
   data.set("key_height", std::to_string(key_height));
-  data.set("frame_height", fmt::format("{:.0f}", film.height));
+  data.set("frame_height", std::to_string(frame_height));
   data.set("positions", fmt::format("{}", fmt::join(positions, " ")));
   data.set("first", positions.front());
   data.set("labels", fmt::format("{}", fmt::join(figure.frames, "|")));

@@ -1,6 +1,6 @@
-// An animation inside a page: one picture with all frames, of which the page shows a part at a
-// time, and the script that plays them. Nothing moves until the reader starts it, so that those who
-// want no motion have none (WCAG 2.2, 2.2.2 and 2.3.3); without the script the first frame stands.
+// An animation inside a page: one picture with all frames, of which the page shows one at a time,
+// and the script that plays them. Nothing moves until the reader starts it (WCAG 2.2, 2.2.2 and
+// 2.3.3). Without the script the page shows the first frame.
 #pragma once
 
 #include <string>
@@ -10,13 +10,14 @@
 
 namespace slosh::reports {
 
-// The elements of a figure with frames.
+// Returns the HTML elements of a figure with frames.
 std::string film_element(const FieldFigure& figure, const DrawnField& drawn);
 
-// The whole <script> element.
+// Returns the whole <script> element.
 std::string film_script_element();
 
-// What a page's Content-Security-Policy allows for it: "script-src 'sha256-...'" (CSP Level 3).
+// Returns the part of a page's Content-Security-Policy that allows the script:
+// "script-src 'sha256-...'" (CSP Level 3).
 std::string film_script_policy();
 
 }  // namespace slosh::reports

@@ -1,4 +1,5 @@
-// Flow fields side by side: a row a moment, a column the finest run of a scheme or of interFoam.
+// Flow fields side by side: one row for each time, one column for the finest run of each scheme and
+// of interFoam.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,8 +7,8 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "verification/case/case_definition.hpp"
 #include "verification/case/motion.hpp"
-#include "verification/case_file/motion_table.hpp"
 
 namespace slosh {
 namespace {
@@ -15,14 +16,14 @@ namespace {
 using reports::FieldFigure;
 using reports::FieldPanel;
 
-// What of a page's width leaves panels that one can read, and of its height one view.
+// More columns would make the panels too small to read, more rows would not fit on a screen.
 constexpr std::size_t most_columns = 4, most_rows = 4;
 
-// Of an animation, whose frames all travel in one picture.
+// All frames of an animation are stored in one picture.
 constexpr std::size_t animated_columns = 2;
 constexpr int animated_height = 240;  // px
 
-// Null where the run left none at that time.
+// Returns null where the run recorded none at that time.
 const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::string& run,
                                  double time) {
   const auto& snapshots = assessment.runs.results.at(run).snapshots;
@@ -65,7 +66,7 @@ FieldPanel panel_of(const CaseAssessment& assessment, const std::string& run, do
   return panel;
 }
 
-// Cut into as few parts as hold at most `most` each, of nearly one size.
+// Splits into as few parts as possible of at most `most` values each, of nearly equal size.
 template <class Value>
 std::vector<std::vector<Value>> in_parts(const std::vector<Value>& values, std::size_t most) {
   const std::size_t count = (values.size() + most - 1) / most;
@@ -84,10 +85,10 @@ FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<dou
                                    : fmt::format("Pressure and velocity from {:g} to {:g} s",
                                                  times.front(), times.back());
   figure.caption = fmt::format(
-      "A row is a moment, a column a run: the finest of each scheme and solver. The colour is the "
-      "pressure above the gas's, the arrows are velocities against the tank{}. SPH: all particles; "
-      "interFoam: the cells that are at least half liquid. {} {}.",
-      definition.motion.roll ? ", which is turned by its roll" : "", who_is_who(definition, runs),
+      "Each row is a time, each column a run: the finest of each scheme and solver. Colour: "
+      "pressure above that of the gas. Arrows: velocity relative to the tank{}. SPH: all "
+      "particles; interFoam: the cells that are at least half liquid. {} {}.",
+      definition.motion.roll ? ", drawn at its roll angle" : "", who_is_who(definition, runs),
       definition.source);
   figure.value_label = "pressure [Pa]";
   figure.columns = static_cast<int>(runs.size());
@@ -96,7 +97,7 @@ FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<dou
   return figure;
 }
 
-// A frame a moment; of the runs the first two, side by side.
+// One frame for each time; the first two runs side by side.
 FieldFigure animation(const CaseAssessment& assessment, std::vector<std::string> runs) {
   const CaseDefinition& definition = assessment.definition;
   const std::vector<double>& times = definition.animation_times;
@@ -104,9 +105,9 @@ FieldFigure animation(const CaseAssessment& assessment, std::vector<std::string>
   FieldFigure figure = field_figure(assessment, times, runs);
   figure.id = definition.name + "-animation";
   figure.title = fmt::format("The flow from {:g} to {:g} s", times.front(), times.back());
-  figure.caption = fmt::format(
-      "An animation in {} frames, {:g} s apart; it stands still until it is played. {}",
-      times.size(), times[1] - times[0], figure.caption.substr(figure.caption.find("The colour")));
+  figure.caption =
+      fmt::format("Animation of {} frames, {:g} s apart; press Play to start it. {}", times.size(),
+                  times[1] - times[0], figure.caption.substr(figure.caption.find("Colour:")));
   figure.panel_height = animated_height;
   for (const double time : times) figure.frames.push_back(fmt::format("t = {:.2f} s", time));
   return figure;
@@ -124,9 +125,9 @@ std::vector<FieldFigure> case_fields(const CaseAssessment& assessment) {
                         [&](const std::string& run) { return snapshot_at(assessment, run, time); });
   });
   std::vector<FieldFigure> figures;
-  for (const auto& moments : in_parts(times, most_rows))
+  for (const auto& times_shown : in_parts(times, most_rows))
     for (const auto& columns : in_parts(runs, most_columns)) {
-      figures.push_back(field_figure(assessment, moments, columns));
+      figures.push_back(field_figure(assessment, times_shown, columns));
       figures.back().id = fmt::format("{}-fields-{}", definition.name, figures.size());
     }
   std::vector<std::string> moving = runs;

@@ -2,9 +2,8 @@
 
 #include <iterator>
 
-#include "reports/figures/figure_kinds.hpp"
-#include "verification/assessment/filtered_pressure.hpp"
 #include "verification/assessment/validity_envelope.hpp"
+#include "verification/evidence/case_runs.hpp"
 
 namespace slosh {
 

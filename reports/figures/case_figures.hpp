@@ -8,19 +8,53 @@
 
 namespace slosh {
 
-// The tank's roll; histories of all that was compared (as figures 1 to 3, 5 and 6 of Li et al.
-// 2010); residuals with the tolerance band; amplitude and lag over time and as phasors; spectra
-// with the predicted frequencies (figure 7 there); studies of time step and spacing (figures 10 and
-// 11 of Zhao et al. 2021); convergence; energy budgets; error against run time and against memory,
-// the last. A figure for which no run stands is left out.
+// Returns the tank's roll; time series of all compared quantities (as figures 1 to 3, 5 and 6 of Li
+// et al. 2010); residuals with the tolerance band; amplitude and lag over time and as phasors;
+// spectra with the predicted frequencies (figure 7 there); studies of time step and spacing
+// (figures 10 and 11 of Zhao et al. 2021); convergence; energy budgets; and, last, error against
+// run time and against memory. A figure without a run to show is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
 
-// The histories alone, of runs that nobody has judged: references beyond their range are marked and
-// pressures filtered as a report does it.
+// Returns the time series alone, of runs that were not judged. References beyond their range are
+// marked and pressures are filtered as in a report.
 std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs);
 
-// Pressure and velocity at the case's snapshot times: a row a moment, a column a solver or scheme;
-// last the case's animation, of the two first runs that left all of its moments.
+// Returns pressure and velocity at the case's snapshot times, one row for each time and one column
+// for each solver or scheme, and last the case's animation, of the first two runs with all its
+// times.
 std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);
+
+// The kinds of figures that case_figures() combines. Each omits figures for which no run has data.
+
+// The roll and the surge of a rolling tank.
+std::vector<reports::Figure> motion_figures(const CaseAssessment& assessment);
+
+// The time series of the case's first quantity, and of its other compared quantities.
+std::vector<reports::Figure> main_history(const CaseAssessment& assessment);
+std::vector<reports::Figure> other_histories(const CaseAssessment& assessment);
+
+// Candidate minus reference, with the tolerance band.
+std::vector<reports::Figure> residual_figures(const CaseAssessment& assessment);
+
+// Amplitude ratio and phase lag of the first fitted mode over sliding windows.
+std::vector<reports::Figure> sliding_figures(const CaseAssessment& assessment);
+
+// Ratio of complex amplitudes, candidate over reference: one figure for each mode.
+std::vector<reports::Figure> phasor_figures(const CaseAssessment& assessment);
+
+// Spectra of the elevation and of the highest surface at each gauge, and of the first quantity.
+std::vector<reports::Figure> spectrum_figures(const CaseAssessment& assessment);
+
+// SPH runs of one scheme that differ only in their time step or only in their spacing.
+std::vector<reports::Figure> study_figures(const CaseAssessment& assessment);
+
+// Error against spacing, with the fitted order and its 95 % band.
+std::vector<reports::Figure> convergence_figures(const CaseAssessment& assessment);
+
+// The energy budget of an SPH run.
+std::vector<reports::Figure> energy_figures(const CaseAssessment& assessment);
+
+// Error against run time, and against memory.
+std::vector<reports::Figure> cost_figures(const CaseAssessment& assessment);
 
 }  // namespace slosh

@@ -1,10 +1,10 @@
-// Error against spacing with the band of its order, beside guides of the first and second order.
+// Error against spacing with the fitted order and its band, and guides of first and second order.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "verification/assessment/observed_order.hpp"
 
 namespace slosh {
@@ -14,7 +14,7 @@ using reports::Curve;
 using reports::Figure;
 
 constexpr double mm_per_m = 1000;
-// A band is cut this far beyond the errors: with three points it is wider than any figure.
+// The band is clipped at this factor beyond the errors: with three points it would fill the figure.
 constexpr double band_reach = 3;
 
 struct Extent {
@@ -28,7 +28,7 @@ Extent extent_of(const std::vector<double>& values) {
   return extent;
 }
 
-// Evenly along a logarithmic axis.
+// Returns spacings at equal distances on a logarithmic axis.
 std::vector<double> spacings_between(const Extent& extent) {
   constexpr int count = 41;
   std::vector<double> spacings;
@@ -67,7 +67,7 @@ Curve fitted_line(const PowerLawLine& line, const Curve& points, double scale) {
   return curve;
 }
 
-// Through the line's value at the coarsest spacing.
+// A line of the given order through the fitted line's value at the coarsest spacing.
 Curve guide(int order, const Curve& line) {
   Curve curve{fmt::format("order {}", order),
               {line.x.front(), line.x.back()},
@@ -77,7 +77,7 @@ Curve guide(int order, const Curve& line) {
   return curve;
 }
 
-// "normalised rms [%]" as a part of an id.
+// Returns "normalised_rms" for "normalised rms [%]", as a part of an id.
 std::string id_part(std::string measure) {
   measure.resize(std::min(measure.size(), measure.find(" [")));
   std::replace_if(
@@ -101,8 +101,8 @@ std::vector<Figure> convergence_figures(const CaseAssessment& assessment) {
     figure.caption = fmt::format(
         "Magnitude of the {} against theory or a published record, over the particle spacing or "
         "the root of a cell's area. Line: least squares through the logarithms of those errors "
-        "that are larger than their own intervals; the ribbon is its 95 % band (Student's t), cut "
-        "at {:.0f} times the errors. Order as ± 95 %.",
+        "that are larger than their own intervals; the ribbon is its 95 % band (Student's t), "
+        "clipped at {:.0f} times the errors. The order is given with its 95 % interval.",
         what, band_reach);
     figure.x_label = "spacing [mm]";
     figure.y_label = family.measure;

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "verification/case/quantities.hpp"
-#include "verification/case/run_family.hpp"
+#include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
 namespace {
@@ -17,40 +17,6 @@ namespace {
 std::vector<double> scaled(std::vector<double> values, double scale) {
   for (double& value : values) value *= scale;
   return values;
-}
-
-std::string kind_of(const SphRun& sph) {
-  const double inside = 1000 * sph.particle_spacing, surface = 1000 * sph.surface_particle_spacing;
-  std::string text = fmt::format("SPH, scheme {}, {:.4g} mm", sph.scheme, inside);
-  if (surface != inside) text += fmt::format(" and {:.4g} mm at the surface", surface);
-  if (const std::string changes = changes_of(sph); !changes.empty()) text += ", " + changes;
-  return text;
-}
-
-std::string kind_of(const InterFoamRun& mesh) {
-  return fmt::format("interFoam, {} x {} cells", mesh.cells_x, mesh.cells_z);
-}
-
-std::string kind_of(const LinearRun& linear) {
-  return fmt::format("linear potential theory{}{}",
-                     linear.modes > 0 ? fmt::format(", {} modes", linear.modes) : "",
-                     linear.two_layer ? ", with the gas" : "");
-}
-
-std::string kind_of(const PotentialRun& potential) {
-  return fmt::format("nonlinear potential flow, {} x {} nodes", potential.nodes_x,
-                     potential.nodes_z);
-}
-
-std::string kind_of(const ViscousWaveRun&) { return "linear theory of the viscous wave"; }
-
-std::string kind_of(const RecordRun& record) {
-  return (record.earlier_run ? "earlier run's record " : "published record ") +
-         record.file.filename().string();
-}
-
-std::string kind_of(const ExternalRun& external) {
-  return "external program " + std::filesystem::path(external.command.front()).filename().string();
 }
 
 }  // namespace
@@ -91,7 +57,7 @@ std::string run_label(const CaseAssessment& assessment, const std::string& run) 
              : run;
 }
 
-// More run into one another.
+// More points would overlap.
 constexpr std::size_t most_points = 200;
 
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
@@ -148,13 +114,12 @@ std::string who_is_who(const CaseDefinition& definition, const std::vector<std::
   bool bars = false;
   for (const std::string& name : runs) {
     const RunDefinition& run = run_named(definition, name);
-    texts.push_back(name + ": " +
-                    std::visit([](const auto& solver) { return kind_of(solver); }, run.solver));
+    texts.push_back(name + ": " + caption_text(run));
     const auto* record = std::get_if<RecordRun>(&run.solver);
     bars |= record && record->uncertainty;
   }
   return fmt::format("{}.{}", fmt::join(texts, "; "),
-                     bars ? " Bars, or a ribbon, are a record's 95 % interval." : "");
+                     bars ? " Bars, or a ribbon, show the 95 % interval of a record." : "");
 }
 
 }  // namespace slosh

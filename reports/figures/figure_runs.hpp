@@ -10,40 +10,40 @@
 
 namespace slosh {
 
-// Of each family the finest run that left a result with `has`, in the order of the case file; one
-// that changes something of its scheme only where the family has no other, then the one that
-// changes least.
+// Returns the finest run of each family whose result fulfils `has`, in the order of the case file.
+// A run that changes something of its scheme is taken only where the family has no other, then the
+// one with the fewest changes.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment,
                                      const std::function<bool(const RunResult&)>& has);
 
-// Of those that left the series.
+// The same, of the runs that have the series.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment, const std::string& quantity);
 
-// The run's name, and that it is out of its range where it is.
+// Returns the run's name, with a remark where the run is out of its range.
 std::string run_label(const CaseAssessment& assessment, const std::string& run);
 
-// From the series' units to a figure's.
+// Factors from the units of a series to those of a figure.
 struct AxisScales {
   double time = 1, value = 1;
 };
 
-// A record as points with its uncertainty, one of many samples and anything else as a line. The run
-// left the series.
+// Shows a record of few samples as points, a longer record and any other run as a line; a record
+// has its uncertainty. The run must have the series.
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
                              const std::string& quantity, const AxisScales& scales);
 
-// As bars of points and as a ribbon of anything else; half widths [the curve's unit]. Throws
-// std::invalid_argument unless there are as many as it has samples.
+// Adds bars to points and a ribbon to a line; half widths are in the curve's unit. Throws
+// std::invalid_argument unless there is one for each sample.
 void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths);
 
-// Of the finest run of each scheme and solver the judging comparison.
+// Returns the judging comparison of the finest run of each scheme and solver.
 std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessment);
 
-// What no metric of the case looks at, for an axis of time.
+// Returns the times outside the comparison window, for a time axis.
 std::vector<reports::Span> outside_window(const CaseDefinition& definition, double time_scale = 1);
 
-// "recommended_10mm: SPH, scheme recommended, 10 mm; ..." and, of records with an uncertainty, what
-// their bars are; ends in a full stop.
+// Returns "recommended_10mm: SPH, scheme recommended, 10 mm; ..." and, where a record has an
+// uncertainty, the meaning of its bars. The text ends with a full stop.
 std::string who_is_who(const CaseDefinition& definition, const std::vector<std::string>& runs);
 
 }  // namespace slosh

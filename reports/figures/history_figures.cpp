@@ -1,24 +1,44 @@
-// Time histories: the references and the finest run of each scheme and solver.
+// Figures over time: the motion of the tank, the time series of every compared quantity, residuals
+// and the energy budget.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numbers>
+#include <utility>
 
-#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/shown_quantity.hpp"
+#include "reports/wording/shown_quantity.hpp"
+#include "verification/case/case_definition.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/evidence/history_uncertainty.hpp"
+#include "verification/series/sample_moments.hpp"
 
 namespace slosh {
 namespace {
 
+using reports::Curve;
 using reports::Figure;
 
-// With ribbons; whether there is one but a record's.
+reports::Curve sampled(const CaseDefinition& definition, const std::string& label,
+                       const std::function<double(double)>& motion, double scale) {
+  reports::Curve curve{label, {}, {}, {}, {}};
+  const long last = std::lround(definition.duration / definition.sample_interval);
+  for (long i = 0; i <= last; ++i) {
+    // Round-off must not take the last multiple of the interval past the end of a table.
+    curve.x.push_back(std::min(i * definition.sample_interval, definition.duration));
+    curve.y.push_back(scale * motion(curve.x.back()));
+  }
+  return curve;
+}
+
+// Adds the runs' curves with ribbons of their numerical uncertainty; returns whether any has one.
 bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
                 const AxisScales& scales, Figure& figure) {
-  bool numerical = false;
+  bool has_ribbon = false;
   figure.curves.clear();
   for (const std::string& run : finest_runs(assessment, quantity)) {
     figure.curves.push_back(history_curve(assessment, run, quantity, scales));
@@ -27,9 +47,9 @@ bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
     if (widths.empty()) continue;
     for (double& width : widths) width *= scales.value;
     set_uncertainty(figure.curves.back(), widths);
-    numerical = true;
+    has_ribbon = true;
   }
-  return numerical;
+  return has_ribbon;
 }
 
 Figure history(const CaseAssessment& assessment, const std::string& quantity) {
@@ -39,22 +59,23 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity) {
   Figure figure;
   figure.id = definition.name + "-" + id_of(quantity);
   figure.title = shown.title;
-  figure.caption = "Time history: the references and the finest run of each scheme and solver. " +
-                   measured_how(shown, definition, runs) + who_is_who(definition, runs) + " " +
-                   definition.source + ".";
+  figure.caption =
+      "Time series of the references and of the finest run of each scheme and solver. " +
+      measured_how(shown, definition, runs) + who_is_who(definition, runs) + " " +
+      definition.source + ".";
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
   figure.x_range = {0, definition.duration};
   figure.spans = outside_window(definition);
   if (add_curves(assessment, quantity, {.value = shown.scale}, figure))
     figure.caption +=
-        " Ribbons about solvers: 95 % numerical uncertainty, from coarser runs (Celik et al. 2008, "
-        "one order for the whole history; narrow where histories cross).";
+        " Ribbons around solvers: 95 % numerical uncertainty from coarser runs (Celik et al. 2008, "
+        "one order for the whole series; ribbons are narrow where the series cross).";
   return figure;
 }
 
-// Without dimensions where the motion has a period.
-Figure highest_surface(const CaseAssessment& assessment, const std::string& quantity) {
+// Plotted without dimensions where the motion has a period.
+Figure history_over_depth(const CaseAssessment& assessment, const std::string& quantity) {
   Figure figure = history(assessment, quantity);
   const CaseDefinition& definition = assessment.definition;
   const double frequency = forcing_frequency(definition) / (2 * std::numbers::pi);
@@ -63,7 +84,7 @@ Figure highest_surface(const CaseAssessment& assessment, const std::string& quan
       fmt::format("h = {:.4g} m, T = {:.4g} s. ", definition.liquid.fill_depth, 1 / frequency) +
       figure.caption;
   figure.x_label = "time over the forcing period, t/T [1]";
-  figure.y_label = "highest surface over the still depth, η/h [1]";
+  figure.y_label = find_quantity(quantity)->label_over_depth;
   figure.x_range.second *= frequency;
   figure.spans = outside_window(definition, frequency);
   add_curves(assessment, quantity, {.time = frequency, .value = 1 / definition.liquid.fill_depth},
@@ -71,7 +92,81 @@ Figure highest_surface(const CaseAssessment& assessment, const std::string& quan
   return figure;
 }
 
+constexpr std::pair<const char*, const char*> parts[] = {
+    {"kinetic_energy", "kinetic"},       {"potential_energy", "potential"},
+    {"internal_energy", "internal"},     {"wall_work", "work of the walls"},
+    {"dissipated_energy", "dissipated"}, {"energy_residual", "residual"}};
+
+const TimeSeries* find(const RunResult& result, const std::string& name) {
+  const auto found = std::find_if(result.series.begin(), result.series.end(),
+                                  [&](const TimeSeries& series) { return series.name == name; });
+  return found == result.series.end() || found->value.empty() ? nullptr : &*found;
+}
+
+bool has_budget(const RunResult& result) {
+  return std::all_of(std::begin(parts), std::end(parts),
+                     [&](const auto& part) { return find(result, part.first); });
+}
+
+Figure budget(const CaseAssessment& assessment, const std::string& run) {
+  const CaseDefinition& definition = assessment.definition;
+  Figure figure;
+  figure.id = definition.name + "-energy-" + run;
+  figure.title = "Energy budget of " + run;
+  figure.caption =
+      "Changes since the start, in the earth-fixed frame, per metre of width: kinetic + potential "
+      "+ internal = work of the walls - dissipated + residual. Work and dissipation are integrated "
+      "over the run. " +
+      who_is_who(definition, {run});
+  figure.x_label = "time [s]";
+  figure.y_label = "energy [J/m]";
+  figure.x_range = {0, definition.duration};
+  for (const auto& [name, word] : parts) {
+    const TimeSeries& series = *find(assessment.runs.results.at(run), name);
+    reports::Curve curve{word, series.time, series.value, {}, {}};
+    for (double& value : curve.y) value -= series.value.front();
+    figure.curves.push_back(std::move(curve));
+  }
+  return figure;
+}
+
+// Returns the rms residual that the gate row on normalised_rms allows, in the quantity's unit; zero
+// where no row limits it.
+double tolerated_residual(const CaseAssessment& assessment, const Comparison& comparison) {
+  for (const GateRow& row : assessment.definition.gate)
+    if (row.metric == Metric::normalised_rms && row.limit &&
+        row.candidate == comparison.candidate && row.reference == comparison.reference &&
+        row.quantity == comparison.quantity)
+      return *row.limit * rms(comparison.residual.value) / comparison.normalised_rms.value;
+  return 0;
+}
+
 }  // namespace
+
+std::vector<Figure> motion_figures(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const auto roll = roll_motion(definition);
+  if (!roll) return {};
+  Figure angle;
+  angle.id = definition.name + "-roll";
+  angle.title = "Roll of the tank";
+  angle.caption = fmt::format(
+      "Counter-clockwise about the point {:.3g} m from the left wall and {:.3g} m above the "
+      "bottom, as prescribed to every run.",
+      roll->axis_x, roll->axis_z);
+  angle.x_label = "time [s]";
+  angle.y_label = "roll [deg]";
+  angle.x_range = {0, definition.duration};
+  angle.curves = {sampled(definition, "roll", roll->angle, 1 / radians_per_degree)};
+  if (!definition.motion.surge) return {angle};
+  Figure surge = angle;
+  surge.id = definition.name + "-surge";
+  surge.title = "Surge of the tank";
+  surge.caption = "Displacement of the roll axis and the tank, as prescribed to every run.";
+  surge.y_label = "surge [mm]";
+  surge.curves = {sampled(definition, "surge", surge_motion(definition).displacement, 1000)};
+  return {angle, surge};
+}
 
 std::vector<Figure> main_history(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
@@ -86,10 +181,48 @@ std::vector<Figure> other_histories(const CaseAssessment& assessment) {
   std::vector<std::string> quantities = compared_quantities(assessment.definition);
   quantities.erase(quantities.begin());
   for (const std::string& quantity : quantities) {
-    Figure figure = quantity.starts_with("highest_surface@") ? highest_surface(assessment, quantity)
-                                                             : history(assessment, quantity);
+    Figure figure = find_quantity(quantity)->label_over_depth
+                        ? history_over_depth(assessment, quantity)
+                        : history(assessment, quantity);
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
+  return figures;
+}
+
+std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const std::string quantity = compared_quantities(definition).front();
+  const ShownQuantity shown = shown_quantity(definition, quantity);
+  Figure figure;
+  figure.id = definition.name + "-residual";
+  figure.title = "Residual against the reference";
+  figure.caption = fmt::format(
+      "The {}: candidate minus reference over the comparison window, for the finest run of each "
+      "scheme and solver. Bands show the rms residual that the gate allows.",
+      shown.word);
+  figure.x_label = "time [s]";
+  figure.y_label = fmt::format("residual [{}]", shown.unit);
+  figure.x_range = {0, definition.duration};
+  figure.spans = outside_window(definition);
+  for (const Comparison* judging : shown_comparisons(assessment)) {
+    Curve curve{judging->candidate + " - " + judging->reference,
+                judging->residual.time,
+                judging->residual.value,
+                {},
+                {}};
+    for (double& value : curve.y) value *= shown.scale;
+    figure.curves.push_back(std::move(curve));
+    if (const double band = shown.scale * tolerated_residual(assessment, *judging); band > 0)
+      figure.bands.push_back({"tolerance, " + judging->candidate, -band, band});
+  }
+  if (figure.curves.empty()) return {};
+  return {figure};
+}
+
+std::vector<Figure> energy_figures(const CaseAssessment& assessment) {
+  std::vector<Figure> figures;
+  for (const std::string& run : finest_runs(assessment, has_budget))
+    figures.push_back(budget(assessment, run));
   return figures;
 }
 

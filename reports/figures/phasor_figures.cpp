@@ -1,21 +1,21 @@
-// Amplitude and phase of each fitted mode in one picture: the candidate's complex amplitude over
-// its reference's,
-//   A_c / A_r exp(-i lag),   lag = phi_r - phi_c,
-// so that a perfect candidate lies at (1, 0), one that is late below the axis, one that is too high
+// Amplitude and phase of each fitted mode in one figure: the candidate's complex amplitude over its
+// reference's,
+//   A_c / A_r exp(-i lag),   lag = phi_r - phi_c.
+// A perfect candidate lies at (1, 0), a late one below the axis, one with too large an amplitude
 // outside the unit circle. The interval of amplitude error and lag is an ellipse with half axes
-// d(A_c / A_r) along the phasor and (A_c / A_r) d(lag) across it; bars are the box that holds it.
+// d(A_c / A_r) along the phasor and (A_c / A_r) d(lag) across it; the bars are its bounding box.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/shown_quantity.hpp"
+#include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/gate/row_tolerance.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
@@ -42,8 +42,8 @@ Curve phasor(const std::string& label, const ModeComparison& mode) {
   return curve;
 }
 
-// What rows allow, in the ratio and in rad; without a row on one of them, its other one's edges
-// are drawn this far about the reference.
+// The sector that gate rows allow, as amplitude ratio and lag [rad]. Where only one of the two has
+// a row, the edges of that one are drawn over this default extent of the other.
 struct Sector {
   double ratio_low = 0.9, ratio_high = 1.1;
   double lag_low = -10 * radian_per_degree, lag_high = 10 * radian_per_degree;
@@ -73,7 +73,7 @@ void add_arc(Curve& curve, double ratio, double from, double to) {
 
 void add_gap(Curve& curve) { add_point(curve, not_a_number, 0); }
 
-// A closed line round the sector; the edges of one row alone are open.
+// Returns a closed line around the sector, or two open edges where only one row stands.
 Curve outline(const std::string& label, const Sector& sector) {
   Curve curve{label, {}, {}, {}, Curve::Style::dashed};
   if (!sector.of_ratio) {
@@ -91,7 +91,7 @@ Curve outline(const std::string& label, const Sector& sector) {
   return curve;
 }
 
-// One line for all candidates whose rows allow the same.
+// Candidates whose rows allow the same share one line.
 void add_tolerance(const std::string& candidate, const Sector& sector,
                    std::vector<Curve>& outlines) {
   if (!sector.of_ratio && !sector.of_lag) return;
@@ -123,13 +123,14 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
   figure.id = definition.name + "-phasor-" + mode;
   figure.title = "Amplitude and phase of the mode " + mode;
   figure.caption = fmt::format(
-      "The {}: complex amplitude of the candidate over its reference's, from the harmonic fit over "
-      "{:g} to {:g} s. Below the axis is late, outside the unit circle too high; 1 deg is 0.017 "
-      "along the circle. Bars hold the 95 % interval of amplitude and lag. {}{}",
+      "The {}: complex amplitude of the candidate over that of its reference, from the harmonic "
+      "fit over {:g} to {:g} s. A point below the axis is late, one outside the unit circle has "
+      "too large an amplitude; 1 deg is 0.017 along the circle. Bars enclose the 95 % interval of "
+      "amplitude and lag. {}{}",
       shown_quantity(definition, compared_quantities(definition).front()).word,
       definition.window_begin, definition.window_end,
       outlines.empty() ? ""
-                       : "Dashed: the bounds of the gate's rows, which hold where the whole "
+                       : "Dashed: bounds of the gate rows; a row passes where the whole "
                          "interval lies within. ",
       who_is_who(definition, runs));
   figure.x_label = "in phase, Re [1]";

@@ -1,18 +1,18 @@
-// Whether a candidate keeps step with its reference: amplitude ratio and phase lag of the forced
-// mode, or of the first natural one where nothing forces, over windows that slide along.
+// Whether a candidate stays in phase with its reference: amplitude ratio and phase lag of the
+// forced mode, or of the first natural mode without forcing, over sliding windows.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 #include <optional>
 
-#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/shown_quantity.hpp"
+#include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/gate/row_tolerance.hpp"
+#include "verification/gate/gate.hpp"
 #include "verification/metrics/sliding_fit.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
@@ -21,8 +21,8 @@ using reports::Curve;
 using reports::Figure;
 
 constexpr double periods_per_window = 3, windows_per_period = 4;
-constexpr double most_windows = 60;        // more do not show
-constexpr std::size_t fewest_windows = 4;  // fewer show no drift
+constexpr double most_windows = 60;        // more are not visible
+constexpr std::size_t fewest_windows = 4;  // fewer do not show a drift
 
 SlidingWindows windows_of(const CaseDefinition& definition, const ToneRequest& tone) {
   const double period = 2 * std::numbers::pi / tone.angular_frequency;
@@ -31,7 +31,7 @@ SlidingWindows windows_of(const CaseDefinition& definition, const ToneRequest& t
   return {length, std::max(period / windows_per_period, room / most_windows)};
 }
 
-// Nothing where the pair cannot be fitted or has too few windows.
+// Returns nullopt where the pair cannot be fitted or has too few windows.
 std::optional<std::vector<FittedWindow>> fits_of(const CaseAssessment& assessment,
                                                  const Comparison& pair,
                                                  const SlidingWindows& sliding,
@@ -46,7 +46,7 @@ std::optional<std::vector<FittedWindow>> fits_of(const CaseAssessment& assessmen
   return std::nullopt;
 }
 
-// A gap where the mode is not resolved.
+// The curve has a gap where the mode is not resolved.
 Curve curve_of(const Comparison& pair, const std::vector<FittedWindow>& fits,
                Estimate ModeComparison::*measure, double offset) {
   Curve curve{pair.candidate + " against " + pair.reference, {}, {}, {}, Curve::Style::line};
@@ -75,12 +75,13 @@ Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& t
   for (std::size_t i = 1; i < tones.size(); ++i) others += (i > 1 ? ", " : "") + tones[i].name;
   figure.caption = fmt::format(
       "The {}, mode {}: harmonic least squares over windows of {:.3g} s ({:.0f} periods) every "
-      "{:.2g} s, drawn at their middles{}; ribbons are 95 % intervals. A window cannot "
-      "separate the mode from a neighbour that beats with it: the curve holds that beat too.",
+      "{:.2g} s, plotted at their midpoints{}; ribbons are 95 % intervals. A window cannot "
+      "separate the mode from a neighbouring mode that beats with it, so the curve includes that "
+      "beat.",
       shown_quantity(definition, compared_quantities(definition).front()).word, tones[0].name,
       sliding.length, periods_per_window, sliding.step,
       others.empty() ? "" : ", fitted together with " + others);
-  figure.x_label = "time at the window's middle [s]";
+  figure.x_label = "midpoint of the window [s]";
   figure.x_range = {0, definition.duration};
   figure.spans = outside_window(definition);
   return figure;
@@ -100,7 +101,7 @@ std::vector<Figure> sliding_figures(const CaseAssessment& assessment) {
   ratio.y_label = "amplitude over the reference's [1]";
   lag.id = definition.name + "-sliding-lag";
   lag.title = "Phase lag over time";
-  lag.y_label = "phase lag [deg], positive: late";
+  lag.y_label = "phase lag [deg] (positive: late)";
   for (const Comparison* pair : shown_comparisons(assessment)) {
     const auto fits = fits_of(assessment, *pair, sliding, tones);
     if (!fits) continue;

@@ -1,13 +1,13 @@
-// Power spectra over the comparison window, with the frequencies that theory expects.
+// Power spectra over the comparison window, with the frequencies that theory predicts.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 #include <optional>
 
-#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/shown_quantity.hpp"
+#include "reports/wording/shown_quantity.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/series/spectrum.hpp"
@@ -20,7 +20,7 @@ using reports::Curve;
 using reports::Figure;
 using reports::Marker;
 
-// Nothing of a series that cannot be compared, or that does not move: the gate says why.
+// Returns nullopt for a series that cannot be compared or is constant; the gate reports why.
 std::optional<Spectrum> spectrum_of(const CaseAssessment& assessment, const std::string& run,
                                     const std::string& quantity) try {
   const CaseDefinition& definition = assessment.definition;
@@ -32,7 +32,7 @@ std::optional<Spectrum> spectrum_of(const CaseAssessment& assessment, const std:
   return std::nullopt;
 }
 
-// The forcing, twice it, and the natural modes that the case fits, at least the first.
+// Returns the forcing frequency, twice it, and the natural modes that the case fits, at least one.
 std::vector<Marker> expected_frequencies(const CaseDefinition& definition) {
   std::vector<Marker> markers;
   for (const ToneRequest& mode : modes_of(definition, std::max(1, definition.natural_modes)))
@@ -65,7 +65,7 @@ Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
   figure.y_label = fmt::format("power [{}2]", unit_of(quantity));
   figure.log_y = true;
   figure.markers = expected_frequencies(definition);
-  double highest = 0, apart = 0;
+  double highest = 0, resolution_hz = 0;
   for (const Marker& marker : figure.markers) highest = std::max(highest, marker.x);
   figure.x_range = {0, 1.3 * highest};
   std::vector<std::string> runs;
@@ -73,15 +73,15 @@ Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
     const auto found = spectrum_of(assessment, run, quantity);
     if (!found) continue;
     runs.push_back(run);
-    apart = found->resolution;
+    resolution_hz = found->resolution;
     figure.curves.push_back(shown_part(run_label(assessment, run), *found, figure.x_range.second));
   }
   figure.caption = fmt::format(
-      "One-sided, detrended, Hann window from {} to {} s; vertical lines mark the forcing, twice "
-      "it and the natural frequencies of linear theory{}. The window tells frequencies {:.2g} Hz "
-      "apart; zero-padding adds no resolution. {}",
+      "One-sided, detrended, Hann window from {} to {} s. Vertical lines mark the forcing "
+      "frequency, twice that, and the natural frequencies of linear theory{}. The frequency "
+      "resolution is {:.2g} Hz; zero-padding does not improve it. {}",
       definition.window_begin, definition.window_end,
-      definition.obstacles.empty() ? "" : ", which knows no obstacle", apart,
+      definition.obstacles.empty() ? "" : " (without the obstacles)", resolution_hz,
       who_is_who(definition, runs));
   return figure;
 }
@@ -90,13 +90,12 @@ Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
 
 std::vector<Figure> spectrum_figures(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  // A tank that stands, a dam that breaks: there is no tone to look for.
+  // A still tank and a dam break have no tone to look for.
   if (fitted_modes(definition).empty()) return {};
   std::vector<std::string> quantities = compared_quantities(definition);
   const std::string main = quantities.front();
   std::erase_if(quantities, [&](const std::string& quantity) {
-    return quantity != main && !quantity.starts_with("elevation@") &&
-           !quantity.starts_with("highest_surface@");
+    return quantity != main && find_quantity(quantity)->at != MeasuredAt::surface_gauge;
   });
   std::vector<Figure> figures;
   for (const std::string& quantity : quantities) {

@@ -1,5 +1,5 @@
-// What a scheme's result owes to its time step and to its particle spacing: the runs that differ in
-// one of them alone, side by side.
+// How a scheme's result depends on its time step and on its particle spacing: runs that differ in
+// one of them only, side by side.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,13 +9,12 @@
 #include <map>
 #include <set>
 
-#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/shown_quantity.hpp"
-#include "reports/tables/ablation_table.hpp"
+#include "reports/wording/shown_quantity.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/case/run_family.hpp"
+#include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
 namespace {
@@ -24,7 +23,7 @@ using reports::Figure;
 
 enum class Studied { time_step, spacing };
 
-// The filtered pressure where there is one, else what the case is about.
+// Returns the filtered pressure where the case has one, else its first quantity.
 std::string studied_quantity(const CaseDefinition& definition) {
   const std::vector<std::string> quantities = compared_quantities(definition);
   const auto filtered =
@@ -47,8 +46,8 @@ Common common(SphRun sph, Studied studied) {
           std::round(1e6 * sph.surface_particle_spacing / sph.particle_spacing) / 1e6};
 }
 
-// What sets a run apart from the others of its study; infinite for the scheme's own Courant number,
-// so that it comes first.
+// Returns the studied value of a run; infinite for the scheme's own Courant number, so that it
+// comes first.
 double value_of(const SphRun& sph, Studied studied) {
   return studied == Studied::spacing
              ? sph.particle_spacing
@@ -64,7 +63,8 @@ std::string value_text(const SphRun& sph, Studied studied) {
 
 using Study = std::vector<const RunDefinition*>;
 
-// Those with two values or more, in the order of their first runs; finest last.
+// Returns the studies of two or more values, in the order of their first runs; the finest run is
+// last.
 std::vector<Study> studies(const CaseAssessment& assessment, const std::string& quantity,
                            Studied studied) {
   std::vector<Study> found;
@@ -92,7 +92,7 @@ std::vector<Study> studies(const CaseAssessment& assessment, const std::string& 
   return found;
 }
 
-// What all runs of the study share, besides the scheme.
+// Returns what all runs of the study share besides the scheme.
 std::string shared_text(const Common& same) {
   std::vector<std::string> parts;
   if (same.spacing > 0) parts.push_back(fmt::format("{:.4g} mm", 1000 * same.spacing));
@@ -105,7 +105,7 @@ std::string shared_text(const Common& same) {
 std::vector<std::string> records(const CaseAssessment& assessment, const std::string& quantity) {
   std::vector<std::string> names = finest_runs(assessment, quantity);
   std::erase_if(names, [&](const std::string& name) {
-    return !std::holds_alternative<RecordRun>(run_named(assessment.definition, name).solver);
+    return !is_record(run_named(assessment.definition, name));
   });
   return names;
 }
@@ -119,7 +119,7 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
   for (const RunDefinition* run : runs) names.push_back(run->name);
   Figure figure;
   figure.caption = fmt::format(
-      "{}. Runs of one scheme that differ in their {} alone. {}{} {}.", shown.title,
+      "{}. Runs of one scheme that differ only in their {}. {}{} {}.", shown.title,
       studied == Studied::time_step ? "time step" : "particle spacing",
       measured_how(shown, definition, names), who_is_who(definition, names), definition.source);
   figure.x_label = "time [s]";
@@ -134,7 +134,7 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
   return figure;
 }
 
-// A scheme with several studies of a kind has each told apart by what its runs share.
+// Where a scheme has several studies of a kind, their titles name what the runs of each share.
 void add_studies(const CaseAssessment& assessment, Studied studied, std::vector<Figure>& figures) {
   const std::string quantity = studied_quantity(assessment.definition);
   const std::vector<Study> found = studies(assessment, quantity, studied);

@@ -1,12 +1,11 @@
-// What the error of each method costs in run time and in memory, with the front of those that no
-// other beats in both.
+// The error of each method against its run time and its memory, with the Pareto front.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/figures/figure_kinds.hpp"
+#include "reports/figures/case_figures.hpp"
 #include "verification/assessment/work_points.hpp"
 
 namespace slosh {
@@ -15,9 +14,9 @@ namespace {
 using reports::Curve;
 using reports::Figure;
 
-// More changes than the figures have colours do not make a legend that one can read.
+// With more changes than colours a legend cannot be read.
 constexpr std::size_t most_changes_named = 6;
-const std::string many_changes = ", one choice changed";
+const std::string many_changes = ", one term changed";
 
 // A kind of cost, and how a figure shows it.
 struct CostAxis {
@@ -39,7 +38,7 @@ const CostAxis memory_axis{by_memory,
                            "the peak memory of the run's largest process",
                            "peak memory [MiB]"};
 
-// Every change by its name, or many of them under one.
+// Names every change, or gathers many of them under one name.
 std::vector<WorkFamily> shown_families(const CaseAssessment& assessment) {
   std::vector<WorkFamily> families = work_families(assessment);
   const auto changes = std::count_if(families.begin(), families.end(),
@@ -86,7 +85,7 @@ Curve curve_of(const WorkFamily& family, const CostAxis& axis) {
   return curve;
 }
 
-// Stepped, from above the cheapest run to the right of the most exact one.
+// Returns a stepped line from above the cheapest run to the right of the most accurate one.
 Curve front_curve(const std::vector<WorkPoint>& points, const CostAxis& axis) {
   Curve curve{"Pareto front", {}, {}, {}, Curve::Style::dashed};
   double worst = 0, dearest = 0;
@@ -107,7 +106,7 @@ Curve front_curve(const std::vector<WorkPoint>& points, const CostAxis& axis) {
   return curve;
 }
 
-std::string beside_others(const std::vector<WorkFamily>& families) {
+std::string not_timed_alone(const std::vector<WorkFamily>& families) {
   std::size_t timed = 0, all = 0;
   std::vector<std::string> names;
   for (const WorkFamily& family : families)
@@ -117,9 +116,11 @@ std::string beside_others(const std::vector<WorkFamily>& families) {
       if (run.cost.timings == 0) names.push_back(run.run);
     }
   if (timed == all) return "";
-  if (timed == 0) return " All were measured beside other runs, once, and have no bar of cost.";
-  return fmt::format(" Measured beside other runs, without a bar of cost: {}.",
-                     fmt::join(names, ", "));
+  if (timed == 0)
+    return " All costs were measured once, while other runs were running, and have no bar.";
+  return fmt::format(
+      " Measured once, while other runs were running, and shown without a bar of cost: {}.",
+      fmt::join(names, ", "));
 }
 
 Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
@@ -142,11 +143,13 @@ Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
     for (const WorkFamily& family : *group) figure.curves.push_back(curve_of(family, axis));
   figure.caption = fmt::format(
       "Normalised rms error over the comparison window against {}. Bars are 95 % intervals: of the "
-      "mean of repeats that had a core for themselves, and of the error over blocks of the window. "
-      "The front is that of all candidates; a slope is that of ln error over ln cost.{}{}",
+      "mean cost of repeats that had a core to themselves, and of the error over blocks of the "
+      "window. The Pareto front includes all candidates; the slope is that of ln(error) over "
+      "ln(cost).{}{}",
       axis.what,
-      references.empty() ? "" : " References are shown by what sets them apart from one another.",
-      beside_others(families));
+      references.empty() ? ""
+                         : " The error of a reference is its difference from another reference.",
+      not_timed_alone(families));
   return figure;
 }
 

@@ -1,7 +1,7 @@
 #include <string>
 
 #include "reports/gate_documents/gate_document.hpp"
-#include "reports/model/csv_text.hpp"
+#include "reports/model/file_formats.hpp"
 
 namespace slosh::reports {
 

@@ -1,5 +1,5 @@
-// A gate's outcome as plain data, for the machines and people that decide on a change: JUnit for
-// continuous integration, Markdown for a pull request, SARIF for the view of the changed files.
+// A gate's outcome as plain data, and its documents: JUnit XML for continuous integration, Markdown
+// for a pull request, SARIF for annotations of the changed files, CSV for spreadsheets.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct GateEntry {
   GateOutcomeKind outcome;
   std::string group;    // the case
   std::string name;     // unique in its group
-  std::string message;  // what was found, or why nothing was
+  std::string message;  // the finding, or why there is none
   std::string unit;
   double value = 0, uncertainty = 0;   // 95 %, in the unit; NaN where there is none
   std::optional<double> lower, upper;  // the tolerance, in the unit
@@ -33,28 +33,28 @@ struct GateDocument {
   std::string title, verdict;
   std::string tool_version;
   std::vector<GateEntry> entries;
-  std::string basis = {};  // what the rows rest on; empty: nothing is told of it
+  std::string basis = {};  // what the rows are based on; may be empty
 };
 
-// Worst first: solver failed, violated, not compared, inconclusive, loosened tolerances, the rest;
-// in the order given where alike.
+// Returns the entries sorted by severity: solver failed, violated, not compared, inconclusive,
+// loosened tolerances, the rest. Entries of equal severity keep their order.
 std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
-// testsuites / testsuite (a group) / testcase, with value, uncertainty and tolerance as properties;
-// failure, error and skipped apart: violated and inconclusive rows are failures of these types,
-// rows that were not compared or whose solver failed are errors of these types.
+// Returns JUnit XML: testsuites / testsuite (a group) / testcase, with value, uncertainty and
+// tolerance as properties. Violated and inconclusive rows are failures; rows that were not compared
+// or whose solver failed are errors.
 std::string junit_xml(const GateDocument& document);
 
-// A table, worst first, of all that does not simply pass unmoved; the rest is counted.
+// Returns a table, worst first, of all rows except those that pass unchanged, which are counted.
 std::string gate_markdown(const GateDocument& document);
 
-// SARIF 2.1.0: a result for each row that is violated, was not compared, whose solver failed, that
-// is inconclusive (warning) or has a loosened tolerance (warning), at the row's place in its case
-// file.
+// Returns SARIF 2.1.0: an error for each row that is violated, was not compared, or whose solver
+// failed, and a warning for each row that is inconclusive or has a loosened tolerance. Each result
+// is located at the row in its case file.
 std::string gate_sarif(const GateDocument& document);
 
-// Every row, in the order given, as comma-separated values under a line of heads; numbers in the
-// row's unit, empty where there is none.
+// Returns all rows in the given order as comma-separated values under a header line. Numbers are in
+// the row's unit, and empty where they are NaN.
 std::string gate_csv(const GateDocument& document);
 
 }  // namespace slosh::reports

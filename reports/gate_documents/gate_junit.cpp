@@ -14,7 +14,7 @@ namespace {
 
 using Xml = boost::property_tree::ptree;
 
-// XML 1.0 knows no control characters but tab and line breaks.
+// XML 1.0 allows no control characters except tab and line breaks.
 std::string xml_text(const std::string& text) {
   std::string legal;
   for (const char c : text)
@@ -42,7 +42,7 @@ Xml properties_of(const GateEntry& entry) {
   return properties;
 }
 
-// The element that a row which does not pass has, and its type; none for one that passes.
+// Returns the element and its type for a row that does not pass, and nulls for one that passes.
 std::pair<const char*, const char*> element_of(GateOutcomeKind outcome) {
   switch (outcome) {
     case GateOutcomeKind::violated:

@@ -18,7 +18,7 @@ constexpr Rule solver_failed{"solver-failed", "error", "A solver that the row re
 constexpr Rule inconclusive{"inconclusive", "warning",
                             "The uncertainty of a metric reaches across its tolerance."};
 constexpr Rule loosened{"tolerance-loosened", "warning",
-                        "A tolerance lets more pass than its baseline's."};
+                        "A tolerance is looser than the baseline's."};
 
 Json rule_json(const Rule& rule) {
   return {{"id", rule.id},
@@ -26,7 +26,7 @@ Json rule_json(const Rule& rule) {
           {"defaultConfiguration", {{"level", rule.level}}}};
 }
 
-// Null: JSON has no number that is not finite.
+// JSON has no NaN or infinity; null takes their place.
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json result_json(const GateEntry& entry, const Rule& rule, const std::string& message) {

@@ -1,18 +1,26 @@
-// The whole of a report as plain data: reports/ draws and formats it and computes no physics.
+// A report as plain data. The code in reports/ that draws and formats it computes no physics.
 //
 // Ids (of sections, tables and figures) are made of ASCII letters, digits, '-' and '_', and are
 // unique among their kind. In paragraphs, captions and cells, text between `backticks` is shown as
-// code. Values that are not finite leave a gap in a curve; markers and bands that are not finite
-// are not drawn, nor are places and arrows of a field that are not.
+// code. Values that are not finite leave a gap in a curve. Markers, bands, and the places and
+// arrows of a field are not drawn where they are not finite.
 //
-// Sections stand on pages: those that name none on the first, index.html, which has the verdict.
+// Each section stands on a page. A section that names no page stands on the first, index.html,
+// which has the verdict.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace slosh::reports {
+
+// The one exception of everything that writes or draws a report: the report contradicts its model,
+// gnuplot is missing or refused a figure, or the directory cannot be written.
+struct ReportError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // A polyline (or points) of a figure.
 struct Curve {
@@ -37,8 +45,8 @@ struct Marker {
   double x;
 };
 
-// A stretch of the horizontal axis set apart from the rest (a transient that no metric looks at);
-// those of one label share their entry in the legend.
+// A shaded interval of the horizontal axis (a transient that no metric uses). Spans with the same
+// label share their entry in the legend.
 struct Span {
   std::string label;
   double begin, end;
@@ -58,9 +66,9 @@ struct Figure {
   std::vector<std::pair<double, std::string>> x_ticks = {};  // place and label; empty: automatic
 };
 
-// A tank at one moment, its water coloured by a scalar (the pressure, the speed): the particles of
-// SPH or the wet cells of a mesh. Places are the tank's own: x [m] from its left wall, z [m] from
-// its bottom, whatever its roll.
+// A tank at one moment, its water coloured by a scalar (the pressure, the speed). The places are
+// the particles of SPH or the wet cells of a mesh, in the tank's own frame whatever its roll: x [m]
+// from its left wall, z [m] from its bottom.
 struct FieldPanel {
   std::string label;                         // "li2010 2 mm, t = 3.45 s"
   double angle = 0;                          // the roll [rad], counter-clockwise about the axis
@@ -72,32 +80,32 @@ struct FieldPanel {
   std::vector<double> arrow_u, arrow_w;      // [m/s], the velocity in the tank's own directions
 };
 
-// Panels in rows, to one scale, under one colour bar and with one length of arrows.
+// Panels in rows, with one scale, one colour bar and one scale of the arrows.
 struct FieldFigure {
   std::string id;  // unique among the figures too: file name stem, and the anchor is "figure-<id>"
   std::string title, caption;
   std::string value_label;                      // with its unit: "pressure (Pa)"
   std::pair<double, double> value_range{0, 0};  // equal ends: the middle 98 % of all values
   double arrow_scale = 0;                       // m of the tank per m/s; 0: automatic
-  int columns = 1;                              // panels a row
+  int columns = 1;                              // panels in a row
   std::vector<FieldPanel> panels;               // row by row
-  int panel_height = 0;                         // px, at most; 0: as a page has room for
-  // A label a row: the rows are the frames of an animation, which a page plays one in the place of
-  // another. Empty: a still picture.
+  int panel_height = 0;                         // [px], at most; 0: automatic
+  // One label per row: the rows are the frames of an animation, which a page shows one at a time.
+  // Empty: a still picture.
   std::vector<std::string> frames = {};
 };
 
 // The cells "pass", "confirmed", "FAIL", "violated", "refuted", "inconclusive", "solver failed",
 // "not compared", "no result", "not selected", "not supplied", "not decidable", "out of range",
-// "skipped" (in any case) get a sign and a colour, and so does one that goes on after such a word
-// and ": ". Columns of numbers are aligned right.
+// "skipped" (in upper or lower case) get a sign and a colour, and so does a cell that begins with
+// such a word and ": ". Columns of numbers are aligned right.
 struct Table {
   std::string id, title, caption;  // the anchor is "table-<id>"
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;  // each as long as the header
-  std::vector<std::string> row_ids = {};       // anchors "row-<id>", one a row; empty for none
-  // Per cell the anchor of this report that it leads to ("section-gate", "row-surge-3"), empty for
-  // none; as many as the cells, or none at all.
+  std::vector<std::string> row_ids = {};       // anchors "row-<id>", one per row; empty for none
+  // For each cell the anchor of this report that it links to ("section-gate", "row-surge-3"), empty
+  // for none. There are as many as cells, or none at all.
   std::vector<std::vector<std::string>> links = {};
 };
 
@@ -106,18 +114,18 @@ struct Section {
   std::vector<std::string> paragraphs;
   std::vector<Table> tables;
   std::vector<Figure> figures;
-  std::vector<FieldFigure> fields = {};  // after the figures, and numbered on
+  std::vector<FieldFigure> fields = {};  // after the figures; the numbering continues
   std::string page = {};                 // the id of the page it stands on; empty: the first
 };
 
 enum class Outcome { pass, inconclusive, not_compared, fail };
 
-// A text that leads to an anchor of the report.
+// A text that links to an anchor of the report.
 struct Link {
   std::string text, anchor;
 };
 
-// A page beside the first.
+// A page other than the first.
 struct Page {
   std::string id;                   // as sections' ids, and not "index": the file is "<id>.html"
   std::string title;                // the anchor in documents that hold all pages is "page-<id>"
@@ -127,13 +135,13 @@ struct Page {
 
 struct Report {
   std::string title;
-  std::string verdict;  // one sentence, first of all
+  std::string verdict;  // one sentence, at the top of the report
   Outcome outcome = Outcome::fail;
-  Link decided_by = {};  // the row that decides the outcome; without a text where none does
+  Link decided_by = {};  // the row that decides the outcome; its text is empty where none does
   std::string subtitle;  // date, version, machine
   std::vector<Section> sections;
   std::string results_json;  // the machine-readable document, already serialised (docs/results.md)
-  std::vector<Page> pages = {};  // beside the first, in their order
+  std::vector<Page> pages = {};  // after the first, in their order
 };
 
 }  // namespace slosh::reports

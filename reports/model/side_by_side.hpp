@@ -1,4 +1,4 @@
-// Independent pieces of work on several threads.
+// Runs independent pieces of work on several threads.
 #pragma once
 
 #include <atomic>
@@ -8,8 +8,8 @@
 
 namespace slosh::reports {
 
-// work(i) for i = 0 to count - 1, each once, on that many threads. Throws what a piece of work
-// throws, once all threads have ended.
+// Calls work(i) once for each i from 0 to count - 1, on the given number of threads. Rethrows what
+// a piece of work throws after all threads have ended.
 template <class Work>
 void side_by_side(std::size_t count, int threads, const Work& work) {
   std::atomic<std::size_t> next{0};

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "reports/fields/field_range.hpp"
-#include "reports/model/report_error.hpp"
+#include "reports/model/report_model.hpp"
 #include "reports/pages/page_links.hpp"
 
 namespace slosh::reports {
@@ -48,23 +48,24 @@ void check_links(const Table& table, const std::map<std::string, std::string>& a
   const auto width = [](const auto& row) { return row.size(); };
   if (!std::ranges::equal(table.links, table.rows, {}, width, width))
     throw ReportError(
-        fmt::format("table '{}': expected a link, or an empty one, a cell", table.id));
+        fmt::format("table '{}': expected one link per cell, empty for none", table.id));
   for (const auto& row : table.links)
     for (const std::string& anchor : row)
       if (!anchor.empty() && !anchors.contains(anchor)) {
-        throw ReportError(fmt::format("table '{}': a link leads to '{}', which the report has not",
-                                      table.id, anchor));
+        throw ReportError(fmt::format(
+            "table '{}': a link leads to '{}', which the report does not have", table.id, anchor));
       }
 }
 
-// Every section stands on a page that there is, and no page is without a section.
+// Every section must stand on an existing page, and every page must have a section.
 void check_pages(const Report& report) {
-  std::set<std::string> pages{"index"}, used;  // the first page's file has that name
+  std::set<std::string> pages{"index"}, used;  // the first page's file has this name
   for (const Page& page : report.pages) check_id("page", page.id, pages);
   for (const Section& section : report.sections) {
     if (!section.page.empty() && (section.page == "index" || !pages.contains(section.page))) {
-      throw ReportError(fmt::format("section '{}' is on the page '{}', which the report has not",
-                                    section.id, section.page));
+      throw ReportError(
+          fmt::format("section '{}' is on the page '{}', which the report does not have",
+                      section.id, section.page));
     }
     used.insert(section.page);
   }
@@ -187,7 +188,7 @@ void check_report(const Report& report) {
     for (const Table& table : section.tables) check_links(table, anchors);
   if (!report.decided_by.text.empty() && !anchors.contains(report.decided_by.anchor))
     throw ReportError(
-        fmt::format("decided by '{}', which the report has not", report.decided_by.anchor));
+        fmt::format("decided by '{}', which the report does not have", report.decided_by.anchor));
   try {
     [[maybe_unused]] const auto parsed = nlohmann::json::parse(report.results_json);
   } catch (const nlohmann::json::parse_error& error) {

@@ -1,8 +1,7 @@
-#include "reports/pages/html_sections.hpp"
-
 #include <algorithm>
 
 #include "reports/fields/film_markup.hpp"
+#include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
 
 namespace slosh::reports {
@@ -10,7 +9,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-// Which columns hold numbers only, and at least one.
+// Tells which columns hold numbers only; a table without rows has none.
 std::vector<bool> numeric_columns(const Table& table) {
   std::vector<bool> numeric;
   for (std::size_t column = 0; column < table.header.size(); ++column) {
@@ -37,7 +36,7 @@ const char* cell_class(CellVerdict verdict, bool numeric) {
   return numeric ? "number" : "text";
 }
 
-// The verdict's word and what goes on after it are shown apart; `address` is empty for no link.
+// The verdict's word is separate from the text after it. `address` is empty for no link.
 mustache::data cell_data(const std::string& cell, bool numeric, const std::string& address) {
   const CellVerdict verdict = cell_verdict(cell);
   const bool has_sign = verdict != CellVerdict::none;
@@ -62,7 +61,7 @@ class SectionWriter {
         drawn_figure_(drawings.figures.begin()),
         drawn_field_(drawings.fields.begin()) {}
 
-  // Once for each section, in the report's order.
+  // Must be called once for each section, in the report's order.
   mustache::data operator()(const Section& section) {
     mustache::data paragraphs(mustache::data::type::list), tables(mustache::data::type::list),
         figures(mustache::data::type::list);

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "reports/model/report_error.hpp"
-#include "reports/model/text_file.hpp"
+#include "reports/model/report_files.hpp"
+#include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -36,11 +36,11 @@ std::vector<std::string> arguments(const fs::path& page, const fs::path& profile
                                 "--user-data-dir=" + profile.string(),
                                 "--print-to-pdf=" + pdf.string(),
                                 page.string()};
-  if (geteuid() == 0) list.insert(list.begin(), "--no-sandbox");  // refuses to start without
+  if (geteuid() == 0) list.insert(list.begin(), "--no-sandbox");  // root needs it
   return list;
 }
 
-// Its exit status; what it started ends with it.
+// Returns the exit status. All processes that the browser started end with it.
 int run_browser(const std::vector<std::string>& list, const fs::path& log,
                 std::chrono::seconds limit) {
   process::group group;

@@ -20,7 +20,7 @@ struct Piece {
   bool is_code;
 };
 
-// Pairs of backticks enclose code; one without a partner is text.
+// A pair of backticks encloses code. An unpaired backtick is text.
 std::vector<Piece> pieces(const std::string& text) {
   std::vector<Piece> found;
   std::size_t position = 0;
@@ -52,7 +52,7 @@ std::string backslashed(const std::string& text, std::string_view special) {
   return escaped;
 }
 
-// No tag of HTML, not even behind a backslash, which some readers of Markdown do not know.
+// Escapes HTML tags as entities, since some Markdown readers ignore a backslash before them.
 std::string markdown_escaped(const std::string& text) {
   std::string escaped = backslashed(text, R"(\`*_[]#|~$)");
   boost::replace_all(escaped, "&", "&amp;");
@@ -61,14 +61,15 @@ std::string markdown_escaped(const std::string& text) {
   return escaped;
 }
 
-// Code is shown as it is written: what could end it, or a table's cell in it, stands as text.
+// Markdown has no escapes inside code: code that would need them is written as text, except "|",
+// which would end a table's cell.
 std::string markdown_code(const std::string& code) {
   if (code.empty() || code.find_first_of("<>&\\") != std::string::npos)
     return markdown_escaped("`" + code + "`");
   return fmt::format("`{}`", backslashed(code, "|"));
 }
 
-// A long name may be broken after its underscores, so that it does not widen a table's column.
+// Allows a line break after each underscore, so that a long name does not widen a table's column.
 std::string breakable(const std::string& html) {
   return boost::replace_all_copy(html, "_", "_<wbr>");
 }
@@ -85,7 +86,7 @@ std::string html_text(const std::string& text) {
 }
 
 std::string markdown_text(const std::string& text) {
-  // What starts a list or a quotation only does so at the start of a line.
+  // These characters start a list only at the start of a line.
   static const std::regex list_number(R"(^(\d+)([.)]\s))");
   std::string markdown;
   for (const auto& [part, is_code] : pieces(one_line(text))) {

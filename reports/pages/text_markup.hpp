@@ -1,4 +1,5 @@
-// The report's plain text as HTML and as Markdown: everything escaped, `backticks` shown as code.
+// Turns the report's plain text into HTML and Markdown. Everything is escaped; text between
+// `backticks` is shown as code.
 #pragma once
 
 #include <string>
@@ -9,22 +10,24 @@ namespace slosh::reports {
 
 std::string html_text(const std::string& text);
 
-// One line of GitHub-flavoured Markdown, safe in a paragraph and in a table's cell.
+// Returns one line of GitHub-flavoured Markdown for a paragraph or a table's cell.
 std::string markdown_text(const std::string& text);
 
-// What a cell of a table says about a check.
+// The verdict on a check in a cell of a table.
 enum class CellVerdict { none, good, bad, unsure, neutral };
 
 // "pass", "confirmed" are good; "FAIL", "violated", "refuted", "solver failed", "not compared", "no
 // result" are bad; "inconclusive" is unsure; "not selected", "not supplied", "not decidable", "out
-// of range", "skipped" are neutral; in any case, alone or before ": ". All else says nothing.
+// of range", "skipped" are neutral. The words stand alone or before ": ", in upper or lower case.
+// Any other cell has no verdict.
 CellVerdict cell_verdict(const std::string& cell);
 
-// A sign to stand before the cell's text, so that colour is not alone: "✓", "✗", "?", "–", or
-// nothing.
+// Returns a sign to put before the cell's text, so that the verdict does not depend on colour
+// alone: "✓", "✗", "?", "–", or nothing.
 std::string verdict_sign(CellVerdict verdict);
 
-// Whether the cell reads as a number, with or without sign, unit or uncertainty: aligned right.
+// Whether the cell is a number, with or without sign, unit or uncertainty. Such cells are aligned
+// right.
 bool is_numeric(const std::string& cell);
 
 struct OutcomeSign {

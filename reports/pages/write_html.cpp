@@ -1,10 +1,11 @@
-#include "reports/pages/write_html.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/fields/film_markup.hpp"
+#include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
 #include "reports/templates.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-// The sign is hidden from screen readers, the word is not.
+// Screen readers read the word but not the sign.
 mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
   mustache::data data;
   const auto [mark, word] = outcome_sign(outcome);
@@ -26,7 +27,7 @@ mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
   return data;
 }
 
-// What lists and neighbours tell of a page.
+// The entry of a page in the list of pages and in the links of its neighbours.
 mustache::data entry_data(const Page& page, const PageLinks& links) {
   mustache::data data;
   data.set("title", page.title);
@@ -43,7 +44,7 @@ mustache::data sections_of(const Report& report, const std::string& page,
   return sections;
 }
 
-// The first page as one among the others.
+// The first page in the form of the others.
 Page first_page(const Report& report) { return {"", report.title, report.verdict, report.outcome}; }
 
 mustache::data document_data(const Report& report) {
@@ -58,7 +59,7 @@ mustache::data document_data(const Report& report) {
   return data;
 }
 
-// The verdict that a page begins with; the first page's names the row that decides it.
+// The verdict at the top of a page. The first page's verdict names the row that decides it.
 mustache::data banner_data(const Report& report, const Page& page, const PageLinks& links) {
   mustache::data data = outcome_data(page.outcome, page.verdict);
   if (!page.id.empty() || report.decided_by.text.empty()) return data;
@@ -93,13 +94,21 @@ bool has_film(const Report& report, const std::string& page) {
   });
 }
 
-// What makes films play; nothing in a page without one.
+// The script that plays animations and the policy that allows it; empty for a page without one.
 mustache::data film_data(const Report& report, const std::string& page) {
   if (!has_film(report, page)) return mustache::data(mustache::data::type::bool_false);
   mustache::data data;
   data.set("policy", film_script_policy());
   data.set("script", film_script_element());
   return data;
+}
+
+std::string figure_page_style() {
+  return fmt::format(
+      "body{{font-family:system-ui,sans-serif;max-width:800px;margin:2rem auto;padding:0 1rem;"
+      "background:{};color:{}}}svg{{max-width:100%;height:auto}}figure{{margin:0 0 2rem}}"
+      "@media (prefers-color-scheme: dark){{body{{background:{};color:{}}}\n{}}}",
+      paper.light, ink.light, paper.dark, ink.dark, dark_rules());
 }
 
 }  // namespace
@@ -136,6 +145,24 @@ std::string whole_document(const Report& report, const Drawings& drawings) {
   data.set("pages", pages);
   mustache::mustache document(whole_template);
   return document.render(data);
+}
+
+std::string figure_page(const std::string& title, const std::vector<Figure>& figures,
+                        const std::vector<std::string>& remarks,
+                        const std::filesystem::path& scratch_directory) {
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
+      "<style>{1}</style>\n<h1>{0}</h1>\n",
+      html_text(title), figure_page_style());
+  for (const Figure& figure : figures)
+    page +=
+        fmt::format("<figure>\n<h2>{}</h2>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                    html_text(figure.title),
+                    svg_element(figure, draw_figure(figure, scratch_directory), SvgPlace::in_page),
+                    html_text(figure.caption));
+  for (const std::string& remark : remarks) page += "<p>" + html_text(remark) + "</p>\n";
+  return page + "</html>\n";
 }
 
 }  // namespace slosh::reports

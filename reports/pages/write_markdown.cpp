@@ -1,11 +1,10 @@
-#include "reports/pages/write_markdown.hpp"
-
 #include <fmt/format.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <kainjow/mustache.hpp>
 #include <vector>
 
+#include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
 #include "reports/templates.hpp"
 
@@ -46,7 +45,7 @@ mustache::data heading_data(const std::string& id, const std::string& title,
   return data;
 }
 
-// Tables and figures so far, for their numbers run through the whole report.
+// The numbers of tables and figures so far: they are numbered through the whole report.
 struct Numbers {
   int table = 0, figure = 0;
 };
@@ -91,7 +90,7 @@ std::string decided_by_text(const Link& row) {
              : fmt::format(" Decided by [{}](#{}).", markdown_text(row.text), row.anchor);
 }
 
-// The first page, then the others, each with its sections.
+// Returns the first page, then the others, each with its sections.
 mustache::data pages_data(const Report& report) {
   std::vector<Page> pages{{"", report.title, "", {}}};
   pages.insert(pages.end(), report.pages.begin(), report.pages.end());

@@ -14,13 +14,11 @@
 
 #include "reports/drawing/draw_figure.hpp"
 #include "reports/fields/draw_field.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/model/side_by_side.hpp"
-#include "reports/model/temporary_directory.hpp"
-#include "reports/model/text_file.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/pages/print_pdf.hpp"
-#include "reports/pages/write_html.hpp"
-#include "reports/pages/write_markdown.hpp"
+#include "reports/pages/report_documents.hpp"
 #include "reports/templates.hpp"
 
 namespace slosh::reports {
@@ -32,7 +30,7 @@ constexpr std::array<std::string_view, 7> report_entries{
     "index.html", "report.md",      "results.json", "results.schema.json",
     "report.pdf", "report.pdf.log", "figures"};
 
-// Each once. `scratch` and `directory` are created here; only the latter is worth keeping.
+// Draws each figure once. Creates `scratch`, for temporary files, and `directory`.
 Drawings draw(const Report& report, const WriteOptions& options, const fs::path& scratch,
               const fs::path& directory) {
   fs::create_directory(scratch);
@@ -55,7 +53,7 @@ Drawings draw(const Report& report, const WriteOptions& options, const fs::path&
     write_text(directory / "figures" / (figures[i]->id + ".svg"),
                svg_element(*figures[i], drawings.figures[i], SvgPlace::own_file));
   };
-  // A film takes seconds, a figure a tenth of one: the films begin.
+  // An animation takes seconds, a figure a tenth of a second: the fields are drawn first.
   side_by_side(fields.size() + figures.size(), options.threads, [&](std::size_t i) {
     i < fields.size() ? draw_one_field(i) : draw_one_figure(i - fields.size());
   });
@@ -70,7 +68,7 @@ void write_files(const Report& report, const Drawings& drawings, const fs::path&
   write_text(directory / "results.schema.json", results_schema);
 }
 
-// Why there is no PDF.
+// Returns the error if the PDF could not be printed.
 std::optional<ReportError> write_pdf(const Report& report, const Drawings& drawings,
                                      const fs::path& scratch, const fs::path& directory) try {
   print_pdf(whole_document(report, drawings), scratch, directory / "report.pdf");
@@ -86,7 +84,7 @@ bool is_of_a_report(const fs::path& file) {
           read_text(file).find(page_mark) != std::string::npos);
 }
 
-// Guards a directory that was named by mistake: replacing it would delete what is in it.
+// Protects a directory that was named by mistake: replacing it would delete its contents.
 void check_replaceable(const fs::path& target) {
   if (!fs::exists(target)) return;
   if (!fs::is_directory(target))
@@ -100,8 +98,8 @@ void check_replaceable(const fs::path& target) {
   }
 }
 
-// Gives the complete report the target's name at once, or as nearly so as the file system can; an
-// old report goes to `aside` or to the complete one's former name.
+// Renames the complete report to the target in one step if the file system can, else in two. An old
+// report goes to `aside` or to the complete one's former name.
 void swap_in(const fs::path& complete, const fs::path& target, const fs::path& aside) {
   const bool replaces = fs::exists(target);
   const unsigned flags = replaces ? RENAME_EXCHANGE : 0;
@@ -124,7 +122,8 @@ void swap_in(const fs::path& complete, const fs::path& target, const fs::path& a
 void write_report(const Report& report, const fs::path& directory,
                   const WriteOptions& options) try {
   check_report(report);
-  // Through links and without a trailing slash, so that the temporary directory is truly beside it.
+  // The path is made absolute and loses links and a trailing slash, so that the temporary directory
+  // is beside the target.
   fs::path target = fs::weakly_canonical(fs::absolute(directory));
   if (!target.has_filename()) target = target.parent_path();
   check_replaceable(target);

@@ -1,10 +1,10 @@
-#include "reports/summary/bias_section.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
+
+#include "reports/summary/report_sections.hpp"
 
 namespace slosh {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using reports::Curve;
 using reports::Figure;
 
-// Where points are drawn: waves are millimetres high.
+// The axis of a quantity; lengths are shown in millimetres.
 struct Axis {
   std::string unit;
   double scale;
@@ -29,14 +29,14 @@ Curve points_of(const PredictionSet& set, double scale) {
   return points;
 }
 
-// predicted = factor reference, over the whole width.
+// The line predicted = factor * reference, over the whole width.
 Curve line(const std::string& label, double factor, std::pair<double, double> width,
            Curve::Style style) {
   return {
       label, {width.first, width.second}, {factor * width.first, factor * width.second}, {}, style};
 }
 
-// Of both axes, with some room.
+// Returns the range of both axes, with a margin.
 std::pair<double, double> width_of(const std::vector<const PredictionSet*>& sets, double scale) {
   std::pair<double, double> width{std::numeric_limits<double>::infinity(), 0};
   for (const PredictionSet* set : sets)
@@ -47,7 +47,7 @@ std::pair<double, double> width_of(const std::vector<const PredictionSet*>& sets
   return {width.first / 1.2, width.second * 1.2};
 }
 
-// `sets` are of one kind, each with a bias; the lines are the first one's.
+// `sets` are of one kind of quantity, each with a bias; the lines show the first one's.
 Figure scatter_figure(const std::vector<const PredictionSet*>& sets) {
   const PredictionSet& first = *sets.front();
   const auto [unit, scale] = axis_of(first.unit);
@@ -58,13 +58,13 @@ Figure scatter_figure(const std::vector<const PredictionSet*>& sets) {
   std::replace(figure.id.begin(), figure.id.end(), ' ', '-');
   figure.title = fmt::format("Predicted {} over the reference's", first.kind);
   figure.caption = fmt::format(
-      "The full line is agreement; dashed lines: bias {:.3f} of {} and two relative standard "
+      "Full line: perfect agreement. Dashed lines: bias {:.3f} of {} and two relative standard "
       "deviations of {:.1f} % to either side.",
       bias, first.model, 100 * deviation);
   figure.x_label = fmt::format("reference [{}]", unit);
   figure.y_label = fmt::format("predicted [{}]", unit);
   figure.log_x = figure.log_y = width.second > 10 * width.first;
-  figure.x_range = {width.first / 1.1, width.second * 1.1};  // the lines end within it
+  figure.x_range = {width.first / 1.1, width.second * 1.1};  // the lines end inside
   for (const PredictionSet* set : sets) figure.curves.push_back(points_of(*set, scale));
   figure.curves.push_back(line("agreement", 1, width, Curve::Style::line));
   figure.curves.push_back(line(first.model + ": bias", bias, width, Curve::Style::dashed));
@@ -75,7 +75,7 @@ Figure scatter_figure(const std::vector<const PredictionSet*>& sets) {
   return figure;
 }
 
-// The same as ratios, where a scatter of a per cent is still seen.
+// The same data as ratios, in which a scatter of one per cent is visible.
 Figure ratio_figure(const std::vector<const PredictionSet*>& sets) {
   const PredictionSet& first = *sets.front();
   const double deviation = first.bias->relative_deviation;
@@ -83,8 +83,8 @@ Figure ratio_figure(const std::vector<const PredictionSet*>& sets) {
   figure.id += "-ratio";
   figure.title = fmt::format("Predicted {} divided by the reference's", first.kind);
   figure.caption = fmt::format(
-      "1 is agreement; the band is the bias and two relative standard "
-      "deviations of {} to either side.",
+      "1 is perfect agreement; the band is the bias of {} with two relative standard deviations to "
+      "either side.",
       first.model);
   figure.y_label = "predicted / reference";
   figure.log_y = false;
@@ -97,14 +97,14 @@ Figure ratio_figure(const std::vector<const PredictionSet*>& sets) {
 }
 
 reports::Table bias_table(const std::vector<PredictionSet>& sets) {
-  reports::Table table{
-      "bias",
-      "Bias and scatter of each model",
-      "A bias of 1 is right on average. The relative standard deviations are the model's, freed of "
-      "the reference's, and the reference's own.",
-      {"quantity", "model", "comparisons", "bias δ", "σ of the model [%]",
-       "σ of the reference [%]"},
-      {}};
+  reports::Table table{"bias",
+                       "Bias and scatter of each model",
+                       "A model with a bias of 1 is right on average. σ are relative standard "
+                       "deviations: that of the model after subtracting that of the reference, and "
+                       "that of the reference.",
+                       {"quantity", "model", "comparisons", "bias δ", "σ of the model [%]",
+                        "σ of the reference [%]"},
+                       {}};
   for (const PredictionSet& set : sets)
     if (set.bias)
       table.rows.push_back({set.kind, set.model, fmt::format("{}", set.bias->count),
@@ -130,12 +130,12 @@ reports::Section bias_section(const std::vector<PredictionSet>& sets) {
   reports::Section section{
       "bias",
       "Bias and scatter",
-      {"Of each model the finest run of every case, against theory in its range or a record: "
-       "amplitudes of the fitted modes, down to a tenth of the reference's largest, and natural "
-       "frequencies, as NIST's FDS validation guide "
-       "(chapter 4; McGrattan and Toman 2011) has it: the mean and the standard deviation of "
-       "ln(predicted / reference). Gauges and modes of one run are not independent of each other: "
-       "the numbers describe this set of comparisons."},
+      {"The mean and the standard deviation of ln(predicted / reference), after NIST's FDS "
+       "validation guide (chapter 4; McGrattan and Toman 2011). For each model the finest run of "
+       "every case is compared with theory in its range or with a record: amplitudes of the fitted "
+       "modes, down to a tenth of the reference's largest, and natural frequencies. Gauges and "
+       "modes of one run are not independent of each other, so the numbers describe only this set "
+       "of comparisons."},
       {},
       {}};
   if (const std::string text = too_few_text(sets); !text.empty())

@@ -5,33 +5,19 @@
 
 #include <algorithm>
 
-#include "reports/figures/case_figures.hpp"
 #include "reports/model/side_by_side.hpp"
-#include "reports/summary/problem_tables.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
-#include "reports/summary/summary_sections.hpp"
-#include "reports/summary/work_precision_tables.hpp"
+#include "reports/summary/verdict_matrix.hpp"
 #include "reports/summary/worst_first.hpp"
-#include "reports/tables/ablation_table.hpp"
-#include "reports/tables/case_tables.hpp"
-#include "reports/tables/case_text.hpp"
-#include "reports/tables/ensemble_table.hpp"
-#include "reports/tables/error_matrix.hpp"
-#include "reports/tables/impact_table.hpp"
-#include "reports/tables/order_table.hpp"
-#include "reports/tables/repeat_table.hpp"
-#include "reports/tables/report_places.hpp"
-#include "reports/tables/rest_table.hpp"
-#include "reports/tables/uncertainty_table.hpp"
+#include "reports/wording/report_places.hpp"
 #include "sph/threads.hpp"
+#include "verification/assessment/predictions.hpp"
 #include "verification/assessment/row_kinds.hpp"
-#include "verification/case_file/motion_table.hpp"
-#include "verification/papers/li2010_paper.hpp"
-#include "verification/papers/wall_treatments.hpp"
-#include "verification/papers/zhao2021_paper.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/papers/paper_sections.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
-#include "verification/sensitivity/row_strength.hpp"
 
 namespace slosh {
 namespace {
@@ -61,71 +47,34 @@ int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
   return n;
 }
 
-// The gate rows of a case and what they ask for, first on its page.
-Section gate_section(const CaseAssessment& assessment) {
-  const CaseDefinition& definition = assessment.definition;
-  Section section;
-  section.id = definition.name + "-gate";
-  section.title = "Gate";
-  section.page = page_of_case(definition.name);
-  if (definition.gate.empty())
-    section.paragraphs.push_back("No gate row judges this case.");
-  else
-    section.tables = {gate_table(assessment), limits_table(assessment)};
-  if (auto failures = failure_table(definition.name, assessment.runs.status))
-    section.tables.push_back(std::move(*failures));
-  return section;
+// Links the first column to the section that `section` names for its text.
+template <class SectionOf>
+reports::Table with_first_column_linked(reports::Table table, SectionOf section) {
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+    table.links[i][0] = "section-" + section(table.rows[i][0]);
+  return table;
 }
 
-Section case_section(const CaseAssessment& assessment, int threads, KnownStrengths* known) {
-  const std::vector<RowStrength> strengths = row_strengths(assessment, threads, known);
-  const CaseDefinition& definition = assessment.definition;
-  Section section;
-  section.id = definition.name;
-  section.title = "Case and runs";
-  section.page = page_of_case(definition.name);
-  section.paragraphs = {
-      fmt::format("{}. Tank {} m x {} m, liquid {}; {}; {} s from rest in the {}'s frame. "
-                  "Comparison from {} to {} s.",
-                  definition.source, definition.tank.length, definition.tank.height,
-                  liquid_text(definition), motion_text(definition), definition.duration,
-                  definition.start == Start::earth ? "earth" : "tank", definition.window_begin,
-                  definition.window_end)};
-  for (const auto& [run, status] : assessment.runs.status)
-    if (status.state == RunState::out_of_range)
-      section.paragraphs.push_back("The reference `" + run + "` " + status.message +
-                                   ": it is drawn and never gates.");
-    else if (status.state == RunState::not_supplied)
-      section.paragraphs.push_back("The record `" + run + "` is not supplied: " + status.message +
-                                   ". Rows that need it neither pass nor fail.");
-  for (const std::string& pair : assessment.not_comparable)
-    section.paragraphs.push_back("Not comparable: " + pair + ".");
-  section.figures = case_figures(assessment);
-  section.fields = case_fields(assessment);
-  if (auto uncertain = uncertainty_table(assessment))
-    section.tables.push_back(std::move(*uncertain));
-  if (!definition.gate.empty()) section.tables.push_back(strength_table(assessment, strengths));
-  section.tables.push_back(
-      coverage_table(definition.name + "-coverage", {case_coverage(assessment, strengths)}));
-  if (auto remedies = remedy_table(assessment)) section.tables.push_back(std::move(*remedies));
-  if (auto matrix = error_matrix(assessment)) section.tables.push_back(std::move(*matrix));
-  if (auto refined = refinement_table(assessment)) section.tables.push_back(std::move(*refined));
-  if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
-  if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));
-  if (auto ensembles = ensemble_table(assessment)) section.tables.push_back(std::move(*ensembles));
-  if (auto repeats = repeat_table(assessment)) section.tables.push_back(std::move(*repeats));
-  if (auto choices = ablation_table(assessment)) section.tables.push_back(std::move(*choices));
-  if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
-  if (!assessment.comparisons.empty()) {
-    if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));
-    section.tables.push_back(history_table(assessment));
-  }
-  for (reports::Table& table : work_precision_tables(assessment))
-    section.tables.push_back(std::move(table));
-  section.tables.push_back(cost_table(assessment));
-  section.tables.push_back(terms_table(assessment));
-  section.tables.push_back(provenance_table(assessment));
-  return section;
+// The first page: the verdicts at a glance, the gate rows worst first, bias and scatter of the
+// models. `how_to_repeat` is shown unchanged.
+std::vector<reports::Section> summary_sections(const std::vector<CaseAssessment>& cases,
+                                               const std::vector<ProblemAssessment>& problems,
+                                               const std::string& how_to_repeat) {
+  reports::Section gate{"gate", "Verdicts", {how_to_repeat}, {}, {}};
+  if (const VerdictMatrix matrix = verdict_matrix(cases); !matrix.rows.empty())
+    gate.tables.push_back(
+        with_first_column_linked(matrix_table(matrix, "matrix", "Verdicts of the cases", "case"),
+                                 [](const std::string& name) { return name + "-gate"; }));
+  if (const VerdictMatrix matrix = verdict_matrix(problems); !matrix.rows.empty())
+    gate.tables.push_back(with_first_column_linked(
+        matrix_table(matrix, "problem-matrix", "Verdicts of the problems", "problem"),
+        [](const std::string& name) { return "problem-" + name; }));
+  if (gate.tables.empty()) gate.paragraphs.push_back("The campaign has no gate row.");
+  std::vector<reports::Section> sections{std::move(gate)};
+  if (reports::Table worst = worst_first_table(cases, problems); !worst.rows.empty())
+    sections.push_back({"worst", "Gate rows, worst first", {}, {std::move(worst)}, {}});
+  if (!cases.empty()) sections.push_back(bias_section(prediction_sets(cases)));
+  return sections;
 }
 
 bool has_selected(const std::vector<ProblemAssessment>& problems) {
@@ -147,7 +96,7 @@ reports::Outcome outcome_of(int status) {
   }
 }
 
-// Without a verdict where nothing is judged and nothing is amiss.
+// The page has no verdict where no row was judged and no run failed or is missing.
 reports::Page page_of(const CaseAssessment& assessment) {
   reports::Page page{page_of_case(assessment.definition.name), assessment.definition.title, "", {}};
   const std::vector<CaseAssessment> alone{assessment};
@@ -162,7 +111,7 @@ reports::Page page_of(const CaseAssessment& assessment) {
   return page;
 }
 
-// What is told of several cases together, where there is any.
+// Adds the page of results across several cases, where there are any.
 void add_across_page(const CampaignDefinition& campaign, const std::vector<CaseAssessment>& cases,
                      reports::Report& report) {
   std::vector<Section> sections;
@@ -208,7 +157,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::string& command,
                                 const std::vector<CaseAssessment>& cases,
                                 const std::vector<ProblemAssessment>& problems,
-                                KnownStrengths* known) {
+                                SensitivityCache* known) {
   const auto origin = provenance("");
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
@@ -221,7 +170,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
       summary_sections(cases, problems,
                        fmt::format("{} Repeat this campaign with `{}`. {}.",
                                    kinds_sentence(cases, problems), command, campaign.source));
-  // The cores that the cases leave try a case's rows side by side.
+  // The cores that the cases leave free evaluate a case's gate rows in parallel.
   const auto selected = std::count_if(cases.begin(), cases.end(), has_selected_runs);
   const int cores = sph::usable_cores(),
             of_one_case = std::max(1, cores / std::max(1, static_cast<int>(selected)));

@@ -1,4 +1,4 @@
-// Puts the assessed cases and problems of a campaign into a report.
+// The report of a campaign with its assessed cases and problems.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/problem_assessment.hpp"
 #include "verification/case/campaign_definition.hpp"
-#include "verification/sensitivity/known_strengths.hpp"
+#include "verification/sensitivity/sensitivity_cache.hpp"
 
 namespace slosh {
 
-// `command` repeats the campaign. What the gate rows detect is looked up in `known` first and kept
-// there; it may be null.
+// `command` is the command that repeats the campaign. What the gate rows detect is cached in
+// `known`, which may be null.
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::string& command,
                                 const std::vector<CaseAssessment>& cases,
                                 const std::vector<ProblemAssessment>& problems = {},
-                                KnownStrengths* known = nullptr);
+                                SensitivityCache* known = nullptr);
 
-// "19 of 19 gate rows hold, 12 not selected."
+// Returns "19 of 19 gate rows hold, 12 not selected."
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
                              const std::vector<ProblemAssessment>& problems = {});
 

@@ -3,18 +3,17 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/summary/verdict_matrix.hpp"
-#include "reports/summary/work_precision_json.hpp"
+#include "verification/assessment/error_over_tolerance.hpp"
 #include "verification/assessment/predictions.hpp"
-#include "verification/assessment/tolerance_share.hpp"
-#include "verification/case/row_kind.hpp"
-#include "verification/case_file/problem_table.hpp"
+#include "verification/case/campaign_definition.hpp"
+#include "verification/case/case_definition.hpp"
 
 namespace slosh {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What was asked of an SPH run; a number of its scheme that it does not set is null.
+// The settings of an SPH run; a number of its scheme that it does not set is null.
 Json sph_entry(const SphRun& sph) {
   Json numbers = Json::object();
   for (const auto& [name, number] : sph_number_names)
@@ -103,11 +102,11 @@ Json comparison_entry(const Comparison& pair) {
 }
 
 namespace {
-Json share_entry(const std::optional<ToleranceShare>& share) {
+Json share_entry(const std::optional<ErrorOverTolerance>& share) {
   return share ? Json(share->value) : Json(nullptr);
 }
 
-// null where it is unknown.
+// Returns null where the half width is unknown.
 Json half_width(const Contribution& contribution) {
   return contribution.half_width ? Json(*contribution.half_width) : Json(nullptr);
 }
@@ -137,7 +136,7 @@ Json gate_entry(const GateOutcome& outcome) {
              {"unit", row.unit},
              {"value", outcome.value.value},
              {"half_width_95", outcome.value.half_width},
-             {"tolerance_share", share_entry(tolerance_share(outcome))},
+             {"tolerance_share", share_entry(error_over_tolerance(outcome))},
              {"message", outcome.message},
              {"reason", row.reason},
              {"source", row.source},
@@ -168,7 +167,7 @@ Json gate_entry(const ProblemGateOutcome& outcome) {
              {"metric", metric_name(row.metric)},
              {"unit", row.unit},
              {"value", outcome.value},
-             {"tolerance_share", share_entry(tolerance_share(outcome))},
+             {"tolerance_share", share_entry(error_over_tolerance(outcome))},
              {"message", outcome.message},
              {"reason", row.reason},
              {"source", row.source},
@@ -272,8 +271,8 @@ std::string results_json(const std::string& campaign, bool quick,
     document["cases"].push_back(std::move(entry));
   }
   for (const ProblemAssessment& one : problems) document["problems"].push_back(problem_entry(one));
-  // nlohmann writes a number that is not finite as null. A message may end in a solver's words, in
-  // whatever encoding.
+  // nlohmann writes numbers that are not finite as null. A message may contain a solver's output in
+  // any encoding.
   return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -1,6 +1,6 @@
-// The campaign's outcome as JSON, for machines. Its schema, version 3, is
-// reports/results.schema.json, which every report has beside it. Numbers in SI units, the unit in
-// the key; a number that does not exist is null.
+// The campaign's outcome as JSON. Its schema, version 3, is reports/results.schema.json; every
+// report has a copy of it. Numbers are in SI units, with the unit in the key; NaN is written as
+// null.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,7 +16,18 @@ std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems = {});
 
-// One comparison as it stands in comparisons[].
+// Its parts, each as in results.json.
+
+// {"value", "half_width_95"}, in the unit that the key names.
+nlohmann::ordered_json estimate_json(const Estimate& value);
+
+// The costs of a run's repeats that had a core to themselves, in the order in which they ran.
+nlohmann::ordered_json timings_json(const CaseRuns& runs, const std::string& run);
+
+// Error against cost: work_precision[] of a case.
+nlohmann::ordered_json work_precision_json(const CaseAssessment& assessment);
+
+// One entry of comparisons[].
 nlohmann::ordered_json comparison_entry(const Comparison& pair);
 
 }  // namespace slosh

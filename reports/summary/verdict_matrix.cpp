@@ -7,19 +7,19 @@
 #include <tuple>
 #include <utility>
 
-#include "reports/tables/report_places.hpp"
-#include "verification/case_file/problem_table.hpp"
-#include "verification/series/estimate.hpp"
+#include "reports/wording/report_places.hpp"
+#include "verification/case/campaign_definition.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
-// Which cell is the worse.
+// The cell of the higher rank is the worse one.
 std::pair<int, double> rank(const MatrixCell& cell) {
   return {severity(cell.verdict), cell.share ? cell.share->value : -1};
 }
 
-// What one gate row brings to the matrix.
+// The contribution of one gate row to the matrix.
 struct Entry {
   std::string name, candidate, reference, metric;
   MatrixCell cell;
@@ -40,7 +40,7 @@ void add(Entry entry, VerdictMatrix& matrix) {
   standing.rows = rows;
 }
 
-// "-0.3 ± 0.6 %"
+// Returns "-0.3 ± 0.6 %".
 std::string found_text(const GateRow& row, double value, double half_width) {
   if (!std::isfinite(value)) return "";
   const double scale = row.unit == "1" ? 100 : 1;
@@ -92,7 +92,7 @@ VerdictMatrix verdict_matrix(const std::vector<CaseAssessment>& cases) {
             .unit = row.unit,
             .found = found_text(row, outcome.value.value, half_width),
             .row_id = case_row_id(one.definition.name, i),
-            .share = tolerance_share(outcome)}},
+            .share = error_over_tolerance(outcome)}},
           matrix);
     }
   return matrix;
@@ -114,7 +114,7 @@ VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems) {
             .unit = outcome.row.unit,
             .found = found_text(outcome),
             .row_id = problem_row_id(one.definition.name, i),
-            .share = tolerance_share(outcome)}},
+            .share = error_over_tolerance(outcome)}},
           matrix);
     }
   return matrix;
@@ -122,17 +122,18 @@ VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems) {
 
 reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
                             const std::string& title, const std::string& of) {
-  reports::Table table{id,
-                       title,
-                       "In each cell the worst of the gate rows there, with its value and the "
-                       "half width of its 95 % interval; it leads to the row.",
-                       {of, "candidate", "reference"},
-                       {}};
+  reports::Table table{
+      id,
+      title,
+      "Each cell shows the worst gate row of that pair and metric, its value and the half "
+      "width of its 95 % interval, and links to the row.",
+      {of, "candidate", "reference"},
+      {}};
   for (const std::string& metric : matrix.metrics) table.header.push_back(heading(metric));
-  std::size_t left_out = 0;
+  std::size_t pairs_left_out = 0;
   for (const MatrixRow& row : matrix.rows) {
     if (is_left_out(row)) {
-      ++left_out;
+      ++pairs_left_out;
       continue;
     }
     std::vector<std::string> cells{row.name, row.candidate,
@@ -147,8 +148,11 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
     table.rows.push_back(std::move(cells));
     table.links.push_back(std::move(links));
   }
-  if (left_out > 0)
-    table.caption += fmt::format(" Without {} pairs of which no row was selected.", left_out);
+  if (pairs_left_out > 0)
+    table.caption +=
+        pairs_left_out == 1
+            ? " 1 pair without a selected row is left out."
+            : fmt::format(" {} pairs without a selected row are left out.", pairs_left_out);
   return table;
 }
 

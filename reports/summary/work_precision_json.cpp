@@ -1,8 +1,10 @@
-#include "reports/summary/work_precision_json.hpp"
-
+// Error against cost as JSON: families[] with runs[], slopes, and the cost of the stated errors.
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "reports/summary/work_precision_tables.hpp"
+#include "reports/summary/results_json.hpp"
+#include "verification/assessment/across_runs/speed_ups.hpp"
+#include "verification/assessment/work_points.hpp"
 
 namespace slosh {
 namespace {
@@ -23,10 +25,10 @@ const char* reach_name(Reach reach) {
   throw std::logic_error("a reach without a name");
 }
 
-// The unit is part of the key of what costs.
+// The key of the cost includes its unit.
 Json costs_at_errors(const std::vector<WorkPoint>& points, const char* cost) {
   Json list = Json::array();
-  for (const double error : told_errors()) {
+  for (const double error : stated_errors()) {
     const CostAtError found = cost_at_error_or_beyond(points, error);
     list.push_back({{"error", error},
                     {"reach", reach_name(found.reach)},

@@ -8,17 +8,17 @@
 #include <optional>
 
 #include "reports/tables/case_tables.hpp"
-#include "reports/tables/report_places.hpp"
-#include "verification/assessment/tolerance_share.hpp"
-#include "verification/case_file/problem_table.hpp"
+#include "reports/wording/report_places.hpp"
+#include "verification/assessment/error_over_tolerance.hpp"
+#include "verification/case/campaign_definition.hpp"
 
 namespace slosh {
 namespace {
 
 struct Judged {
   Verdict verdict;
-  std::optional<ToleranceShare> share;
-  std::vector<std::string> cells;  // case, candidate, reference, measure, found
+  std::optional<ErrorOverTolerance> share;
+  std::vector<std::string> cells;  // case, candidate, reference, metric, result
   std::string row_id;
 };
 
@@ -26,7 +26,7 @@ bool counts(Verdict verdict) {
   return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
 }
 
-// How far the interval reaches, in shares of what the row allows.
+// Returns the far end of the interval as a share of the tolerance.
 double reach(const Judged& row) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (row.share) return row.share->value + row.share->half_width;
@@ -38,7 +38,7 @@ bool is_worse(const Judged& one, const Judged& other) {
   return reach(one) > reach(other);
 }
 
-// Worst first.
+// Returns the judged rows, worst first.
 std::vector<Judged> judged_rows(const std::vector<CaseAssessment>& cases,
                                 const std::vector<ProblemAssessment>& problems) {
   std::vector<Judged> rows;
@@ -49,9 +49,9 @@ std::vector<Judged> judged_rows(const std::vector<CaseAssessment>& cases,
       if (counts(outcome.verdict))
         rows.push_back(
             {outcome.verdict,
-             tolerance_share(outcome),
+             error_over_tolerance(outcome),
              {one.definition.name, row.candidate, row.reference.empty() ? "none" : row.reference,
-              measure_name(row), outcome.message},
+              metric_text(row), outcome.message},
              case_row_id(one.definition.name, i)});
     }
   for (const ProblemAssessment& one : problems)
@@ -59,7 +59,7 @@ std::vector<Judged> judged_rows(const std::vector<CaseAssessment>& cases,
       const ProblemGateOutcome& outcome = one.gate[i];
       if (counts(outcome.verdict))
         rows.push_back({outcome.verdict,
-                        tolerance_share(outcome),
+                        error_over_tolerance(outcome),
                         {one.definition.name, outcome.row.measure, "exact solution",
                          metric_name(outcome.row.metric), outcome.message},
                         problem_row_id(one.definition.name, i)});
@@ -68,7 +68,7 @@ std::vector<Judged> judged_rows(const std::vector<CaseAssessment>& cases,
   return rows;
 }
 
-std::string share_text(const std::optional<ToleranceShare>& share) {
+std::string share_text(const std::optional<ErrorOverTolerance>& share) {
   if (!share) return "";
   return fmt::format("{:.0f}", 100 * share->value) +
          (share->half_width > 0 ? fmt::format(" ± {:.0f}", 100 * share->half_width) : "");
@@ -84,7 +84,7 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
       "worst",
       "Gate rows, worst first",
       "",
-      {"verdict", "of the tolerance [%]", "case", "candidate", "reference", "measure", "found"},
+      {"verdict", "error over tolerance [%]", "case", "candidate", "reference", "metric", "result"},
       {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Judged& row = rows[i];

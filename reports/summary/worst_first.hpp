@@ -1,4 +1,4 @@
-// The gate rows of a whole campaign, the one nearest to its bound, or furthest beyond it, first.
+// The gate rows of a whole campaign, sorted from the worst to the best.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@
 
 namespace slosh {
 
-// By verdict first (severity() of tolerance_share.hpp), then by how far the 95 % interval reaches:
-// (|value| + half width) / limit. Of one verdict rows without a number come first where they do not
-// pass, and last where they do. Rows that are not judged (not selected, not supplied) are left out.
-// All that do not pass, and `fewest` in any case, where there are as many; the caption tells how
-// many there are in all.
+// Rows are sorted by verdict (severity() of error_over_tolerance.hpp), then by the far end of the
+// 95 % interval, (|value| + half width) / limit. Among rows of one verdict, those without a number
+// come first where they do not pass, and last where they do. Rows that were not judged (not
+// selected, not supplied) are left out. The table has all rows that do not pass, and at least
+// `fewest` rows where there are as many; the caption states the number of all rows.
 reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
                                  const std::vector<ProblemAssessment>& problems,
                                  std::size_t fewest = 20);
 
-// The first of them where it alone would lead to the campaign's exit status, with its place in the
-// report; without a text where all rows pass or a run decides that no row names.
+// Returns the worst row and its place in the report, if that row alone would lead to the campaign's
+// exit status; an empty link where all rows pass, or where a run without a row decides.
 reports::Link deciding_row(const std::vector<CaseAssessment>& cases,
                            const std::vector<ProblemAssessment>& problems);
 

@@ -1,26 +1,25 @@
-#include "reports/tables/ablation_table.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
 
+#include "reports/tables/case_tables.hpp"
 #include "verification/case/ensemble.hpp"
-#include "verification/case/run_family.hpp"
+#include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
 namespace {
 
-struct ChoiceRun {
+struct AblationRun {
   const RunDefinition* run;
   const SphRun* sph;
   const RunResult* result;       // null where the run left none
   const Comparison* comparison;  // against theory or a record; null where there is none
 };
 
-std::vector<ChoiceRun> choice_runs(const CaseAssessment& assessment) {
-  std::vector<ChoiceRun> runs;
+std::vector<AblationRun> ablation_runs(const CaseAssessment& assessment) {
+  std::vector<AblationRun> runs;
   for (const RunDefinition& run : assessment.definition.runs) {
     const SphRun* sph = std::get_if<SphRun>(&run.solver);
     if (!sph || is_later_member(run)) continue;
@@ -35,9 +34,9 @@ double processor_time(const RunResult& result) {
   return result.cost.user_time + result.cost.system_time;
 }
 
-// The run of the same scheme and spacing that changes nothing; null where the case has none.
-const ChoiceRun* unchanged(const std::vector<ChoiceRun>& runs, const SphRun& sph) {
-  const auto found = std::find_if(runs.begin(), runs.end(), [&](const ChoiceRun& other) {
+// Returns the unchanged run of the same scheme and spacing, null where the case has none.
+const AblationRun* unchanged(const std::vector<AblationRun>& runs, const SphRun& sph) {
+  const auto found = std::find_if(runs.begin(), runs.end(), [&](const AblationRun& other) {
     return other.sph->scheme == sph.scheme && other.sph->particle_spacing == sph.particle_spacing &&
            other.sph->surface_particle_spacing == sph.surface_particle_spacing &&
            changes_of(*other.sph).empty();
@@ -55,7 +54,7 @@ std::string ratio(double value, double unchanged_value) {
   return fmt::format("{:.3g}", value / unchanged_value);
 }
 
-// Which term each number belongs to, in the order of sph_number_names.
+// The term that each number belongs to, in the sequence of sph_number_names.
 constexpr const char* terms_of_numbers[] = {"kernel: h / spacing", "state: c0 / largest speed",
                                             "time step: dt c0 / h", "viscosity: alpha",
                                             "density diffusion: delta"};
@@ -70,9 +69,9 @@ std::vector<std::string> terms_besides(const RunResult& one, const RunResult& ot
   return terms;
 }
 
-// What of the scheme a run's changes are about: the terms that it has instead of the unchanged
-// run's, and those that its numbers belong to.
-std::string changed_terms(const ChoiceRun& one, const ChoiceRun* plain) {
+// Returns the terms that a run has added, left out or replaced against the unchanged run, and the
+// terms that its changed numbers belong to.
+std::string changed_terms(const AblationRun& one, const AblationRun* plain) {
   std::vector<std::string> texts;
   if (plain && plain->result && one.result) {
     const auto brought = terms_besides(*one.result, *plain->result);
@@ -85,13 +84,13 @@ std::string changed_terms(const ChoiceRun& one, const ChoiceRun* plain) {
       texts.push_back(with.empty() ? "without " + without : "with " + with);
   }
   if (!one.sph->initial_state.empty() || one.sph->start_disorder > unseen_disorder)
-    texts.push_back("start");
+    texts.push_back("initial state");
   for (std::size_t i = 0; i < std::size(sph_number_names); ++i)
     if (one.sph->numbers.*sph_number_names[i].second) texts.push_back(terms_of_numbers[i]);
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-// Of a mode that was fitted; empty where it was not.
+// Returns a measure of a fitted mode; empty where the mode was not fitted.
 std::string mode_cell(const Comparison& comparison, const std::string& name,
                       Estimate ModeComparison::*measure, double scale) {
   for (const ModeComparison& mode : comparison.modes) {
@@ -103,7 +102,7 @@ std::string mode_cell(const Comparison& comparison, const std::string& name,
   return "";
 }
 
-std::vector<std::string> error_cells(const ChoiceRun& one, const ChoiceRun* plain) {
+std::vector<std::string> error_cells(const AblationRun& one, const AblationRun* plain) {
   if (!one.comparison) return {"", "", "", "", "", "", ""};
   const Comparison& comparison = *one.comparison;
   const bool same_reference =
@@ -119,7 +118,8 @@ std::vector<std::string> error_cells(const ChoiceRun& one, const ChoiceRun* plai
           mode_cell(comparison, "natural_1", &ModeComparison::decay_rate, 1)};
 }
 
-std::vector<std::string> cost_cells(const ChoiceRun& one, const ChoiceRun* plain, double duration) {
+std::vector<std::string> cost_cells(const AblationRun& one, const AblationRun* plain,
+                                    double duration) {
   if (!one.result) return {"", "", "", "", ""};
   const RunCost& cost = one.result->cost;
   const double time = processor_time(*one.result);
@@ -133,29 +133,30 @@ std::vector<std::string> cost_cells(const ChoiceRun& one, const ChoiceRun* plain
 }  // namespace
 
 std::optional<reports::Table> ablation_table(const CaseAssessment& assessment) {
-  const std::vector<ChoiceRun> runs = choice_runs(assessment);
-  const bool any_changed = std::any_of(
-      runs.begin(), runs.end(), [](const ChoiceRun& one) { return !changes_of(*one.sph).empty(); });
+  const std::vector<AblationRun> runs = ablation_runs(assessment);
+  const bool any_changed = std::any_of(runs.begin(), runs.end(), [](const AblationRun& one) {
+    return !changes_of(*one.sph).empty();
+  });
   const bool any_compared =
-      std::any_of(runs.begin(), runs.end(), [](const ChoiceRun& one) { return one.comparison; });
+      std::any_of(runs.begin(), runs.end(), [](const AblationRun& one) { return one.comparison; });
   if (!any_changed || !any_compared) return std::nullopt;
   reports::Table table{
       assessment.definition.name + "-choices",
-      "What each choice gives",
-      "Each SPH run against theory or a published record, and what it costs. \"of unchanged\": "
-      "over "
-      "the same figure of the run of the same scheme and spacing that changes nothing. Processor "
-      "time is user and system time; the peak memory is that of the whole process.",
-      {"run", "scheme", "spacing [mm]", "changed", "which is", "reference", "normalised rms [%]",
-       "rms of unchanged", "forced amplitude error [%]", "forced lag [deg]",
-       "natural frequency error [%]", "decay [1/s]", "CPU [s]", "CPU of unchanged", "steps",
-       "CPU [us per particle and s]", "peak memory [byte per particle]"},
+      "Ablation: effect and cost of each change to a scheme",
+      "The error of each SPH run against theory or a published record, and its cost. \"over "
+      "unchanged\": ratio to the unchanged run of the same scheme and spacing. CPU time is user "
+      "plus system time; peak memory is that of the whole process.",
+      {"run", "scheme", "spacing [mm]", "change", "affected terms", "reference",
+       "normalised rms [%]", "rms over unchanged", "forced amplitude error [%]", "forced lag [deg]",
+       "natural frequency error [%]", "decay rate [1/s]", "CPU time [s]", "CPU time over unchanged",
+       "steps", "CPU time [us per particle and simulated s]", "peak memory [byte per particle]"},
       {}};
-  for (const ChoiceRun& one : runs) {
+  for (const AblationRun& one : runs) {
     const std::string changes = changes_of(*one.sph);
-    const ChoiceRun* plain = changes.empty() ? nullptr : unchanged(runs, *one.sph);
+    const AblationRun* plain = changes.empty() ? nullptr : unchanged(runs, *one.sph);
     std::vector<std::string> row{one.run->name, one.sph->scheme, spacing_text(*one.sph),
-                                 changes.empty() ? "as it is" : changes, changed_terms(one, plain)};
+                                 changes.empty() ? "unchanged" : changes,
+                                 changed_terms(one, plain)};
     for (const auto& cells :
          {error_cells(one, plain), cost_cells(one, plain, assessment.definition.duration)})
       row.insert(row.end(), cells.begin(), cells.end());

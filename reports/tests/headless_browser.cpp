@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "reports/model/text_file.hpp"
+#include "reports/model/report_files.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 namespace process = boost::process;
 
-// Shows a page in a frame of the phone's width and in one of a desk's, and leaves what it measures
-// as text. Contrasts are WCAG 2.1's, against the page's own background.
+// Shows a page in a frame of a phone's width and in one of a desktop's, and writes the measurements
+// as text. Contrasts are those of WCAG 2.1, against the page's own background.
 constexpr const char* measuring_page = R"(<!DOCTYPE html><title>measure</title>
 <iframe src="PAGE" style="width:360px;height:800px;border:0"></iframe>
 <iframe src="PAGE" style="width:1200px;height:800px;border:0"></iframe>
@@ -32,7 +32,7 @@ const contrast = (a, b) => {
   const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
   return (high + 0.05) / (low + 0.05);
 };
-// How many saturated colours a picture shows; its text and lines are grey.
+// Counts the saturated colours of a picture; its text and lines are grey.
 const colours = picture => {
   const canvas = document.createElement('canvas');
   [canvas.width, canvas.height] = [picture.naturalWidth, picture.naturalHeight];

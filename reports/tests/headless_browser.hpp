@@ -1,4 +1,4 @@
-// A page as headless Chromium shows it, measured: for the tests that look at reports.
+// Measures a page as headless Chromium shows it.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ struct BrowserRun {
 
 bool browser_is_installed();
 
-// Opens the page, its path relative to the directory, which is left with the browser's own files
-// too. Throws std::runtime_error where the browser has not answered within a minute.
+// Opens the page, whose path is relative to the directory. The browser's own files stay in the
+// directory. Throws std::runtime_error if the browser does not answer within a minute.
 BrowserRun open_in_browser(const std::filesystem::path& directory, const std::string& page,
                            bool dark);
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "reports/drawing/run_gnuplot.hpp"
-#include "reports/model/text_file.hpp"
+#include "reports/model/report_files.hpp"
 
 namespace slosh::reports {
 
@@ -15,8 +15,8 @@ PicturePixels picture_pixels(const std::string& png, const std::filesystem::path
   run_gnuplot(
       "set table '" + file + ".txt'\nplot '" + file + ".png' binary filetype=png with rgbimage\n",
       "looking", scratch);
-  // Lines of x, y, red, green, blue, alpha and a letter, row by row from the top; a million of
-  // them.
+  // The table has a million lines of x, y, red, green, blue, alpha and a letter, row by row from
+  // the top.
   const std::string table = read_text(scratch / "looked-at.txt");
   std::vector<std::vector<Colour>> rows;
   long last_y = -1;

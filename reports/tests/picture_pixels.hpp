@@ -1,4 +1,4 @@
-// The pixels of a PNG file, for the tests that look at pictures.
+// Reads the pixels of a PNG file.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct PicturePixels {
   }
 };
 
-// As gnuplot, which decodes what it did not draw here, prints them. Throws std::runtime_error.
+// Lets gnuplot decode the file. Throws std::runtime_error where it finds no pixels.
 PicturePixels picture_pixels(const std::string& png, const std::filesystem::path& scratch);
 
 }  // namespace slosh::reports

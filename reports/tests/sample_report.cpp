@@ -135,8 +135,8 @@ Table run_table() {
                     "`./slosh run surge_linear --solver li2010 --dp 0.01`"}}};
 }
 
-// Water as a standing wave of the tank's first mode leaves it, on a lattice or, as particles are,
-// off it by up to a fifth of the spacing.
+// Water in a standing wave of the tank's first mode. Its places are on a lattice, or, for
+// particles, off it by up to a fifth of the spacing.
 FieldPanel sloshing_panel(const std::string& label, double spacing, double phase, bool particles) {
   const double length = 0.6, height = 0.3, depth = 0.12, wave = std::numbers::pi / length;
   FieldPanel panel{.label = label,

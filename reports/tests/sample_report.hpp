@@ -1,4 +1,4 @@
-// A report with every kind of content, made of closed forms: what the tests write and look at.
+// A report with every kind of content, made of closed forms, for the tests.
 #pragma once
 
 #include "reports/model/report_model.hpp"
@@ -7,14 +7,14 @@ namespace slosh::reports {
 
 Report sample_report();
 
-// The same on three pages, "waves" and "cost" beside the first, with links between them.
+// The same report on three pages, "waves" and "cost" after the first, with links between them.
 Report paged_report();
 
 // A figure as heavy as a campaign's heaviest: six curves of 2001 samples.
 Figure heavy_figure(const std::string& id);
 
-// Three panels a moment, of which one has particles of this spacing [m] (0.072 m^2 of water in
-// each).
+// Three panels per moment with 0.072 m^2 of water each. The first has particles of this spacing
+// [m].
 FieldFigure sloshing_field(const std::string& id, int moments, double spacing);
 
 }  // namespace slosh::reports

@@ -26,7 +26,7 @@ double difference(const Array<double>& a, const Array<double>& b) {
   return largest_difference / largest;
 }
 
-// NaN fails.
+// Throws std::runtime_error for a difference above round-off, and for NaN.
 void require_round_off(const char* name, InstructionSet set, const char* rate, double found) {
   constexpr double round_off = 1e-11;
   if (!(found <= round_off))

@@ -1,6 +1,6 @@
-// The solver's speed, from whole steps down to single loops, beside what the machine can do at
-// most. Before anything is timed the answer is checked (answer_check.hpp), and after each timing
-// that the state is sane. `--benchmark_filter=REGEX` chooses; the summary holds what was chosen.
+// The solver's speed, from whole steps down to single loops, compared with the machine's peak. The
+// sums are checked before anything is timed (answer_check.hpp), and the state after each timing.
+// `--benchmark_filter=REGEX` selects benchmarks; the summary holds those selected.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <omp.h>
@@ -38,7 +38,8 @@ double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Of one thread its processor time, which a busy machine disturbs less; of more the wall's.
+// Returns the processor time for one thread, which a busy machine disturbs less, and the wall time
+// for more threads.
 double seconds_of(int threads) {
   if (threads > 1) return wall_seconds();
   timespec time;
@@ -49,7 +50,7 @@ double seconds_of(int threads) {
 struct Size {
   const char* name;
   int rows;   // twice the square is the number of particles
-  int steps;  // timed at once: with those of a calm liquid its lists are renewed at least once
+  int steps;  // timed together; enough to renew the lists of a calm liquid at least once
 };
 constexpr Size sizes[] = {{"20k", 100, 48}, {"100k", 224, 48}, {"500k", 500, 24}};
 
@@ -63,7 +64,7 @@ std::unique_ptr<Stepping> make_stepping(int rows, Flow flow) {
   return std::make_unique<SteppingOf<Choice>>(benchmark_scene(rows, {}), flow);
 }
 
-// Whose support holds that many particles: h / dp = sqrt(neighbours / pi) / 2.
+// Sets h / dp = sqrt(neighbours / pi) / 2, at which the support holds that many particles.
 template <class Choice, int neighbours>
 std::unique_ptr<Stepping> make_with_neighbours(int rows, Flow flow) {
   const double ratio = std::sqrt(neighbours / std::numbers::pi) / kernel_support;
@@ -82,7 +83,7 @@ const char* name_of(Flow flow) { return flow == Flow::calm ? "calm" : "violent";
 
 struct StepTiming {
   double nanoseconds;      // per particle and step
-  double neighbour_share;  // of it in search, sort and lists
+  double neighbour_share;  // share of neighbour search, sorting and lists
   double rebuilds;         // per step
 };
 
@@ -151,7 +152,7 @@ const char* name_of(Loop which) {
   return "";
 }
 
-// One loop alone, on one thread.
+// Times one loop on one thread.
 void loop(benchmark::State& state, Loop which, InstructionSet set, const Size& size) try {
   PairLoops loops(size.rows, std::sqrt(20 / std::numbers::pi) / kernel_support);
   for (auto _ : state) {

@@ -1,9 +1,8 @@
-// The liquids that the benchmarks time: a tank of twice its depth in length, filled to half its
-// height, in two flows.
-//   calm     the first standing wave, 2 % of the depth high
-//   violent  vortices across the depth at a twelfth of the speed of sound over a disordered
-//   lattice,
-//            which renew the neighbour lists every one to three steps
+// The two flows that are timed, in a tank that is filled to half its height and twice as long as
+// the liquid is deep.
+//   calm     the first standing wave, with a height of 2 % of the depth
+//   violent  vortices as large as the depth, at a twelfth of the speed of sound on a disordered
+//            lattice; they renew the neighbour lists every one to three steps
 #pragma once
 
 #include <cmath>
@@ -12,15 +11,15 @@
 #include <random>
 #include <string>
 
-#include "sph/initial_lattice.hpp"
 #include "sph/neighbours/particles.hpp"
 #include "sph/simulation.hpp"
+#include "sph/start/initial_lattice.hpp"
 
 namespace slosh::sph {
 
 enum class Flow { calm, violent };
 
-// `rows` of particles in the depth, twice as many columns.
+// The lattice has `rows` rows of particles and twice as many columns.
 inline Scene benchmark_scene(int rows, std::optional<double> smoothing_length_ratio) {
   const double depth = 0.5;
   Scene scene{.tank_length = 2 * depth,
@@ -56,7 +55,7 @@ inline void set_vortices(const Scene& scene, double speed_of_sound, Particles& p
   std::mt19937 random(1);
   std::uniform_real_distribution<double> shift(-0.2 * scene.particle_spacing,
                                                0.2 * scene.particle_spacing);
-  // Repulsive walls would shoot off a particle that comes nearer to them than the lattice does.
+  // Repulsive walls would eject a particle that is nearer to them than the lattice's particles.
   const double edge = scene.particle_spacing;
   const auto along_a_wall = [&](double x, double z) {
     return x < edge || x > scene.tank_length - edge || z < edge;

@@ -9,10 +9,11 @@
 namespace slosh::sph {
 namespace {
 
-constexpr int chains = 12;  // more than latency times throughput; leaves registers for the factors
+constexpr int chains =
+    12;  // more than latency times throughput, with registers left for the factors
 
 void multiply_and_add(long rounds, const Lanes* factor, Lanes* result) {
-  Lanes sums[chains];  // all different, or the compiler would see that one chain is enough
+  Lanes sums[chains];  // all different, so that the compiler cannot merge the chains
   for (int chain = 0; chain < chains; ++chain) sums[chain] = factor[chain];
   const Lanes a = factor[0], b = factor[1];
   for (long i = 0; i < rounds; ++i)
@@ -28,7 +29,7 @@ void sum_array(const double* values, std::size_t count, Lanes* result) {
   for (const Lanes& sum : sums) *result += sum;
 }
 
-// The fastest of some repetitions [s].
+// Returns the shortest time of some repetitions [s].
 template <class Work>
 double fastest(const Work& work) {
   double seconds = 1e300;
@@ -41,7 +42,7 @@ double fastest(const Work& work) {
   return seconds;
 }
 
-volatile double kept;  // so that no result is left out
+volatile double kept;  // keeps the compiler from removing the computation
 
 }  // namespace
 

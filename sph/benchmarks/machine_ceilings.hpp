@@ -1,4 +1,4 @@
-// What this machine can do at most, measured on one core now: the roof over the pair loops.
+// The machine's peak performance, measured on one core: the upper limit of the pair loops' speed.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,11 @@
 
 namespace slosh::sph {
 
-// Double-precision fused multiply-adds that do not wait for one another, two operations each [1/s].
+// Returns the rate of floating-point operations [1/s] in independent fused multiply-adds of double
+// precision, which count as two operations each.
 double peak_flops(InstructionSet set);
 
-// Of summing an array of that many bytes again and again [byte/s].
+// Returns the bandwidth of repeatedly summing an array of that many bytes [byte/s].
 double read_bandwidth(std::size_t bytes, InstructionSet set);
 
 }  // namespace slosh::sph

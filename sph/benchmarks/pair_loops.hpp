@@ -1,4 +1,4 @@
-// The loops that a step is made of, one by one, and how many pairs they take.
+// The single loops of a step, and their numbers of pairs.
 #pragma once
 
 #include <stdexcept>
@@ -12,8 +12,9 @@ namespace slosh::sph {
 
 enum class Loop { momentum, continuity, refresh, rebuild };
 
-// Of one pair, counted from the formulas of Wendland C2, the viscosity of impacts and the diffusion
-// of the dynamic density; a square root or a division is one operation.
+// Returns the floating-point operations of one pair, counted from the formulas of Wendland C2, the
+// impact viscosity and the diffusion of the dynamic density; a square root or a division counts as
+// one operation.
 inline double flops_of_pair(Loop loop) {
   switch (loop) {
     case Loop::momentum:
@@ -25,7 +26,7 @@ inline double flops_of_pair(Loop loop) {
   }
 }
 
-// Read of one listed source: its record and its index.
+// The bytes read for one listed source: its record and its index.
 inline constexpr double bytes_of_source = sizeof(Source) + sizeof(std::uint32_t);
 
 class PairLoops {
@@ -54,7 +55,7 @@ class PairLoops {
       case Loop::refresh:
         return neighbours_.refresh_for_continuity(scheme_, particles_, walls_);
       case Loop::rebuild:
-        // Lists of the smallest slack: those of a calm flow.
+        // The short step gives lists with the smallest slack, those of a calm flow.
         if (!neighbours_.rebuild<WithWendlandC2::Mirror>(particles_, walls_, 1e-9))
           throw std::runtime_error("a particle is not in the tank");
     }

@@ -1,5 +1,5 @@
-// A liquid that is stepped as a run steps it (run_scheme.hpp), with the time of the neighbour
-// search taken apart.
+// A liquid that is advanced as in a run (run_scheme.hpp), with the time of the neighbour search
+// measured separately.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,10 +10,10 @@
 #include <stdexcept>
 
 #include "sph/benchmarks/flows.hpp"
+#include "sph/guards/stability_guard.hpp"
 #include "sph/liquid.hpp"
 #include "sph/run_scheme.hpp"
 #include "sph/scheme.hpp"
-#include "sph/stability_guard.hpp"
 
 namespace slosh::sph {
 
@@ -24,7 +24,7 @@ class Stepping {
   // Throws unless the state is finite and the liquid's energy has not grown.
   virtual void check() const = 0;
   virtual std::size_t particles() const = 0;
-  // Searched, sorted and listed, so far.
+  // Time and number of the neighbour lists' renewals so far.
   double neighbour_seconds = 0;
   long rebuilds = 0;
 };
@@ -65,7 +65,7 @@ class SteppingOf : public Stepping {
 
   void check() const override {
     check_state(liquid_.particles, scene_.rest_density, liquid_.time);
-    // Of the energies here only the elastic one is left out, a ten-thousandth in a calm liquid.
+    // The elastic energy is neglected; it is a ten-thousandth in a calm liquid.
     const double now = energy();
     if (!(std::abs(now - first_energy_) <= 0.05 * first_energy_))
       throw std::runtime_error(fmt::format("energy = {} J/m after {} s, {} J/m at the start", now,

@@ -1,4 +1,4 @@
-// What the benchmarks found, as one compact table after Google Benchmark's own.
+// The benchmarks' results as compact tables, printed after Google Benchmark's own output.
 #pragma once
 
 #include <map>
@@ -10,13 +10,13 @@ namespace slosh::sph {
 
 class Summary {
  public:
-  // Which of the values of repetitions stays.
+  // Which value of several repetitions is kept.
   enum class Keep { smallest, largest };
 
   // Tables, rows and columns appear in the order of their first entry.
   void enter(const std::string& table, const std::string& row, const std::string& column,
              double value, Keep keep = Keep::smallest);
-  // To standard output.
+  // Prints the tables to standard output.
   void print() const;
 
  private:

@@ -1,10 +1,10 @@
 #!/bin/sh
-# A term that a scene leaves out runs no instruction: of the functions that stand for terms, a short run of each scene
-# calls those that are its own and no other, by callgrind's record of every function that was called.
+# A term that a scene leaves out executes no instruction: a short run of each scene calls those of the listed functions
+# that belong to its terms and no others, by callgrind's record of all functions called.
 # Usage: absent_terms_test.sh PROGRAM FUNCTIONS [--must-fail]
-#   --must-fail  the check of the check: a function that is called must not pass as left out, nor one that is not called
-#                as its own
-# Exit status: 0 held, 1 not, 77 skipped: no valgrind.
+#   --must-fail  checks that the test can fail: it must fail for a function that is called and listed as absent, and for
+#                one that is not called and listed as present
+# Exit status: 0 passed, 1 failed, 77 skipped because there is no valgrind.
 set -eu
 
 program=$1 functions=$2
@@ -15,7 +15,7 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-called() {  # SCENE; the names of the functions that its run calls
+called() {  # SCENE; prints the names of the functions that its run calls
   OMP_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file="$work/out" "$program" "$1" 0.01 \
     >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
   sed -n 's/^c\{0,1\}fn=([0-9]*) //p' "$work/out"

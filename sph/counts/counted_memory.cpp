@@ -32,7 +32,7 @@ void restart_peak() { most = held.load(); }
 
 }  // namespace slosh::sph
 
-// The array and nothrow forms call these.
+// The array and nothrow forms of these operators call the forms replaced here.
 void* operator new(std::size_t bytes) {
   return slosh::sph::counted(std::malloc(bytes ? bytes : 1));
 }

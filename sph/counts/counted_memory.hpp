@@ -1,4 +1,4 @@
-// The program's own memory, counted at operator new and delete, which this file's source replaces.
+// The program's own memory, counted in operator new and delete, which counted_memory.cpp replaces.
 #pragma once
 
 #include <cstddef>

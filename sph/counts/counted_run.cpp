@@ -1,7 +1,7 @@
-// A run whose instructions are counted under valgrind, on one thread: with `recommended` some 80
-// steps of 900 particles in 0.1 s. Prints as lines of KEY|VALUE the instruction set that
-// it used, its steps, particles and terms, the arrays that it held for the particles [byte], and
-// all that it held at its last sample, counted at operator new.
+// A run on one thread whose instructions are counted under valgrind; `recommended` takes about 80
+// steps of 900 particles in 0.1 s. It prints lines of KEY|VALUE: the instruction set, the steps,
+// particles and terms, the arrays held for the particles [byte], and the total memory held at the
+// last sample, counted in operator new [byte].
 #include <fmt/format.h>
 #include <omp.h>
 
@@ -35,7 +35,7 @@ int main(int argc, char** argv) try {
   }
   omp_set_num_threads(1);
   CountedScene counted = counted_scene(argv[1], std::stod(argv[2]));
-  // The run asks for the tank's place in each step and each sample.
+  // The run evaluates the displacement in each step and at each sample.
   const std::size_t before = counted_memory().now;
   std::size_t held = 0;
   counted.scene.displacement = [&, place = counted.scene.displacement](double t) {

@@ -14,7 +14,7 @@
 namespace slosh::sph {
 namespace {
 
-// 3 degrees at the surge's frequency, about the middle of the bottom.
+// Returns a roll of 3 degrees at the surge's frequency, about the middle of the bottom.
 Roll rolling() {
   const double angle = 0.05, omega = surge_frequency;
   return {.angle = [=](double t) { return angle * std::sin(omega * t); },

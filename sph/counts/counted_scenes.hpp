@@ -1,10 +1,10 @@
-// The scenes whose instructions and memory are counted: the surging tank of Li et al. 2010, or
-// parts of it joined by "+", such as "shifting+baffle".
-//   a scheme or a variant   how it is solved; `recommended` where none is named
-//   two_spacings            a lattice twice as fine near the surface
-//   still, roll, baffle, dam                                     other scenes
-//   no_gauge, pressure_gauge, energy_budget, still_water, snapshots, saved_states     what is
-//   recorded
+// The scenes whose instructions and memory are counted: the surging tank of Li et al. 2010, changed
+// by parts that are joined by "+", such as "shifting+baffle". The parts are
+//   a scheme or a variant      the method; `recommended` where none is named
+//   two_spacings               a lattice twice as fine near the surface
+//   still, roll, baffle, dam   another scene
+//   no_gauge, pressure_gauge, energy_budget, still_water, snapshots, saved_states
+//                              what is recorded
 #pragma once
 
 #include <string>
@@ -18,7 +18,8 @@ struct CountedScene {
   Scene scene;
 };
 
-// 900 particles, sampled every 0.01 s. Throws std::invalid_argument for a part that is none.
+// Returns a scene of 900 particles, sampled every 0.01 s. Throws std::invalid_argument for an
+// unknown part.
 CountedScene counted_scene(const std::string& parts, double duration);
 
 }  // namespace slosh::sph

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The guards of a run (sph/stability_guard.hpp, energy_bound.hpp) take less than 1 % of its instructions, by
-# callgrind's count of a short run of each scheme.
+# The guards of a run (sph/guards/) take less than 1 % of its instructions, by callgrind's count of a short run of each
+# scheme.
 # Usage: guard_share_test.sh PROGRAM [--must-fail]
-#   --must-fail  the check of the check: they take more than 0.01 %
-# Exit status: 0 held, 1 not, 77 skipped: no valgrind.
+#   --must-fail  checks that the test can fail, against a limit of 0.01 %
+# Exit status: 0 passed, 1 failed, 77 skipped because there is no valgrind.
 set -eu
 
 program=$1

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The arrays that a run tells of are all that it holds for its particles: operator new counted little more, the recorded
-# series and the like, less than an array of a double for each of some 900 particles beside them would make.
+# The arrays that a run reports are all that it holds for its particles. The memory counted in operator new exceeds them
+# by the recorded series and the like, which is less than the series and one more array of 900 doubles would take.
 # Usage: held_memory_test.sh PROGRAM [--must-fail]
-#   --must-fail  the check of the check: with one array left out it has to fail
-# Exit status: 0 held, 1 not.
+#   --must-fail  checks that the test can fail: it must fail when one array is left out
+# Exit status: 0 passed, 1 failed.
 set -eu
 
 program=$1

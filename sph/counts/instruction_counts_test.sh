@@ -1,9 +1,11 @@
 #!/bin/sh
-# Counts the instructions of a short run of each scheme under valgrind, which no busy machine disturbs, and holds them
-# against the counts of instruction_counts.txt: 3 % more is a failure; 3 % less asks for a new count.
+# Counts the instructions of a short run of each scheme under valgrind, which the load of the machine does not disturb,
+# and compares them with instruction_counts.txt. More than 3 % above is a failure; more than 3 % below calls for a new
+# count.
 # Usage: instruction_counts_test.sh PROGRAM COUNTS COMPILER [--must-fail]
-#   --must-fail  the check of the check: against a count that is 4 % lower it has to fail
-# Exit status: 0 held, 1 not, 77 skipped: no valgrind, or no count for this compiler and instruction set.
+#   --must-fail  checks that the test can fail: it must fail against a count that is 4 % lower
+# Exit status: 0 passed, 1 failed, 77 skipped because there is no valgrind, or no count for this compiler and
+# instruction set.
 set -eu
 
 program=$1 counts=$2 compiler=$3
@@ -14,7 +16,7 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-count() {  # SCHEME; leaves what the run tells in $work/facts
+count() {  # SCHEME; writes what the run prints to $work/facts
   OMP_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" 0.13 \
     >"$work/facts" 2>"$work/log" || { cat "$work/log" >&2; exit 1; }
   sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$work/log"
@@ -32,7 +34,7 @@ for scheme in $(sed 's/#.*//' "$counts" | awk -F' *[|] *' -v c="$compiler" '$1 =
   if [ "${4-}" = --must-fail ]; then before=$((before * 100 / 104)); fi
   awk -v scheme="$scheme" -v set="$set" -v now="$now" -v before="$before" 'BEGIN {
     change = 100 * (now / before - 1)
-    # Written so that a count that is no number fails.
+    # The comparison is false for NaN, which therefore fails.
     verdict = now > 0 && change <= 3 ? "holds" : "FAILS"
     if (verdict == "holds" && change < -3) verdict = "holds; enter the lower count"
     printf "%-12s %-7s %12d instructions, %+.2f %% against %d: %s\n", scheme, set, now, change, before, verdict

@@ -1,10 +1,10 @@
 #!/bin/sh
-# What each term of a run costs: a Markdown table of scenes (counted_scenes.hpp) against the terms compiled in,
-# instructions per particle and step, and the memory held for a particle.
-# Usage: terms_table.sh PROGRAM [SCENE...]      the first scene is the one that the others are held against
-#   instructions   counted by callgrind on one thread, of a longer run less those of a shorter one: what comes before
-#                  the first step and after the last cancels
-#   memory         the arrays that the run tells of, and all that it held at its last sample, counted at operator new
+# The cost of each term: a Markdown table of scenes (counted_scenes.hpp) with the terms compiled in, the instructions
+# per particle and step, and the memory held per particle.
+# Usage: terms_table.sh PROGRAM [SCENE...]      the others are compared with the first scene
+#   instructions   counted by callgrind on one thread; the difference of a longer and a shorter run, in which the parts
+#                  before the first step and after the last one cancel
+#   memory         the arrays that the run reports, and the total held at its last sample, counted in operator new
 # Exit status: 0, or 2 where valgrind is missing or a scene cannot be run.
 set -eu
 
@@ -22,7 +22,7 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-run() {  # SCENE DURATION; leaves what the run tells in $work/facts, and its instructions there too
+run() {  # SCENE DURATION; writes what the run prints, and its instructions, to $work/facts
   OMP_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" "$2" \
     >"$work/facts" 2>"$work/log" || { cat "$work/facts" "$work/log" >&2; exit 2; }
   sed -n 's/.*Collected : \([0-9]*\).*/instructions|\1/p' "$work/log" >>"$work/facts"
@@ -38,9 +38,9 @@ for scene; do
 done >"$work/all"
 
 awk -F'|' '
-# Keeps the order of entry in names[list, 1..count[list]].
+# names[list, 1..count[list]] keeps the order of entry.
 function enter(list, name) { if (!((list, name) in has)) { has[list, name] = 1; names[list, ++count[list]] = name } }
-# What is in list a and not in list b, joined by "; ", and by ", " where it begins alike up to a colon.
+# Returns the names in list a that are not in list b, joined by "; ", or by ", " after an equal prefix up to a colon.
 function beyond(a, b,    i, name, kind, last, joined) {
   for (i = 1; i <= count[a]; ++i) {
     name = names[a, i]

@@ -1,8 +1,8 @@
 #!/bin/sh
 # In the table of terms, leaving a term out lowers the count of instructions and adding one raises it.
 # Usage: terms_table_test.sh PROGRAM [--must-fail]
-#   --must-fail  the check of the check: the order turned round has to fail
-# Exit status: 0 held, 1 not, 77 skipped: no valgrind.
+#   --must-fail  checks that the test can fail: it must fail for the reverse order
+# Exit status: 0 passed, 1 failed, 77 skipped because there is no valgrind.
 set -eu
 
 program=$1
@@ -19,7 +19,7 @@ instructions() {  # SCENE
   echo "$table" | awk -F' *[|] *' -v scene="\`$1\`" '$2 == scene {print $4}'
 }
 
-fewer() {  # SCENE SCENE; written so that a count that is none fails
+fewer() {  # SCENE SCENE; fails for a missing count
   awk -v a="$(instructions "$1")" -v b="$(instructions "$2")" -v names="$1 $2" 'BEGIN {
     held = a > 0 && b > 0 && a + 0 < b + 0
     printf "%s: %s and %s instructions per particle and step: %s\n", names, a, b, held ? "fewer" : "NOT FEWER"

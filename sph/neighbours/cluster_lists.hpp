@@ -1,7 +1,7 @@
-// Neighbour lists of clusters: up to eight particles that stand together in the sorted order, and
-// the sources within reach of one of them. The pair loop keeps a cluster in its lanes and takes one
-// source after another for all eight: no gathers, no scatters, and every particle sums in a fixed
-// order whatever the number of threads.
+// Neighbour lists of clusters. A cluster is up to eight consecutive particles of the sorted order;
+// its list holds the sources within reach of at least one of them. The pair loop keeps a cluster in
+// its lanes and processes one source after another for all eight particles. It needs no gathers or
+// scatters, and the order of every particle's sum does not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
-#include "sph/simulation.hpp"
+#include "sph/scene.hpp"
 
 namespace slosh::sph {
 
-// How far ahead of its use a pair loop asks for a source, in places of the list: the time that
-// memory takes (measured: 32 to 96 do about as well).
+// How many sources ahead of its use a pair loop prefetches one, to hide the latency of the memory;
+// 32 to 96 were measured to be about equally fast.
 inline constexpr std::size_t prefetch_distance = 64;
 
 struct Cluster {
@@ -26,28 +26,30 @@ struct Cluster {
   const std::uint32_t* sources;  // indices, readable to prefetch_distance past the last
   std::size_t source_count;
 
-  // Source number k of `all`; asks for the one that is taken up prefetch_distance later.
+  // Returns source number k of the list, and prefetches the one prefetch_distance later.
   const Source& source(const Source* all, std::size_t k) const {
     __builtin_prefetch(&all[sources[k + prefetch_distance]]);
     return all[sources[k]];
   }
 };
 
-// Sources in the order of a grid's last sort, the first of them being number `first_source` of all.
+// Sources in the order of a grid's last sort; the first has the number `first_source` of all
+// sources.
 struct SortedPoints {
   const CellGrid& grid;
   const Array<float>&x, &z;
   std::size_t first_source;
 };
 
-// Points that stand one after another in the order of a grid.
+// Consecutive points in the order of a grid.
 struct PointRun {
   const float *x, *z;
   std::size_t size;
   std::uint32_t first_source;
 };
 
-// Appends to `end` the sources of a run that are within reach of one of the `around`; room for all.
+// Appends the sources of a run that are within reach of one of the points `around` to the list that
+// ends at `end`, which must have room for all of them.
 struct AppendNear {
   template <Vector Number>
   static void run(const PointRun* points, const PointRun* around, double reach,
@@ -73,8 +75,8 @@ struct AppendNear {
 
 class ClusterLists {
  public:
-  // Cuts particles in the order of a grid's last sort into clusters, none of which reaches across
-  // rows, and lists for each the points within reach. `x`, `z`: the particles' positions in the
+  // Cuts particles in the order of the grid's last sort into clusters, each within one row, and
+  // lists the points within reach of each cluster. `x` and `z` are the particles' positions in the
   // points' frame.
   void build(const CellGrid& grid, const Array<float>& x, const Array<float>& z,
              const std::vector<SortedPoints>& points, double reach) {
@@ -156,7 +158,7 @@ class ClusterLists {
     return {left - reach, right + reach, bottom - reach, top + reach};
   }
 
-  // Returns the list's new length.
+  // Appends the sources of `points` within reach of the cluster and returns the list's new length.
   static std::size_t append_sources(const SortedPoints& points, const PointRun& cluster,
                                     const Rectangle& box, double reach, InstructionSet set,
                                     std::vector<std::uint32_t>& list, std::size_t length) {

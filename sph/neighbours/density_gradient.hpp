@@ -1,8 +1,8 @@
 // The renormalised density gradient of Antuono et al. 2010, eq. 3:
 //   grad rho_a = L_a sum_b V_b (rho_b - rho_a) grad_a W_ab,
 //   L_a = [ sum_b V_b (r_b - r_a) (x) grad_a W_ab ]^-1,
-// exact for a linear density. An image's is its owner's, reflected, about the hydrostatic gradient
-// that the walls continue; that gradient itself stands at the particles of solids.
+// which is exact for a linear density. An image has its owner's gradient, whose deviation from the
+// hydrostatic gradient is reflected. The particles of solids have the hydrostatic gradient.
 #pragma once
 
 #include <vector>
@@ -31,7 +31,8 @@ struct DensityGradient {
   }
 };
 
-// (dW/dr)/r of a pair [1/m4] is gradient_scale times gradient_shape; `inverse_h` [1/m].
+// (dW/dr)/r of a pair [1/m4] is gradient_scale times the kernel's gradient_shape; `inverse_h` is
+// 1/h [1/m].
 template <class Kernel, class Length>
 inline Length gradient_scale(Length inverse_h) {
   const Length inverse_h2 = inverse_h * inverse_h;
@@ -43,11 +44,11 @@ inline Number gradient_over_distance(Number distance2, Length inverse_h) {
          Kernel::gradient_shape(square_root(distance2) * inverse_h);
 }
 
-// sum_b V_b (r_b - r_a) (x) grad_a W_ab, the identity inside the liquid.
+// sum_b V_b (r_b - r_a) (x) grad_a W_ab, which is the identity inside the liquid.
 struct Renormalisation {
   Lanes xx{}, xz{}, zz{};
 
-  // `f`: V_b (dW/dr)/r of the pair at dx, dz = r_a - r_b.
+  // Adds a pair at (dx, dz) = r_a - r_b, where `f` is V_b (dW/dr)/r.
   void add(Lanes f, Lanes dx, Lanes dz) {
     xx -= f * dx * dx;
     xz -= f * dx * dz;
@@ -76,7 +77,7 @@ void density_gradient_of_cluster(const Scheme* scheme, const Cluster* cluster,
   for (std::size_t lane = 0; lane < cluster->size; ++lane) {
     const double xx = support.xx[lane], xz = support.xz[lane], zz = support.zz[lane];
     const double determinant = xx * zz - xz * xz;
-    // 1 inside the liquid; a drop of a few particles cannot carry a gradient.
+    // The determinant is 1 inside the liquid; a drop of a few particles defines no gradient.
     constexpr double least = 0.01;
     const double scale = determinant > least ? 1.0 / determinant : 0.0;
     gradient->x[i + lane] = scale * (zz * sum_x[lane] - xz * sum_z[lane]);
@@ -97,7 +98,7 @@ void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbou
   const double sound = scheme.state.speed_of_sound;
   const double compressibility = scheme.setting.rest_density / (sound * sound);  // d rho / d(p/rho)
   gradient.of_sources.resize(neighbours.source_count());
-  // Of the hydrostatic density of a liquid that the wall holds.
+  // The gradient of the hydrostatic density of a liquid at rest relative to the wall.
   const auto at_wall = [&](double x, double z, double u, double w) {
     const Vector2 gravity = tank.apparent_gravity(scheme.setting.gravity, x, z, u, w);
     return Vector2{compressibility * gravity.x, compressibility * gravity.z};

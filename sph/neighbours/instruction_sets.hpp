@@ -1,5 +1,5 @@
-// One source, several builds of its hot functions, chosen when the program runs: the vector
-// instructions of AVX-512, of AVX2, or those that every processor of the kind has.
+// Several builds of the hot functions from one source, chosen at run time: for AVX-512, for AVX2,
+// and for the instructions that every processor of the architecture has.
 #pragma once
 
 #include "sph/neighbours/lanes.hpp"
@@ -33,7 +33,7 @@ inline bool has(InstructionSet set) {
   return true;
 }
 
-// `flatten` draws everything that `function` calls into the build for the wider instructions.
+// `flatten` inlines everything that `function` calls into the build for the wider instructions.
 template <auto function, class... Arguments>
 [[gnu::target("arch=x86-64-v4"), gnu::flatten]] void call_avx512(Arguments... arguments) {
   function(arguments...);
@@ -72,8 +72,8 @@ void call(InstructionSet set, Arguments... arguments) {
   }
 }
 
-// Calls Loop::run<Number>(arguments...) in its build for `set`, Number the vector that fills one of
-// the set's registers.
+// Calls Loop::run<Number>(arguments...) in its build for `set`, where Number is the vector that
+// fills one of the set's registers.
 template <class Loop, class... Arguments>
 void call_in_registers(InstructionSet set, Arguments... arguments) {
   switch (set) {

@@ -1,5 +1,5 @@
-// Particles side by side: the number types of the pair loops. Every function here exists for
-// plain doubles too, so that a formula is written once.
+// The vector types of the pair loops, whose lanes hold one particle each. The functions of formulas
+// exist for plain doubles too, so that a formula is written once.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@ namespace slosh::sph {
 
 inline constexpr std::size_t lane_count = 8;
 using Lanes = double __attribute__((vector_size(lane_count * sizeof(double))));
-// Those that fit a register of AVX2, and of the plain instructions: wider ones are taken apart by
-// the compiler, lane by lane where it compares them.
+// Vectors that fit a register of AVX2 and of the plain instructions. The compiler splits wider
+// ones, into single lanes for comparisons.
 using FourLanes = double __attribute__((vector_size(4 * sizeof(double))));
 using TwoLanes = double __attribute__((vector_size(2 * sizeof(double))));
 
@@ -30,7 +30,7 @@ Number square_root(Number a) {
   return root;
 }
 
-// The larger of a and `bound`; `bound` where a is no number.
+// Returns the larger of a and `bound`; `bound` where a is NaN.
 inline double at_least(double bound, double a) { return a > bound ? a : bound; }
 template <Vector Number>
 Number at_least(double bound, Number a) {
@@ -38,7 +38,7 @@ Number at_least(double bound, Number a) {
   return a > bounds ? a : bounds;
 }
 
-// The smaller of a and b; b where a is no number.
+// Returns the smaller of a and b; b where a is NaN.
 template <Vector Number>
 Number at_most(Number a, Number b) {
   return a < b ? a : b;
@@ -50,7 +50,7 @@ Number negative_part(Number a) {
   return a < Number{} ? a : Number{};
 }
 
-// Consecutive doubles from `begin`.
+// Loads consecutive doubles from `begin`.
 template <Vector Number = Lanes>
 Number load(const double* begin) {
   Number lanes;
@@ -58,7 +58,7 @@ Number load(const double* begin) {
   return lanes;
 }
 
-// The same from floats.
+// Loads consecutive floats from `begin`.
 template <Vector Number>
 Number load(const float* begin) {
   Number lanes;
@@ -66,7 +66,7 @@ Number load(const float* begin) {
   return lanes;
 }
 
-// The first `count` lanes to `begin`.
+// Stores the first `count` lanes at `begin`.
 template <Vector Number>
 void store(double* begin, Number lanes, std::size_t count) {
   if (count >= lanes_of<Number>)

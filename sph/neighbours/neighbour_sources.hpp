@@ -1,9 +1,8 @@
-// The sources of the pair sums, each kind sorted by cell: the liquid, in the order of the particles
-// themselves, then its mirror images, then the particles of solids. `rebuild` sorts the particles,
-// decides which images exist and lists the sources of every cluster, by positions of single
-// precision and a reach that allows for it; `refresh_for_...` fill in the
-// state of the liquid and its images, many times between rebuilds, and the solids
-// (walls/solids.hpp) that of their own.
+// The sources of the pair sums, each kind sorted by cell: the liquid in the order of its particles,
+// then its mirror images, then the particles of solids. `rebuild` sorts the particles, decides
+// which images exist and lists the sources of every cluster; it uses positions in single precision
+// and a reach that allows for their rounding. Between rebuilds, `refresh_for_...` fill in the state
+// of the liquid and its images many times; the solids (walls/solids.hpp) fill in their own.
 #pragma once
 
 #include <algorithm>
@@ -27,9 +26,9 @@ namespace slosh::sph {
 
 class NeighbourSources {
  public:
-  // `spacing` of the particles [m], which shapes the cells; `support`, the largest kernel radius in
-  // the scene [m]. Throws std::invalid_argument for a tank in which a particle would need images of
-  // images: narrower or lower than two reaches.
+  // `spacing` is that of the particles [m] and determines the cells; `support` is the largest
+  // kernel radius in the scene [m]. Throws std::invalid_argument for a tank narrower or lower than
+  // two reaches, in which a particle would need images of images.
   template <class Tank>
   NeighbourSources(const Tank& tank, double spacing, double support)
       : support_(support),
@@ -43,9 +42,9 @@ class NeighbourSources {
           "particle_spacing: expected one whose kernel reaches across at most half the tank");
   }
 
-  // Where the solids' particles stand and where the sums for them are taken, in the tank [m]. Sorts
-  // `places` by cell, which must then stay as they are. Images that fall into an obstacle are left
-  // out.
+  // Adds the solids' particles and their nodes, at which their sums are evaluated, in the tank [m].
+  // Sorts `places` by cell; they must not change afterwards. Images that fall into an obstacle are
+  // left out.
   void add_solids(std::vector<SolidPlace>& places, std::vector<Rectangle> obstacles) {
     std::sort(places.begin(), places.end(), [&](const SolidPlace& a, const SolidPlace& b) {
       return grid_.cell(a.node_x, a.node_z) < grid_.cell(b.node_x, b.node_z);
@@ -69,8 +68,9 @@ class NeighbourSources {
     }
   }
 
-  // Sorts the particles by cell, lists their images and the sources of every cluster, for some
-  // steps of dt. False when a particle is not in the tank: `stray()`. `scratch` is overwritten.
+  // Sorts the particles by cell, and lists their images and the sources of every cluster for some
+  // steps of dt. Returns false where a particle, `stray()`, is not in the tank. `scratch` is
+  // overwritten.
   template <class Mirror = FreeSlipMirror, class Tank>
   bool rebuild(Particles& particles, const Tank& tank, double dt, Array<double>&& scratch = {}) {
     slack_ = slack_for(dt * fastest(particles, tank));
@@ -93,8 +93,8 @@ class NeighbourSources {
   }
   std::size_t stray() const { return stray_; }
 
-  // Whether some particle may, by the end of a step of dt, have moved farther against the tank than
-  // the lists of the last rebuild allow.
+  // Returns whether a particle may, by the end of a step of dt, have moved farther relative to the
+  // tank than the lists of the last rebuild allow.
   template <class Tank>
   bool stale(const Particles& particles, const Tank& tank, double dt) const {
     if (built_x_.size() != particles.size()) return true;
@@ -112,10 +112,10 @@ class NeighbourSources {
   }
   // Makes the lists stale.
   void forget() { built_x_.clear(); }
-  // How far a particle may move against the tank before the lists are stale [m].
+  // Returns how far a particle may move relative to the tank before the lists are stale [m].
   double slack() const { return slack_; }
 
-  // Fills in what the momentum sum reads of every source.
+  // Fills in the state that the momentum sum reads, for the liquid and its images.
   template <class Scheme, class Tank>
   void refresh_for_momentum(const Scheme& scheme, const Particles& p, const Tank& tank) {
     refresh<typename Scheme::Mirror>(scheme, p, tank, [&](Source& source, std::size_t i) {
@@ -127,7 +127,7 @@ class NeighbourSources {
     });
   }
 
-  // Fills in what the continuity sum reads of every source.
+  // Fills in the state that the continuity sum reads, for the liquid and its images.
   template <class Scheme, class Tank>
   void refresh_for_continuity(const Scheme& scheme, const Particles& p, const Tank& tank) {
     refresh<typename Scheme::Mirror::InContinuity>(
@@ -143,8 +143,8 @@ class NeighbourSources {
         });
   }
 
-  // Calls visit(source, solid) for the sources that are particles of solids, `solid` an index of
-  // their places.
+  // Calls visit(source, solid) for the sources that are particles of solids; `solid` is the index
+  // in their places.
   template <class Visit>
   void for_each_solid_source(const Visit& visit) {
     const std::size_t first = first_solid_source();
@@ -153,8 +153,8 @@ class NeighbourSources {
   }
   std::size_t first_solid_source() const { return sources_.size() - solid_order_.size(); }
 
-  // Calls visit(k, i, map) for every source k of liquid: the image of particle i by the map, or i
-  // itself.
+  // Calls visit(k, i, map) for every particle and every image: source k is particle i mapped by
+  // `map`, which is the identity for the particle itself.
   template <class Mirror, class Tank, class Visit>
   void for_each_image(const Tank& tank, const Visit& visit) const {
     const std::size_t n = built_x_.size();
@@ -172,7 +172,7 @@ class NeighbourSources {
   const Source* sources() const { return sources_.data(); }
   std::size_t source_count() const { return sources_.size(); }
   const ClusterLists& clusters() const { return clusters_; }
-  // Of the solids' nodes.
+  // Returns the clusters of the solids' nodes.
   const ClusterLists& solid_clusters() const { return solid_clusters_; }
 
   template <class Visit>
@@ -192,7 +192,7 @@ class NeighbourSources {
   }
 
  private:
-  // Fills in what both sums read of every source; complete(source, owner) does the rest.
+  // Fills in the state that both sums read; complete(source, owner) fills in the rest.
   template <class Mirror, class Scheme, class Tank, class Complete>
   void refresh(const Scheme& scheme, const Particles& p, const Tank& tank,
                const Complete& complete) {
@@ -208,7 +208,7 @@ class NeighbourSources {
     });
   }
 
-  // From the owner to its image [Pa].
+  // Returns the rise of the hydrostatic pressure from the owner to its image [Pa].
   template <class Scheme, class Tank>
   static double pressure_rise(const Scheme& scheme, const Tank& tank, const Source& source,
                               const Particles& p, std::size_t i) {
@@ -217,7 +217,7 @@ class NeighbourSources {
     return p.density[i] * (gravity.x * (source.x - p.x[i]) + gravity.z * (source.z - p.z[i]));
   }
 
-  // The largest speed against the tank [m/s].
+  // Returns the largest speed relative to the tank [m/s].
   template <class Tank>
   static double fastest(const Particles& particles, const Tank& tank) {
     double fastest2 = 0;
@@ -230,14 +230,14 @@ class NeighbourSources {
     return std::sqrt(fastest2);
   }
 
-  // Enough for `steps_per_list` steps of this length, within the bounds that pay, and for one step
-  // in any case.
+  // Returns the slack for `steps_per_list` steps of this length, within the efficient bounds, but
+  // at least for one step.
   double slack_for(double step) const {
     return std::max(1.01 * step, std::clamp(steps_per_list * step, smallest_slack * support_,
                                             largest_slack * support_));
   }
 
-  // Comparisons that a NaN fails.
+  // The comparisons are false for NaN.
   bool inside(Vector2 place) const {
     return place.x > 0 && place.x < length_ && place.z > 0 && place.z < height_;
   }
@@ -308,12 +308,12 @@ class NeighbourSources {
     std::uint8_t reflection;
   };
 
-  // In kernel radii; measured on a calm and on a breaking surge.
+  // In kernel radii; the values were chosen by measurement on a calm and on a breaking surge.
   static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 6;
-  // In particle spacings: eight particles of a row make a cluster about as wide as it is high.
+  // In particle spacings: eight particles of a row form a cluster about as wide as it is high.
   static constexpr double cell_height = 2.83, cell_width = 0.5;
 
-  // Of images and solids, in kernel radii: few of them, in few cells.
+  // Cells of images and solids, in kernel radii; these points are few and need few cells.
   static constexpr double kernel_cells = 0.5;
 
   double support_, length_, height_, rounding_, reach_ = 0, slack_ = 0;

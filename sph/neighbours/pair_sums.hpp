@@ -13,8 +13,8 @@
 
 namespace slosh::sph {
 
-// (dW/dr)/r of a pair, but for the factors that all pairs share: those are left to the end of the
-// sum, `shared_scale`.
+// (dW/dr)/r of a pair without the factors that all pairs share; the whole sum is multiplied by
+// these (shared_scale).
 template <class Scheme, class Number, class Length>
 inline Number pair_gradient(Number distance2, Length inverse_h) {
   using Kernel = typename Scheme::Kernel;
@@ -35,7 +35,7 @@ inline double shared_scale(const Scheme& scheme) {
 template <class Scheme>
 using Tank = typename Scheme::Frame::Tank;
 
-// Of the particles in the lanes; the spacing where the scheme reads it.
+// The state of the particles in the lanes; `spacing` is 0 where the scheme does not read it.
 template <Vector Number>
 struct LaneState {
   Number x, z, u, w, rho, spacing;
@@ -142,7 +142,7 @@ void sum_momentum(const Scheme& scheme, const Tank<Scheme>& tank, const ClusterL
   });
 }
 
-// `gradient` is read by a scheme whose density diffusion asks for it, and may else be empty.
+// `gradient` may be empty unless the scheme's density diffusion reads it.
 template <class Scheme>
 void sum_continuity(const Scheme& scheme, const Tank<Scheme>& tank, const ClusterLists& clusters,
                     const Source* sources, const DensityGradient& gradient,

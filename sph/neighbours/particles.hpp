@@ -1,6 +1,6 @@
 // The liquid's particles as a structure of arrays, and the sources that the pair loops read. A
-// source is a liquid particle, one of its mirror images or a particle of a solid
-// (mirror_particles.hpp).
+// source is a liquid particle, one of its mirror images (walls/mirror_particles.hpp) or a particle
+// of a solid (walls/solid_particles.hpp).
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@
 
 namespace slosh::sph {
 
-// Aligned for vector loads, with room past the end for a vector that begins at the last element.
+// Memory is aligned for vector loads and has room past the end for a vector that begins at the last
+// element.
 template <class T>
 struct VectorAllocator {
   using value_type = T;
@@ -30,7 +31,7 @@ struct VectorAllocator {
 template <class T>
 using Array = std::vector<T, VectorAllocator<T>>;
 
-// The state that is carried from step to step; positions and velocities in the scheme's frame.
+// The state that is integrated in time; positions and velocities are in the scheme's frame.
 struct Particles {
   Array<double> x, z;                    // [m]
   Array<double> velocity_x, velocity_z;  // [m/s]
@@ -39,13 +40,14 @@ struct Particles {
   Array<double> spacing;                 // [m], the width of the lattice cell that it was laid in;
                                          // empty where all have lattice_spacing
   double lattice_spacing = 0;            // [m]
-  // A step earlier; empty but for an integrator that carries them.
+  // The values a step earlier; empty except with an integrator that carries them.
   Array<double> earlier_velocity_x, earlier_velocity_z, earlier_density;
 
   std::size_t size() const { return x.size(); }
   double spacing_of(std::size_t i) const { return spacing.empty() ? lattice_spacing : spacing[i]; }
 
-  // The component along a wall's unit normal to 2 v_wall - v, now and a step earlier.
+  // Changes the velocity component v along a wall's unit normal to 2 v_wall - v, now and a step
+  // earlier.
   void turn_velocity(std::size_t i, double normal_x, double normal_z, double wall_velocity) {
     const auto turn = [=](double& u, double& w) {
       const double excess = 2 * (u * normal_x + w * normal_z - wall_velocity);
@@ -56,14 +58,14 @@ struct Particles {
     if (!earlier_velocity_x.empty()) turn(earlier_velocity_x[i], earlier_velocity_z[i]);
   }
 
-  // As it is now.
+  // Sets the earlier state to the present one.
   void make_earlier_state() {
     earlier_velocity_x = velocity_x;
     earlier_velocity_z = velocity_z;
     earlier_density = density;
   }
 
-  // visit(name, field) for those that are there.
+  // Calls visit(name, field) for every field that is not empty.
   template <class Visit>
   void for_each_named_field(const Visit& visit) {
     const std::pair<const char*, Array<double>*> fields[]{
@@ -86,7 +88,7 @@ struct Particles {
   }
 };
 
-// In the frame of the velocities [J/m].
+// Returns the kinetic energy in the frame of the velocities [J/m].
 inline double kinetic_energy(const Particles& p) {
   double sum = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -111,13 +113,13 @@ struct Rates {
   }
 };
 
-// All that a pair loop reads of one source, in one cache line. What `strength` and `weight` are is
-// the formulation's choice (formulation.hpp).
+// Everything that a pair loop reads of one source, in one cache line. The formulation
+// (terms/formulation.hpp) defines `weight` and `strength`.
 struct alignas(64) Source {
   double x, z, velocity_x, velocity_z;
   double weight;
   double strength;
-  double density;  // [kg/m3]; in a scheme with density diffusion, that which diffuses
+  double density;  // [kg/m3]; in the continuity sum of a scheme with diffusion, the diffused one
   double spacing;  // [m]
 };
 

@@ -1,8 +1,8 @@
 // Numerical diffusion in the continuity equation, per pair, to be summed as
 //   drho_a/dt += sum_b V_b pair(d_a - d_b, h) (dW/dr)/r,
-// where `diffused` says what d is [kg/m3]. All are of the strength 2 delta h c0 (Molteni &
-// Colagrossi 2009, whose psi_ab . grad W holds r_ab . r_ab / r^2 = 1); they differ in what they
-// leave alone. switch_off() leaves a term that adds nothing.
+// where `diffused` returns d [kg/m3]. All have the strength 2 delta h c0 (Molteni & Colagrossi
+// 2009, whose psi_ab . grad W contains r_ab . r_ab / r^2 = 1); they differ in the quantity d that
+// they diffuse. After switch_off() a term adds nothing.
 #pragma once
 
 #include "sph/setting.hpp"
@@ -16,8 +16,8 @@ struct NoDensityDiffusion {
   explicit NoDensityDiffusion(const Setting&) {}
 };
 
-// Of the density itself (Molteni & Colagrossi 2009, eq. 12): the hydrostatic gradient diffuses too,
-// which lifts the liquid at a free surface.
+// Diffusion of the density itself (Molteni & Colagrossi 2009, eq. 12): the hydrostatic gradient
+// diffuses too, which lifts the liquid at a free surface.
 struct MolteniColagrossiDiffusion {
   static constexpr const char* name = "density diffusion, Molteni-Colagrossi";
   static constexpr bool active = true, reads_gradient = false;
@@ -38,9 +38,10 @@ struct MolteniColagrossiDiffusion {
   }
 };
 
-// Of the dynamic density (p - rho_0 g (fill_depth - z)) / c0^2, that above the hydrostatic one at
-// the same height: the still liquid is left alone. As Fourtakas et al. 2019, eq. 13, but with the
-// hydrostatic part taken at the particles' heights, not linearised per pair.
+// Diffusion of the dynamic density (p - rho_0 g (fill_depth - z)) / c0^2, which is the excess over
+// the hydrostatic density at the same height; it does not act on still liquid. The form is that of
+// Fourtakas et al. 2019, eq. 13, except that the hydrostatic part is evaluated at the particles'
+// heights instead of being linearised per pair.
 struct DynamicDensityDiffusion : MolteniColagrossiDiffusion {
   static constexpr const char* name = "density diffusion, of the dynamic density (Fourtakas)";
   static constexpr bool of_whole_density = false;
@@ -58,8 +59,8 @@ struct DynamicDensityDiffusion : MolteniColagrossiDiffusion {
   }
 };
 
-// Of the density beyond its own renormalised linear part (Antuono et al. 2010, eqs 2 and 3): the
-// pair takes off (grad rho_a + grad rho_b) . r_ab / 2, summed in density_gradient.hpp.
+// Diffusion of the density without its renormalised linear part (Antuono et al. 2010, eqs 2 and 3):
+// the pair subtracts (grad rho_a + grad rho_b) . r_ab / 2 (neighbours/density_gradient.hpp).
 struct AntuonoDiffusion : MolteniColagrossiDiffusion {
   static constexpr const char* name = "density diffusion, Antuono (renormalised gradients)";
   static constexpr bool reads_gradient = true;

@@ -1,7 +1,7 @@
 // Pressure from density in a weakly compressible liquid, and the energy that its compression
 // stores,
-//   e(rho) = integral of p / rho^2 from the rest density,
-// which needs no heat: the pressure depends on the density alone.
+//   e(rho) = integral of p / rho^2 from the rest density
+// No heat is involved, because the pressure depends on the density alone.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace slosh::sph {
 
-// s to a whole power, by squares.
+// Returns s to a whole power, by squares.
 template <int power, class Number>
 Number to_the(Number s) {
   if constexpr (power == 1) return s;
@@ -40,12 +40,12 @@ struct PowerLawState {
   auto pressure(auto density) const {
     return stiffness() * (to_the<gamma>(density / rest_density) - 1.0);
   }
-  // Inverse, for p > -B.
+  // Returns the density at a pressure p > -B.
   double density(double pressure) const {
     return rest_density * std::pow(1.0 + pressure / stiffness(), 1.0 / gamma);
   }
-  // [J/kg], with s = rho / rho_0: B / rho_0 ((s^(gamma - 1) - 1) / (gamma - 1) + 1 / s - 1), whose
-  // terms all but cancel near s = 1; the root at s = 1 is double and taken out.
+  // Returns the energy [J/kg], with s = rho / rho_0: B / rho_0 ((s^(gamma - 1) - 1) / (gamma - 1) +
+  // 1 / s - 1). Its terms nearly cancel near s = 1, so the double root at s = 1 is factored out.
   double energy(double density) const {
     const double s = density / rest_density, compression = s - 1.0;
     double rest = 1.0;
@@ -54,12 +54,12 @@ struct PowerLawState {
   }
 };
 
-// Of water: gamma = 7 (Monaghan 1994; Li et al. 2010, eq. 9).
+// Water: gamma = 7 (Monaghan 1994; Li et al. 2010, eq. 9).
 struct Tait : PowerLawState<7> {
   static constexpr const char* name = "Tait equation of state, gamma = 7";
   using PowerLawState::PowerLawState;
 };
-// Between it and the linear one.
+// Equations of state between Tait's and the linear one.
 struct CubicState : PowerLawState<3> {
   static constexpr const char* name = "power-law equation of state, gamma = 3";
   using PowerLawState::PowerLawState;
@@ -84,7 +84,7 @@ struct LinearState {
   double density(double pressure) const {
     return rest_density + pressure / (speed_of_sound * speed_of_sound);
   }
-  // [J/kg], with s = rho / rho_0: c0^2 (ln s + 1 / s - 1).
+  // Returns the energy [J/kg], with s = rho / rho_0: c0^2 (ln s + 1 / s - 1).
   double energy(double density) const {
     const double compression = density / rest_density - 1.0;
     return speed_of_sound * speed_of_sound *

@@ -1,8 +1,8 @@
-// How pressure gradient and velocity divergence are summed over sources b of a particle a:
+// The sums for pressure gradient and velocity divergence over the sources b of a particle a:
 //   dv_a/dt   = -A_a sum_b weight_b (strength_a + strength_b + viscous_ab) grad_a W_ab
 //   drho_a/dt =  C_a sum_b weight_b (v_a - v_b) . grad_a W_ab
-// with A the acceleration factor and C the continuity factor. In each formulation the two sums are
-// adjoint, so that pressure work and compression energy balance. A source's volume is nearly
+// A is the acceleration factor and C the continuity factor. In each formulation the two sums are
+// adjoint, so that pressure work and compression energy balance. A source's volume is approximately
 // volume_of_weight times its weight. Where viscous_share is 0, viscous_ab adds nothing.
 #pragma once
 

@@ -1,7 +1,7 @@
-// Smoothing kernels in two dimensions: W(r, h), with q = r / h and support radius 2 h. This is the
-// one place that relates the smoothing length h to the support.
+// Smoothing kernels in two dimensions: W(r, h), with q = r / h and support radius 2 h. Only this
+// file relates the smoothing length h to the support.
 //
-// A kernel gives two functions of q without the dimensional factor, both zero (without a branch)
+// A kernel has two functions of q without the dimensional factor; both are zero (without a branch)
 // for q >= 2:
 //   shape(q)           W      = normalisation / h^2 * shape(q)
 //   gradient_shape(q)  (dW/dr) / r = normalisation / h^4 * gradient_shape(q), finite at q = 0
@@ -28,7 +28,7 @@ struct CubicSpline {
   template <class Number>
   static Number gradient_shape(Number q) {
     const Number outer = at_least(0.0, 2.0 - q), inner = at_least(0.0, 1.0 - q);
-    // The numerator vanishes at q = 0; the bound only keeps 0/0 away.
+    // The numerator vanishes at q = 0; the bound only avoids 0/0.
     return (3.0 * inner * inner - 0.75 * outer * outer) / at_least(1e-9, q);
   }
 };
@@ -45,7 +45,7 @@ struct WendlandC2 {
   }
   template <class Number>
   static Number gradient_shape(Number q) {
-    // The factor 5 stands inside the cube: one multiplication less for every pair.
+    // The factor 5 is inside the cube, which saves one multiplication per pair.
     constexpr double root = 1.709975946676697;  // 5^(1/3)
     const Number s = at_least(0.0, root - 0.5 * root * q);
     return -(s * s * s);
@@ -82,14 +82,14 @@ struct QuinticSpline {
   }
   template <class Number>
   static Number gradient_shape(Number q) {
-    // The numerator vanishes exactly at q = 0; the addend only keeps 0/0 away.
+    // The numerator vanishes exactly at q = 0; the addend only avoids 0/0.
     return -7.5 *
            (fourth(3.0 - 1.5 * q) - 6.0 * fourth(2.0 - 1.5 * q) + 15.0 * fourth(1.0 - 1.5 * q)) /
            (q + 1e-30);
   }
 
  private:
-  // Of the positive part.
+  // Powers of the positive part of a.
   template <class Number>
   static Number fourth(Number a) {
     const Number positive = at_least(0.0, a), square = positive * positive;

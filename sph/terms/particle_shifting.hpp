@@ -1,12 +1,13 @@
-// Particle shifting: at the end of a step particles move a little down the gradient of their
-// concentration, which keeps them evenly spread (Sun et al. 2017, eq. 12, delta-plus-SPH):
+// Particle shifting: at the end of a step, particles move a little down the gradient of their
+// concentration, which keeps their distribution even (Sun et al. 2017, eq. 12, delta-plus-SPH):
 //   dr_a = -C Ma (2 h)^2 sum_b V_b / 2 [1 + 0.2 (W_ab / W(dp))^4] grad_a W_ab,   Ma = |v_a| / c0
-// here, C the Courant number; no farther than 0.05 dp. Near the free surface that gradient tells of
-// the surface and not of the spread. There (Sun et al. 2019, section 3), with the fullness
-// lambda_a, the smaller eigenvalue of sum_b V_b (r_b - r_a) (x) grad_a W_ab, 1 inside the liquid
-// and 1/2 on a flat surface:
-//   lambda_a <= 0.75              the particle is of the surface and stays;
-//   such a particle in reach      it moves along the surface alone, across n ~ grad lambda.
+// C is the Courant number, and a shift is limited to 0.05 dp. Near the free surface this gradient
+// is that of the surface and not of the distribution. The shifts there (Sun et al. 2019, section 3)
+// depend on the fullness lambda_a, the smaller eigenvalue of sum_b V_b (r_b - r_a) (x) grad_a W_ab,
+// which is 1 inside the liquid and 1/2 on a flat surface:
+//   lambda_a <= 0.75              the particle belongs to the surface and is not shifted
+//   such a particle in reach      the particle is shifted along the surface only, perpendicular to
+//                                 n ~ grad lambda
 #pragma once
 
 #include <algorithm>
@@ -32,7 +33,7 @@ struct ParticleShifting {
 struct Shifts {
   Array<double> x, z;  // [m]
   Array<double> fullness;
-  std::vector<double> fullness_of_sources;  // in their order; none of solids
+  std::vector<double> fullness_of_sources;  // in their order; no_fullness for solids
 
   template <class Visit>
   void for_each_named_field(const Visit& visit) {
@@ -99,7 +100,7 @@ void shift_of_cluster(const Scheme* scheme, const Cluster* cluster, const Source
     double dx = scale * sum_x[lane], dz = scale * sum_z[lane];
     const double nx = normal_x[lane], nz = normal_z[lane];
     if (surface_in_reach[lane] > 0) {
-      const double normal2 = nx * nx + nz * nz;  // none in the middle of a sheet
+      const double normal2 = nx * nx + nz * nz;  // 0 in the middle of a sheet
       const double across = normal2 > 0 ? (dx * nx + dz * nz) / normal2 : 0.0;
       dx -= across * nx;
       dz -= across * nz;

@@ -1,4 +1,4 @@
-// How long a step may be.
+// The length of a time step.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace slosh::sph {
 
-// The 0.5 ms of Li et al. 2010, whatever the spacing.
+// The 0.5 ms of Li et al. 2010, at every spacing.
 struct FixedStep {
   static constexpr bool adapts = false;
   static constexpr double step = 5e-4;  // [s]
-  // Courant number dt c0 / h. Measured with alpha = 1 on a surge: the same motion up to 1.1, noise
-  // from 1.2, divergence at 1.4. The limit keeps a margin to that.
+  // Limit of the Courant number dt c0 / h. With alpha = 1 on a surge, the motion was measured to be
+  // unchanged up to 1.1, noisy from 1.2 and divergent at 1.4; the limit keeps a margin.
   static constexpr double stable_courant_number = 0.65;
 
   explicit FixedStep(const Setting&) {}
@@ -22,11 +22,12 @@ struct FixedStep {
 };
 
 // dt = min(C h / c0, 0.25 sqrt(h / |a|), 0.0625 h^2 / nu): Courant, force and viscous criterion
-// (Monaghan 1992, section 10.3; Morris, Fox & Zhu 1997, eq. 21), a the largest acceleration [m/s2],
-// nu the greater of the liquid's viscosity and the artificial one's alpha h c0 / 8. Theirs is
-// 0.125: on a square lattice the pair sum's largest eigenvalue is 23.1 nu / h^2 (quintic, h = 1.5
-// dp; 22.6 at 2 dp), which an explicit step follows up to 0.087 h^2 / nu, and the wave of Re = 50
-// at 10 mm went unstable at 0.107 beside a Courant number of 0.8.
+// (Monaghan 1992, section 10.3; Morris, Fox & Zhu 1997, eq. 21), where a is the largest
+// acceleration [m/s2] and nu is the larger of the liquid's viscosity and the artificial one's alpha
+// h c0 / 8. The viscous number of Morris, Fox & Zhu is 0.125. On a square lattice the largest
+// eigenvalue of the pair sum is 23.1 nu / h^2 (quintic, h = 1.5 dp; 22.6 at 2 dp), with which an
+// explicit step is stable up to 0.087 h^2 / nu. The wave of Re = 50 at 10 mm was unstable at 0.107
+// together with a Courant number of 0.8.
 struct AdaptiveStep {
   static constexpr bool adapts = true;
   static constexpr double viscous_number = 0.0625;  // nu dt / h^2

@@ -1,6 +1,6 @@
-// Viscous part of the momentum equation, per pair: Pi_ab times the density scale of the
-// formulation. `approach` = v_ab . r_ab [m2/s], `distance2` = |r_ab|^2 [m2], `h` the pair's
-// smoothing length [m].
+// The viscous part of the momentum equation, per pair: Pi_ab times the density scale of the
+// formulation. `approach` is v_ab . r_ab [m2/s], `distance2` is |r_ab|^2 [m2], and `h` is the
+// pair's smoothing length [m].
 #pragma once
 
 #include "sph/neighbours/lanes.hpp"
@@ -15,7 +15,7 @@ struct NoViscosity {
   explicit NoViscosity(const Setting&) {}
 };
 
-// What the artificial viscosities share.
+// The numbers of the artificial viscosities.
 struct ArtificialViscosity {
   static constexpr bool active = true;
   double alpha, speed_of_sound;
@@ -25,8 +25,8 @@ struct ArtificialViscosity {
 };
 
 // Monaghan's artificial viscosity for approaching pairs: -alpha c0 mu + beta mu^2 with
-// mu = h v_ab . r_ab / (r^2 + 0.01 h^2) (Monaghan 1992, eq. 4.1; the 0.01 is his) and beta = alpha,
-// as in Li et al. 2010.
+// mu = h v_ab . r_ab / (r^2 + 0.01 h^2) (Monaghan 1992, eq. 4.1, including the 0.01) and
+// beta = alpha, as in Li et al. 2010.
 struct MonaghanViscosity : ArtificialViscosity {
   static constexpr const char* name = "Monaghan artificial viscosity, approaching pairs";
   using ArtificialViscosity::ArtificialViscosity;
@@ -38,8 +38,8 @@ struct MonaghanViscosity : ArtificialViscosity {
   }
 };
 
-// The same linear term for every pair, which makes it a Newtonian viscosity nu = alpha h c0 / 8
-// with a bulk part (Antuono et al. 2010, eq. 1; Monaghan 2005, section 8.5).
+// The linear term for every pair, which is a Newtonian viscosity nu = alpha h c0 / 8 with a bulk
+// part (Antuono et al. 2010, eq. 1; Monaghan 2005, section 8.5).
 struct LinearViscosity : ArtificialViscosity {
   static constexpr const char* name = "linear artificial viscosity, all pairs";
   using ArtificialViscosity::ArtificialViscosity;
@@ -50,9 +50,9 @@ struct LinearViscosity : ArtificialViscosity {
   }
 };
 
-// The linear term with von Neumann and Richtmyer's quadratic one beside it, beta mu^2 for
-// approaching pairs (Monaghan 1992, eq. 4.1, beta = 1): next to nothing where the flow is smooth,
-// and an impact's energy does not stay as sound.
+// The linear term plus von Neumann and Richtmyer's quadratic term beta mu^2 for approaching pairs
+// (Monaghan 1992, eq. 4.1, beta = 1). The quadratic term is negligible where the flow is smooth,
+// and keeps an impact's energy from remaining as sound.
 struct ImpactViscosity : LinearViscosity {
   static constexpr const char* name =
       "artificial viscosity, linear in all pairs, quadratic in approaching ones";
@@ -66,10 +66,10 @@ struct ImpactViscosity : LinearViscosity {
 };
 
 // The liquid's own viscosity in the form of Monaghan, Cleary and Gingold: -8 nu v_ab . r_ab / r^2
-// in two dimensions (Monaghan 2005, section 8.5, eq. 8.5). On a square lattice the sum over pairs
-// has not quite that viscosity, and another for each direction of strain: with the quintic 1.15 nu
-// along the rows and 0.82 nu at 45 degrees to them at h = 1.5 dp, 1.03 and 0.93 nu at 2 dp, which
-// no finer spacing mends.
+// in two dimensions (Monaghan 2005, section 8.5, eq. 8.5). On a square lattice the viscosity of the
+// sum over pairs differs from nu and depends on the direction of strain, at every spacing. With the
+// quintic it is 1.15 nu along the rows and 0.82 nu at 45 degrees to them at h = 1.5 dp, and 1.03
+// and 0.93 nu at 2 dp.
 struct LaminarViscosity {
   static constexpr const char* name = "laminar viscosity, Monaghan-Cleary-Gingold";
   static constexpr bool active = true;

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "sph/initial_lattice.hpp"
 #include "sph/simulation.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/tests/surging_scene.hpp"
 #include "sph/walls/solid_particles.hpp"
 

@@ -20,7 +20,7 @@ inline constexpr TankWalls moving_tank{.left = 0.137,
                                        .velocity = 0.3,
                                        .acceleration = -2.1};
 
-// The same walls as a scheme's frame has them.
+// Returns the walls as the tank of a scheme's frame.
 template <class Frame>
 typename Frame::Tank tank_of(const TankWalls& walls) {
   if constexpr (std::is_same_v<typename Frame::Tank, RollingTank>)
@@ -37,7 +37,7 @@ typename Frame::Tank tank_of(const TankWalls& walls) {
     return walls;
 }
 
-// That of both tanks, with a viscosity that shows.
+// Returns the scene of both tanks, with a viscosity large enough to matter.
 inline Scene small_scene(double surface_spacing = small_spacing) {
   Scene scene = still_scene(small_spacing, 0.1);
   scene.tank_length = 0.2;

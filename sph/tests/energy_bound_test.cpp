@@ -1,4 +1,4 @@
-#include "sph/energy_bound.hpp"
+#include "sph/guards/energy_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sph/energy_budget.hpp"
+#include "sph/recording/energy_budget.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,15 +4,15 @@
 
 #include <cmath>
 
-#include "sph/initial_state.hpp"
 #include "sph/liquid.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/initial_state.hpp"
 #include "sph/tests/rolling_scene.hpp"
 
 namespace slosh::sph::frames_test {
 namespace {
 
-// Of a free fall's place in the tank, by differences of the rolling tank's own map.
+// Returns the acceleration of a free fall in the tank, by differences of the rolling tank's map.
 Vector2 acceleration_in_tank(const Scene& scene, double t, Vector2 start, Vector2 velocity) {
   constexpr double step = 1e-4;
   const auto place = [&](double s) {

@@ -1,11 +1,10 @@
-#include "sph/free_surface_gauge.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "sph/recording/free_surface.hpp"
 #include "sph/tests/waved_lattice.hpp"
 
 namespace slosh::sph::free_surface_gauge_test {
@@ -57,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(SpacingModeAmplitude, GaugeOnAWave,
                          testing::Combine(testing::Values(0.01, 0.02), testing::Values(1, 2, 3),
                                           testing::Values(0.1, 0.5, 1.0)));
 
-// What the window does not average out grows as the square of the disorder.
+// The error that the window does not average out grows as the square of the disorder.
 TEST(FreeSurfaceGauge, ErrsByLessThanFivePerCentOfASpacingUnderStrongerDisorder) {
   for (double spacing : {0.02, 0.01}) {
     const Wave wave{.mode = 1, .amplitude = 0.5 * spacing};

@@ -1,6 +1,6 @@
-#include "sph/front_position.hpp"
-
 #include <gtest/gtest.h>
+
+#include "sph/recording/free_surface.hpp"
 
 namespace slosh::sph::front_position_test {
 namespace {

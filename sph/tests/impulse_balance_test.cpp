@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sph/liquid.hpp"
-#include "sph/saved_state.hpp"
+#include "sph/restart/saved_state.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
 #include "sph/tests/rolling_scene.hpp"

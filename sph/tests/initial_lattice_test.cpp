@@ -1,4 +1,4 @@
-#include "sph/initial_lattice.hpp"
+#include "sph/start/initial_lattice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ TEST(PerturbRandomly, MovesEveryParticleByUpToItsShareAsTheSeedHasIt) {
   }
   EXPECT_LE(farthest, 0.1 * 0.02);
   EXPECT_GE(farthest, 0.099 * 0.02);
-  // Of 1800 numbers, even within +-0.002 m: four standard deviations of their mean.
+  // The limit is four standard deviations of the mean of 1800 numbers, uniform within +-0.002 m.
   EXPECT_LE(std::abs(sum / 1800), 4 * 0.002 / std::sqrt(3 * 1800.0));
   for (const double share : {-0.1, 0.26, std::nan("")})
     EXPECT_THROW(perturb_randomly(none, share, 1), std::invalid_argument) << share;

@@ -1,4 +1,4 @@
-#include "sph/initial_state.hpp"
+#include "sph/start/initial_state.hpp"
 
 #include <gtest/gtest.h>
 

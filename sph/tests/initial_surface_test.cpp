@@ -1,4 +1,4 @@
-#include "sph/initial_surface.hpp"
+#include "sph/start/initial_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "sph/initial_lattice.hpp"
-#include "sph/initial_state.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/initial_lattice.hpp"
+#include "sph/start/initial_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph::initial_surface_test {

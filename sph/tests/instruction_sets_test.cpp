@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph/initial_lattice.hpp"
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph::instruction_sets_test {

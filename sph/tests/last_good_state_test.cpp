@@ -1,11 +1,10 @@
-#include "sph/last_good_state.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <optional>
 
-#include "sph/saved_state.hpp"
+#include "sph/restart/resume.hpp"
+#include "sph/restart/saved_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph::last_good_state_test {

@@ -26,7 +26,7 @@ class NodeSums : public testing::Test {
     nodes_ = places;
     EXPECT_TRUE(neighbours.rebuild<NoMirror>(particles, tank_at_rest, 0));
     neighbours.refresh_for_momentum(scheme_, particles, tank_at_rest);
-    // What is looked up does not enter the weights.
+    // The evaluated field does not enter the weights.
     std::vector<NodeSum> found;
     for (const InstructionSet set :
          {InstructionSet::plain, InstructionSet::avx2, InstructionSet::avx512}) {

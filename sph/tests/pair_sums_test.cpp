@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph/initial_lattice.hpp"
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/tests/all_pairs_oracle.hpp"
 #include "sph/tests/disordered_liquid.hpp"
 #include "sph/tests/formulas_of_choice.hpp"

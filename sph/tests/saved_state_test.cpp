@@ -1,4 +1,4 @@
-#include "sph/saved_state.hpp"
+#include "sph/restart/saved_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -163,8 +163,8 @@ class RefusedState : public testing::Test {
 };
 
 TEST_F(RefusedState, OfAnotherScheme) {
-  says(refusal("delta_sph", scene, state), "of a scheme of");
-  says(refusal("zhao2021_fixed", scene, state), "of a scheme of");
+  says(refusal("delta_sph", scene, state), "the state's terms are");
+  says(refusal("zhao2021_fixed", scene, state), "the state's terms are");
   Scene changed = scene;
   changed.numbers.artificial_viscosity = 0.01;
   says(refusal("recommended", changed, state), "artificial_viscosity = 0.0005: expected 0.01");
@@ -182,7 +182,7 @@ TEST_F(RefusedState, OfAnotherScene) {
   says(refusal("recommended", changed, state), "numbers are");
   changed = scene;
   changed.duration = 0.005;
-  says(refusal("recommended", changed, state), "expected one of the run's 0.005 s");
+  says(refusal("recommended", changed, state), "expected a time within the run's 0.005 s");
 }
 
 TEST_F(RefusedState, WithANumberThatIsNotFinite) {

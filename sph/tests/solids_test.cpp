@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "sph/initial_lattice.hpp"
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/tests/disordered_liquid.hpp"
 #include "sph/tests/surging_scene.hpp"
 

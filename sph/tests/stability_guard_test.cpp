@@ -1,4 +1,4 @@
-#include "sph/stability_guard.hpp"
+#include "sph/guards/stability_guard.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "sph/initial_lattice.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 
@@ -152,7 +152,7 @@ TEST(StabilityGuard, LetsPassOnlyFixedStepsThatAreStable) {
                          (1.5 * scene.particle_spacing);
   ASSERT_GT(courant, 0.63);
   const RunOutput output = run("li2010", scene, {});
-  // Of the order of the tank's own kinetic energy, 0.09 mJ/m; an unstable step makes 10 mJ/m.
+  // The energy stays of the order of the tank's own, 0.09 mJ/m; an unstable step makes 10 mJ/m.
   for (double energy : output.kinetic_energy.value) EXPECT_LT(energy, 1e-3);
 }
 

@@ -1,11 +1,11 @@
-#include "sph/still_water.hpp"
+#include "sph/recording/still_water.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "sph/initial_lattice.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 

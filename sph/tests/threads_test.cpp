@@ -77,7 +77,7 @@ TEST(UsableCores, AreThoseOfTheAffinityMask) {
   ASSERT_EQ(sched_setaffinity(0, sizeof all, &all), 0);
 }
 
-// As many as the given number at most, as OMP_NUM_THREADS has it.
+// Returns threads_for under a limit of `most` threads, as OMP_NUM_THREADS would set it.
 int threads_with(int most, std::size_t particles) {
   const ThreadScope scope(most);
   return threads_for(particles);
@@ -103,7 +103,7 @@ TEST(Threads, AreSetWhileTheScopeLasts) {
   EXPECT_EQ(omp_get_max_threads(), before);
 }
 
-// What a run sets can be seen where it records.
+// Returns the number of threads of a run, observed in its recording function.
 int threads_of_a_run(Scene scene) {
   int threads = 0;
   scene.snapshot_interval = scene.sample_interval;

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "sph/initial_lattice.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph::wall_contact_test {

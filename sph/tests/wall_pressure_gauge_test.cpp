@@ -1,10 +1,10 @@
-#include "sph/wall_pressure_gauge.hpp"
+#include "sph/recording/wall_pressure_gauge.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sph/initial_lattice.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/rolling_scene.hpp"
 

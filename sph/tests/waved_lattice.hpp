@@ -13,8 +13,8 @@
 #include <random>
 #include <vector>
 
-#include "sph/initial_lattice.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 

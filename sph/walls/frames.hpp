@@ -1,14 +1,14 @@
-// The frame in which a scheme follows the particles: where the tank is in it at a time, and the
-// liquid of the start.
+// The frame in which a scheme follows the particles: the tank's motion in it, and the initial state
+// of the liquid.
 //   EarthFrame         the walls surge
 //   RollingEarthFrame  the walls surge and roll; only walls made of particles can
-//   TankFrame          the walls stand, and the liquid feels the tank's motion as forces
+//   TankFrame          the walls are fixed, and the tank's motion acts as inertial forces
 #pragma once
 
 #include <cmath>
 
 #include "sph/neighbours/particles.hpp"
-#include "sph/simulation.hpp"
+#include "sph/scene.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
@@ -71,15 +71,15 @@ struct TankFrame {
   }
 };
 
-// The tank's motion against the earth at one moment, along the tank's axes: what turns a place in
-// the tank and a velocity against it into those of the earth.
+// The tank's motion relative to the earth at one time, along the tank's axes. It relates positions
+// and velocities in the tank to those in the frame of the earth.
 class TankMotion {
  public:
   TankMotion(const Scene& scene, double t)
       : seen_from_earth_(RollingEarthFrame::tank(scene, t)),
         seen_from_tank_(TankFrame::tank(scene, t)) {}
 
-  // Of the tank's point at a place in the tank [m/s], along the tank's axes.
+  // Returns the velocity of the tank's point at (x, z) in the tank [m/s], along the tank's axes.
   Vector2 velocity(double x, double z) const {
     const RollingTank& tank = seen_from_earth_;
     const Vector2 surge = tank.along_tank(tank.velocity, 0);
@@ -93,7 +93,7 @@ class TankMotion {
   TankInItsFrame seen_from_tank_;
 };
 
-// The same of a tank that does not roll, whose axes are the earth's.
+// The motion of a tank that does not roll, whose axes are the earth's.
 class SurgeMotion {
  public:
   SurgeMotion(const Scene& scene, double t) : walls_(EarthFrame::tank(scene, t)) {}
@@ -109,8 +109,8 @@ class SurgeMotion {
 template <class Scheme>
 using Motion = typename Scheme::Frame::Motion;
 
-// Particles at places in the tank, at rest against it, as the frame has them at the start: with the
-// tank, or at rest in the earth.
+// Converts particles from positions in the tank to the frame's positions, and sets their velocities
+// to those at the start: moving with the tank, or at rest in the frame of the earth.
 template <class Frame>
 void enter(const Scene& scene, Particles& p) {
   const typename Frame::Tank tank = Frame::tank(scene, 0);

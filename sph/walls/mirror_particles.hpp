@@ -1,7 +1,6 @@
-// Mirror particles: the liquid within the kernel's support of a wall, reflected in it. Of a
-// source's four possible reflections (one per wall, and the corners' double ones) each is an affine
-// map of its owner's state, the same for all particles, so that an image costs a gather and a few
-// multiplications.
+// Mirror particles: the liquid within the kernel's support of a wall, reflected in it. Each
+// reflection, in one wall or in the two walls of a corner, is an affine map of the owner's state
+// that is the same for all particles. An image therefore costs a gather and a few multiplications.
 #pragma once
 
 #include <array>
@@ -11,7 +10,7 @@
 
 namespace slosh::sph {
 
-// In which walls a source is reflected: a sum of these bits; 0 is the particle itself.
+// The walls in which a source is reflected, as a sum of these bits; 0 is the particle itself.
 enum Reflection : std::uint8_t {
   in_none = 0,
   in_left = 1,
@@ -27,9 +26,9 @@ struct MirrorMap {
   double velocity_scale_x = 1, velocity_offset_x = 0, velocity_scale_z = 1;
 };
 
-// Free slip: the velocity normal to the wall is 2 v_wall - v, the tangential one is kept, and the
-// pressure grows through the wall as in a liquid that the wall accelerates, from owner to image by
-// rho (g - a_wall) . (r_image - r_owner).
+// Free slip: an image has the normal velocity 2 v_wall - v and its owner's tangential velocity. Its
+// pressure is higher than the owner's by rho (g - a_wall) . (r_image - r_owner), as in a liquid
+// that moves with the wall.
 struct FreeSlipMirror {
   static constexpr const char* name =
       "mirror particles, free slip, pressure gradient of the accelerated wall";
@@ -38,8 +37,8 @@ struct FreeSlipMirror {
   using InContinuity = FreeSlipMirror;
 };
 
-// Li et al. 2010, section 2.4, for a moving wall: the velocity is 2 v_wall - v in both components,
-// density and pressure are the owner's.
+// Li et al. 2010, section 2.4, for a moving wall: an image has the velocity 2 v_wall - v in both
+// components, and its owner's density and pressure.
 struct NoSlipMirror {
   static constexpr const char* name = "mirror particles, velocity 2 v_wall - v, owner's pressure";
   static constexpr bool exists = true, no_slip = true;
@@ -47,9 +46,9 @@ struct NoSlipMirror {
   using InContinuity = NoSlipMirror;
 };
 
-// As free slip, but in the momentum equation, whose viscous stress holds the liquid at the wall:
-// there the tangential velocity is turned too. (In the continuity equation it would compress the
-// liquid that slides along a wall; de Leffe et al. 2011.)
+// No slip: as free slip, except that the tangential velocity is reversed too in the momentum
+// equation, whose viscous stress then holds the liquid at the wall. In the continuity equation the
+// reversal would compress liquid that slides along a wall (de Leffe et al. 2011).
 struct StickingMirror {
   static constexpr const char* name =
       "mirror particles, no slip, pressure gradient of the accelerated wall";
@@ -58,7 +57,7 @@ struct StickingMirror {
   using InContinuity = FreeSlipMirror;
 };
 
-// The tank's walls are made of solid particles.
+// There are no images; the tank's walls are made of solid particles.
 struct NoMirror {
   static constexpr const char* name = "";
   static constexpr bool exists = false, no_slip = false;
@@ -79,7 +78,7 @@ std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls) {
       map.scale_z = -1;
       map.offset_z = 2 * ((bits & in_bottom) ? walls.bottom : walls.roof);
     }
-    // A double reflection in a no-slip corner turns the velocity twice.
+    // A double reflection in a no-slip corner reverses the velocity twice.
     const bool turns_x = Mirror::no_slip ? map.scale_x * map.scale_z < 0 : map.scale_x < 0;
     const bool turns_z = Mirror::no_slip ? map.scale_x * map.scale_z < 0 : map.scale_z < 0;
     map.velocity_scale_x = turns_x ? -1 : 1;

@@ -1,8 +1,8 @@
 // The liquid's state at the nodes of solid particles, by a linear least-squares fit over the
-// kernel's support (moving least squares, as in Marrone et al. 2011, eq. 12): with the moments
-// sum_b V_b W_ab (1, dx, dz)(1, dx, dz)^T over liquid and images the fit's value at the node. Where
-// the support does not carry a linear fit (a splash), the plain weighted mean; where it is empty,
-// nothing.
+// kernel's support (moving least squares, as in Marrone et al. 2011, eq. 12). The fit's value at
+// the node follows from the moments sum_b V_b W_ab (1, dx, dz)(1, dx, dz)^T over liquid and images.
+// Where the particles do not determine a linear fit (a splash), the weighted mean is used. A node
+// without liquid in its support has no state.
 #pragma once
 
 #include <vector>
@@ -31,21 +31,21 @@ struct NodeProjection {
     x += weight * dx * value;
     z += weight * dz * value;
   }
-  // The fit's value at the node.
+  // Returns the fit's value at the node of lane i.
   double value(const NodeMoments& s, std::size_t i) const {
-    // Cofactors of the moments' first row; the determinant relative to its scale decides.
+    // a, b and c are the cofactors of the first row of the moments' matrix.
     const double a = s.xx[i] * s.zz[i] - s.xz[i] * s.xz[i], b = s.xz[i] * s.z[i] - s.x[i] * s.zz[i],
                  c = s.x[i] * s.xz[i] - s.xx[i] * s.z[i];
     const double determinant = s.m[i] * a + s.x[i] * b + s.z[i] * c;
     const double m = s.m[i];
-    // A full support has about 0.01 m^3 in units of the smoothing length.
+    // With a full support the determinant is about 0.01 m^3 in units of the smoothing length.
     constexpr double least = 1e-3;
     if (determinant > least * m * m * m) return (f[i] * a + x[i] * b + z[i] * c) / determinant;
     return f[i] / m;
   }
 };
 
-// Of the scheme it takes the kernel alone, so that schemes of one kernel share its builds.
+// The template depends on the kernel and not on the scheme, so that schemes share its builds.
 template <class Kernel, double Source::*value>
 void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, const Source* sources,
                              const SolidPlace* places, const TankWalls* walls, NodeSum* nodes) {
@@ -82,7 +82,7 @@ void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, co
   }
 }
 
-// `value`: which of the sources' fields is looked up beside the velocity.
+// Evaluates the velocity and the sources' field `value` at the nodes.
 template <double Source::*value, class Scheme>
 void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours,
                   const std::vector<SolidPlace>& places, const TankWalls& walls,

@@ -11,17 +11,17 @@
 namespace slosh::sph {
 namespace {
 
-// A length's whole number of cells makes them a little larger or smaller than the spacing.
+// Returns the size of the cells of which a whole number fills the length, near the spacing.
 double cell_along(double length, double spacing) {
   return length / std::max(1.0, std::round(length / spacing));
 }
 
-// To the nearest border between cells, or to the wall at `end` where that is as near.
+// Returns the nearest border between cells, or the wall at `end` where that is as near.
 double snapped(double edge, double cell, double end) {
   return std::abs(edge - end) <= 0.5 * cell ? end : cell * std::round(edge / cell);
 }
 
-// Brings a node that lies behind the tank's walls back into the tank.
+// Reflects a node that lies behind the tank's walls into the tank.
 void fold_into_tank(SolidPlace& place, const Scene& scene) {
   const auto fold = [](double& at, bool& turns, double length) {
     if (at > 0 && at < length) return;

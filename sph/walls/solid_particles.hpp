@@ -1,14 +1,14 @@
-// Where the particles of solid walls and obstacles stand: layers as deep as the kernel reaches,
-// fixed in the tank. Each has a node, its mirror image in the nearest face, where the liquid that
-// faces it is looked up (Marrone et al. 2011, section 3; English et al. 2022, modified dynamic
-// boundary conditions).
+// The positions of the particles of solid walls and obstacles, in layers as deep as the kernel's
+// support, fixed in the tank. Each has a node, its mirror image in the nearest face, at which the
+// liquid's state is evaluated (Marrone et al. 2011, section 3; English et al. 2022, modified
+// dynamic boundary conditions).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "sph/neighbours/particles.hpp"
-#include "sph/simulation.hpp"
+#include "sph/scene.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
@@ -19,27 +19,28 @@ struct SolidPlace {
   bool turns_x, turns_z;  // which components of the velocity the reflection turns
 };
 
-// The layers of the scene's obstacles and, where `tank_walls`, of the tank's bottom, sides and
-// roof, `depth` [m] deep, a particle spacing apart, half a spacing inside the faces. An obstacle
-// that touches a wall is continued behind it, in place of the wall's own layers. Throws
-// std::invalid_argument for an obstacle across which the liquid on its two sides would meet:
-// thinner than `depth`.
+// Returns the particles of the scene's obstacles and, where `tank_walls`, of the tank's bottom,
+// sides and roof. They fill layers `depth` [m] deep, a particle spacing apart, from half a spacing
+// inside the faces. An obstacle that touches a wall is continued behind it, in place of the wall's
+// own layers. Throws std::invalid_argument for an obstacle thinner than `depth`, across which the
+// liquid on its two sides would interact.
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth);
 
-// The obstacles on the lattice: edges moved to the nearest border between its cells, and continued
-// behind the walls that they touch by the whole layers that reach `depth`.
+// Returns the obstacles with their edges moved to the nearest border between cells of the lattice.
+// An obstacle that touches a wall is continued behind it by as many whole layers as reach `depth`.
 std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth);
 
 inline bool holds(const Rectangle& r, double x, double z) {
   return x > r.left && x < r.right && z > r.bottom && z < r.top;
 }
 
-// The image of a place in the obstacle in the nearest of its faces, seen from within; a face that
-// lies behind a wall of the tank is none.
+// Returns a place in the obstacle with its mirror image in the obstacle's nearest face as its node.
+// A face behind a wall of the tank does not count.
 SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double tank_length,
                                double tank_height);
 
-// Puts a particle to a place in the tank [m], its velocity against the tank turned along x or z.
+// Moves a particle to a place in the tank [m] and reverses its velocity relative to the tank along
+// x or z.
 template <class Tank>
 void move_with_tank(Particles& p, std::size_t i, const Tank& tank, Vector2 place, bool turns_x,
                     bool turns_z) {
@@ -54,8 +55,8 @@ void move_with_tank(Particles& p, std::size_t i, const Tank& tank, Vector2 place
   p.z[i] = to.z;
 }
 
-// Brings particles that have come into the obstacle back out through its nearest face, their normal
-// velocity turned in the tank's frame, as ReflectingWall does at the tank's walls.
+// Moves particles that have entered the obstacle back out through its nearest face and reverses
+// their normal velocity in the tank's frame, as ReflectingWall does at the tank's walls.
 template <class Tank>
 void expel(Particles& p, const Tank& tank, const Rectangle& obstacle) {
 #pragma omp parallel for schedule(static)

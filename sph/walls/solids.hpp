@@ -1,5 +1,5 @@
-// The solid's side of a scheme: how the particles of obstacles, and of the tank's walls where no
-// mirror particles stand for them, answer the liquid.
+// The state of the particles of obstacles, and of the tank's walls in schemes without mirror
+// particles.
 //   NoSolids       the scheme takes no obstacles
 //   GhostSolids    fixed ghost particles with pressure and velocity extrapolated from the liquid
 //   DynamicSolids  dynamic boundary particles: their density follows the continuity equation
@@ -9,16 +9,16 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sph/initial_surface.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/pair_sums.hpp"
 #include "sph/setting.hpp"
+#include "sph/start/initial_surface.hpp"
 #include "sph/walls/node_sums.hpp"
 #include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph {
 
-// Puts a solid's particle where the wall has it, with the wall's velocity and a spacing's volume.
+// Gives a solid's source its position on the wall, the wall's velocity and the volume of a cell.
 template <class Scheme, class Tank>
 void place(const Scheme& scheme, const SolidPlace& at, const Tank& tank, Source& source) {
   const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
@@ -53,12 +53,12 @@ class NoSolids {
   std::vector<SolidPlace> places_;
 };
 
-// The liquid's pressure and velocity at a particle's node (node_sums.hpp), carried to the particle:
-// the pressure grows by rho_0 (g - a_wall) . (r - r_node); for the viscous stress the velocity is
-// reflected, 2 v_wall - v, in its normal component, and with no slip in the tangential one too. In
-// the continuity equation the particle has the wall's own velocity (Adami, Hu & Adams 2012): one
-// taken from the liquid is answered by no pressure, and was measured to set still water in motion
-// along an obstacle.
+// A particle has the liquid's pressure and velocity at its node (node_sums.hpp), extrapolated to
+// its own position: the pressure rises by rho_0 (g - a_wall) . (r - r_node). For the viscous stress
+// the velocity is 2 v_wall - v in the normal component, and with no slip in the tangential one too.
+// In the continuity equation the particle has the wall's velocity (Adami, Hu & Adams 2012). A
+// velocity extrapolated from the liquid was measured to set still water in motion along an
+// obstacle, because no pressure balances it.
 template <Slip slip>
 class GhostSolids {
  public:
@@ -99,7 +99,7 @@ class GhostSolids {
       place(scheme, places_[i], walls, source);
       if constexpr (Scheme::DensityDiffusion::active)
         if (!nodes_[i].found) {
-          // As of a liquid without pressure.
+          // The particle has the density of a liquid without pressure.
           const double rho = scheme.setting.rest_density;
           source.density =
               scheme.density_diffusion.diffused(0.0, rho, walls.height(source.x, source.z));
@@ -121,7 +121,7 @@ class GhostSolids {
     source.velocity_z = at.turns_z || all ? -node.velocity_z : node.velocity_z;
   }
 
-  // From the node to the particle [Pa].
+  // Returns the pressure's rise from the node to the particle [Pa].
   template <class Scheme, class Tank>
   double pressure_rise(const Scheme& scheme, std::size_t i, const Tank& walls) const {
     const SolidPlace& at = places_[i];
@@ -143,9 +143,9 @@ class GhostSolids {
 };
 
 // Dynamic boundary particles (Crespo, Gomez-Gesteira & Dalrymple 2007; Zhao et al. 2021, section
-// 2.3): they move with the wall, their density follows the continuity equation over the liquid, and
-// their pressure the equation of state. A density below the rest density is raised to it, or the
-// wall would hold the liquid back.
+// 2.3): they move with the wall, their density follows from the continuity equation over the
+// liquid, and their pressure from the equation of state. A density below the rest density is raised
+// to it, so that the wall does not attract the liquid.
 class DynamicSolids {
  public:
   static constexpr const char* name = "dynamic boundary particles";
@@ -156,7 +156,7 @@ class DynamicSolids {
         wetted_length_(scene.column_width ? *scene.column_width + depth
                                           : scene.tank_length + depth),
         surface_(scene) {
-    for (SolidPlace& place : places_) {  // their own sums are taken where they stand
+    for (SolidPlace& place : places_) {  // the sums are evaluated at the particles themselves
       place.node_x = place.x;
       place.node_z = place.z;
     }
@@ -169,7 +169,7 @@ class DynamicSolids {
     rates_.for_each_named_field(visit);
   }
 
-  // Density at rest, after the places have their final order.
+  // Sets the density at rest; the places must have their final order.
   template <class Scheme>
   void initialise(const Scheme& scheme) {
     static_assert(!Scheme::Smoothing::reads_spacing);  // the particles hold none
@@ -195,7 +195,7 @@ class DynamicSolids {
     });
   }
 
-  // Also its own rate of density.
+  // Also evaluates the solids' own density rate.
   template <class Scheme, class Tank>
   void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
                               InstructionSet set) {
@@ -233,7 +233,7 @@ class DynamicSolids {
   std::vector<SolidPlace> places_;
   double wetted_length_;  // how far the liquid of the start reaches [m]
   InitialSurface surface_;
-  // Of them what the continuity sum reads and leaves.
+  // The fields of the solids' particles that the continuity sum reads, and their rates.
   Particles particles_;
   Rates rates_;
 };

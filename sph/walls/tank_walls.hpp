@@ -1,13 +1,13 @@
-// The rectangular tank as the particles meet it at one moment, seen from the frame that their
-// positions and velocities are taken in (frames.hpp chooses). Each kind answers alike:
-//   in_tank, in_frame         a place in the frame [m] as one in the tank, from its bottom left
-//                             corner, and back
-//   along_tank, along_frame   a vector's components along the tank's axes, and back
-//   wall_velocity             of the tank's material point at a place in the frame [m/s]
-//   height                    of a place above a level that does not change [m]
-//   apparent_gravity          what accelerates the liquid at a wall that holds it: gravity less the
-//                             wall's acceleration [m/s2]
-//   pull                      adds to an acceleration what acts on a particle beside the pairs
+// The rectangular tank at one time, in the frame of the particles' positions and velocities
+// (frames.hpp). Each kind of tank has these functions:
+//   in_tank, in_frame         convert a position in the frame to one in the tank, from its bottom
+//                             left corner, and back [m]
+//   along_tank, along_frame   convert a vector to components along the tank's axes, and back
+//   wall_velocity             returns the velocity of the tank's point at a position in the frame
+//                             [m/s]
+//   height                    returns the height of a position above a fixed level [m]
+//   apparent_gravity          returns gravity less the wall's acceleration [m/s2]
+//   pull                      adds gravity and the frame's inertial forces to an acceleration
 #pragma once
 
 #include <cmath>
@@ -17,14 +17,14 @@ namespace slosh::sph {
 // Whether the liquid slides along a wall or sticks to it.
 enum class Slip { free, none };
 
-// A place or a vector, along x and z.
+// A position or a vector in components along x and z.
 struct Vector2 {
   double x, z;
 };
 
-// Four planes that stand along the frame's axes, bottom at z = 0, and move along x.
+// Four planes parallel to the frame's axes, with the bottom at z = 0, that move along x.
 struct TankWalls {
-  double left, right;   // [m], at this moment
+  double left, right;   // [m], at this time
   double bottom, roof;  // [m]
   double velocity;      // X' [m/s]
   double acceleration;  // X'' [m/s2]
@@ -51,12 +51,12 @@ struct TankWalls {
   }
 };
 
-// The same walls, at rest in the tank's own frame, which moves and rolls. A particle at r from the
-// roll's axis with the velocity v against the tank has, besides the forces between particles, the
-// acceleration
-//   R^T (g - X'') - theta'' x r - theta' x (theta' x r) - 2 theta' x v,
-// R the rotation by theta about the axis (turning gravity, angular, centripetal and Coriolis term;
-// Zhao et al. 2021, section 2.4). theta is positive from x towards z.
+// The same walls at rest in the tank's own frame, which moves and rolls. A particle at r from the
+// roll's axis with the velocity v relative to the tank has, besides the forces between particles,
+// the acceleration
+//   R^T (g - X'') - theta'' x r - theta' x (theta' x r) - 2 theta' x v
+// where R is the rotation by theta about the axis, positive from x towards z. The terms are rotated
+// gravity and the angular, centripetal and Coriolis term (Zhao et al. 2021, section 2.4).
 struct TankInItsFrame : TankWalls {
   double axis_x, axis_z;        // of the roll [m]
   double cosine, sine;          // of theta
@@ -83,8 +83,8 @@ struct TankInItsFrame : TankWalls {
   }
 };
 
-// The walls of a tank that moves and rolls, seen from the earth: a place r from the axis in the
-// tank stands at axis + R r.
+// The walls of a tank that moves and rolls, in the frame of the earth: a point of the tank at r
+// from the axis is at axis + R r.
 struct RollingTank {
   double tank_length, roof;   // [m]
   double axis_x, axis_z;      // of the roll, in the tank [m]

@@ -1,6 +1,6 @@
-// What the wall itself does to particles that come too near (beside the mirror particles'
-// pressure): `push` adds to their accelerations, `confine` corrects their state at the start of a
-// step and tells of how many.
+// The wall's action on particles that come too near, in addition to the mirror particles' pressure:
+// `push` adds to their accelerations; `confine` corrects their state at the start of a step and
+// returns how many it has corrected.
 #pragma once
 
 #include <cmath>
@@ -12,9 +12,9 @@
 
 namespace slosh::sph {
 
-// A particle that has crossed a wall is exchanged with its mirror image: position reflected, normal
-// velocity 2 v_wall - v, so that its energy in the wall's frame is kept. It acts on single
-// particles in splashes, whose own image does not hold them off.
+// A particle that has crossed a wall is exchanged with its mirror image: its position is reflected
+// and its normal velocity becomes 2 v_wall - v, which keeps its energy in the wall's frame. This
+// happens to single particles in splashes, which their own image does not repel.
 struct ReflectingWall {
   static constexpr const char* name =
       "particles that cross a wall exchanged with their mirror image";
@@ -49,10 +49,12 @@ struct ReflectingWall {
   }
 };
 
-// Repulsive particles along the walls (Monaghan 1994; Li et al. 2010, section 2.4): each pushes a
-// particle at distance r < r0 with the acceleration D ((r0/r)^12 - (r0/r)^4) r_vector / r^2. They
-// stand r0 apart. r0 is half the spacing, a lattice particle's distance from the wall, or half the
-// height of the lattice's cells where those are flatter: the still lattice just does not feel them.
+// Repulsive particles along the walls, r0 apart (Monaghan 1994; Li et al. 2010, section 2.4). Each
+// pushes a particle at a distance r < r0 with the acceleration
+//   D ((r0/r)^12 - (r0/r)^4) r_vector / r^2
+// r0 is half the spacing, or half the height of the lattice's cells where those are flatter. This
+// is a lattice particle's distance from the wall, so that there is just no force on the still
+// lattice.
 struct RepulsiveWall {
   static constexpr const char* name = "repulsive wall particles, 12-4";
   double strength;  // D [m2/s2]
@@ -80,7 +82,7 @@ struct RepulsiveWall {
   }
 
  private:
-  // `normal` is the signed distance from the wall, `along` the place along it, measured from a wall
+  // `normal` is the signed distance from the wall, `along` the position along it from a wall
   // particle.
   void push_one(double normal, double along, double r0, double& normal_rate,
                 double& tangential_rate) const {

@@ -6,10 +6,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "verification/assessment/filtered_pressure.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/input_uncertainty.hpp"
 
@@ -21,24 +21,19 @@ const Solver* solver_as(const CaseDefinition& definition, const std::string& run
   return std::get_if<Solver>(&run_named(definition, run).solver);
 }
 
-bool stands(const CaseRuns& runs, const std::string& run) { return runs.results.contains(run); }
+bool has_result(const CaseRuns& runs, const std::string& run) { return runs.results.contains(run); }
 
-bool is_theory(const RunDefinition& run) {
-  return std::holds_alternative<LinearRun>(run.solver) ||
-         std::holds_alternative<ViscousWaveRun>(run.solver) ||
-         std::holds_alternative<PotentialRun>(run.solver);
-}
-
-// Of potential flow that has ended early there is too little to compare; an earlier run of this
-// harness is for the rows that ask for it.
+// A potential flow that has ended early is too short to compare. An earlier run of this harness is
+// a reference only for the rows that name it.
 bool can_be_compared(const RunDefinition& reference, const CaseRuns& runs) {
   const RecordRun* record = std::get_if<RecordRun>(&reference.solver);
-  return stands(runs, reference.name) && !(record && record->earlier_run) &&
-         !(std::holds_alternative<PotentialRun>(reference.solver) &&
+  return has_result(runs, reference.name) && !(record && record->earlier_run) &&
+         !(is_theory(reference) && solver_kind(reference).can_end_early &&
            runs.status.at(reference.name).state == RunState::out_of_range);
 }
 
-// The finest interFoam that stands, which SPH is compared with; empty where there is none.
+// The finest interFoam run that has a result, with which SPH is compared. Returns "" where there is
+// none.
 std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& runs) {
   std::string finest;
   int most_cells = 0;
@@ -52,47 +47,43 @@ std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& r
 }
 
 bool has_two_layer_theory(const CaseDefinition& definition) {
-  return std::any_of(definition.runs.begin(), definition.runs.end(), [](const RunDefinition& run) {
-    const LinearRun* linear = std::get_if<LinearRun>(&run.solver);
-    return linear && linear->two_layer;
-  });
+  return std::any_of(definition.runs.begin(), definition.runs.end(),
+                     [](const RunDefinition& run) { return is_theory(run) && sees_gas(run); });
 }
 
 using Pair = std::pair<std::string, std::string>;
 
-// Candidate and reference, in the order of the case file.
+// The compared candidates and references, in the order of the case file.
 std::vector<Pair> compared_pairs(const CaseDefinition& definition, const CaseRuns& runs) {
   const std::string mesh = finest_interfoam(definition, runs);
   const bool two_layers = has_two_layer_theory(definition);
   std::vector<Pair> pairs;
   for (const RunDefinition& candidate : definition.runs) {
-    if (!stands(runs, candidate.name) || is_theory(candidate) || is_later_member(candidate) ||
-        std::holds_alternative<RecordRun>(candidate.solver))
+    if (!has_result(runs, candidate.name) || is_theory(candidate) || is_later_member(candidate) ||
+        is_record(candidate))
       continue;
-    const bool sees_gas = std::holds_alternative<InterFoamRun>(candidate.solver);
+    const bool has_gas = sees_gas(candidate);
     for (const RunDefinition& reference : definition.runs) {
       if (!can_be_compared(reference, runs)) continue;
       const LinearRun* linear = std::get_if<LinearRun>(&reference.solver);
-      const bool of_its_kind = linear
-                                   ? linear->two_layer == (sees_gas && two_layers)
-                                   : !std::holds_alternative<SphRun>(reference.solver) &&
-                                         !std::holds_alternative<ExternalRun>(reference.solver) &&
-                                         !std::holds_alternative<InterFoamRun>(reference.solver);
+      const bool of_its_kind =
+          linear ? linear->two_layer == (has_gas && two_layers) : !is_simulation(reference);
       if (of_its_kind) pairs.push_back({candidate.name, reference.name});
     }
-    if (!sees_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
+    if (!has_gas && !mesh.empty()) pairs.push_back({candidate.name, mesh});
   }
   return pairs;
 }
 
-// A record is compared on what it recorded, an external program on what it declares; any two other
-// solvers on what the case's gauges ask for, and on whatever else both left.
+// A comparison with a record is on the record's quantity. An external program is compared on the
+// quantities that it declares. Any other pair is compared on the quantities of the case's gauges
+// and on all others that both runs left.
 std::vector<std::string> quantities_of(const CaseDefinition& definition, const CaseRuns& runs,
                                        const Pair& pair) {
   if (const RecordRun* record = solver_as<RecordRun>(definition, pair.second))
     return {record->quantity};
   std::vector<std::string> quantities = compared_quantities(definition);
-  const bool declares_its_own = solver_as<ExternalRun>(definition, pair.first);
+  const bool declares_its_own = solver_kind(run_named(definition, pair.first)).declares_quantities;
   std::erase_if(quantities, [&](const std::string& quantity) {
     return (declares_its_own || !is_gauged(quantity)) &&
            !(has_series(runs, pair.first, quantity) && has_series(runs, pair.second, quantity));
@@ -128,7 +119,7 @@ const TimeSeries* series_of_record(const CaseAssessment& assessment, const std::
 const Comparison* comparison_with_truth(const CaseAssessment& assessment, const std::string& run) {
   for (const Comparison* judging : judging_comparisons(assessment))
     if (judging->candidate == run &&
-        !solver_as<InterFoamRun>(assessment.definition, judging->reference))
+        !is_simulation(run_named(assessment.definition, judging->reference)))
       return judging;
   return nullptr;
 }
@@ -137,7 +128,7 @@ CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
   mark_out_of_range(definition, runs);
   runs.input_bounds = predict_input_bounds(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
-  take_runs_at_ends(definition, runs);
+  collect_input_bounds(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
   CaseEvidence evidence(assessment.definition, assessment.runs);
   for (const Pair& pair : compared_pairs(definition, assessment.runs))

@@ -9,16 +9,22 @@
 namespace slosh {
 namespace {
 
+// The modes and metrics whose convergence is shown.
 std::vector<std::pair<std::string, Metric>> metrics_of(const CaseDefinition& definition,
                                                        const std::string& quantity) {
-  if (!has_modes(quantity)) return {{"whole", Metric::time_lag}, {"whole", Metric::aligned_rms}};
   std::vector<std::pair<std::string, Metric>> metrics;
-  for (const ToneRequest& mode : fitted_modes(definition)) {
-    const bool forced = mode.name == "forced";
-    metrics.push_back({mode.name, forced ? Metric::amplitude_error : Metric::frequency_error});
-    metrics.push_back({mode.name, forced ? Metric::phase_lag : Metric::decay_rate});
+  const auto add = [&](const std::string& mode, ConvergenceShown shown) {
+    for (const MetricEntry& entry : metric_table())
+      if (entry.convergence == shown) metrics.push_back({mode, entry.metric});
+  };
+  if (!has_modes(quantity)) {
+    add("whole", ConvergenceShown::of_front);
+    return metrics;
   }
-  metrics.push_back({"whole", Metric::normalised_rms});
+  for (const ToneRequest& mode : fitted_modes(definition))
+    add(mode.name, mode.name == "forced" ? ConvergenceShown::of_forced_mode
+                                         : ConvergenceShown::of_natural_modes);
+  add("whole", ConvergenceShown::of_oscillation);
   return metrics;
 }
 
@@ -58,7 +64,8 @@ std::optional<double> order_half_width(const std::vector<ValueAtStep>& values) {
 Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQuestion& question) {
   CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
   const GateEvidence given = evidence.gate_evidence();
-  // The gate judges the residual of its window as it stands; an order is to hold in others too.
+  // The gate judges the residual of the declared window alone, without an interval; an order must
+  // hold in other windows too.
   const MeasureRow measure = [&](const GateRow& row) {
     return row.metric == Metric::normalised_rms
                ? evidence.comparison(row.candidate, row.reference, row.quantity).normalised_rms

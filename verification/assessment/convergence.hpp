@@ -1,7 +1,7 @@
-// How the errors of a scheme against a reference fall with its spacing: each metric's values, what
-// discretisation_uncertainty.hpp makes of them, and how sure their order is. The order's 95 %
-// interval comes from the values': with d_i the most that the order changes as value i is moved up
-// or down by its half width, sqrt(sum d_i^2).
+// The convergence of a scheme's errors against a reference with its spacing: each metric's values,
+// their order and limit (discretisation_uncertainty.hpp), and the interval of the order. The half
+// width of the order's 95 % interval is sqrt(sum d_i^2), where d_i is the largest change of the
+// order when value i is moved up or down by its own half width.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,15 @@
 namespace slosh {
 
 struct ConvergedMetric {
-  GateRow row;            // of the finest run: what is measured; it has no bound
+  GateRow row;            // names the metric and the finest run; it has no bound
   RefinedMetric refined;  // coarse to fine
-  // Of the order; none where there is no order, or where a value moved within its interval leaves
-  // none.
+  // nullopt where there is no order, or where a value moved within its interval leaves none.
   std::optional<double> order_half_width;
 };
 
 std::optional<double> order_half_width(const std::vector<ValueAtStep>& values);
 
-// What is measured: `quantity` of the finest run against the reference, in that order.
+// Asks how `quantity` of the finest run converges against the reference.
 struct ConvergenceQuestion {
   std::string finest, reference, quantity;
 };
@@ -33,8 +32,8 @@ struct Convergence {
   std::vector<std::string> not_measured;  // "forced phase_lag: why"
 };
 
-// Of the forced mode amplitude and phase, of the natural modes frequency and decay, of the whole
-// window the residual.
+// Covers the amplitude and phase of the forced mode, the frequency and decay of the natural modes,
+// and the residual of the whole window (the metric table's `convergence`).
 Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQuestion& question);
 
 }  // namespace slosh

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "verification/case/run_family.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/refinement.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
@@ -17,7 +17,7 @@ bool has_size(const Estimate& error) {
   return std::isfinite(error.value) && std::abs(error.value) > error.half_width;
 }
 
-// The measures of one run whose order is asked for, in the order of the columns.
+// The error measures of one run, in the order of the columns.
 struct Measures {
   Estimate rms{not_a_number, 0}, frequency_error{not_a_number, 0}, decay_excess{not_a_number, 0};
 };
@@ -48,7 +48,7 @@ Measures measures_of(const Comparison& comparison) {
 // By spacing, coarsest first.
 using MeasuresBySpacing = std::map<double, Measures, std::greater<>>;
 
-// Of a scheme the runs of one spacing throughout that change nothing of it.
+// The runs of each scheme that change nothing of it and have one spacing throughout.
 std::map<std::string, MeasuresBySpacing> measures_by_scheme(const CaseAssessment& assessment) {
   std::map<std::string, MeasuresBySpacing> schemes;
   for (const RunDefinition& run : assessment.definition.runs) {

@@ -10,36 +10,31 @@
 
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/case/run_family.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/record_uncertainty.hpp"
 
 namespace slosh {
 namespace {
 
-// Half width of a 95 % interval over the standard deviation, of a normal distribution.
+// The half width of a 95 % interval over the standard deviation of a normal distribution.
 constexpr double coverage = 1.96;
 
-// "elevation amplitude" of "elevation@right"; empty of what has no amplitude of its own.
+// Returns "elevation amplitude" for "elevation@right", and an empty text for a quantity whose
+// amplitude is not predicted.
 std::string amplitude_kind(const std::string& quantity) {
-  static const std::map<std::string, std::string> kinds{
-      {"elevation", "elevation amplitude"},
-      {"wall_pressure", "wall pressure amplitude"},
-      {"force_x", "force amplitude"},
-      {"moment", "moment amplitude"},
-      {"momentum_x", "momentum amplitude"}};
-  if (quantity.find("/filtered") != quantity.npos) return "";
-  const auto found = kinds.find(quantity.substr(0, quantity.find('@')));
-  return found == kinds.end() ? "" : found->second;
+  const Quantity* known = find_quantity(quantity);
+  const bool is_filtered = quantity.find("/filtered") != quantity.npos;
+  return known && !is_filtered ? known->amplitude : "";
 }
 
-// Of each model and quantity the comparison of the finest run with its first theory or record.
+// For each model and quantity the comparison of the finest run with its first theory or record.
 std::vector<const Comparison*> counted_comparisons(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   std::map<std::pair<std::string, std::string>, const Comparison*> finest;
   for (const Comparison& one : assessment.comparisons) {
     const RunDefinition& candidate = run_named(definition, one.candidate);
     if (assessment.runs.status.at(one.reference).state == RunState::out_of_range ||
-        std::holds_alternative<InterFoamRun>(run_named(definition, one.reference).solver))
+        is_simulation(run_named(definition, one.reference)))
       continue;
     const Comparison*& best = finest[{work_family(candidate), one.quantity}];
     if (!best || resolution(candidate) > resolution(run_named(definition, best->candidate)))
@@ -86,7 +81,7 @@ class Collection {
           add(kind, pair->unit, definition, *pair, mode,
               {mode.candidate.amplitude.value, mode.reference.amplitude.value,
                amplitude_deviation(definition, *pair, mode)});
-        // Every quantity swings with the same natural frequencies: the case's first tells of them.
+        // All quantities oscillate at the same natural frequencies; the case's first one is used.
         if (mode.mode != "forced" && pair->quantity == first)
           add("natural frequency", "Hz", definition, *pair, mode,
               {mode.candidate.angular_frequency.value / (2 * std::numbers::pi),

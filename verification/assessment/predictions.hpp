@@ -1,8 +1,8 @@
-// What the models of a campaign predicted, beside what theory and records say of the same, over all
-// of its cases: the amplitudes of the fitted modes, down to a tenth of the largest one of the
-// reference, and the natural frequencies. A model is an SPH
-// scheme with all that a run changes of it, or interFoam; of each the finest run of a case counts,
-// against the first theory in its range, or record, that the case compares it with.
+// The predictions of a campaign's models and the corresponding values of theory and records, over
+// all of its cases: the amplitudes of the fitted modes, down to a tenth of the reference's largest
+// one, and the natural frequencies. A model is an SPH scheme with all that a run changes of it, or
+// interFoam. The finest run of each model counts in each case, against the first theory inside its
+// range, or record, that the case compares it with.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,8 @@
 
 namespace slosh {
 
-// A smaller mode is of the size of what the others err by: its relative error would tell of those.
+// A smaller mode is as small as the errors of the larger ones: its relative error would measure
+// those.
 inline constexpr double smallest_share_of_amplitude = 0.1;
 
 struct Prediction {
@@ -27,11 +28,11 @@ struct PredictionSet {
   std::string unit;   // "m", "Hz", ...
   std::string model;  // "recommended", "recommended, h = 2 dp", "interFoam"
   std::vector<Prediction> predictions;
-  std::optional<ModelBias> bias;  // none of too few
+  std::optional<ModelBias> bias;  // nullopt for too few predictions
 };
 
-// By kind and model, both in the order in which the cases name them. The references' deviations are
-// a record's stated uncertainty; theory has none.
+// One set for each kind and model, both in the order in which the cases name them. A reference's
+// standard deviation comes from the record's declared uncertainty; theory has none.
 std::vector<PredictionSet> prediction_sets(const std::vector<CaseAssessment>& cases);
 
 }  // namespace slosh

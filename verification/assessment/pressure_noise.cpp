@@ -15,7 +15,7 @@ namespace {
 
 constexpr double lowest_band = 5;  // [Hz]
 constexpr double bands_per_mode = 3;
-// sum w^2 / (sum w)^2 of Hann's window is 1.5 / n, and 4 n bins of the padded transform hold it.
+// Hann's window has sum w^2 / (sum w)^2 = 1.5 / n, and the padded transform has 4 n bins.
 constexpr double bins_of_noise = 6;
 
 }  // namespace
@@ -42,7 +42,7 @@ double pressure_noise(const TimeSeries& pressure, TimeWindow window, double band
 
 double plateau_noise(const TimeSeries& pressure, const CaseDefinition& definition) {
   if (!definition.impacts)
-    throw ComparisonError("the case " + definition.name + " says nothing of impacts");
+    throw ComparisonError("the case " + definition.name + " has no [impacts]");
   const ImpactsDefinition& impacts = *definition.impacts;
   double sum = 0;
   std::size_t count = 0;

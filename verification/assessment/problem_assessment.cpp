@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "verification/assessment/observed_order.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
@@ -45,7 +45,7 @@ struct Bound {
   std::string text;
 };
 
-// NaN holds no bound.
+// NaN satisfies no bound.
 Bound compare_to_bound(const ProblemGateRow& row, double value) {
   const std::string unit = row.unit == "1" ? "" : " " + row.unit;
   if (row.metric == ProblemMetric::order_within) {

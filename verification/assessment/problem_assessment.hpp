@@ -1,4 +1,4 @@
-// A verification problem after its run: whether it stands, and what its gate rows say. Nothing here
+// A verification problem after its run: its status and the verdicts of its gate rows. Nothing here
 // runs a solver.
 #pragma once
 
@@ -14,14 +14,14 @@ namespace slosh {
 
 struct ProblemRun {
   RunStatus status;
-  std::optional<ProblemResult> result;  // where it has finished
+  std::optional<ProblemResult> result;  // of a finished run
 };
 
 struct ProblemGateOutcome {
   ProblemGateRow row;
   Verdict verdict;
-  double value;         // NaN where there is none
-  std::string message;  // "1.98 >= 1.9", or why there is nothing to judge
+  double value;         // NaN where it was not measured
+  std::string message;  // "1.98 >= 1.9", or why nothing could be judged
 };
 
 struct ProblemAssessment {
@@ -30,8 +30,8 @@ struct ProblemAssessment {
   std::vector<ProblemGateOutcome> gate;  // in the order of the rows
 };
 
-// The slope of the least-squares line through (ln step, ln |error|) of the errors above zero;
-// nothing where fewer than three are, or where an error is no number.
+// The slope of the least-squares line through (ln step, ln |error|) of the errors above zero.
+// Returns nullopt for fewer than three such errors, and where an error is not finite.
 std::optional<double> order_of(const std::vector<ErrorAtStep>& errors);
 
 // A single NaN error violates every row of the measure.
@@ -39,7 +39,7 @@ ProblemGateOutcome evaluate(const ProblemGateRow& row, const ProblemRun& run);
 
 ProblemAssessment assess(const ProblemDefinition& definition, ProblemRun run);
 
-// Of cases and problems together, as that of cases.
+// The exit status of cases and problems together, by the rules of that of cases.
 int exit_status(const std::vector<CaseAssessment>& cases,
                 const std::vector<ProblemAssessment>& problems);
 

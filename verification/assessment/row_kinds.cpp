@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 
 namespace slosh {
@@ -50,10 +51,7 @@ RowBasis basis_of(const CaseDefinition& definition, const GateRow& row) {
   if (row.kind == RowKind::regression) return RowBasis::earlier_measurement;
   if (rests_on_experiment(definition, row)) return RowBasis::experiment;
   if (row.reference.empty()) return RowBasis::harness_tolerance;
-  const auto& solver = run_named(definition, row.reference).solver;
-  const bool exact = std::holds_alternative<LinearRun>(solver) ||
-                     std::holds_alternative<ViscousWaveRun>(solver) ||
-                     std::holds_alternative<PotentialRun>(solver);
+  const bool exact = is_theory(run_named(definition, row.reference));
   return exact ? RowBasis::exact_solution : RowBasis::harness_tolerance;
 }
 

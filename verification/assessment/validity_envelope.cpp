@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "verification/case/motion.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 #include "verification/solvers/reference_tank.hpp"
 
 namespace slosh {
@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-// NaN where the result does not tell it.
+// Returns NaN where the result does not record it.
 double recorded(const RunResult& result, const char* name) {
   const auto found = result.diagnostics.find(name);
   return found == result.diagnostics.end() ? not_a_number : found->second;
@@ -25,7 +25,7 @@ double amplitude_of(const MotionHistory& history) {
   return largest_magnitude(std::get<TableMotion>(history).value);
 }
 
-// Of the motion as a surge [m].
+// The amplitude of the motion [m]; a roll counts as the surge of the tank's ends, theta L / 2.
 double forcing_amplitude(const CaseDefinition& definition) {
   const auto& [surge, roll] = definition.motion;
   double amplitude = 0;
@@ -34,7 +34,7 @@ double forcing_amplitude(const CaseDefinition& definition) {
   return amplitude;
 }
 
-// A mode that is too near to the forcing, of those that surge and roll excite.
+// Names a natural mode, of those that surge and roll excite, that is too near to the forcing.
 std::optional<std::string> too_near_resonance(const CaseDefinition& definition) {
   const double forcing = forcing_frequency(definition);
   if (!(forcing > 0)) return {};
@@ -52,7 +52,7 @@ std::optional<std::string> too_near_resonance(const CaseDefinition& definition) 
   return {};
 }
 
-// Of a theory of small waves.
+// Why a wave is too high for a theory of small waves.
 std::optional<std::string> too_high(double valid_elevation_over_depth,
                                     const CaseDefinition& definition, const RunResult& result) {
   const double over_depth = recorded(result, "highest_elevation_over_depth");

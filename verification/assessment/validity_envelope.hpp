@@ -1,13 +1,15 @@
-// Where a reference may gate. Outside its range its curve is still drawn, and never judges.
-//   linear theory   elevation A (the largest that it predicts itself) over the fill depth: as the
-//                   case declares; steepness k_1 A <= 0.2, k_1 = pi / L: the second order adds k A
-//                   / 2 to a crest, a tenth there; and no natural mode that the motion excites
-//                   nearer to the forcing than |(omega / omega_n)^2 - 1| = (b / L)^(2/3), b the
-//                   motion's amplitude (theta L / 2 of a roll), where the response is no longer
-//                   proportional to it (Moiseev 1958, J. Appl. Math. Mech. 22:860; Faltinsen 1974,
-//                   J. Ship Res. 18:224)
-//   potential flow  to where it has found itself out of its range (nonlinear_potential_flow.hpp),
-//                   which must not be before the comparison's window ends
+// The range in which a reference may gate. Outside its range its curve is still drawn, but it never
+// judges.
+//   linear theory   The case declares the largest valid elevation A, as the theory itself predicts
+//                   it, over the fill depth. The steepness is limited to k_1 A <= 0.2, k_1 = pi /
+//                   L, where the second order adds k A / 2, a tenth, to a crest. No natural mode
+//                   that the motion excites may be nearer to the forcing than
+//                   |(omega / omega_n)^2 - 1| = (b / L)^(2/3), b the motion's amplitude (theta L /
+//                   2 for a roll): nearer to it the response is no longer proportional to b
+//                   (Moiseev 1958, J. Appl. Math. Mech. 22:860; Faltinsen 1974, J. Ship Res.
+//                   18:224).
+//   potential flow  It is valid up to the time at which it has left its range itself
+//                   (nonlinear_potential_flow.hpp). The comparison's window must end by then.
 // Solvers and records have no such range.
 #pragma once
 
@@ -22,11 +24,11 @@ namespace slosh {
 
 inline constexpr double steepest_linear_wave = 0.2;
 
-// Why the reference is outside its range in this case; nothing where it is inside.
+// Why the reference is outside its range in this case. Returns nullopt where it is inside.
 std::optional<std::string> outside_validity(const CaseDefinition& definition,
                                             const RunDefinition& run, const RunResult& result);
 
-// Gives the references that are outside theirs that status.
+// Sets the status of the references outside their range to RunState::out_of_range.
 void mark_out_of_range(const CaseDefinition& definition, CaseRuns& runs);
 
 }  // namespace slosh

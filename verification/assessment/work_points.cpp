@@ -3,17 +3,13 @@
 #include <algorithm>
 
 #include "verification/case/quantities.hpp"
-#include "verification/case/run_family.hpp"
+#include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
 namespace {
 
-// Of the liquid alone: what sets a theory with the gas apart from one without it is no error.
-bool is_theory_of_liquid(const RunDefinition& run) {
-  const LinearRun* linear = std::get_if<LinearRun>(&run.solver);
-  return (linear && !linear->two_layer) || std::holds_alternative<ViscousWaveRun>(run.solver) ||
-         std::holds_alternative<PotentialRun>(run.solver);
-}
+// A theory without the gas: its difference from a theory with the gas would be no error.
+bool is_theory_of_liquid(const RunDefinition& run) { return is_theory(run) && !sees_gas(run); }
 
 std::vector<const RunDefinition*> references_in_range(const CaseAssessment& assessment) {
   std::vector<const RunDefinition*> found;

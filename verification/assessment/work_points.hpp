@@ -1,5 +1,5 @@
-// The work-precision points of a case: what its runs and references cost and how far off they are,
-// by family (run_cost.hpp).
+// The work-precision points of a case: the costs and errors of its runs and references, by family
+// (run_cost.hpp).
 #pragma once
 
 #include <vector>
@@ -9,12 +9,11 @@
 
 namespace slosh {
 
-// Of the judging comparisons, in the order of the case file.
+// The families of the judging comparisons, in the order of the case file.
 std::vector<WorkFamily> work_families(const CaseAssessment& assessment);
 
-// Theory of the liquid alone and potential flow, in their range, each a family of one run: the
-// error is what sets each apart from the first other one that there is. None where there is one
-// alone.
+// Theories of the liquid alone that are inside their range, each as a family of one run. The error
+// of each is its difference from the first other one. Empty where there is only one.
 std::vector<WorkFamily> reference_families(const CaseAssessment& assessment);
 
 }  // namespace slosh

@@ -32,8 +32,8 @@ double uncertainties_between(const BaselineValue& before, const BaselineValue& a
   return moved == 0 ? 0 : moved / std::hypot(before.half_width, after.half_width);
 }
 
-// Of the metric or its tolerance, the larger: sums that compilers order differently differ by less
-// unless the flow itself magnifies it, which the intervals then tell.
+// Relative to the larger of the metric and its tolerance. Round-off that depends on the compiler's
+// order of summation is smaller, unless the flow amplifies it, which the intervals then show.
 constexpr double rounding = 1e-6;
 
 double scale_of(const BaselineValue& one) {
@@ -49,9 +49,6 @@ bool has_moved(const BaselineValue& before, const BaselineValue& after) {
          uncertainties_between(before, after) > 1;
 }
 
-// What a run costs is measured on one machine and tells nothing of another.
-bool is_timing(Metric metric) { return metric == Metric::cost_to_reach; }
-
 std::string signed_in_unit(double value, const std::string& unit) {
   return unit == "1" ? fmt::format("{:+.3g} %", 100 * value)
                      : fmt::format("{:+.3g} {}", value, unit);
@@ -66,12 +63,13 @@ bool is_judged_here(const GateOutcome& outcome) {
   return outcome.verdict != Verdict::not_selected && outcome.verdict != Verdict::not_supplied;
 }
 
-}  // namespace
-
+// Whether the tolerance accepts more than the baseline's at either end.
 bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
   return after.lower.value_or(-unbounded) < before.lower.value_or(-unbounded) ||
          after.upper.value_or(unbounded) > before.upper.value_or(unbounded);
 }
+
+}  // namespace
 
 bool RowMovement::has_changed() const {
   if (!before || !after) return before.has_value() != after.has_value();
@@ -94,7 +92,8 @@ std::vector<RowMovement> movements(const Baseline& baseline,
                            .before = {},
                            .after = value_of(outcome)};
       declared.insert(movement.row);
-      if (!is_judged_here(outcome) || is_timing(outcome.row.metric)) continue;
+      // A cost is measured on one machine and says nothing about another.
+      if (!is_judged_here(outcome) || is_cost(outcome.row.metric)) continue;
       if (const auto known = baseline.find(movement.row); known != baseline.end())
         movement.before = known->second;
       if (movement.before && movement.after) {
@@ -107,6 +106,16 @@ std::vector<RowMovement> movements(const Baseline& baseline,
     if (!declared.contains(row))
       found.push_back({.row = row, .unit = "", .before = value, .after = {}, .declared = false});
   return found;
+}
+
+std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& movements) {
+  std::vector<BaselineChange> changes;
+  for (const RowMovement& movement : movements) {
+    const bool lost = !movement.after && movement.declared;
+    if (movement.has_changed() && !lost)
+      changes.push_back({movement.row, movement.before, movement.after});
+  }
+  return changes;
 }
 
 std::string movement_text(const RowMovement& movement) {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "verification/baseline/baseline_diff.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
@@ -17,11 +17,11 @@ namespace {
 using reports::Curve;
 using reports::Figure;
 
-constexpr std::size_t most_rows = 6;        // as many colours as the figures have
+constexpr std::size_t most_rows = 6;        // the number of colours in a figure
 constexpr std::size_t most_approvals = 12;  // the latest
-constexpr std::size_t most_labels = 6;      // dates that stand side by side
+constexpr std::size_t most_labels = 6;      // dates that fit side by side
 
-// What stood after each of the latest approvals, numbered from one.
+// The baseline after an approval; approvals are numbered from one.
 struct ApprovedState {
   std::size_t number;
   const Approval* approval;
@@ -38,7 +38,8 @@ std::vector<ApprovedState> approved_states(const std::vector<Approval>& approval
   return found;
 }
 
-// 0 in the middle of the tolerance, 1 and -1 at its ends; nothing without two ends.
+// The value's place in its tolerance: 0 in the middle, 1 and -1 at the ends. Returns nullopt for a
+// tolerance without two ends.
 std::optional<Estimate> in_tolerance(const BaselineValue& one) {
   if (!one.lower || !one.upper) return std::nullopt;
   const double half = (*one.upper - *one.lower) / 2;
@@ -46,7 +47,7 @@ std::optional<Estimate> in_tolerance(const BaselineValue& one) {
   return Estimate{(one.value - *one.lower) / half - 1, one.half_width / half};
 }
 
-// Of the case, furthest out first.
+// The rows of the case that are closest to their tolerance or furthest beyond it, worst first.
 std::vector<const RowMovement*> worst_rows(const std::vector<RowMovement>& moved,
                                            const std::string& case_name) {
   std::vector<const RowMovement*> rows;
@@ -102,11 +103,10 @@ Figure figure_of(const std::string& case_name, const std::vector<const RowMoveme
   figure.id = case_name + "-baselines";
   figure.title = "Gate rows over their baselines";
   figure.caption = fmt::format(
-      "The {} rows nearest to their tolerance, or furthest beyond it, now: each value with its 95 "
-      "% interval at the campaign's approvals and now, over half the width of its tolerance at "
-      "that "
-      "time. Baselines are this project's own earlier results: they tell what has moved, not what "
-      "is right. Approvals: {}",
+      "The {} rows that are now closest to their tolerance or furthest beyond it: each value with "
+      "its 95 % interval at the campaign's approvals and now, divided by half the width of its "
+      "tolerance at that time. Baselines are this project's own earlier results: they show what "
+      "has moved, not what is right. Approvals: {}",
       rows.size(), approvals_text(past));
   figure.x_label = "approval";
   figure.y_label = "place in the tolerance [1]";

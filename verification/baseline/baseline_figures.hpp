@@ -1,4 +1,4 @@
-// How the gate's values have moved from approval to approval of a campaign's ledger, and now.
+// Figures of the gate's values over the approvals of a campaign's ledger.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace slosh {
 
-// Adds to the section of each case (its id is the case's name) one figure of those of its rows that
-// are nearest to their tolerance or furthest beyond it now: where in the tolerance of its time each
-// value stood, 0 its middle and 1 and -1 its ends, at each approval and now. Without an approval,
-// and of a case of which the ledger has no row, there is none. Throws LedgerError as baseline_of().
+// Adds to the section of each case (its id is the case's name) one figure of the case's rows that
+// are closest to their tolerance or furthest beyond it now: the place of each value in the
+// tolerance of its time (0 the middle, 1 and -1 the ends), at each approval and now. Adds nothing
+// without an approval, or for a case whose rows are not in the ledger. Throws LedgerError as
+// baseline_of() does.
 void add_baseline_figures(const std::vector<Approval>& approvals,
                           const std::vector<CaseAssessment>& cases, reports::Report& report);
 

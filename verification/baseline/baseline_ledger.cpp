@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "verification/baseline/baseline_json.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/file_lock.hpp"
@@ -30,7 +29,7 @@ Approval approval_from(const Json& line) {
           changes_from(line.at("changes"))};
 }
 
-// What the head records.
+// The content of the head.
 struct Head {
   std::size_t lines;
   std::string hash;
@@ -58,7 +57,7 @@ void require_recorded(const fs::path& ledger, const Head& found) {
   if (!fs::exists(file)) {
     if (found.lines == 0) return;
     throw LedgerError(
-        fmt::format("{}: holds {} approvals, but its head {} is not there; restore "
+        fmt::format("{}: holds {} approvals, but its head {} does not exist; restore "
                     "both from version control",
                     ledger.string(), found.lines, file.string()));
   }
@@ -66,7 +65,7 @@ void require_recorded(const fs::path& ledger, const Head& found) {
   if (recorded != found)
     throw LedgerError(fmt::format(
         "{}: holds {} approvals with the hash {}, but its head {} records {} with the hash {}: the "
-        "last lines were altered, added or taken out by hand, or an approval was interrupted; "
+        "last lines were altered, added or removed by hand, or an approval was interrupted; "
         "restore both from version control",
         ledger.string(), found.lines, found.hash, file.string(), recorded.lines, recorded.hash));
 }
@@ -97,7 +96,7 @@ std::vector<Approval> read_ledger(const fs::path& file) {
     try {
       const Json content = Json::parse(line);
       if (content.at("previous") != content_hash(before))
-        throw LedgerError(place + ": the lines before it are not those that it was added to");
+        throw LedgerError(place + ": the lines before it have changed since it was added");
       approvals.push_back(approval_from(content));
     } catch (const Json::exception& error) {
       throw LedgerError(fmt::format("{}: not an approval: {}", place, error.what()));
@@ -116,8 +115,7 @@ Baseline baseline_of(const std::vector<Approval>& approvals) {
           found == baseline.end() ? std::optional<BaselineValue>() : std::optional(found->second);
       if (standing != change.before)
         throw LedgerError(
-            fmt::format("approval of {} by {}: {}: the old value is not the one that "
-                        "stood",
+            fmt::format("approval of {} by {}: {}: the old value differs from the baseline",
                         approval.when_utc, approval.who, change.row));
       if (change.after)
         baseline[change.row] = *change.after;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "verification/campaign/job_failure.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -38,7 +39,7 @@ PlannedRun planned_run(const CaseDefinition& definition, const RunDefinition& ru
   return planned;
 }
 
-// `slosh run` of it, but for what it is to do.
+// Returns the start of the command `slosh run` for the run.
 std::vector<std::string> run_command(const PlannedRun& planned, const CampaignSettings& settings) {
   std::vector<std::string> command{
       settings.executable.string(),
@@ -67,7 +68,7 @@ Job job_of(const PlannedRun& planned, const CampaignSettings& settings, const Ex
 }
 
 bool is_timed(const PlannedRun& planned, const TimingDefinition& timing) {
-  return !std::holds_alternative<RecordRun>(planned.run->solver) &&
+  return !is_record(*planned.run) &&
          names_run({.only = timing.only}, *planned.definition, *planned.run);
 }
 

@@ -1,4 +1,4 @@
-// What a campaign asks for, what of that stands, and the jobs that are left.
+// The runs of a campaign, which of their results are stored already, and the jobs for the others.
 #pragma once
 
 #include <filesystem>
@@ -16,36 +16,36 @@ struct PlannedRun {
   const CaseDefinition* definition;
   const RunDefinition* run;
   std::string key;
-  RunStatus status;  // finished: its result stands (see StandingResult), else why it does not
-  std::filesystem::path file;  // of the result that stands, or that a run would leave
+  RunStatus status;  // finished: its result is usable (see StandingResult), else why it is not
+  std::filesystem::path file;  // of the usable result, or of the one that a run would write
 };
 
-// In the order of the cases and their runs. The cases outlive the plan.
+// Returns the runs in the order of the cases. The cases must outlive the plan.
 std::vector<PlannedRun> plan_runs(const std::vector<CaseDefinition>& cases,
                                   const CampaignSettings& settings);
 
-// A result that a campaign may take: that of the very key, or, where nothing is to be computed, the
-// newest that answers the same question by another build.
+// A stored result that a campaign may use: the result of the same key or, where nothing is to be
+// computed, the newest result of the same question by another build.
 struct StandingResult {
   std::filesystem::path file;
   std::string message;  // empty, or that it is another build's
 };
 
-// Throws ResultError where there is none. Only looks for the file.
+// Looks for the file without reading it. Throws ResultError where there is none.
 StandingResult standing_result(const std::string& key, const char* extension,
                                const CampaignSettings& settings);
 
-// To be computed: of runs that this machine can compute and whose result does not stand.
+// Returns whether the run is to be computed: this machine can compute it and no result is usable.
 bool is_pending(const PlannedRun& planned);
 
-// The run, and the repeats of it for its timings.
+// Returns the job of the run, and the jobs of its repeats for timings.
 Job job_for(const PlannedRun& planned, const CampaignSettings& settings);
 std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& settings);
 
-// A link to the result, in the directories that it needs: what a campaign took is seen by its name.
+// Makes a link to the result, and the directories for it, so that results are found by their names.
 void show_result(const std::filesystem::path& result, const std::filesystem::path& link);
 
-// Where the campaign's own directory shows a run's result: a link into the store.
+// Returns the place of a run's link in the campaign's directory.
 std::filesystem::path link_to_result(const CampaignSettings& settings,
                                      const CaseDefinition& definition, const RunDefinition& run);
 

@@ -13,6 +13,7 @@
 #include "verification/campaign/job_failure.hpp"
 #include "verification/campaign/problem_run.hpp"
 #include "verification/display/progress_display.hpp"
+#include "verification/engine/launcher.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/file_lock.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -29,7 +30,7 @@ void take_result(const PlannedRun& planned, const CampaignSettings& settings, Ca
   RunResult result = read_result(planned.file);
   if (!asks_the_same(result.key, planned.key))
     throw ResultError(planned.file.string() + " was made for another state of the case file");
-  // Another case or run that asks the same may have made it.
+  // Another case or run of the same key may have made it.
   result.case_name = planned.definition->name;
   result.run_name = planned.run->name;
   runs.timings[planned.run->name] =
@@ -44,14 +45,15 @@ struct StoredUnder {
   const char* extension;
 };
 
-// Where a result lies there that is damaged or another build's.
+// Says on standard error that a run is computed again, where its stored result is damaged or
+// another build's.
 void tell_of_another(const StoredUnder& place, const RunStatus& status,
                      const CampaignSettings& settings) {
   if (settings.solve && settings.store.newest_file(place.key, place.extension))
     std::cerr << status.message << ": it is computed again\n";
 }
 
-// Enters what stands before anything is started; of what cannot be used the run is pending.
+// Enters the usable results before anything is started; the run of an unusable one is pending.
 void take_stock(std::vector<PlannedRun>& plan, const CampaignSettings& settings,
                 std::map<const CaseDefinition*, CaseRuns*>& outcome) {
   for (PlannedRun& planned : plan) {
@@ -87,15 +89,15 @@ void take_over(const JobState& state, PlannedRun& planned, const CampaignSetting
   }
 }
 
-// A job, and what it is for: a run, a problem by its number, or the timing of a run, of which
-// nothing is taken over.
+// A job and its purpose: a run, a problem by its number, or the timing of a run, whose result is
+// not used.
 struct Pending {
   Job job;
   PlannedRun* run = nullptr;
   std::optional<std::size_t> problem = {};
 };
 
-// Longest first, so that none is left alone at the end.
+// Sorts the longest jobs first, so that no long job is left running alone at the end.
 std::vector<Pending> pending_jobs(std::vector<PlannedRun>& plan,
                                   const std::vector<ProblemDefinition>& problems,
                                   const std::vector<ProblemRun>& standing,
@@ -115,7 +117,7 @@ std::vector<Pending> pending_jobs(std::vector<PlannedRun>& plan,
   return pending;
 }
 
-// The timings that were made meanwhile.
+// Enters the timings that have been made.
 void take_timings(const std::vector<PlannedRun>& plan, const CampaignSettings& settings,
                   std::map<const CaseDefinition*, CaseRuns*>& outcome) {
   for (const PlannedRun& planned : plan)
@@ -137,7 +139,7 @@ std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
                                const CampaignSettings& settings, const std::atomic<bool>& stop) {
   std::vector<Job> jobs;
   for (const Pending& one : pending) jobs.push_back(one.job);
-  // They share the cores by running side by side, one thread each.
+  // The jobs run side by side on the cores, with one thread each.
   setenv("OMP_NUM_THREADS", "1", 0);
   ProgressDisplay display(std::cerr, style_now_of(STDERR_FILENO), settings.at_once);
   std::vector<JobState> states =
@@ -172,7 +174,7 @@ void wait_for_other_starts(const CampaignSettings& settings, const std::atomic<b
 CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
                                const std::vector<ProblemDefinition>& problems,
                                const CampaignSettings& settings, const std::atomic<bool>& stop) {
-  std::optional<FileLock> lock;  // who only reads waits for nobody
+  std::optional<FileLock> lock;  // not needed where nothing is computed
   if (settings.solve) wait_for_other_starts(settings, stop, lock);
   CampaignRuns outcome{std::vector<CaseRuns>(cases.size()), {}};
   std::map<const CaseDefinition*, CaseRuns*> runs_of;

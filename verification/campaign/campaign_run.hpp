@@ -1,6 +1,5 @@
-// Runs what a campaign's cases and problems declare, each a process of its own, and keeps every
-// finished result under its key: one that stands is not computed again, whichever campaign asked
-// for it.
+// Runs the cases and problems of a campaign, each run in a process of its own, and stores every
+// finished result under its key. A stored result is not computed again, whichever campaign made it.
 #pragma once
 
 #include <atomic>
@@ -19,13 +18,13 @@ struct InterruptedError : std::runtime_error {
 };
 
 struct CampaignRuns {
-  std::vector<CaseRuns> cases;  // in the order given, as the next
+  std::vector<CaseRuns> cases;  // in the order given, as the problems
   std::vector<ProblemRun> problems;
 };
 
-// Computes what does not stand (nothing where settings.solve is false) and tells of it on standard
-// error. Throws InterruptedError once `stop` is set, and CaseFileError where a run refused its
-// case; what was finished stays.
+// Computes the missing results (none where settings.solve is false) and shows the progress on
+// standard error. Throws InterruptedError once `stop` is set, and CaseFileError where a run refused
+// its case; finished results are kept.
 CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
                                const std::vector<ProblemDefinition>& problems,
                                const CampaignSettings& settings, const std::atomic<bool>& stop);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::string_view mark = "slosh: ";  // main.cpp puts it before every error
 
-// More of a log than a person reads in a report.
+// More of a log than anyone reads in a report.
 constexpr std::size_t most_lines = 100;
 
-// The tool's message from its first line on; nothing where the log has none.
+// Returns the tool's message from its first line on, or nullopt where the log has none.
 struct Complaint {
   std::string message, details;
 };
@@ -77,7 +77,7 @@ RunStatus status_without_result(const JobState& state, const std::filesystem::pa
     failure = failure_of(state);
     try {
       write_failure(*failure, failure_file);
-    } catch (const ResultError&) {  // a full disk hides no failure
+    } catch (const ResultError&) {  // the failure is reported even where the disk is full
     }
   }
   return {RunState::failed, description(state) + ": " + failure->message, failure};

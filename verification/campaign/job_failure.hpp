@@ -1,5 +1,5 @@
-// Why the job of a run or a problem failed: from what it left in the store, or else from how its
-// process ended and what its log says.
+// Finds why the job of a run or a problem failed: from the failure file in the store, or else from
+// the end of its process and its log.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@
 
 namespace slosh {
 
-// The first line of the tool's message in a job's log, or else the last line that it wrote.
+// Returns the first line of the tool's message in a job's log, or else the log's last line.
 std::string first_error_line(const std::filesystem::path& log);
 
-// Of a job that did not succeed. A result that the store could not keep is missing. A run whose
-// solver failed has left why in `failure_file` (run_failure.hpp); of any other end it is left there
-// now, as far as it can be written.
+// Returns the status of a job that did not succeed. A result that could not be stored is missing. A
+// run whose solver failed has written the reason to `failure_file` (run_failure.hpp); for any other
+// end the reason is written there now, if possible.
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file);
 
-// Of a run that nothing is to be computed of: how it failed when it was last tried, or else that
-// it is missing, with this message.
+// Returns the status of a run that is not to be computed: its last failure, or else that its result
+// is missing, with this message.
 RunStatus missing_status(const std::string& message, const std::filesystem::path& failure_file);
 
 }  // namespace slosh

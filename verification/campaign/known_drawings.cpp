@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// By its path, size and time: a program that is replaced differs in one of them.
+// Identifies the program by its path, size and time: a replaced program differs in one of them.
 std::string identity_of(const fs::path& program) {
   std::error_code absent;
   const fs::path file = fs::canonical(program, absent);
@@ -23,7 +23,7 @@ std::string identity_of(const fs::path& program) {
                      fs::last_write_time(file).time_since_epoch().count());
 }
 
-// The hash of the drawing, then the drawing.
+// A cached file has the hash of the drawing, then the drawing.
 std::string guarded(const std::string& drawing) { return content_hash(drawing) + drawing; }
 
 std::optional<std::string> drawing_in(const fs::path& file) try {
@@ -36,7 +36,7 @@ std::optional<std::string> drawing_in(const fs::path& file) try {
   return std::nullopt;
 }
 
-// The directory may hold files of the user's own.
+// Tells cached files from others, for the directory may hold files of the user.
 bool is_named_by_a_hash(const std::string& name) {
   return name.size() == content_hash("").size() &&
          name.find_first_not_of("0123456789abcdef") == std::string::npos;

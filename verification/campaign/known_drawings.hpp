@@ -1,6 +1,6 @@
-// What gnuplot drew for earlier reports of a campaign, so that a report after a small change draws
-// only what that changes. A drawing is kept under its script, which holds the data, and under the
-// gnuplot that drew it.
+// A cache of gnuplot's drawings for the reports of a campaign, so that a report after a small
+// change draws only the figures that have changed. The key of a drawing is its script, which holds
+// the data, and the gnuplot program.
 #pragma once
 
 #include <filesystem>
@@ -13,24 +13,24 @@ namespace slosh {
 
 class KnownDrawings {
  public:
-  // Keeps them in this directory, which need not be there yet.
+  // Keeps the drawings in this directory, which need not exist yet.
   explicit KnownDrawings(std::filesystem::path directory);
 
-  // A reports::Gnuplot: what was kept, else what gnuplot draws now. A kept file that was cut short
-  // or changed is drawn anew.
+  // Returns the cached drawing, or else draws it now; a reports::Gnuplot. A cached file that was
+  // cut short or changed is drawn again.
   std::string draw(const std::string& script, const std::string& figure_id,
                    const std::filesystem::path& scratch_directory);
 
-  // Keeps the drawings that were asked for and removes all others; files that are no drawings stay.
-  // It is called once the report is complete: a drawing that breaks off must not be kept. Throws
+  // Writes the drawings that were asked for and removes all others; files of other kinds stay. It
+  // is called once the report is complete, so that no half-finished drawing is kept. Throws
   // std::filesystem::filesystem_error where the directory cannot be written.
   void write() const;
 
  private:
   std::filesystem::path directory_;
   std::string gnuplot_;                       // path, size and time of the program
-  std::mutex mutex_;                          // of the two below
-  std::set<std::string> taken_;               // names of kept files that were asked for
+  std::mutex mutex_;                          // guards the two below
+  std::set<std::string> taken_;               // names of cached files that were asked for
   std::map<std::string, std::string> drawn_;  // by the name that the file will have
 };
 

@@ -4,7 +4,7 @@
 
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/job_failure.hpp"
-#include "verification/problems/problem.hpp"
+#include "verification/problems/problem_list.hpp"
 
 namespace slosh {
 

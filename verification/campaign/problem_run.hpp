@@ -1,5 +1,5 @@
-// The verification problems of a campaign, each a process of its own: what of them stands, the jobs
-// that are left, and how those have ended.
+// The verification problems of a campaign, each solved in a process of its own: their stored
+// results, the jobs for the others, and the outcome of these jobs.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace slosh {
 
 std::string key_of(const ProblemDefinition& problem, const CampaignSettings& settings);
 
-// That of the result that stands, or why none does.
+// Returns the problem with its stored result, or with the reason why there is none.
 ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings);
 
 Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings);

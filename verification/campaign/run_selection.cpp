@@ -9,7 +9,7 @@
 
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/metric_table.hpp"
-#include "verification/case/run_family.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/repeat_spread.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -51,20 +51,18 @@ bool are_repeats(const CaseDefinition& definition, const RunDefinition& run,
   return sph && candidate && repeat_one_another(*sph, *candidate);
 }
 
-// Whether the row's value, bounds or uncertainty (row_uncertainty.hpp) rest on the run.
+// Returns whether the row's value, bounds or uncertainty (row_uncertainty.hpp) depend on the run.
 bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDefinition& run) {
-  // What stands for it in rows and refinements: of a later member the first.
+  // Rows and refinements name an ensemble by its first member.
   const std::string& name = run.ensemble.empty() ? run.name : run.ensemble;
   if (row.candidate == name || row.reference == name || row.improves_on == name) return true;
-  if (row.metric == Metric::cost_to_reach)
+  if (is_cost(row.metric))
     return work_family(run) == work_family(run_named(definition, row.candidate));
   if (are_repeats(definition, run, row.candidate)) return true;
-  const bool is_record = std::holds_alternative<RecordRun>(run.solver);
   if (is_of_impacts(row.metric))
-    return is_record || refined_together(definition, row.candidate, name);
+    return is_record(run) || refined_together(definition, row.candidate, name);
   if (row.reference.empty()) return false;
-  const bool against_record =
-      std::holds_alternative<RecordRun>(run_named(definition, row.reference).solver);
+  const bool against_record = is_record(run_named(definition, row.reference));
   return refined_together(definition, against_record ? row.candidate : row.reference, name);
 }
 
@@ -120,7 +118,7 @@ void require_matches(const RunSelection& selection, const Selectable& among) {
   for (const std::string& pattern : selection.only) {
     const bool of_runs = pattern.find('/') != std::string::npos;
     if (matches_any(pattern, of_runs ? runs : names)) continue;
-    // What is wrong first: the case, or in the cases that there are the run.
+    // The error names what is wrong first: the case, or the run in existing cases.
     const std::string case_part = pattern.substr(0, pattern.find('/'));
     std::erase_if(runs, [&](const std::string& run) { return !matches(case_part + "/*", run); });
     refuse(pattern, "a pattern that matches a name or a CASE/RUN", runs.empty() ? names : runs);

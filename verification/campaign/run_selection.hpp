@@ -1,9 +1,9 @@
-// Which runs of a campaign are wanted: all, those of the quick form, those that the user names by
-// patterns and tags. A run that a selected gate row is judged by is selected too, so that the row's
-// verdict is that of the whole campaign: the reference, the run that the row improves on, and those
-// its uncertainty comes from (refinements, repeats, records), or the family whose cost it bounds.
-// Patterns are those of fnmatch(3), a
-// '*' ending at a '/': "CASE" matches whole cases and problems, "CASE/RUN" single runs.
+// The selection of a campaign's runs: all, those of the quick form, or those that the user names by
+// patterns and tags. The runs that a selected gate row needs are selected too, so that its verdict
+// is that of the whole campaign: the reference, the run that the row improves on, the runs from
+// which its uncertainty comes (refinements, repeats, records), and the family whose cost it bounds.
+// Patterns are those of fnmatch(3), in which a '*' ends at a '/': "CASE" matches whole cases and
+// problems, "CASE/RUN" single runs.
 #pragma once
 
 #include <string>
@@ -22,17 +22,17 @@ struct RunSelection {
   bool is_partial() const { return !only.empty() || !tags.empty(); }
 };
 
-// Whether the patterns and tags name it.
+// Returns whether the patterns and tags name the run or the problem.
 bool names_run(const RunSelection& selection, const CaseDefinition& definition,
                const RunDefinition& run);
 bool names_problem(const RunSelection& selection, const std::string& problem);
 
-// Whether it is to be run and judged: named, or needed by the gate rows of what is named; of a
-// quick form marked as quick besides.
+// Returns whether the run is to be executed and judged: it is named, or the gate rows of a named
+// run need it. In the quick form it must also be marked as quick.
 bool is_selected(const RunSelection& selection, const CaseDefinition& definition,
                  const RunDefinition& run);
 
-// What patterns and tags are sought in.
+// The names in which patterns and tags are looked up.
 struct Selectable {
   const std::vector<CaseDefinition>& cases;
   std::vector<std::string> others;  // names that a pattern without '/' may match: problems, ...
@@ -41,9 +41,10 @@ struct Selectable {
 // Throws CaseFileError with the nearest names for a pattern or a tag that matches nothing.
 void require_matches(const RunSelection& selection, const Selectable& among);
 
-// "only a/b, c; tagged surge", empty of a selection that is not partial.
+// Returns "only a/b, c; tagged surge"; empty for a selection that is not partial.
 std::string selection_text(const RunSelection& selection);
-// " --only 'a/b' --tag 'surge'": the options that select the same, quick's included.
+// Returns " --only 'a/b' --tag 'surge'", the command-line options of the selection, --quick
+// included.
 std::string selection_options(const RunSelection& selection);
 
 }  // namespace slosh

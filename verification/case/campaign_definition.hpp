@@ -12,13 +12,23 @@
 
 namespace slosh {
 
-// What the errors of a problem's measure over its resolutions are judged by.
+// How the errors of a problem's measure over its resolutions are judged.
 enum class ProblemMetric {
   order_at_least,   // slope of the least-squares line through (ln step, ln |error|)
   order_within,     // the same between two bounds
   error_at_finest,  // |error| at the smallest step
   largest_error     // |error| over all steps
 };
+
+inline constexpr EnumName<ProblemMetric> problem_metric_names[] = {
+    {ProblemMetric::order_at_least, "order_at_least"},
+    {ProblemMetric::order_within, "order_within"},
+    {ProblemMetric::error_at_finest, "error_at_finest"},
+    {ProblemMetric::largest_error, "largest_error"}};
+
+inline std::string metric_name(ProblemMetric metric) {
+  return name_of(metric, problem_metric_names);
+}
 
 struct ProblemGateRow {
   std::string measure;
@@ -36,7 +46,7 @@ struct ProblemDefinition {
   std::vector<ProblemGateRow> gate;
 };
 
-// The problems that there are, as a campaign file is checked against them.
+// The existing problems, against which a campaign file is checked.
 struct KnownMeasure {
   std::string name, unit;
 };
@@ -45,17 +55,18 @@ struct KnownProblem {
   std::vector<KnownMeasure> measures;
 };
 
-// Which runs are repeated alone on the machine, so that what they take can be compared.
+// The runs that are repeated alone on the machine, so that their costs can be compared.
 struct TimingDefinition {
   int repeats = 0;                // of each; 0: none
-  double longest_run = 60;        // [s] of processor time: what takes longer is not repeated
-  std::vector<std::string> only;  // patterns as run_selection.hpp has them; empty: all
+  double longest_run = 60;        // [s] of processor time; longer runs are not repeated
+  std::vector<std::string> only;  // patterns (run_selection.hpp); empty: all
 };
 
 struct CampaignDefinition {
   std::string name, title, source;
-  std::string paper;  // whose printed numbers and errata the report sets beside ours: "li2010",
-                      // "zhao2021", or empty
+  // The paper whose printed numbers and errata the report shows beside its own: "li2010",
+  // "zhao2021", or empty.
+  std::string paper;
   std::vector<std::filesystem::path> cases;  // case files, in the order of the report
   std::string text;                          // the file as read
   std::filesystem::path file;

@@ -1,9 +1,10 @@
-// A case: one sloshing experiment, as every solver, reference, metric and gate is told of it. Plain
-// data, SI units; only case_parser.hpp makes one from a file, and it hands over none that is not
-// physically possible.
+// A case: one sloshing experiment, as every solver, reference, metric and gate sees it. It is plain
+// data in SI units. Only case_parser.hpp makes one from a file, and it refuses cases that are
+// physically impossible.
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,9 +12,13 @@
 #include <variant>
 #include <vector>
 
+#include "verification/case/metric_table.hpp"
 #include "verification/input/case_file_error.hpp"
+#include "verification/input/enum_names.hpp"
 
 namespace slosh {
+
+inline constexpr double radians_per_degree = std::numbers::pi / 180;
 
 struct TankDefinition {
   double length;  // [m], along x
@@ -24,38 +29,39 @@ struct LiquidDefinition {
   double fill_depth;           // [m], still water
   double density;              // [kg/m3]
   double kinematic_viscosity;  // [m2/s]
-  // A dam about to break: the liquid stands from the left wall to here [m], and fills the tank's
-  // length otherwise.
+  // [m] The width of a dam about to break, which stands at the left wall. Without it the liquid
+  // fills the tank's length.
   std::optional<double> column_width = {};
 };
 
-// A rectangle that the tank carries, from its left wall and its bottom [m].
+// A solid rectangle fixed to the tank. Its sides are measured from the tank's left wall and bottom
+// [m].
 struct ObstacleDefinition {
   std::string name;
   double left, right, bottom, top;
 };
 
-// The surface at the start, A cos(m pi x / L) above the still level, x from the left wall, m half
-// waves between the walls; the liquid under it is let go from rest.
+// The elevation of the surface at the start, A cos(m pi x / L), with x from the left wall: m half
+// waves between the walls. The liquid is released from rest.
 struct InitialWaveDefinition {
   int mode;          // m
-  double amplitude;  // A [m], above zero with the crest at the left wall
+  double amplitude;  // A [m], positive if the crest is at the left wall
 };
 
-// What fills the tank above the liquid; seen by interFoam and by the two-layer linear theory.
+// The gas above the liquid. Only interFoam and the two-layer linear theory use it.
 struct GasDefinition {
   double density;              // [kg/m3]
   double kinematic_viscosity;  // [m2/s]
 };
 
-// amplitude sin(omega t), times a smooth ramp over the first ramp_periods periods (0: none).
+// amplitude sin(omega t), times a smooth ramp over the first ramp_periods periods (0: no ramp).
 struct SineMotion {
   double amplitude;          // [m], or [rad]
   double angular_frequency;  // [rad/s]
   double ramp_periods = 0;
 };
 
-// From a CSV file (path relative to the case file), at least four points.
+// A motion read from a CSV file (path relative to the case file), of at least four points.
 struct TableMotion {
   std::filesystem::path file;
   std::vector<double> time, value;  // [s]; [m], or [rad]
@@ -63,13 +69,14 @@ struct TableMotion {
 
 using MotionHistory = std::variant<SineMotion, TableMotion>;
 
-// theta(t), positive counter-clockwise, about a point that the tank carries; it may lie outside it.
+// theta(t), positive counter-clockwise, about an axis that is fixed to the tank and may lie outside
+// it.
 struct RollDefinition {
   MotionHistory angle;
   double axis_x, axis_z;  // [m] from the left wall and from the bottom
 };
 
-// The tank surges, rolls, does both or stands.
+// The tank surges, rolls, does both or stands still.
 struct MotionDefinition {
   std::optional<MotionHistory> surge = {};
   std::optional<RollDefinition> roll = {};
@@ -77,10 +84,13 @@ struct MotionDefinition {
   bool still() const { return !surge && !roll; }
 };
 
-// At rest in the earth's frame (the tank is set off with X'(0)), or at rest relative to the tank.
+// The frame in which the liquid is first at rest: the earth's (the tank starts with the velocity
+// X'(0)) or the tank's.
 enum class Start { earth, tank };
 
-// Free-surface elevation above the still level at a place fixed in the tank.
+inline constexpr EnumName<Start> start_names[] = {{Start::earth, "earth"}, {Start::tank, "tank"}};
+
+// Measures the elevation of the free surface above the still level at a place fixed in the tank.
 struct GaugeDefinition {
   std::string name;
   double x;  // [m] from the left wall
@@ -88,8 +98,12 @@ struct GaugeDefinition {
 
 enum class Wall { left, right, bottom };
 
-// Pressure on a wall of the tank above that of the gas, the mean over a sensor's width; 0: at a
-// point. With a cutoff it is also recorded through a low-pass filter.
+inline constexpr EnumName<Wall> wall_names[] = {
+    {Wall::left, "left"}, {Wall::right, "right"}, {Wall::bottom, "bottom"}};
+
+// Measures the pressure on a wall of the tank above that of the gas, as a mean over the sensor's
+// width or, for the width 0, at a point. With a cutoff frequency there is also a low-pass filtered
+// series.
 struct PressureGaugeDefinition {
   std::string name;
   Wall wall;
@@ -99,8 +113,8 @@ struct PressureGaugeDefinition {
   std::optional<double> filter_cutoff = {};  // [Hz]
 };
 
-// What a run changes of its scheme's own numbers, none of which has a unit; absent: as the scheme
-// has it.
+// The dimensionless numbers of its scheme that a run changes. An absent one keeps the scheme's
+// value.
 struct SphNumbers {
   std::optional<double> smoothing_length_ratio;  // h / particle spacing
   std::optional<double> sound_speed_ratio;       // c0 / largest expected speed of the liquid
@@ -111,7 +125,7 @@ struct SphNumbers {
   bool operator==(const SphNumbers&) const = default;
 };
 
-// Their names in case files and results: one list for whoever reads, hashes or shows them.
+// Their names in case files and results.
 inline constexpr std::pair<const char*, std::optional<double> SphNumbers::*> sph_number_names[] = {
     {"smoothing_length_ratio", &SphNumbers::smoothing_length_ratio},
     {"sound_speed_ratio", &SphNumbers::sound_speed_ratio},
@@ -153,8 +167,8 @@ struct LinearRun {
   double valid_elevation_over_depth;
 };
 
-// Fully nonlinear potential flow (reference/nonlinear_potential_flow.hpp). It may gate where it has
-// not left its own range before the comparison's window ends.
+// Fully nonlinear potential flow (reference/potential_flow/nonlinear_potential_flow.hpp). It may
+// gate where it has not left its own range before the comparison's window ends.
 struct PotentialRun {
   int nodes_x = 64, nodes_z = 24;
 };
@@ -207,14 +221,14 @@ enum class RefinedNumber {
   mesh  // the step is the root of a cell's area
 };
 
-// Runs that are alike but for one number, from which the numerical uncertainty is estimated.
+// Runs that differ in one number only. The numerical uncertainty is estimated from them.
 struct RefinementDefinition {
   std::string name;
   RefinedNumber number;
   std::vector<std::string> runs;
 };
 
-// What every solver is told of an experiment, and what the experiment knew only so well.
+// Inputs of a case that the experiment may know only within an interval.
 enum class Input {
   fill_depth,           // m
   period,               // s, of the motion
@@ -225,15 +239,21 @@ enum class Input {
   gravity               // m/s2
 };
 
-// Half width of the 95 % interval of an input, in its unit.
+inline constexpr EnumName<Input> input_names[] = {
+    {Input::fill_depth, "fill_depth"}, {Input::period, "period"},
+    {Input::amplitude, "amplitude"},   {Input::sensor_position, "sensor_position"},
+    {Input::density, "density"},       {Input::kinematic_viscosity, "kinematic_viscosity"},
+    {Input::gravity, "gravity"}};
+
+// The half width of the 95 % interval of an input, in its unit.
 struct InputUncertainty {
   Input input;
   double half_width;
   std::string source;
-  std::string coarse_run = {};  // repeated at both ends of the interval; empty: theory alone tells
+  std::string coarse_run = {};  // repeated at both ends of the interval; empty: theory alone
 };
 
-// An end of an input's interval, and the run that is repeated there.
+// One end of an input's interval, and the run that is repeated there.
 struct InputEnd {
   Input input;
   double change;  // in the input's unit, minus or plus the half width
@@ -247,60 +267,34 @@ struct RunDefinition {
       solver;
   bool quick = false;  // part of the campaign's --quick form
   SourceLocation where;
-  // The first member's name, of each of the runs into which repeats = N makes one [[run]]; they
-  // differ in the seed of their disturbed start alone. Empty: a run for itself.
+  // The name of the ensemble's first member, if repeats = N makes an ensemble of the [[run]] whose
+  // members differ only in the seed of their disturbed start. Empty for a single run.
   std::string ensemble = {};
-  // Of a run that the case adds for its uncertain input: it solves the case with that input
+  // Set for a run that the case adds for an uncertain input: it solves the case with this input
   // changed (changed_input.hpp).
   std::optional<InputEnd> at_input = {};
 };
 
-enum class Metric {
-  amplitude_error,    // 1
-  phase_lag,          // deg
-  frequency_error,    // 1
-  decay_rate,         // 1/s, of the candidate
-  decay_error,        // 1, of the candidate's decay rate
-  normalised_rms,     // 1, whole window
-  maximum_residual,   // the quantity's unit, whole window
-  time_lag,           // s, whole window; of a quantity without modes, as the next
-  aligned_rms,        // 1, whole window, free of that lag
-  largest_magnitude,  // the quantity's unit, whole window; of the candidate alone
-  // Of waves whose single crests are chance (wave_statistics.hpp, spectrum.hpp), each a ratio less
-  // 1 but for the lag and the last three.
-  band_energy_error,  // 1, of one mode: energy within a fifth of its frequency to either side
-  // deg of the first mode's period, whole window: one lag of the whole wave (cross_correlation.hpp)
-  cross_correlation_lag,
-  spectral_peak_error,  // 1, whole window: frequency of the highest peak
-  rms_error,            // 1, whole window: deviation from the mean
-  crest_error,          // 1, whole window: mean over the periods of the highest value
-  trough_error,         // 1, whole window: mean over the periods of the lowest value
-  mean_offset,          // the quantity's unit, whole window: mean less the reference's
-  noise_share,          // 1, whole window: white noise over the deviation, of the candidate alone
-  initial_value,        // the quantity's unit: at the start of the time, of the candidate alone
-  // Of the candidate's impacts against the published ones (impact_metrics.hpp).
-  impact_time,        // s, one impact: that of its peak less the published one
-  plateau_error,      // 1, "whole": mean over the plateau's time over the published one, less 1
-  impact_percentile,  // 1, one impact: the share of the experiment's repeats that peak below it
-  // s of one core, "whole": what the row's error costs the candidate's family (work_precision.hpp).
-  cost_to_reach
-};
-
-// What a row's limit comes from, and so what its passing tells.
+// Where a row's limit comes from, and so what its passing shows. A row is of validation, the
+// stricter kind, unless the file says otherwise.
 enum class RowKind {
   validation,  // from theory, an experiment, a standard, a requirement or a stated tolerance
-  regression   // from what was measured before: it tells that nothing has become worse
+  regression   // from earlier measurements: passing shows that nothing has become worse
 };
 
-// One visible row of the gate. Passes when |value| <= limit, or when lower <= value <= upper, or
-// when |value| is below that of the run `improves_on` for the same row: exactly one of the three is
-// given.
+inline constexpr EnumName<RowKind> row_kind_names[] = {{RowKind::validation, "validation"},
+                                                       {RowKind::regression, "regression"}};
+
+inline std::string kind_name(RowKind kind) { return name_of(kind, row_kind_names); }
+
+// One row of the gate. It passes if |value| <= limit, if lower <= value <= upper, or if |value| is
+// below that of the run `improves_on`. Exactly one of the three is given.
 struct GateRow {
-  std::string candidate, reference;  // run names; no reference where the metric needs none
-  // One of compared_quantities(); of the candidate alone any series of its result.
+  std::string candidate, reference;  // run names; empty: the metric needs no reference
+  // One of compared_quantities(). A metric of the candidate alone takes any series of its result.
   std::string quantity;
-  // "forced", "natural_1", "natural_2", ... (of natural_modes.hpp, lowest first),
-  // "impact_1", "impact_2", ... (the published ones), "whole"
+  // "forced", "natural_1", "natural_2", ... (natural_modes() in quantities.hpp, lowest first),
+  // "impact_1", "impact_2", ... (the published ones), or "whole"
   std::string mode;
   Metric metric;
   std::string unit;
@@ -309,12 +303,12 @@ struct GateRow {
   std::optional<std::string> improves_on;
   std::string reason, source;
   SourceLocation where;
-  std::optional<double> error = {};  // normalised rms, of cost_to_reach alone
+  std::optional<double> error = {};  // normalised rms, for cost_to_reach only
   RowKind kind = RowKind::validation;
 };
 
-// What is published of a tank in which the liquid hits a wall once a period: peaks and plateau of
-// the pressure at one gauge, over repeats of the experiment.
+// Published measurements of a tank in which the liquid hits a wall once a period: the peaks and the
+// plateau of the pressure at one gauge, over repeats of the experiment.
 struct ImpactsDefinition {
   std::string gauge;                                // of pressure
   std::vector<double> times;                        // [s], of the peaks in the published record
@@ -322,10 +316,10 @@ struct ImpactsDefinition {
   std::vector<double> peak_means, peak_deviations;  // [Pa], by impact: mean and standard deviation
   double plateau_begin, plateau_end;                // [s], after an impact
   double plateau;                                   // [Pa], the published record's mean there
-  // Half widths of the 95 % intervals of the times [s] and of the plateau [Pa], where published.
+  // The half widths of the 95 % intervals of the times [s] and of the plateau [Pa], if published.
   std::optional<double> times_half_width = {}, plateau_half_width = {};
-  // The table of the repeats: where it lies, or where it was looked for; empty where the case names
-  // none. Its peaks [Pa] by impact, none where it is not supplied.
+  // The table of the repeats: the path where it lies or should lie (empty: the case names none),
+  // and its peaks [Pa] by impact (empty: it is not supplied).
   std::filesystem::path peak_table;
   std::vector<std::vector<double>> repeats;
   std::string source;
@@ -344,27 +338,27 @@ struct CaseDefinition {
   Start start;
   double duration;         // [s]
   double sample_interval;  // [s], of every recorded series
-  // [s], when a run leaves its whole fields; increasing multiples of the sample interval
+  // [s], the times at which a run writes its fields: increasing multiples of the sample interval
   std::vector<double> snapshot_times;
-  std::vector<double> animation_times = {};  // likewise, evenly spaced; none: no animation
+  std::vector<double> animation_times = {};  // [s], likewise, evenly spaced; empty: no animation
   std::vector<GaugeDefinition> gauges;
   std::vector<PressureGaugeDefinition> pressure_gauges;
   std::optional<ImpactsDefinition> impacts = {};
-  // The comparison: the window and how many natural modes (natural_modes.hpp) are fitted beside the
-  // forced one.
+  // The comparison: its window, and the number of natural modes (quantities.hpp) that are fitted
+  // beside the forced one.
   double window_begin, window_end;  // [s]
-  // [rad/s], of a tank that nearly follows a sine, but after a table
+  // [rad/s], for a motion table that is nearly a sine
   std::optional<double> declared_forcing_frequency;
   int natural_modes;
   std::vector<RunDefinition> runs;
   std::vector<RefinementDefinition> refinements = {};
-  std::vector<InputUncertainty> inputs = {};  // each input once; none where nothing is declared
+  std::vector<InputUncertainty> inputs = {};  // each input at most once
   std::vector<GateRow> gate;
   std::string text;  // the file as read
   std::filesystem::path file;
 };
 
-// The run's definition by its name. Throws std::invalid_argument where the case has none.
+// Returns the definition of a run. Throws std::invalid_argument for a name that no run has.
 inline const RunDefinition& run_named(const CaseDefinition& definition, const std::string& name) {
   for (const RunDefinition& run : definition.runs)
     if (run.name == name) return run;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
-#include "verification/case/inputs.hpp"
 #include "verification/case/motion.hpp"
 
 namespace slosh {
@@ -22,7 +22,7 @@ void stretch_time(MotionHistory& motion, double factor) {
   }
 }
 
-// `change` in the motion's own unit.
+// The change has the motion's own unit, [m] or [rad].
 void raise_amplitude(MotionHistory& motion, double change) {
   if (auto* sine = std::get_if<SineMotion>(&motion)) {
     sine->amplitude += change;
@@ -48,6 +48,27 @@ void move_gauges(CaseDefinition& definition, double change) {
 }
 
 }  // namespace
+
+std::string input_name(Input input) { return name_of(input, input_names); }
+
+std::string input_unit(Input input, const MotionDefinition& motion) {
+  switch (input) {
+    case Input::period:
+      return "s";
+    case Input::amplitude:
+      return motion.roll ? "deg" : "m";
+    case Input::fill_depth:
+    case Input::sensor_position:
+      return "m";
+    case Input::density:
+      return "kg/m3";
+    case Input::kinematic_viscosity:
+      return "m2/s";
+    case Input::gravity:
+      return "m/s2";
+  }
+  throw std::logic_error("an input without a unit");
+}
 
 CaseDefinition with_input(CaseDefinition definition, Input input, double change) {
   switch (input) {

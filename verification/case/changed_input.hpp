@@ -1,22 +1,32 @@
-// A case with one of its uncertain inputs changed, and the runs that tell what a change makes of a
-// metric where no theory does: a coarse run, repeated at both ends of the input's interval. What
-// plans, runs and stores them knows them as runs of the case; the report knows their difference.
+// The inputs that a case may declare uncertain, a case with one of them changed, and the runs that
+// show how a metric responds to the change where no theory does: a coarse run, repeated at both
+// ends of the input's interval. These are planned, started and stored as any run of the case; only
+// the report treats them differently.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
 
 namespace slosh {
 
-// The case with one input greater by `change` [the input's unit]. A table's times are stretched by
-// its period, its values by its amplitude; gauges move along x, or along their wall.
+// Returns the name in the case file: "fill_depth".
+std::string input_name(Input input);
+
+// Returns "m", "s", "kg/m3", "m2/s" or "m/s2"; of an amplitude "m" (surge) or "deg" (roll).
+std::string input_unit(Input input, const MotionDefinition& motion);
+
+// Returns the case with one input increased by `change` [the input's unit]. A change of the period
+// stretches the times of a motion table, a change of the amplitude its values. Gauges move along x,
+// or along their wall.
 CaseDefinition with_input(CaseDefinition definition, Input input, double change);
 
-// The case itself, or with the input changed at whose end the run is.
+// Returns the case that the run solves: with a changed input if the run stands at the end of an
+// input's interval, and as it is otherwise.
 CaseDefinition definition_solved_by(const RunDefinition& run, const CaseDefinition& definition);
 
-// RUN_INPUT_lower and RUN_INPUT_upper, in this order.
+// Returns the runs RUN_INPUT_lower and RUN_INPUT_upper, in this order.
 std::vector<RunDefinition> runs_at_ends(const InputUncertainty& input,
                                         const RunDefinition& repeated);
 

@@ -1,11 +1,11 @@
-// The cubic spline through points at irregular places: twice continuously differentiable, the third
-// derivative continuous at the second and the last but one point too ("not-a-knot": C. de Boor, A
-// Practical Guide to Splines, 1978, chapter IV), so that any cubic is reproduced exactly and
-// nothing is presumed of the ends. Per interval, with m the second derivatives and h the interval's
-// length:
+// The cubic spline through points at irregular places. It is twice continuously differentiable, the
+// third derivative continuous at the second and the last but one point too ("not-a-knot": C. de
+// Boor, A Practical Guide to Splines, 1978, chapter IV), so that any cubic is reproduced exactly
+// and nothing is assumed at the ends. With m the second derivatives and h the lengths of the
+// intervals:
 //   h_(i-1) m_(i-1) + 2 (h_(i-1) + h_i) m_i + h_i m_(i+1) = 6 ((y_(i+1) - y_i)/h_i - (y_i -
 //   y_(i-1))/h_(i-1))
-// Beyond the ends the outermost cubics go on.
+// Beyond the ends the outermost cubics continue.
 #pragma once
 
 #include <cstddef>

@@ -6,8 +6,14 @@ namespace slosh {
 namespace {
 
 int& seed_of(RunDefinition& run) {
-  if (auto* sph = std::get_if<SphRun>(&run.solver)) return sph->start_seed;
-  return std::get<InterFoamRun>(run.solver).start_seed;
+  return std::visit(
+      [](auto& solver) -> int& {
+        if constexpr (requires { solver.start_seed; })
+          return solver.start_seed;
+        else
+          throw std::bad_variant_access();  // the case parser gives such a run no repeats
+      },
+      run.solver);
 }
 
 }  // namespace

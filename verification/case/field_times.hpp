@@ -1,4 +1,4 @@
-// When the runs of a case leave their whole fields.
+// The times at which the runs of a case write their fields.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace slosh {
 
-// [s], increasing: the case's snapshot times and the moments of its animation, each once.
+// Returns the times [s] of the case's snapshots and of its animation, increasing, each once.
 std::vector<double> field_times(const CaseDefinition& definition);
 
 }  // namespace slosh

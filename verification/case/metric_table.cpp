@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace slosh {
@@ -11,64 +12,102 @@ namespace {
 constexpr const char* at_rest = "a candidate that does not move has -1";
 constexpr const char* of_any_size =
     "nothing in a tank is as large; even a water hammer at 10 m/s has 1.5e7 Pa";
+constexpr RequiredBound any_bound{BoundForm::any, ""},
+    limit_alone{BoundForm::limit, "cheaper is better"},
+    range_alone{BoundForm::range, "neither end of the repeats is the better one"};
 
-template <class Predicate>
-const MetricEntry& entry_where(Predicate predicate) {
-  const auto found = std::find_if(metric_table().begin(), metric_table().end(), predicate);
-  if (found == metric_table().end()) throw std::logic_error("a metric that is not in the table");
-  return *found;
+constexpr std::array<MetricEntry, metric_count> metric_rows() {
+  using enum MeasuredOn;
+  using enum ConvergenceShown;
+  using enum MutationResponse;
+  using enum BoundScale;
+  using Fit = FittedTones;
+  using below = WidestBound;
+  return {
+      {{Metric::amplitude_error, "amplitude_error", "1", "error of the amplitude", any_mode,
+        Fit::of_both, of_forced_mode, as_amplitude, any_bound, below(1, unit, at_rest)},
+       {Metric::phase_lag, "phase_lag", "deg", "phase lag", any_mode, Fit::of_both, of_forced_mode,
+        as_phase, any_bound,
+        below(180, unit, "a lag is known but for whole periods, so none is larger")},
+       {Metric::frequency_error, "frequency_error", "1", "error of the frequency", natural_mode,
+        Fit::of_both, of_natural_modes, as_frequency, any_bound, below(1, unit, at_rest)},
+       {Metric::decay_rate, "decay_rate", "1/s", "decay rate", natural_mode, Fit::of_candidate,
+        of_natural_modes, as_decay, any_bound,
+        below(100, unit, "a mode that is gone after 0.01 s cannot be seen")},
+       {Metric::decay_error, "decay_error", "1", "error of the decay rate", natural_mode,
+        Fit::of_both, nowhere, unpredicted, any_bound,
+        below(1, unit, "a candidate that does not decay has -1")},
+       {Metric::normalised_rms, "normalised_rms", "1", "normalised rms of the difference",
+        whole_window, Fit::none, of_oscillation, as_rms_residual, any_bound,
+        below(1, unit, "a candidate that stays at the reference's mean has 1")},
+       {Metric::maximum_residual, "maximum_residual", "", "largest difference", whole_window,
+        Fit::none, nowhere, as_largest_residual, any_bound, below(1e9, unit, of_any_size)},
+       {Metric::time_lag, "time_lag", "s", "time lag", front, Fit::none, of_front, as_delay,
+        any_bound, below(0.25, window, "the lag is sought within a quarter of the window")},
+       {Metric::aligned_rms, "aligned_rms", "1",
+        "normalised rms of the difference without the time lag", front, Fit::none, of_front,
+        unpredicted, any_bound,
+        below(1, unit, "a candidate that stays at the reference's mean has 1")},
+       {Metric::largest_magnitude, "largest_magnitude", "", "largest magnitude", own_series,
+        Fit::none, nowhere, as_magnitude, any_bound, below(1e9, unit, of_any_size)},
+       {Metric::band_energy_error, "band_energy_error", "1",
+        "error of the energy near the mode's frequency", any_mode, Fit::none, nowhere, as_energy,
+        any_bound, below(1, unit, at_rest)},
+       {Metric::cross_correlation_lag, "cross_correlation_lag", "deg",
+        "lag of the highest cross-correlation", oscillation, Fit::none, nowhere, as_correlation,
+        any_bound, below(180, unit, "the lag is sought within half a period of the first mode")},
+       {Metric::spectral_peak_error, "spectral_peak_error", "1",
+        "error of the frequency of the highest spectral peak", oscillation, Fit::none, nowhere,
+        as_frequency, any_bound, below(1, unit, at_rest)},
+       {Metric::rms_error, "rms_error", "1", "error of the root mean square about the mean",
+        whole_window, Fit::none, nowhere, as_amplitude, any_bound, below(1, unit, at_rest)},
+       {Metric::crest_error, "crest_error", "1", "error of the mean crest", oscillation, Fit::none,
+        nowhere, as_crest, any_bound, below(1, unit, at_rest)},
+       {Metric::trough_error, "trough_error", "1", "error of the mean trough", oscillation,
+        Fit::none, nowhere, as_crest, any_bound, below(1, unit, at_rest)},
+       {Metric::mean_offset, "mean_offset", "", "mean less the reference's", whole_window,
+        Fit::none, nowhere, as_mean, any_bound, below(1e9, unit, of_any_size)},
+       {Metric::noise_share, "noise_share", "1", "white noise over the standard deviation",
+        own_series, Fit::none, nowhere, as_noise, any_bound,
+        below(1, unit, "a series of nothing but white noise has 1")},
+       {Metric::initial_value, "initial_value", "", "value at the start", own_series, Fit::none,
+        nowhere, as_start, any_bound, below(1e9, unit, of_any_size)},
+       {Metric::impact_time, "impact_time", "s", "time of the peak less the published one", impact,
+        Fit::none, nowhere, unpredicted, any_bound,
+        below(0.25, impact_period, "an impact is sought within a quarter of the motion's period")},
+       {Metric::plateau_error, "plateau_error", "1", "error of the mean over the plateau", plateau,
+        Fit::none, nowhere, unpredicted, any_bound,
+        below(1, unit, "a candidate without a plateau has -1")},
+       {Metric::impact_percentile, "impact_percentile", "1",
+        "share of the experiment's repeats that peak lower", impact, Fit::none, nowhere,
+        unpredicted, range_alone, below(0.5, unit, "every percentile lies between 0 and 1")},
+       {Metric::cost_to_reach, "cost_to_reach", "s", "processor time to reach an error", cost,
+        Fit::none, nowhere, unpredicted, limit_alone,
+        below(3.2e7, unit, "nobody waits for a year of one core")}}};
 }
+
+constexpr std::array<MetricEntry, metric_count> metrics = metric_rows();
+
+constexpr bool are_in_the_order_of_the_enumeration() {
+  for (std::size_t i = 0; i < metrics.size(); ++i)
+    if (metrics[i].metric != static_cast<Metric>(i)) return false;
+  return true;
+}
+static_assert(are_in_the_order_of_the_enumeration());
 
 }  // namespace
 
-const std::vector<MetricEntry>& metric_table() {
-  using enum MeasuredOn;
-  using enum BoundScale;
-  static const std::vector<MetricEntry> table{
-      {Metric::amplitude_error, "amplitude_error", "1", any_mode, 1, unit, at_rest},
-      {Metric::phase_lag, "phase_lag", "deg", any_mode, 180, unit,
-       "a lag is known but for whole periods, so none is larger"},
-      {Metric::frequency_error, "frequency_error", "1", natural_mode, 1, unit, at_rest},
-      {Metric::decay_rate, "decay_rate", "1/s", natural_mode, 100, unit,
-       "a mode that is gone after 0.01 s cannot be seen"},
-      {Metric::decay_error, "decay_error", "1", natural_mode, 1, unit,
-       "a candidate that does not decay has -1"},
-      {Metric::normalised_rms, "normalised_rms", "1", whole_window, 1, unit,
-       "a candidate that stays at the reference's mean has 1"},
-      {Metric::maximum_residual, "maximum_residual", "", whole_window, 1e9, unit, of_any_size},
-      {Metric::time_lag, "time_lag", "s", run_away, 0.25, window,
-       "the lag is sought within a quarter of the window"},
-      {Metric::aligned_rms, "aligned_rms", "1", run_away, 1, unit,
-       "a candidate that stays at the reference's mean has 1"},
-      {Metric::largest_magnitude, "largest_magnitude", "", own_series, 1e9, unit, of_any_size},
-      {Metric::band_energy_error, "band_energy_error", "1", any_mode, 1, unit, at_rest},
-      {Metric::cross_correlation_lag, "cross_correlation_lag", "deg", wave, 180, unit,
-       "the lag is sought within half a period of the first mode"},
-      {Metric::spectral_peak_error, "spectral_peak_error", "1", wave, 1, unit, at_rest},
-      {Metric::rms_error, "rms_error", "1", whole_window, 1, unit, at_rest},
-      {Metric::crest_error, "crest_error", "1", wave, 1, unit, at_rest},
-      {Metric::trough_error, "trough_error", "1", wave, 1, unit, at_rest},
-      {Metric::mean_offset, "mean_offset", "", whole_window, 1e9, unit, of_any_size},
-      {Metric::noise_share, "noise_share", "1", own_series, 1, unit,
-       "a series of nothing but white noise has 1"},
-      {Metric::initial_value, "initial_value", "", own_series, 1e9, unit, of_any_size},
-      {Metric::impact_time, "impact_time", "s", impact, 0.25, impact_period,
-       "an impact is sought within a quarter of the motion's period"},
-      {Metric::plateau_error, "plateau_error", "1", plateau, 1, unit,
-       "a candidate without a plateau has -1"},
-      {Metric::impact_percentile, "impact_percentile", "1", impact, 0.5, unit,
-       "every percentile lies between 0 and 1"},
-      {Metric::cost_to_reach, "cost_to_reach", "s", cost, 3.2e7, unit,
-       "nobody waits for a year of one core"}};
-  return table;
-}
+const std::array<MetricEntry, metric_count>& metric_table() { return metrics; }
 
 const MetricEntry& metric_entry(Metric metric) {
-  return entry_where([&](const MetricEntry& entry) { return entry.metric == metric; });
+  return metrics.at(static_cast<std::size_t>(metric));
 }
 
 const MetricEntry& metric_entry(const std::string& name) {
-  return entry_where([&](const MetricEntry& entry) { return entry.name == name; });
+  const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                  [&](const MetricEntry& entry) { return entry.name == name; });
+  if (found == metrics.end()) throw std::logic_error("the table has no metric " + name);
+  return *found;
 }
 
 std::string metric_name(Metric metric) { return metric_entry(metric).name; }
@@ -83,8 +122,8 @@ bool is_of_a_pair(const MetricEntry& metric) {
     case MeasuredOn::any_mode:
     case MeasuredOn::natural_mode:
     case MeasuredOn::whole_window:
-    case MeasuredOn::wave:
-    case MeasuredOn::run_away:
+    case MeasuredOn::oscillation:
+    case MeasuredOn::front:
       return true;
     case MeasuredOn::own_series:
     case MeasuredOn::impact:
@@ -95,13 +134,21 @@ bool is_of_a_pair(const MetricEntry& metric) {
   throw std::logic_error("a metric that is measured on nothing");
 }
 
+bool is_of_candidate_alone(Metric metric) {
+  return metric_entry(metric).measured_on == MeasuredOn::own_series;
+}
+
 bool is_of_impacts(Metric metric) {
   const MeasuredOn measured_on = metric_entry(metric).measured_on;
   return measured_on == MeasuredOn::impact || measured_on == MeasuredOn::plateau;
 }
 
+bool is_cost(Metric metric) { return metric_entry(metric).measured_on == MeasuredOn::cost; }
+
+bool is_angle(Metric metric) { return metric_entry(metric).unit == std::string("deg"); }
+
 std::vector<std::string> measured_modes(const MetricEntry& metric,
-                                        const std::vector<std::string>& fitted, bool runs_away) {
+                                        const std::vector<std::string>& fitted, bool is_front) {
   std::vector<std::string> natural;
   switch (metric.measured_on) {
     case MeasuredOn::any_mode:
@@ -110,10 +157,10 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
       std::copy_if(fitted.begin(), fitted.end(), std::back_inserter(natural),
                    [](const std::string& mode) { return mode.starts_with("natural_"); });
       return natural;
-    case MeasuredOn::run_away:
-      if (!runs_away) return {};
+    case MeasuredOn::front:
+      if (!is_front) return {};
       break;
-    case MeasuredOn::wave:
+    case MeasuredOn::oscillation:
       if (fitted.empty()) return {};
       break;
     case MeasuredOn::impact:
@@ -127,18 +174,36 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
   return {"whole"};
 }
 
+std::optional<std::string> default_mode(const MetricEntry& metric) {
+  switch (metric.measured_on) {
+    case MeasuredOn::any_mode:
+      return "forced";
+    case MeasuredOn::natural_mode:
+    case MeasuredOn::impact:
+      return std::nullopt;
+    case MeasuredOn::whole_window:
+    case MeasuredOn::oscillation:
+    case MeasuredOn::front:
+    case MeasuredOn::own_series:
+    case MeasuredOn::plateau:
+    case MeasuredOn::cost:
+      break;
+  }
+  return "whole";
+}
+
 std::string measured_on_text(const MetricEntry& metric) {
   return fmt::format("what {} is measured on", metric.name);
 }
 
 double widest_bound(const MetricEntry& metric, const BoundScales& scales) {
-  switch (metric.scale) {
+  switch (metric.widest.scale) {
     case BoundScale::unit:
-      return metric.below;
+      return metric.widest.below;
     case BoundScale::window:
-      return metric.below * scales.window;
+      return metric.widest.below * scales.window;
     case BoundScale::impact_period:
-      return metric.below * scales.impact_period;
+      return metric.widest.below * scales.impact_period;
   }
   throw std::logic_error("a bound of no scale");
 }
@@ -146,7 +211,8 @@ double widest_bound(const MetricEntry& metric, const BoundScales& scales) {
 Rule<double> limit_rule(const MetricEntry& metric, const std::string& unit,
                         const BoundScales& scales) {
   const double widest = widest_bound(metric, scales);
-  return {fmt::format("a number > 0 and below {:.4g}, {} ({})", widest, in(unit), metric.because),
+  return {fmt::format("a number > 0 and below {:.4g}, {} ({})", widest, in(unit),
+                      metric.widest.because),
           [widest](double value) { return value > 0 && value < widest; }};
 }
 

@@ -1,47 +1,133 @@
-// The metrics of the gate, in one table: the name in case files and at the command line, the unit,
-// what each is measured on, and how wide a bound on it may be. The parser of gate rows, the option
-// --limit of compare, and whoever names a metric or its unit read this table.
+// The metrics of the gate, in one table. A row of it says how a metric is named in case files and
+// at the command line, its unit, its description, what it is measured on, how wide a bound on it
+// may be, and what the self-test expects of it. Only the computation of its value stands elsewhere
+// (gate/measured_value.cpp). A row that lacks a field does not compile, nor does a table that lacks
+// a row.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "verification/case/case_definition.hpp"
 #include "verification/input/rules.hpp"
 
 namespace slosh {
 
-enum class MeasuredOn {
-  any_mode,
-  natural_mode,  // not on a forced one, whose frequency is given and which does not decay: a row
-                 // there would pass whatever the candidate did
-  whole_window,
-  wave,        // the whole window of a quantity with modes: what counts periods or peaks
-  run_away,    // the whole window of a quantity without modes: modes have lags of their own
-  own_series,  // the candidate alone
-  impact,
-  plateau,
-  cost  // of the candidate's family
+// In the order of the table's rows. A new metric goes above cost_to_reach, which stays the last.
+enum class Metric {
+  // Of one fitted mode.
+  amplitude_error,
+  phase_lag,
+  frequency_error,
+  decay_rate,  // of the candidate
+  decay_error,
+  // Of the whole window.
+  normalised_rms,
+  maximum_residual,
+  time_lag,
+  aligned_rms,        // after time_lag is removed
+  largest_magnitude,  // of the candidate alone
+  // Of irregular waves, whose single crests are random (wave_statistics.hpp, spectrum.hpp,
+  // time_alignment.hpp).
+  band_energy_error,      // of one mode: within a fifth of its frequency to either side
+  cross_correlation_lag,  // one lag of the whole wave
+  spectral_peak_error,    // the frequency of the highest peak
+  rms_error,              // the deviation from the mean
+  crest_error,            // the mean over the periods of the highest value
+  trough_error,           // the mean over the periods of the lowest value
+  mean_offset,
+  noise_share,    // of the candidate alone
+  initial_value,  // of the candidate alone
+  // Of the candidate's impacts against the published ones (impact_metrics.hpp).
+  impact_time,        // of one impact's peak, less the published one
+  plateau_error,      // the mean over the published plateau's time
+  impact_percentile,  // the share of the experiment's repeats with a lower peak
+  // Of the candidate's family: the cost of the row's error (work_precision.hpp).
+  cost_to_reach
 };
 
-// What `below` is a multiple of.
+inline constexpr std::size_t metric_count = static_cast<std::size_t>(Metric::cost_to_reach) + 1;
+
+enum class MeasuredOn {
+  any_mode,
+  natural_mode,  // not the forced mode, whose frequency is given and which does not decay: a row
+                 // there would pass whatever the candidate did
+  whole_window,
+  oscillation,  // the whole window of a quantity with modes: the metric counts periods or peaks
+  front,        // the whole window of a quantity without modes, which has one lag; an oscillating
+                // quantity has one lag per mode
+  own_series,   // the candidate alone
+  impact,
+  plateau,
+  cost  // all runs of the candidate's family
+};
+
+// Whose harmonic fit gives the metric its value and its interval.
+enum class FittedTones { none, of_candidate, of_both };
+
+// Where `slosh converge` shows how the metric falls with the particle spacing.
+enum class ConvergenceShown { nowhere, of_forced_mode, of_natural_modes, of_oscillation, of_front };
+
+// How the metric responds when its candidate is made wrong on purpose; gate_claims.hpp has the
+// formula of each response.
+enum class MutationResponse {
+  as_amplitude,         // a ratio of amplitudes or deviations, less 1
+  as_energy,            // a ratio of squares, less 1
+  as_crest,             // a ratio of signed extremes, less 1
+  as_magnitude,         // the largest magnitude
+  as_start,             // the value at the start
+  as_mean,              // a difference of means
+  as_phase,             // a phase of one mode [deg]
+  as_correlation,       // a lag in degrees of the first mode's period
+  as_delay,             // a lag [s]
+  as_frequency,         // a ratio of frequencies, less 1
+  as_decay,             // a decay rate
+  as_rms_residual,      // the rms of the difference over the reference's deviation
+  as_largest_residual,  // the largest difference
+  as_noise,             // white noise over the deviation
+  unpredicted           // nothing but an unusable series must be detected
+};
+
+enum class BoundForm { any, limit, range };
+
+// Which form a bound on the metric must have, and why.
+struct RequiredBound {
+  BoundForm form;
+  const char* because;
+};
+
+// What the widest bound is a multiple of.
 enum class BoundScale { unit, window, impact_period };
 
-struct MetricEntry {
-  Metric metric;
-  const char* name;
-  const char* unit;  // "": the quantity's
-  MeasuredOn measured_on;
-  // A limit, and half the width of a range, lie below this many of the scale; the reason says what
-  // a wider bound would let pass.
+// A limit, and half the width of a range, lie below `below` times the scale; `because` says what a
+// wider bound would let pass.
+struct WidestBound {
+  constexpr WidestBound(double multiple, BoundScale multiple_of, const char* reason)
+      : below(multiple), scale(multiple_of), because(reason) {}
+
   double below;
   BoundScale scale;
   const char* because;
 };
 
-const std::vector<MetricEntry>& metric_table();
+struct MetricEntry {
+  Metric metric;
+  const char* name;
+  const char* unit;         // "": the quantity's
+  const char* description;  // in the text of `slosh explain`
+  MeasuredOn measured_on;
+  FittedTones fitted;
+  ConvergenceShown convergence;
+  MutationResponse response;
+  RequiredBound bound;
+  WidestBound widest;
+};
+
+const std::array<MetricEntry, metric_count>& metric_table();
 const MetricEntry& metric_entry(Metric metric);
-// Of a name that the table has.
+// Throws std::logic_error for a name that the table lacks.
 const MetricEntry& metric_entry(const std::string& name);
 
 std::string metric_name(Metric metric);
@@ -49,25 +135,31 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit);
 
 // Whether a comparison of one candidate with one reference gives the metric.
 bool is_of_a_pair(const MetricEntry& metric);
+bool is_of_candidate_alone(Metric metric);
 bool is_of_impacts(Metric metric);
+bool is_cost(Metric metric);
+bool is_angle(Metric metric);  // in degrees, and so known up to whole turns
 
-// The modes of a GateRow on which a metric can be judged. `fitted`: the modes that are fitted to
-// the quantity, "forced", "natural_1", ...; `runs_away`: the quantity has no modes. Of impacts
-// none: the case names those.
+// The modes of a GateRow on which a metric can be judged. `fitted` are the modes that are fitted to
+// the quantity, "forced", "natural_1", ...; `is_front` says that the quantity has no modes. Empty
+// for a metric of impacts, whose modes the case names.
 std::vector<std::string> measured_modes(const MetricEntry& metric,
-                                        const std::vector<std::string>& fitted, bool runs_away);
+                                        const std::vector<std::string>& fitted, bool is_front);
+// The mode that --limit takes where it names none: "forced" or "whole". Returns nullopt where a
+// mode must be named.
+std::optional<std::string> default_mode(const MetricEntry& metric);
 // "what phase_lag is measured on"
 std::string measured_on_text(const MetricEntry& metric);
 
-// [s], of the comparison's window and of the motion that brings the impacts.
+// The length of the comparison's window and the period of the motion that causes the impacts [s].
 struct BoundScales {
   double window;
   double impact_period = 0;
 };
 
-// The width from which on a bound on the metric lets everything pass, in its unit.
+// The smallest width of a bound that lets every candidate pass, in the metric's unit.
 double widest_bound(const MetricEntry& metric, const BoundScales& scales);
-// What a limit on the metric must be: above 0 and below widest_bound().
+// A limit on the metric must lie above 0 and below widest_bound().
 Rule<double> limit_rule(const MetricEntry& metric, const std::string& unit,
                         const BoundScales& scales);
 

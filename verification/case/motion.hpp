@@ -1,6 +1,6 @@
-// The tank's motion as functions of time, made from a case's definition: what each solver and
-// reference is handed. The surge X(t) and the roll theta(t), each twice differentiable, each
-// derivative exact:
+// The tank's motion as functions of time, which every solver and reference takes from a case's
+// definition: the surge X(t) and the roll theta(t). Each is twice differentiable, and its
+// derivatives are exact:
 //   sine    A r(s) sin(omega t), s = t / (ramp_periods 2 pi / omega), with the ramp
 //           r(s) = s^3 (10 - 15 s + 6 s^2), 0 below and 1 above (the quintic "smoothstep" of K.
 //           Perlin, Improving Noise, 2002: first and second derivatives vanish at both ends); r = 1
@@ -22,7 +22,7 @@ struct SurgeMotion {
   std::function<double(double)> acceleration;  // X''(t) [m/s2]
 };
 
-// About an axis that the tank carries, positive counter-clockwise.
+// A rotation about an axis fixed to the tank, positive counter-clockwise.
 struct RollMotion {
   std::function<double(double)> angle;         // theta(t) [rad]
   std::function<double(double)> rate;          // theta'(t) [rad/s]
@@ -32,11 +32,11 @@ struct RollMotion {
 
 SurgeMotion surge_motion(const CaseDefinition& definition);
 
-// None of a tank that does not roll.
+// Returns nullopt for a tank that does not roll.
 std::optional<RollMotion> roll_motion(const CaseDefinition& definition);
 
-// The forcing's angular frequency [rad/s]: the one that the case declares, or else the sines'. Zero
-// where there is none: of a tank that stands, of a table, of two sines that differ.
+// Returns the angular frequency of the forcing [rad/s]: the one that the case declares, or that of
+// the sines. Returns zero for a still tank, for a table and for two sines of different frequencies.
 double forcing_frequency(const CaseDefinition& definition);
 
 }  // namespace slosh

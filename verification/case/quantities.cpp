@@ -6,66 +6,197 @@
 namespace slosh {
 namespace {
 
-struct Kind {
-  std::string name;  // up to the gauge's, where it ends in '@'
-  const char* unit;
-  bool has_modes, is_gauged;
-};
+bool is_dam_break(const CaseDefinition& definition) {
+  return definition.liquid.column_width.has_value();
+}
 
-const std::vector<Kind> kinds{
-    {"front_position", "m", false, false}, {"elevation@", "m", true, true},
-    {"wall_pressure@", "Pa", true, true},  {"force_x", "N/m", true, false},
-    {"force_z", "N/m", false, false},      {"moment", "N", true, false},
-    {"momentum_x", "kg/s", true, false},   {"momentum_z", "kg/s", false, false},
-    {"highest_surface@", "m", true, false}};
+bool rolls(const CaseDefinition& definition) { return definition.motion.roll.has_value(); }
 
-const Kind* kind_of(const std::string& quantity) {
-  const std::string name = quantity.substr(0, quantity.find('@') + 1);
-  const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) {
-    return kind.name == (name.empty() ? quantity : name);
-  });
-  return found == kinds.end() ? nullptr : &*found;
+constexpr const char *on_tank = "On the tank, per metre of width, along the tank's axes.",
+                     *momentum =
+                         "Of the liquid against the earth, along the earth's axes, per "
+                         "metre of width.";
+
+// A load of the liquid on the tank: SPH, interFoam and theory obtain all of them alike.
+Quantity load(Quantity quantity) {
+  quantity.shown_unit = quantity.unit;
+  quantity.sph = "the reaction to the forces of the walls on the particles";
+  quantity.interfoam = "the load of liquid and gas on walls and obstacles";
+  quantity.theory = "the liquid's pressure on the walls and the bottom up to the still surface";
+  quantity.tells_sampling = true;
+  return quantity;
+}
+
+std::string series_name(const Quantity& quantity, const std::string& gauge) {
+  return std::string(quantity.name) + "@" + gauge;
+}
+
+// Adds the series of a pressure gauge, which has a filtered one beside it if it has a filter.
+void add_series(const Quantity& quantity, const PressureGaugeDefinition& gauge,
+                std::vector<std::string>& series) {
+  series.push_back(series_name(quantity, gauge.name));
+  if (gauge.filter_cutoff) series.push_back(series_name(quantity, gauge.name) + "/filtered");
 }
 
 }  // namespace
 
-std::vector<std::string> compared_quantities(const CaseDefinition& definition) {
-  std::vector<std::string> quantities;
-  if (definition.liquid.column_width) quantities.push_back("front_position");
-  for (const GaugeDefinition& gauge : definition.gauges)
-    quantities.push_back("elevation@" + gauge.name);
-  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
-    quantities.push_back("wall_pressure@" + gauge.name);
-    if (gauge.filter_cutoff) quantities.push_back("wall_pressure@" + gauge.name + "/filtered");
-  }
-  quantities.insert(quantities.end(), {"force_x", "force_z"});
-  if (definition.motion.roll) quantities.push_back("moment");
-  quantities.insert(quantities.end(), {"momentum_x", "momentum_z"});
-  for (const GaugeDefinition& gauge : definition.gauges)
-    quantities.push_back("highest_surface@" + gauge.name);
-  return quantities;
+const std::vector<Quantity>& quantity_table() {
+  static const std::vector<Quantity> table{
+      {.name = "front_position",
+       .unit = "m",
+       .at = MeasuredAt::tank,
+       .exists_in = is_dam_break,
+       .title = "Front of the breaking dam, from the left wall",
+       .label = "front position",
+       .shown_unit = "mm",
+       .shown_per_si = 1000},
+      {.name = "elevation",  // above the still level
+       .unit = "m",
+       .at = MeasuredAt::surface_gauge,
+       .has_modes = true,
+       .is_gauged = true,
+       .amplitude = "elevation amplitude",
+       .title = "Surface elevation",
+       .label = "elevation",
+       .shown_unit = "mm",
+       .shown_per_si = 1000,
+       .sph = "the depth of liquid over the gauge, drops and overturning jets included, minus "
+              "the still depth",
+       .interfoam = "the liquid in the column of cells at the gauge, minus the still depth"},
+      {.name = "wall_pressure",
+       .unit = "Pa",
+       .at = MeasuredAt::pressure_gauge,
+       .has_modes = true,
+       .is_gauged = true,
+       .amplitude = "wall pressure amplitude",
+       .title = "Pressure",
+       .label = "pressure",
+       .shown_unit = "Pa",
+       .meaning = "Pressure above that of the gas",  // the sensor's size follows
+       .sph =
+           "kernel average over three spacings, extrapolated to the wall by the pressure gradient",
+       .interfoam = "interpolated between the wall's faces, minus the mean gas pressure",
+       .tells_sampling = true},
+      load({.name = "force_x",
+            .unit = "N/m",
+            .at = MeasuredAt::tank,
+            .has_modes = true,
+            .amplitude = "force amplitude",
+            .title = "Force along the tank's bottom",
+            .label = "force x",
+            .meaning = on_tank}),
+      load({.name = "force_z",
+            .unit = "N/m",
+            .at = MeasuredAt::tank,
+            .title = "Force normal to the tank's bottom",
+            .label = "force z",
+            .meaning = on_tank}),
+      load({.name = "moment",  // about the axis of the roll
+            .unit = "N",
+            .at = MeasuredAt::tank,
+            .exists_in = rolls,
+            .has_modes = true,
+            .amplitude = "moment amplitude",
+            .title = "Moment about the roll's axis",
+            .label = "moment",
+            .meaning = "On the tank, per metre of width, counter-clockwise."}),
+      {.name = "momentum_x",
+       .unit = "kg/s",
+       .at = MeasuredAt::tank,
+       .has_modes = true,
+       .amplitude = "momentum amplitude",
+       .title = "Total momentum, horizontal",
+       .label = "momentum x",
+       .shown_unit = "kg/s",
+       .meaning = momentum},
+      {.name = "momentum_z",
+       .unit = "kg/s",
+       .at = MeasuredAt::tank,
+       .title = "Total momentum, vertical",
+       .label = "momentum z",
+       .shown_unit = "kg/s",
+       .meaning = momentum},
+      {.name = "highest_surface",  // above the still level, of whatever is wet
+       .unit = "m",
+       .at = MeasuredAt::surface_gauge,
+       .has_modes = true,
+       .title = "Highest surface",
+       .label = "highest surface",
+       .shown_unit = "mm",
+       .shown_per_si = 1000,
+       .label_over_depth = "highest surface over the still depth, η/h [1]",
+       .meaning = "Of whatever is wet over the gauge, above the still level.",
+       .sph = "the upper edge of the highest particle within a spacing",
+       .interfoam = "the highest place of the column where a cell is half full"}};
+  return table;
 }
 
-std::string unit_of(const std::string& quantity) {
-  if (const Kind* kind = kind_of(quantity)) return kind->unit;
-  throw std::invalid_argument("no compared quantity: " + quantity);
+const Quantity* find_quantity(const std::string& series) {
+  const std::size_t at = series.find('@');
+  const std::string name = series.substr(0, at);
+  const bool has_gauge = at != std::string::npos;
+  for (const Quantity& one : quantity_table())
+    if (one.name == name && (one.at != MeasuredAt::tank) == has_gauge) return &one;
+  return nullptr;
+}
+
+std::vector<std::string> compared_quantities(const CaseDefinition& definition) {
+  std::vector<std::string> series;
+  for (const Quantity& quantity : quantity_table()) {
+    if (quantity.exists_in && !quantity.exists_in(definition)) continue;
+    if (quantity.at == MeasuredAt::tank) series.push_back(quantity.name);
+    if (quantity.at == MeasuredAt::surface_gauge)
+      for (const GaugeDefinition& gauge : definition.gauges)
+        series.push_back(series_name(quantity, gauge.name));
+    if (quantity.at == MeasuredAt::pressure_gauge)
+      for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+        add_series(quantity, gauge, series);
+  }
+  return series;
+}
+
+std::vector<std::string> impact_pressures(const CaseDefinition& definition) {
+  std::vector<std::string> series;
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    for (const Quantity& quantity : quantity_table())
+      if (gauge.name == definition.impacts.value().gauge &&
+          quantity.at == MeasuredAt::pressure_gauge)
+        add_series(quantity, gauge, series);
+  return series;
+}
+
+std::string unit_of(const std::string& series) {
+  if (const Quantity* quantity = find_quantity(series)) return quantity->unit;
+  throw std::invalid_argument("no compared quantity: " + series);
 }
 
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
-  for (const Kind& kind : kinds)
-    names.push_back(kind.name + (kind.name.ends_with('@') ? "GAUGE" : ""));
+  for (const Quantity& one : quantity_table())
+    names.push_back(one.at == MeasuredAt::tank ? one.name : series_name(one, "GAUGE"));
   return names;
 }
 
-bool has_modes(const std::string& quantity) {
-  const Kind* kind = kind_of(quantity);
-  return kind && kind->has_modes;
+bool has_modes(const std::string& series) {
+  const Quantity* quantity = find_quantity(series);
+  return quantity && quantity->has_modes;
 }
 
-bool is_gauged(const std::string& quantity) {
-  const Kind* kind = kind_of(quantity);
-  return kind && kind->is_gauged;
+bool is_gauged(const std::string& series) {
+  const Quantity* quantity = find_quantity(series);
+  return quantity && quantity->is_gauged;
+}
+
+std::vector<int> natural_modes(const CaseDefinition& definition, int count) {
+  std::vector<int> modes;
+  if (definition.gravity == 0) return modes;
+  if (definition.initial_wave) modes.push_back(definition.initial_wave->mode);
+  const bool wave_alone = definition.motion.still() && definition.initial_wave;
+  for (int n = 0; n < count && !wave_alone; ++n) modes.push_back(2 * n + 1);
+  std::sort(modes.begin(), modes.end());
+  modes.erase(std::unique(modes.begin(), modes.end()), modes.end());
+  modes.resize(std::min<std::size_t>(modes.size(), count));
+  return modes;
 }
 
 }  // namespace slosh

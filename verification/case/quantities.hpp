@@ -1,4 +1,6 @@
-// What the runs of a case are compared on: the series that any of them may have.
+// The table of recorded quantities: the series on which the runs of a case are compared, and all
+// that is known of each. A new quantity is a row here, beside the solver that records it and the
+// place where the solver's output becomes series (results/taken_series.hpp, solvers/*_run.cpp).
 #pragma once
 
 #include <string>
@@ -8,32 +10,68 @@
 
 namespace slosh {
 
-// The first is the one that the case is about.
-//   front_position                          [m] of a breaking dam
-//   elevation@<gauge>                       [m] above the still level
-//   wall_pressure@<gauge>                   [Pa]
-//   wall_pressure@<gauge>/filtered          [Pa] of a gauge with a cutoff
-//   force_x, force_z                        [N/m] of the liquid on the tank, per metre of width
-//   moment                                  [N] of the liquid about the axis of a tank that rolls
-//   momentum_x, momentum_z                  [kg/s] of the liquid
-//   highest_surface@<gauge>                 [m] above the still level, of whatever is wet there
+// A quantity that is measured at gauges has one series per gauge.
+enum class MeasuredAt { tank, surface_gauge, pressure_gauge };
+
+struct Quantity {
+  const char* name;  // of the series; at a gauge "@GAUGE" follows
+  const char* unit;  // SI
+  MeasuredAt at;
+  // Whether the runs of a case may have it; null: those of every case.
+  bool (*exists_in)(const CaseDefinition&) = nullptr;
+  // Whether it oscillates in the modes of linear theory, so that these can be fitted to it. A front
+  // only advances, and vertical force and momentum are of second order.
+  bool has_modes = false;
+  // Whether declaring a gauge requests it: a run without it is reported. Any other quantity is
+  // compared where both runs recorded it.
+  bool is_gauged = false;
+  const char* amplitude = "";  // the amplitude in tables of predictions; empty: not predicted
+  // How figures show it: the title, which the place of a gauge follows; the axis label; the unit
+  // there, and its ratio to SI.
+  const char* title = "";
+  const char* label = "";
+  const char* shown_unit = "";
+  double shown_per_si = 1;
+  // The axis label of a history over the still depth and the forcing period; null: a history has
+  // dimensions.
+  const char* label_over_depth = nullptr;
+  // Sentences of captions: what exactly is measured, and how each kind of run obtains it.
+  const char* meaning = "";
+  const char *sph = "", *interfoam = "", *theory = "";
+  bool tells_sampling = false;  // whether a caption tells the sampling and the filter
+};
+
+// In the order in which a case compares them.
+const std::vector<Quantity>& quantity_table();
+
+// Returns the row of a series "elevation@right", "wall_pressure@B/filtered", "force_x", ...; null
+// where the series is no compared quantity.
+const Quantity* find_quantity(const std::string& series);
+
+// Returns the series that any run of the case may have, the case's main one first. A pressure
+// gauge with a filter has a second series, NAME@GAUGE/filtered.
 std::vector<std::string> compared_quantities(const CaseDefinition& definition);
 
-// Of a compared quantity; throws std::invalid_argument for another.
-std::string unit_of(const std::string& quantity);
+// Returns the pressure at the gauge of [impacts] and, if the gauge has a filter, the filtered
+// pressure. Throws std::bad_optional_access for a case without [impacts].
+std::vector<std::string> impact_pressures(const CaseDefinition& definition);
 
-// All names that a compared quantity may have, "GAUGE" for a gauge's.
+// Throws std::invalid_argument for a series that is no compared quantity.
+std::string unit_of(const std::string& series);
+
+// Returns all names of the table, with "@GAUGE" for the quantities of gauges.
 std::vector<std::string> quantity_names();
 
-// Whether linear theory's modes make up the quantity, so that they can be fitted to it: a front
-// advances, and vertical force and momentum are of second order.
-bool has_modes(const std::string& quantity);
+// Return false for a series that is no compared quantity.
+bool has_modes(const std::string& series);
+bool is_gauged(const std::string& series);
 
-// Whether a gauge of the case asks for it, so that a run without it is told of; the others are
-// compared where both runs left them.
-bool is_gauged(const std::string& quantity);
-
-// The suffix of the series of potential flow that come from a run of fewer nodes.
+// The suffix of the series of potential flow from a run with fewer nodes.
 inline constexpr const char* coarser = "/coarser";
+
+// Returns the numbers of half waves between the walls of the first `count` natural modes that
+// linear theory excites, lowest first: the odd ones, which the tank's motion excites, and that of
+// the initial wave. In a still tank the initial wave's mode is the only one.
+std::vector<int> natural_modes(const CaseDefinition& definition, int count);
 
 }  // namespace slosh

@@ -14,7 +14,7 @@
 namespace slosh {
 namespace {
 
-constexpr std::size_t least_spacings = 3;  // an order needs them
+constexpr std::size_t least_spacings = 3;  // needed to estimate an order
 
 void require_spacings(const std::vector<double>& spacings) {
   const bool positive =
@@ -26,7 +26,7 @@ void require_spacings(const std::vector<double>& spacings) {
                     fmt::join(spacings, ", ")));
 }
 
-// The run's table in the file. Throws CaseFileError with the nearest names.
+// Returns the table of the run in the file. Throws CaseFileError with the nearest names.
 toml::table run_table(const toml::array& runs, const char* role, const std::string& name,
                       const CaseDefinition& definition) {
   std::vector<std::string> known;
@@ -34,7 +34,7 @@ toml::table run_table(const toml::array& runs, const char* role, const std::stri
     known.push_back(run.as_table()->at("name").value_or(std::string()));
     if (known.back() != name) continue;
     toml::table found = *run.as_table();
-    found.erase("repeats");  // a study is of single runs
+    found.erase("repeats");  // a study has single runs
     return found;
   }
   constexpr std::size_t suggestions = 3;
@@ -88,7 +88,7 @@ std::string spacing_study_text(const CaseDefinition& definition, const SpacingSt
                                                               {"number", "particle_spacing"},
                                                               {"runs", std::move(names)}}});
   root.erase("gate");
-  root.erase("input");  // an input serves gate rows alone, and may name a run that the study lacks
+  root.erase("input");  // it serves gate rows only, and may name a run that the study lacks
   for (const char* part : {"surge", "roll"})
     if (toml::table* motion = root["motion"][part].as_table()) name_whole_path(*motion, definition);
   std::ostringstream text;

@@ -1,5 +1,5 @@
-// A case made from another one: its tank, motion and comparison with one SPH scheme at several
-// spacings beside one reference, as a case file of its own.
+// A convergence study as a case file of its own: the tank, motion and comparison of a case, with
+// one SPH scheme at several spacings and one reference.
 #pragma once
 
 #include <string>
@@ -10,20 +10,21 @@
 namespace slosh {
 
 struct SpacingStudy {
-  // One of the two: a run of the case, all of whose settings but the spacing are kept, or a scheme
-  // as it is.
+  // Exactly one of the two is given: a run of the case, which keeps all its settings but the
+  // spacing, or a scheme.
   std::string candidate, family;
   std::vector<double> spacings;  // [m]
   std::string reference;         // a run of the case
 };
 
-// The run of a study that has the spacing: "recommended_12p5mm".
+// Returns the name of the study's run with this spacing [m]: "recommended_12p5mm".
 std::string study_run_name(const SpacingStudy& study, double spacing);
 
-// The case file's text: the case's own without its runs, refinements and gate rows, but with the
-// reference, the study's runs and a refinement "spacing" through these; files it names stand by
-// their whole paths. Throws CaseFileError where the case has no such candidate or reference, the
-// candidate is no SPH run, or the spacings are not three or more, each above zero and given once.
+// Returns the text of the study's case file: that of the case, with the reference, the study's runs
+// and a refinement "spacing" through these in place of its runs, refinements and gate rows. The
+// paths of files become absolute. Throws CaseFileError if the case has no such candidate or
+// reference, if the candidate is no SPH run of one spacing, or if the spacings are not three or
+// more different numbers > 0.
 std::string spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study);
 
 }  // namespace slosh

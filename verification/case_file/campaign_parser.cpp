@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/problem_table.hpp"
-#include "verification/input/complaints.hpp"
+#include "verification/input/case_file_error.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/toml_reader.hpp"
 
@@ -21,7 +21,7 @@ Rule<std::string> known_paper() {
           "li2010"};
 }
 
-// Where a member stands in the campaign file goes before what is wrong with it.
+// The messages begin with the member's place in the campaign file.
 fs::path find_member(const PlacedText& member, const CampaignDefinition& campaign,
                      const fs::path& case_directory) {
   const std::string place = fmt::format("{}:{}: ", member.where.file, member.where.line);

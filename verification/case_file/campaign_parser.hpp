@@ -1,5 +1,5 @@
-// The reader of campaign files (TOML, verification/campaigns/*.toml), as strict as that of case
-// files. key_table.hpp lists the keys; sweep.hpp reads [[sweep]].
+// The parser of campaign files (TOML, verification/campaigns/*.toml). It is as strict as that of
+// case files. key_table.hpp lists the keys; sweep.hpp reads [[sweep]].
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,12 @@
 
 namespace slosh {
 
-// Finds every case file but reads none. Throws CaseFileError.
+// Finds the case files but does not read them. Throws CaseFileError.
 CampaignDefinition read_campaign(const std::filesystem::path& file,
                                  const std::filesystem::path& case_directory,
                                  const std::vector<KnownProblem>& known_problems);
 
-// As find_case of case_parser.hpp, for campaigns.
+// Finds the file of a campaign, as find_case() in case_parser.hpp does for a case.
 std::filesystem::path find_campaign(const std::string& name_or_path,
                                     const std::filesystem::path& directory);
 

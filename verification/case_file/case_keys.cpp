@@ -55,10 +55,8 @@ const std::vector<KeyTable>& case_key_tables() {
        "[[obstacle]]",
        "no",
        "A solid rectangle that the tank carries. Rectangles may touch and must not overlap. None "
-       "may "
-       "reach from wall to wall, fill a gauge's column from the bottom to the still level, or "
-       "touch "
-       "a pressure gauge.",
+       "may reach from wall to wall, fill a gauge's column from the bottom to the still level, or "
+       "touch a pressure gauge.",
        {{"name", "name", "yes", ""},
         {"left_m", "number >= 0, m from the left wall", "yes", ""},
         {"right_m", "number above left_m and <= the tank's length, m from the left wall", "yes",
@@ -73,8 +71,7 @@ const std::vector<KeyTable>& case_key_tables() {
        {{"mode", "integer >= 1", "yes", "The number of half waves between the walls."},
         {"amplitude_m", "number other than 0, m", "yes",
          "The amplitude A. Where it is positive, the crest is at the left wall. Its magnitude is "
-         "below the fill depth and below "
-         "the room under the roof."}}},
+         "below the fill depth and below the room under the roof."}}},
       {"motion",
        "[motion]",
        "yes",
@@ -104,8 +101,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"ramp_periods", "number >= 0, periods", "no", "The same as for a surge."},
         {"file", "path, relative to the case file", "with type = \"table\"",
          "A CSV file with the columns time_s,angle_deg, from the time and the angle 0 to "
-         "duration_s "
-         "or beyond."},
+         "duration_s or beyond."},
         {"axis_x_m", "number, m from the left wall", "yes", "Within 1000 tank lengths."},
         {"axis_z_m", "number, m from the bottom", "yes", "Within 1000 tank lengths."}}},
       {"time",
@@ -117,8 +113,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"duration_s", "number > 0, s", "yes", ""},
         {"sample_interval_s", "number > 0 and <= duration_s, s", "yes",
          "The interval of the recorded samples. SPH lands on each, so a short one shortens its "
-         "time "
-         "step."},
+         "time step."},
         {"snapshot_times_s", "increasing list of numbers > 0 and <= duration_s, s", "no",
          "The times at which fields are kept: multiples of sample_interval_s."}}},
       {"animation",
@@ -148,7 +143,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "The middle of the sensor: above the bottom, or on the bottom from the left wall; within "
          "that wall."},
         {"width_m", "number >= 0, m", "no",
-         "The sensor's extent along the wall, which must lie on it as a whole. Default: 0, a "
+         "The sensor's extent along the wall. The whole sensor must lie on the wall. Default: 0, a "
          "point."},
         {"filter_cutoff_Hz", "number > 0 and below half the sampling rate, Hz", "no",
          "Adds the series wall_pressure@NAME/filtered, through a low-pass filter."}}},
@@ -159,8 +154,7 @@ const std::vector<KeyTable>& case_key_tables() {
        {{"gauge", "name of a pressure gauge", "yes", ""},
         {"times_s", "increasing list of numbers, s", "yes",
          "The published times of the peaks, one or more, at least half a period apart and a "
-         "quarter "
-         "of it inside the run."},
+         "quarter of it inside the run."},
         {"period_s", "number > 0, s", "yes", "The period of the motion that brings the impacts."},
         {"peaks_Pa", "list of numbers > 0, Pa", "yes",
          "The published mean peak of each impact: as many as times_s."},
@@ -181,12 +175,11 @@ const std::vector<KeyTable>& case_key_tables() {
        {{"window_begin_s", "number >= 0, s", "yes", ""},
         {"window_end_s", "number above window_begin_s and <= duration_s, s", "yes", ""},
         {"natural_modes", "integer >= 0", "yes",
-         "The number of natural modes that are fitted beside the forced one: 0 of a dam or without "
-         "gravity, at most 1 of a still tank's initial wave."},
+         "The number of natural modes that are fitted beside the forced one: 0 for a dam or "
+         "without gravity, at most 1 for a still tank's initial wave."},
         {"forcing_angular_frequency_rad_s", "number > 0, rad/s", "no",
          "The forcing frequency of a motion table that is nearly a sine; refused where no motion "
-         "is "
-         "a table."}}},
+         "is a table."}}},
       {"run",
        "[[run]]",
        "at least one",
@@ -224,8 +217,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"start_seed", "integer >= 0", "no",
          "The seed of the shifts. It needs start_disorder > 0."},
         {"repeats", "integer from 2 to 1000", "no",
-         "An ensemble of so many runs that differ in their seed alone. It needs start_disorder > "
-         "0."},
+         "The number of runs of an ensemble, which differ only in their seed. It needs "
+         "start_disorder > 0."},
         {"energy_budget", "true or false", "no",
          "Whether the run records where the liquid's energy goes."}}},
       {"run.interfoam",
@@ -238,8 +231,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "The number of MPI processes. Default: 1."},
         {"start_disorder", "number from 0 to 0.2, cell heights", "no",
          "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
-         "not "
-         "a dam, an initial wave or a tank with obstacles."},
+         "not a dam, an initial wave or a tank with obstacles."},
         {"start_seed", "integer >= 0", "no", "The same as for SPH."},
         {"repeats", "integer from 2 to 1000", "no", "The same as for SPH."}}},
       {"run.linear",
@@ -265,8 +257,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "[[run]] with solver = \"potential\"",
        "no",
        "Fully nonlinear potential flow, spectral. The run ends where the solution leaves its "
-       "range. "
-       "A dam and an obstacle are refused.",
+       "range. A dam and an obstacle are refused.",
        {{"nodes_x", "integer from 16 to 128", "no",
          "The number of nodes along the tank. Default: 64."},
         {"nodes_z", "integer from 16 to 128", "no",
@@ -274,7 +265,7 @@ const std::vector<KeyTable>& case_key_tables() {
       {"run.record",
        "[[run]] with solver = \"record\", shipped",
        "no",
-       "A published series that lies beside the case file. It serves as a reference alone.",
+       "A published series that lies beside the case file. It serves only as a reference.",
        {{"file", "path, relative to the case file", "yes",
          "A CSV file: time_s and a compared quantity with its unit, as in front_position_m."},
         {"earlier_run", "true or false", "no",
@@ -307,7 +298,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"time_limit_s", "number > 0, s", "no",
          "The longest wall-clock time that the program may take."},
         {"inputs", "list of paths, relative to the case file", "no",
-         "Files whose change makes the run be computed again, as a change of the program does."},
+         "Files that count as part of the run: a change of one makes the run be computed again."},
         {"series", "[[run.series]]", "yes", "One table or more, below."}}},
       {"run.series",
        "[[run.series]]",
@@ -329,7 +320,7 @@ const std::vector<KeyTable>& case_key_tables() {
       {"refinement",
        "[[refinement]]",
        "no",
-       "Runs that are alike but for one number. They give the order and the numerical uncertainty.",
+       "Runs that differ in one number only. They give the order and the numerical uncertainty.",
        {{"name", "name", "yes", ""},
         {"number", "text", "yes",
          "particle_spacing, smoothing_length_ratio, speed_of_sound, courant_number or mesh."},
@@ -338,12 +329,11 @@ const std::vector<KeyTable>& case_key_tables() {
       {"input",
        "[[input]]",
        "no",
-       "An input that the experiment knows within an interval only.",
+       "An input that the experiment knows only within an interval.",
        {{"name", "text", "yes",
          "fill_depth, period, amplitude, sensor_position, density, kinematic_viscosity or gravity, "
-         "each once. A tank that stands has neither period nor amplitude; one that surges and "
-         "rolls "
-         "has no amplitude."},
+         "each at most once. A still tank has neither period nor amplitude; a tank that surges and "
+         "rolls has no amplitude."},
         {"half_width", "number > 0", "yes", "Half the width of the 95 % interval, in `unit`."},
         {"unit", "text", "yes", "The input's unit."},
         {"source", "text", "yes", ""},
@@ -353,7 +343,7 @@ const std::vector<KeyTable>& case_key_tables() {
       {"gate",
        "[[gate]]",
        "no",
-       "One requirement. Exactly one of limit, lower with upper, and improves_on is there. No two "
+       "One requirement. Exactly one of limit, lower with upper, and improves_on is given. No two "
        "rows have the same candidate, reference, quantity, mode, metric, error and improves_on.",
        {{"candidate", "run name", "yes", "The run that is judged. A record is never a candidate."},
         {"reference", "run name",
@@ -367,10 +357,10 @@ const std::vector<KeyTable>& case_key_tables() {
         {"metric", "text", "yes", "One of the metrics below."},
         {"unit", "text", "yes", "The metric's unit."},
         {"limit", "number > 0", "one of the three",
-         "The largest magnitude that passes. cost_to_reach takes it alone."},
+         "The largest magnitude that passes. cost_to_reach takes only a limit."},
         {"lower", "number", "one of the three",
-         "With upper: the range that passes, which impact_percentile takes alone. It is narrower "
-         "than twice the widest bound."},
+         "With upper: the range that passes, narrower than twice the widest bound. "
+         "impact_percentile takes only a range."},
         {"upper", "number above lower", "with lower", ""},
         {"improves_on", "run name", "one of the three",
          "The candidate must be nearer to zero than this third run, by more than the intervals."},

@@ -7,9 +7,10 @@
 #include <set>
 
 #include "verification/case/changed_input.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/input/complaints.hpp"
+#include "verification/input/case_file_error.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/toml_reader.hpp"
 
@@ -27,16 +28,16 @@ void add_named(const TomlTable& table, const char* key, Definition definition,
   definitions.push_back(std::move(definition));
 }
 
-// The names of tables that were refused: what else names one of them is not judged, as its mistakes
-// may be theirs.
+// The names of tables that were refused. Other tables that refer to them are not checked, as their
+// mistakes may only follow from the refusal.
 class RefusedNames {
  public:
   void add(const TomlTable& table) { names_.insert(table.written("name")); }
   void add_any() { names_.insert(""); }
   bool empty() const { return names_.empty(); }
-  // Any name may be that of a table whose own name cannot be read.
+  // If the name of a refused table could not be read, every name may be its name.
   bool hold(const std::string& name) const { return names_.contains("") || names_.contains(name); }
-  // "elevation@GAUGE", "wall_pressure@GAUGE/filtered"
+  // Whether a quantity, such as "elevation@GAUGE", is measured at a refused gauge.
   bool measure(const std::string& quantity) const {
     return std::any_of(names_.begin(), names_.end(), [&](const std::string& name) {
       return quantity.find("@" + name) != std::string::npos;
@@ -47,7 +48,7 @@ class RefusedNames {
   std::set<std::string> names_;
 };
 
-// What `read` makes of the table; throws as read_all() does.
+// Returns what `read` makes of the table. Throws as read_all() does.
 template <class Read>
 auto read_whole(const TomlTable& table, Read read) {
   std::optional<decltype(read(table))> made;
@@ -55,8 +56,8 @@ auto read_whole(const TomlTable& table, Read read) {
   return std::move(*made);
 }
 
-// Reads a case section by section. What is refused is kept, and a section is read only where all
-// that its rules rest on has been read, so that no mistake is told of twice in other words.
+// Reads a case section by section. Refusals are collected, and a section is read only if everything
+// that its rules depend on has been read, so that no mistake is reported twice.
 class CaseReader {
  public:
   CaseReader(const TomlTable& root, const std::filesystem::path& experiments,
@@ -81,14 +82,14 @@ class CaseReader {
     return complaints_.allow(read);
   }
 
-  // What stands at the key. Where it is missing beside keys that nobody knows, it may be one of
-  // those, misspelt.
+  // Reads what stands at the key. A missing key is not reported beside unknown keys: one of these
+  // may be its misspelling.
   template <class Read>
   bool allow_at(const char* key, Read read) {
     return (root_.has(key) || only_known_keys_) && allow(read);
   }
 
-  // Each [[key]]; whether all of them were read.
+  // Reads each [[key]], and returns whether all of them could be read.
   template <class Read>
   bool each(const char* key, Read read) {
     std::vector<TomlTable> tables;
@@ -97,7 +98,7 @@ class CaseReader {
     return all;
   }
 
-  // Each [[key]] as a definition whose name no other has.
+  // Reads each [[key]] as a definition with a unique name.
   template <class Definition, class Read>
   bool each_named(const char* key, std::vector<Definition>& definitions, Read read,
                   RefusedNames* refused = nullptr) {
@@ -156,11 +157,11 @@ class CaseReader {
     if (gravity_ && motion_ && definition_.gravity == 0 && definition_.motion.still())
       allow([&] {
         root_.refuse("gravity_m_s2",
-                     "a number > 0, in m/s2, of a tank that stands: nothing would move");
+                     "a number > 0, in m/s2, for a still tank: otherwise nothing moves");
       });
   }
 
-  // At least one of either kind.
+  // At least one gauge of either kind is required.
   void read_gauges() {
     if (!tank_ || !time_) return;
     gauges_ = each_named(
@@ -176,7 +177,7 @@ class CaseReader {
     if (!gauges_ && refused_gauges_.empty()) refused_gauges_.add_any();
   }
 
-  // Where a key is unknown, any of the sections that may be left out may stand there misspelt.
+  // An unknown key may be any of the optional sections, misspelt.
   void read_what_shapes_the_flow() {
     impacts_ = only_known_keys_ && gauges_ && (!root_.has("impacts") || allow([&] {
                  definition_.impacts =
@@ -206,10 +207,10 @@ class CaseReader {
                   });
   }
 
-  // What a record or a program gives is of a gauge.
+  // Records and external programs refer to gauges.
   bool can_judge_run(const TomlTable& run) const {
-    const std::string solver = run.written("solver");
-    const bool of_gauges = solver == "record" || solver == "external";
+    const SolverKind* kind = find_solver_kind(run.written("solver"));
+    const bool of_gauges = kind && kind->declares_quantities;
     const bool in_plain_tank = !root_.has("obstacle") || obstacles_;
     return liquid_ && motion_ && wave_ && in_plain_tank && (gauges_ || !of_gauges);
   }
@@ -261,7 +262,7 @@ class CaseReader {
     if (inputs) allow([&] { add_runs_at_ends(); });
   }
 
-  // Last, so that neither a gate row nor a refinement can name them.
+  // These runs are added last, so that neither a gate row nor a refinement can name them.
   void add_runs_at_ends() {
     for (const InputUncertainty& input : definition_.inputs) {
       if (input.coarse_run.empty()) continue;
@@ -274,7 +275,7 @@ class CaseReader {
   const std::filesystem::path& experiments_;
   CaseDefinition& definition_;
   Complaints complaints_;
-  // Of each section, whether all of it was read, or need not be there.
+  // Whether each section was read, or is optional and absent.
   bool only_known_keys_ = false, gravity_ = false, tank_ = false, liquid_ = false, time_ = false,
        motion_ = false, gauges_ = false, impacts_ = false, obstacles_ = false, wave_ = false,
        comparison_ = false, runs_ = false;

@@ -1,67 +1,88 @@
-// The sections of a case file. Private to case_parser.cpp.
+// The sections of case and campaign files. Only the two parsers, the sweeps and the fuzz tests use
+// them. All of them throw CaseFileError.
 #pragma once
 
 #include <filesystem>
 #include <vector>
 
+#include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 
-// [tank]; [liquid] and [gas], of what has been read before them.
+// Read [tank], [liquid] and [gas], in this order.
 TankDefinition read_tank(const TomlTable& tank);
 LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank);
 GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid);
 
-// [time]; and [comparison], of a case whose gravity, liquid, motion and initial wave have been
-// read.
+// Reads [[obstacle]]. The definition's tank, liquid and gauges must have been read.
+ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
+
+// Refuses obstacles, read from these tables, that overlap. They may touch.
+void refuse_overlaps(const std::vector<TomlTable>& tables,
+                     const std::vector<ObstacleDefinition>& obstacles);
+
+// Reads [initial_wave]. The definition's tank, liquid and obstacles must have been read.
+InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition);
+
+// Reads [time].
 void read_time(const TomlTable& time, CaseDefinition& definition);
+
+// Reads [comparison]. The definition's gravity, liquid, motion and initial wave must have been
+// read.
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition);
 
-// [motion], of a case whose tank and duration have been read; the tables' files are relative to the
-// case file.
+// Reads [animation] and returns its times [s]. The definition's time must have been read.
+std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition);
+
+// Reads [motion]. The definition's tank and duration must have been read. The files of motion
+// tables are relative to the case file.
 MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition);
 
-// [[gauge]] and [[pressure_gauge]], of a case whose tank and sample interval have been read.
+// Read a motion from a CSV file whose first line is "time_s,displacement_m" (surge) or
+// "time_s,angle_deg" (roll): at least four rows, times that increase strictly from 0 to at least
+// the case's duration [s]. A roll starts level, at 0 to within 1e-3 deg. The errors name the line
+// of the CSV file.
+TableMotion read_surge_table(const std::filesystem::path& file, double duration);
+TableMotion read_roll_table(const std::filesystem::path& file, double duration);
+
+// Read [[gauge]] and [[pressure_gauge]]. The definition's tank and sample interval must have been
+// read.
 GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definition);
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition);
 
-// [impacts], of a case whose duration and gauges have been read; the repeats' table lies below that
-// directory, which may be empty.
+// Reads [impacts]. The definition's duration and gauges must have been read. The table of repeats
+// lies below the directory `experiments`, which may be empty.
 ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
                                const std::filesystem::path& experiments);
 
-// [[obstacle]], of a case whose tank, liquid and gauges have been read.
-ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
-
-// No two of the obstacles, read from these tables, may overlap: they may touch.
-void refuse_overlaps(const std::vector<TomlTable>& tables,
-                     const std::vector<ObstacleDefinition>& obstacles);
-
-// [initial_wave], of a case whose tank, liquid and obstacles have been read.
-InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition);
-
-// [animation], of a case whose time has been read: its moments [s].
-std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition);
-
-// [[run]], of a case whose liquid, motion and gauges have been read: one run, or with repeats as
-// many (ensemble.hpp). The files of records are relative to the case file, those of experiments to
-// that directory, which may be empty.
+// Reads [[run]] and returns one run, or with `repeats` the members of an ensemble (ensemble.hpp).
+// The definition's liquid, motion and gauges must have been read. The files of shipped records are
+// relative to the case file; those of experiments lie below the directory `experiments`, which may
+// be empty.
 std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,
                                      const std::filesystem::path& experiments);
 
-// The keys of [[run]] with solver = "external"; its files are relative to the case file.
+// Reads the keys of [[run]] with solver = "external". The files are relative to the case file.
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);
 
-// [[refinement]], of a case whose runs have been read.
+// Reads [[refinement]]. The definition's runs must have been read.
 RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefinition& definition);
 
-// [[input]], of a case whose motion and earlier inputs have been read.
+// Reads [[input]]. The definition's motion and the earlier inputs must have been read.
 InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition);
 
-// [[gate]], of a case whose motion, gauges, comparison and runs have been read.
+// Reads [[gate]]. The definition's motion, gauges, comparison and runs must have been read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
+
+// Reads the key `kind` of a gate row of a case or a problem.
+RowKind read_row_kind(const TomlTable& row);
+
+// Reads [[problem]] of a campaign file. Refuses a problem that is one of `others`, and one without
+// a gate row, which could not fail.
+ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownProblem>& known,
+                               const std::vector<ProblemDefinition>& others);
 
 }  // namespace slosh

@@ -4,16 +4,24 @@
 #include <algorithm>
 #include <tuple>
 
+#include "verification/case/case_definition.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/case/row_kind.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 
 namespace slosh {
 namespace {
+
+std::string names_of_costs() {
+  std::vector<std::string> names;
+  for (const MetricEntry& entry : metric_table())
+    if (is_cost(entry.metric)) names.push_back(entry.name);
+  return fmt::format("{}", fmt::join(names, " | "));
+}
 
 const MetricEntry& read_metric(const TomlTable& row) {
   std::vector<std::string> names;
@@ -48,12 +56,11 @@ const RecordRun* as_record(const CaseDefinition& definition, const std::string& 
   return nullptr;
 }
 
-// A published record is a reference and never a candidate; the first of an ensemble stands for all.
+// A published record is a reference and never a candidate. The first member represents an ensemble.
 std::vector<std::string> candidates(const CaseDefinition& definition) {
   std::vector<std::string> names;
   for (const RunDefinition& run : definition.runs)
-    if (!std::holds_alternative<RecordRun>(run.solver) && !is_later_member(run))
-      names.push_back(run.name);
+    if (!is_record(run) && !is_later_member(run)) names.push_back(run.name);
   return names;
 }
 
@@ -74,19 +81,19 @@ BoundScales scales_of(const CaseDefinition& definition) {
           .impact_period = definition.impacts ? definition.impacts->period : 0};
 }
 
-// Narrower than twice the widest limit, which stands for a range about zero.
+// A range is narrower than twice the widest limit, which bounds a range about zero.
 std::pair<double, double> read_range(const TomlTable& row, const MetricEntry& metric,
                                      const CaseDefinition& definition, const std::string& unit) {
   const double lower = row.get("lower", any_number(unit));
   const double widest = lower + 2 * widest_bound(metric, scales_of(definition));
   const Rule<double> above_lower{
       fmt::format("a number above lower ({}) and below {:.4g}, {} ({})", lower, widest, in(unit),
-                  metric.because),
+                  metric.widest.because),
       [lower, widest](double value) { return value > lower && value < widest; }};
   return {lower, row.get("upper", above_lower)};
 }
 
-// Exactly one of limit, lower with upper, improves_on.
+// Reads exactly one of limit, lower with upper, and improves_on.
 void read_bound(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
                 GateRow& gate_row) {
   std::vector<std::string> given;
@@ -107,8 +114,8 @@ void read_bound(const TomlTable& row, const MetricEntry& metric, const CaseDefin
   }
 }
 
-// Two rows bound the same metric of the same runs and in the same way: one limit or range, one
-// improvement on another run, one limit on the cost of an error.
+// Returns whether two rows bound the same metric of the same runs, and in the same way: by a limit
+// or range, by the improvement on the same run, or by the cost of the same error.
 bool bounds_the_same(const GateRow& a, const GateRow& b) {
   const auto subject = [](const GateRow& row) {
     return std::tie(row.candidate, row.reference, row.quantity, row.mode, row.metric, row.error,
@@ -117,7 +124,7 @@ bool bounds_the_same(const GateRow& a, const GateRow& b) {
   return subject(a) == subject(b);
 }
 
-// Of two such rows nobody could tell which one the case means.
+// Two such rows would be ambiguous.
 void refuse_second_bound(const TomlTable& row, const CaseDefinition& definition,
                          const GateRow& gate_row) {
   for (const GateRow& other : definition.gate)
@@ -130,16 +137,25 @@ void refuse_second_bound(const TomlTable& row, const CaseDefinition& definition,
                       other.where.file, other.where.line));
 }
 
-// The error whose cost is bounded, and only from above: what is cheaper is better.
+// The error whose cost the row bounds.
 void read_error(const TomlTable& row, const MetricEntry& metric, GateRow& gate_row) {
-  if (metric.metric != Metric::cost_to_reach) {
-    if (row.has("error")) row.refuse("error", "no error: only cost_to_reach is of one");
+  if (!is_cost(metric.metric)) {
+    if (row.has("error")) row.refuse("error", "no error: only " + names_of_costs() + " is of one");
     return;
   }
   gate_row.error =
       row.get("error", Rule<double>{"a normalised rms above 0 and below 1, without unit",
                                     [](double value) { return value > 0 && value < 1; }});
-  if (!gate_row.limit) row.refuse_table("a row on cost_to_reach", "limit: cheaper is better");
+}
+
+// Some metrics take a limit alone, others a range alone.
+void require_form_of_bound(const TomlTable& row, const MetricEntry& metric,
+                           const GateRow& gate_row) {
+  const std::string name = fmt::format("a row on {}", metric.name);
+  if (metric.bound.form == BoundForm::limit && !gate_row.limit)
+    row.refuse_table(name, fmt::format("limit: {}", metric.bound.because));
+  if (metric.bound.form == BoundForm::range && !gate_row.between)
+    row.refuse_table(name, fmt::format("lower with upper: {}", metric.bound.because));
 }
 
 void refuse_reference(const TomlTable& row, const MetricEntry& metric, const char* measured_on) {
@@ -160,8 +176,8 @@ void read_compared_series(const TomlTable& row, const MetricEntry& metric,
   gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {unit});
 }
 
-// What else than the compared quantities a solver records, and in what unit, is known when it has
-// run: the gate finds a wrong name or unit then, and compares nothing.
+// Which series a solver records beside the compared quantities, and in which unit, is known only
+// after the run. The gate reports a wrong name or unit then, and the row is not compared.
 void read_own_series(const TomlTable& row, const MetricEntry& metric,
                      const CaseDefinition& definition, GateRow& gate_row) {
   refuse_reference(row, metric, "the candidate alone");
@@ -178,22 +194,23 @@ void read_own_series(const TomlTable& row, const MetricEntry& metric,
   }
 }
 
-// The pressure at the gauge of the case's impacts, as it is or filtered.
+// Reads the pressure at the gauge of the case's impacts, unfiltered or filtered.
 void read_impact_series(const TomlTable& row, const MetricEntry& metric,
                         const CaseDefinition& definition, GateRow& gate_row) {
   refuse_reference(row, metric, "the published impacts");
   if (!definition.impacts)
     row.refuse("metric", "a metric that needs no [impacts], which this case does not have");
-  std::vector<std::string> quantities;
-  for (const std::string& quantity : compared_quantities(definition)) {
-    const std::string pressure = "wall_pressure@" + definition.impacts->gauge;
-    if (quantity == pressure || quantity == pressure + "/filtered") quantities.push_back(quantity);
-  }
-  gate_row.quantity = row.choice("quantity", "the pressure at the gauge of [impacts]", quantities);
+  gate_row.quantity = row.choice("quantity", "the pressure at the gauge of [impacts]",
+                                 impact_pressures(definition));
   gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
 }
 
 }  // namespace
+
+RowKind read_row_kind(const TomlTable& row) {
+  if (!row.has("kind")) return RowKind::validation;
+  return row.choice("kind", "what the limit comes from", row_kind_names);
+}
 
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   row.allow_only(keys_of("gate"));
@@ -212,9 +229,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
       row.choice("mode", measured_on_text(metric), modes_of(metric, gate_row.quantity, definition));
   read_bound(row, metric, definition, gate_row);
   read_error(row, metric, gate_row);
-  if (metric.metric == Metric::impact_percentile && !gate_row.between)
-    row.refuse_table("a row on impact_percentile",
-                     "lower with upper: neither end of the repeats is the better one");
+  require_form_of_bound(row, metric, gate_row);
   gate_row.kind = read_row_kind(row);
   const RecordRun* record = as_record(definition, gate_row.reference);
   if (record && record->earlier_run && gate_row.kind != RowKind::regression)

@@ -4,14 +4,57 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/input/peak_table.hpp"
 
 namespace slosh {
 namespace {
 
-Wall read_wall(const TomlTable& gauge) {
-  const std::string wall = gauge.choice("wall", "a wall", {"left", "right", "bottom"});
-  if (wall == "left") return Wall::left;
-  return wall == "right" ? Wall::right : Wall::bottom;
+std::vector<std::string> pressure_gauge_names(const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    names.push_back(gauge.name);
+  return names;
+}
+
+// Each impact is sought within a quarter of a period of its time (impact_peaks.hpp). These
+// intervals must lie within the run and must not overlap.
+std::vector<double> read_times(const TomlTable& impacts, double period, double duration) {
+  const double margin = period / 4;
+  const Rule<double> inside_the_run{
+      fmt::format("a number from {:.6g} to {:.6g}, in s: a quarter of the period inside the run",
+                  margin, duration - margin),
+      [=](double time) { return time >= margin && time <= duration - margin; }};
+  const std::vector<double> times = impacts.increasing_numbers("times_s", inside_the_run);
+  if (times.empty()) impacts.refuse("times_s", "an array of at least one number, in s");
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (!(times[i] - times[i - 1] >= 2 * margin))
+      impacts.refuse("times_s", fmt::format("numbers at least half a period ({:.6g}) apart, in s",
+                                            2 * margin));
+  return times;
+}
+
+std::vector<double> read_of_each_impact(const TomlTable& impacts, const char* key,
+                                        std::size_t count) {
+  std::vector<double> values = impacts.numbers(key, positive("Pa"));
+  if (values.size() != count)
+    impacts.refuse(key, fmt::format("as many numbers as times_s has, {}, in Pa", count));
+  return values;
+}
+
+void read_repeats(const TomlTable& impacts, const std::filesystem::path& experiments,
+                  ImpactsDefinition& read) {
+  const auto table = impacts.find("peak_table", path_below_experiments("a peak table's"));
+  if (!table) return;
+  const std::size_t most = PeakTable{}.impacts.size();
+  if (read.times.size() > most)
+    impacts.refuse("peak_table", fmt::format("no table for {} times_s: it holds {} impacts",
+                                             read.times.size(), most));
+  const bool named = !experiments.empty();
+  read.peak_table = (named ? experiments : "SLOSH_EXPERIMENTS") / std::filesystem::path(*table);
+  if (!named || !std::filesystem::is_regular_file(read.peak_table)) return;
+  const PeakTable peaks = read_peak_table(read.peak_table);
+  const auto used = static_cast<std::ptrdiff_t>(read.times.size());
+  read.repeats.assign(peaks.impacts.begin(), peaks.impacts.begin() + used);
 }
 
 }  // namespace
@@ -30,7 +73,7 @@ PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
   gauge.allow_only(keys_of("pressure_gauge"));
   PressureGaugeDefinition read{};
   read.name = gauge.get("name", file_safe_name());
-  read.wall = read_wall(gauge);
+  read.wall = gauge.choice("wall", "a wall", wall_names);
   const bool along_bottom = read.wall == Wall::bottom;
   const double extent = along_bottom ? definition.tank.length : definition.tank.height;
   read.position = gauge.get<double>(
@@ -38,20 +81,41 @@ PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                  along_bottom ? "length" : "height", extent,
                                  along_bottom ? "left wall" : "bottom"),
                      [extent](double at) { return at >= 0 && at <= extent; }});
-  // A billionth for the rounding of a sensor that ends where the wall does.
+  // The tolerance is for the rounding of a sensor that ends where the wall does.
   const double widest = 2 * std::min(read.position, extent - read.position) + 1e-9 * extent;
-  read.width = gauge
-                   .find<double>("width_m",
-                                 {fmt::format("a number >= 0 and <= {:.6g}, in m: a sensor that "
-                                              "lies on the wall as a whole",
-                                              widest),
-                                  [widest](double width) { return width >= 0 && width <= widest; }})
-                   .value_or(0);
+  read.width =
+      gauge
+          .find<double>(
+              "width_m",
+              {fmt::format("a number >= 0 and <= {:.6g}, in m: the whole sensor lies on the wall",
+                           widest),
+               [widest](double width) { return width >= 0 && width <= widest; }})
+          .value_or(0);
   const double highest = 0.5 / definition.sample_interval;
   read.filter_cutoff = gauge.find<double>(
       "filter_cutoff_Hz",
       {fmt::format("a number > 0 and below half the sampling rate ({:.6g}), in Hz", highest),
        [highest](double cutoff) { return cutoff > 0 && cutoff < highest; }});
+  return read;
+}
+
+ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
+                               const std::filesystem::path& experiments) {
+  impacts.allow_only(keys_of("impacts"));
+  ImpactsDefinition read{};
+  read.gauge = impacts.choice("gauge", "a pressure gauge", pressure_gauge_names(definition));
+  read.period = impacts.get("period_s", positive("s"));
+  read.times = read_times(impacts, read.period, definition.duration);
+  read.peak_means = read_of_each_impact(impacts, "peaks_Pa", read.times.size());
+  read.peak_deviations = read_of_each_impact(impacts, "peaks_sd_Pa", read.times.size());
+  read.plateau_begin = impacts.get("plateau_begin_s", not_negative("s"));
+  read.plateau_end = impacts.get(
+      "plateau_end_s", end_after("plateau_begin_s", read.plateau_begin, definition.duration));
+  read.plateau = impacts.get("plateau_Pa", positive("Pa"));
+  read.times_half_width = impacts.find("times_half_width_s", positive("s"));
+  read.plateau_half_width = impacts.find("plateau_half_width_Pa", positive("Pa"));
+  read_repeats(impacts, experiments, read);
+  read.source = impacts.get("source", any_text());
   return read;
 }
 

@@ -25,9 +25,9 @@ std::string measured_on(const MetricEntry& metric) {
       return "a natural mode";
     case MeasuredOn::whole_window:
       return "the whole window";
-    case MeasuredOn::wave:
+    case MeasuredOn::oscillation:
       return "the whole window of an oscillating quantity";
-    case MeasuredOn::run_away:
+    case MeasuredOn::front:
       return "the whole window of a quantity without modes";
     case MeasuredOn::own_series:
       return "the candidate alone";
@@ -42,13 +42,13 @@ std::string measured_on(const MetricEntry& metric) {
 }
 
 std::string widest(const MetricEntry& metric) {
-  switch (metric.scale) {
+  switch (metric.widest.scale) {
     case BoundScale::unit:
-      return fmt::format("{:g}", metric.below);
+      return fmt::format("{:g}", metric.widest.below);
     case BoundScale::window:
-      return fmt::format("{:g} of the window", metric.below);
+      return fmt::format("{:g} of the window", metric.widest.below);
     case BoundScale::impact_period:
-      return fmt::format("{:g} of the impacts' period", metric.below);
+      return fmt::format("{:g} of the impacts' period", metric.widest.below);
   }
   return "";
 }
@@ -61,7 +61,7 @@ std::string metric_section() {
   for (const MetricEntry& metric : metric_table())
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", metric.name,
                         *metric.unit ? metric.unit : "the quantity's", measured_on(metric),
-                        widest(metric), metric.because);
+                        widest(metric), metric.widest.because);
   return text + "\n";
 }
 

@@ -1,22 +1,50 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <utility>
+
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/motion_table.hpp"
+#include "verification/input/time_table.hpp"
 
 namespace slosh {
 namespace {
 
-// An axis beyond this many tank lengths makes a surge of a roll and noise of its rounding errors.
+// [deg]. A larger angle is more than one turn, and probably given in another unit.
+constexpr double largest_angle = 360;
+
+constexpr int first_line = 2;  // of the data
+
+// [deg]. The tank starts level. The tolerance is far above rounding errors and far below any roll.
+constexpr double level_angle = 1e-3;
+
+TimeTable read_whole_motion(const std::filesystem::path& file, const std::string& column,
+                            double duration) {
+  TimeTable table = read_time_table(file, {column});
+  const int last_line = first_line - 1 + static_cast<int>(table.time.size());
+  if (table.time.front() != 0) {
+    throw table_error(file, first_line, "time_s", fmt::format("{}", table.time.front()),
+                      "0 in the first row, in s");
+  }
+  if (table.time.back() < duration) {
+    throw table_error(
+        file, last_line, "time_s", fmt::format("{}", table.time.back()),
+        fmt::format("a last time of at least the case's duration ({}), in s", duration));
+  }
+  return table;
+}
+
+// [tank lengths]. With an axis further away, a roll becomes a surge and rounding errors become
+// noise.
 constexpr double farthest_axis = 1000;
 
-// Where the motion's table lies, and how long it must be.
+// Where the motion's table lies, and how long it must last.
 struct TableScope {
   std::filesystem::path case_file;
   double duration;  // [s]
 };
 
-// What a surge and a roll do not share of their histories.
+// The differences between the tables of a surge and a roll.
 struct HistoryForm {
   std::string amplitude_key;
   Rule<double> amplitude;
@@ -77,6 +105,28 @@ RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double 
 }
 
 }  // namespace
+
+TableMotion read_surge_table(const std::filesystem::path& file, double duration) {
+  TimeTable table = read_whole_motion(file, "displacement_m", duration);
+  return {.file = file, .time = std::move(table.time), .value = std::move(table.value)};
+}
+
+TableMotion read_roll_table(const std::filesystem::path& file, double duration) {
+  TimeTable table = read_whole_motion(file, "angle_deg", duration);
+  const auto refuse = [&](std::size_t row, const std::string& expected) {
+    throw table_error(file, first_line + static_cast<int>(row), "angle_deg",
+                      fmt::format("{}", table.value[row]), expected);
+  };
+  if (std::abs(table.value.front()) > level_angle)
+    refuse(0, fmt::format("0 to within {} in the first row, in deg: the tank starts level",
+                          level_angle));
+  for (std::size_t row = 0; row < table.value.size(); ++row) {
+    if (std::abs(table.value[row]) > largest_angle)
+      refuse(row, fmt::format("a number from -{0} to {0}, in deg", largest_angle));
+    table.value[row] *= radians_per_degree;
+  }
+  return {.file = file, .time = std::move(table.time), .value = std::move(table.value)};
+}
 
 MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition) {
   motion.allow_only(keys_of("motion"));

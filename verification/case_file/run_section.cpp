@@ -21,7 +21,7 @@ Keys together(Keys keys, const Keys& more) {
   return keys;
 }
 
-// A ratio must be positive, what damps may be switched off.
+// Ratios must be positive; damping may be switched off by a zero.
 SphNumbers read_numbers(const TomlTable& run) {
   return {.smoothing_length_ratio = run.find("smoothing_length_ratio", positive("1")),
           .sound_speed_ratio = run.find("sound_speed_ratio", positive("1")),
@@ -37,7 +37,7 @@ const Rule<std::string> an_initial_state{"one of lattice | settled | projected",
                                          },
                                          "lattice"};
 
-// Beyond a fifth of a spacing particles come so near to one another that the start is a shock.
+// With more than a fifth of a spacing, particles come so close that the start is a shock.
 const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
                               [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
 
@@ -93,8 +93,8 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
   if (start.disorder > 0 &&
       (definition.initial_wave || definition.liquid.column_width || !definition.obstacles.empty()))
     run.refuse("start_disorder",
-               "no such key of interFoam with [initial_wave], column_width_m or an obstacle: only "
-               "a plain level is disturbed");
+               "no such key for interFoam with [initial_wave], column_width_m or an obstacle: only "
+               "a plain level can be disturbed");
   return {.cells_x = cells_x,
           .cells_z = cells_z,
           .processes = processes.value_or(1),
@@ -109,7 +109,7 @@ double read_valid_elevation(const TomlTable& run) {
 LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
   const bool wave_alone = definition.motion.still() && definition.initial_wave;
   if (wave_alone && run.has("modes"))
-    run.refuse("modes", "no such key of a tank that stands: its initial wave is one mode");
+    run.refuse("modes", "no such key for a still tank: its initial wave is a single mode");
   return {.modes = wave_alone ? 0 : run.get("modes", at_least(1)),
           .two_layer = run.flag("two_layer"),
           .valid_elevation_over_depth = read_valid_elevation(run)};
@@ -147,7 +147,7 @@ RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& defini
           .earlier_run = run.flag("earlier_run")};
 }
 
-// All that the case says is checked, be the record there or not.
+// Checks the keys even if the record is absent.
 RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition,
                           const std::filesystem::path& experiments) {
   const std::string quantity =
@@ -178,15 +178,15 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
 
 using Solver = decltype(RunDefinition::solver);
 
-// A solver, or one form of it, and what reads its runs.
+// A solver, or one form of its runs, and the function that reads these.
 struct SolverSection {
   std::string name;
   std::function<Solver(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments)>
       read;
-  std::string form = {};  // the key that tells this form from the solver's other one
+  std::string form = {};  // the key by which this form is recognised
 
-  // Beside those that the runs of all solvers have.
+  // The keys beside those that all solvers have.
   Keys keys() const { return keys_of("run." + (form.empty() ? name : form)); }
 };
 
@@ -224,7 +224,8 @@ Keys keys_of_any_solver() {
   return all;
 }
 
-// Of all forms of its runs: a misspelt key may be what tells the form.
+// Returns the keys of all forms of the solver's runs: the key that identifies the form may be
+// misspelt.
 Keys keys_of_solver(const std::string& name) {
   Keys all = keys_of("run");
   for (const SolverSection& section : solver_sections)

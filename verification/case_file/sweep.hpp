@@ -1,9 +1,10 @@
-// Runs that a campaign adds to its cases: every combination of what a [[sweep]] lists.
+// Runs that a campaign adds to its cases: one for every combination of the values in a [[sweep]].
 //
-//   [[sweep]]  cases (names or globs of the campaign's cases), name (of each run: "{key}" is the
-//              value at that key, its '.' written as 'p'), and the keys of a [[run]], any value of
-//              which may be an array of values
-//   [[sweep.gate]]?  as [[gate]] of a case, without candidate: a row for each of these runs
+//   [[sweep]]       cases: names or globs of the campaign's cases
+//                   name: of each run; "{key}" stands for the value at that key, with 'p' for '.'
+//                   the keys of a [[run]], any of which may hold an array of values
+//   [[sweep.gate]]  optional; as [[gate]] of a case, without candidate: a row for each of these
+//   runs
 #pragma once
 
 #include <filesystem>
@@ -13,12 +14,12 @@
 
 namespace slosh {
 
-// Adds to the case what the campaign's sweeps ask of it; `experiments` as read_case() takes it.
-// Throws CaseFileError with the campaign file's line.
+// Adds the runs and gate rows of the campaign's sweeps to the case. `experiments` is the directory
+// of the user's records. Throws CaseFileError with the line of the campaign file.
 void add_swept_runs(const CampaignDefinition& campaign, const std::filesystem::path& experiments,
                     CaseDefinition& definition);
 
-// Throws CaseFileError for a sweep over none of these cases.
+// Throws CaseFileError for a sweep that matches none of these cases.
 void require_swept_cases(const CampaignDefinition& campaign,
                          const std::vector<CaseDefinition>& cases);
 

@@ -8,10 +8,22 @@
 namespace slosh {
 namespace {
 
-// Of numbers written with a few decimals, whose quotient rounding spoils in the last digits.
+// The tolerance is for the rounding of numbers that are written with a few decimals.
 bool is_multiple(double value, double interval) {
   const double quotient = value / interval;
   return std::abs(quotient - std::round(quotient)) <= 1e-9 * quotient;
+}
+
+// A time at which the runs record a sample.
+Rule<double> sampled(const CaseDefinition& definition) {
+  return {
+      fmt::format("a number > 0 and <= the duration ({}), a multiple of sample_interval_s ({}), "
+                  "in s",
+                  definition.duration, definition.sample_interval),
+      [&definition](double value) {
+        return value > 0 && value <= definition.duration &&
+               is_multiple(value, definition.sample_interval);
+      }};
 }
 
 bool follows_a_table(const MotionDefinition& motion) {
@@ -21,39 +33,31 @@ bool follows_a_table(const MotionDefinition& motion) {
 
 Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
   if (definition.gravity == 0)
-    return {"0 without gravity: no liquid sways by itself", [](int modes) { return modes == 0; },
-            0};
+    return {"0 without gravity: there is no natural mode", [](int modes) { return modes == 0; }, 0};
   if (definition.liquid.column_width)
-    return {"0 of a dam about to break, which linear theory does not know",
+    return {"0 for a dam about to break, which linear theory does not describe",
             [](int modes) { return modes == 0; }, 0};
   if (definition.motion.still() && definition.initial_wave)
-    return {"0 or 1: a tank that stands has the mode of its initial wave alone",
+    return {"0 or 1: a still tank has only the mode of its initial wave",
             [](int modes) { return modes == 0 || modes == 1; }, 0};
   return at_least(0);
 }
+
+// Fewer show no motion; more make a page that takes long to load.
+constexpr long fewest_moments = 3, most_moments = 60;
 
 }  // namespace
 
 void read_time(const TomlTable& time, CaseDefinition& definition) {
   time.allow_only(keys_of("time"));
-  definition.start = time.choice("start", "the frame in which the liquid is first at rest",
-                                 {"earth", "tank"}) == "earth"
-                         ? Start::earth
-                         : Start::tank;
+  definition.start =
+      time.choice("start", "the frame in which the liquid is first at rest", start_names);
   definition.duration = time.get("duration_s", positive("s"));
   definition.sample_interval = time.get<double>(
       "sample_interval_s",
       {fmt::format("a number > 0 and <= the duration ({}), in s", definition.duration),
        [most = definition.duration](double value) { return value > 0 && value <= most; }});
-  definition.snapshot_times = time.increasing_numbers(
-      "snapshot_times_s",
-      {fmt::format("a number > 0 and <= the duration ({}), a multiple of sample_interval_s ({}), "
-                   "in s",
-                   definition.duration, definition.sample_interval),
-       [&](double value) {
-         return value > 0 && value <= definition.duration &&
-                is_multiple(value, definition.sample_interval);
-       }});
+  definition.snapshot_times = time.increasing_numbers("snapshot_times_s", sampled(definition));
 }
 
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
@@ -66,7 +70,25 @@ void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
       comparison.find("forcing_angular_frequency_rad_s", positive("rad/s"));
   if (definition.declared_forcing_frequency && !follows_a_table(definition.motion))
     comparison.refuse("forcing_angular_frequency_rad_s",
-                      "no such key where no motion is a table: a sine has its own");
+                      "no such key without a motion table: a sine has its own frequency");
+}
+
+std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition) {
+  animation.allow_only(keys_of("animation"));
+  const Rule<double> rule = sampled(definition);
+  const double begin = animation.get("begin_s", rule), end = animation.get("end_s", rule),
+               interval = animation.get("interval_s", rule);
+  const long moments = std::lround(std::floor((end - begin) / interval + 1e-9)) + 1;
+  if (!(moments >= fewest_moments && moments <= most_moments))
+    animation.refuse("interval_s",
+                     fmt::format("a number that gives {} to {} times from begin_s to end_s, in s",
+                                 fewest_moments, most_moments));
+  std::vector<double> times;
+  const double first = std::round(begin / definition.sample_interval),
+               stride = std::round(interval / definition.sample_interval);
+  for (long i = 0; i < moments; ++i)
+    times.push_back((first + static_cast<double>(i) * stride) * definition.sample_interval);
+  return times;
 }
 
 }  // namespace slosh

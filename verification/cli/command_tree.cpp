@@ -63,8 +63,8 @@ CLI::Validator one_of(const std::string& expected, const std::vector<std::string
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
   command
       .add_option("--experiments", experiments,
-                  "Directory of the experimental records that you have; without it the runs that "
-                  "need one are told as not supplied")
+                  "Directory of your experimental records; without it the runs that need one are "
+                  "reported as not supplied")
       ->type_name(directory_type)
       ->envname("SLOSH_EXPERIMENTS")
       ->check(unnamed(CLI::ExistingDirectory));
@@ -78,6 +78,14 @@ void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
                   "Directory of the results, which campaigns share (default: build/store)")
       ->type_name(directory_type)
       ->envname(store_variable);
+}
+
+CLI::Option* add_result_store_option(CLI::App& command, std::filesystem::path& store) {
+  return command
+      .add_option(
+          "--store", store,
+          "Directory of results: keep the result there under its key, unless it exists already")
+      ->type_name(directory_type);
 }
 
 void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
@@ -108,10 +116,15 @@ std::string exit_status_text() {
 void add_all_commands(const CommandTree& tree) {
   tree.app.require_subcommand(1);
   tree.app.set_version_flag("--version", "Slosh " + provenance("").at("slosh_version"));
-  add_campaign_commands(tree);
+  add_campaign_command(tree);
+  add_gate_command(tree);
+  add_selftest_command(tree);
   add_baseline_commands(tree);
-  add_execution_commands(tree);
-  add_foreign_commands(tree);
+  add_run_command(tree);
+  add_problem_command(tree);
+  add_job_command(tree);
+  add_import_command(tree);
+  add_compare_command(tree);
   add_export_command(tree);
   add_show_command(tree);
   add_store_command(tree);

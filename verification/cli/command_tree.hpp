@@ -1,5 +1,7 @@
-// The subcommands as CLI11 holds them. Each states its options in a file of this folder, and is
-// added to the tree by one function; parsing chooses the action that main.cpp then takes.
+// The tree of subcommands (CLI11). Each subcommand has a file in this folder and one function that
+// adds it to the tree; parsing the command line selects the action that main.cpp executes. Actions
+// throw CaseFileError, SolverError, ResultError and ReportError, which main.cpp turns into messages
+// and exit statuses.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/cli/command_line.hpp"
+#include "verification/cli/installation.hpp"
 #include "verification/input/rules.hpp"
 
 namespace slosh {
@@ -19,45 +21,50 @@ namespace slosh {
 using Action = std::function<int()>;
 
 struct CommandTree {
-  CLI::App& app;  // the tool, or a subcommand that has some of its own
+  CLI::App& app;  // the tool, or a subcommand with subcommands of its own
   const Installation& installation;
   const std::atomic<bool>& stop;
-  void (*stop_on_signals)();  // from here on SIGINT and SIGTERM set `stop`
+  void (*stop_on_signals)();  // after this call SIGINT and SIGTERM set `stop`
   Action& action;
 };
 
-void add_campaign_commands(const CommandTree& tree);    // campaign, report, gate, selftest
-void add_baseline_commands(const CommandTree& tree);    // baseline diff, propose, approve
-void add_execution_commands(const CommandTree& tree);   // run, problem, job
-void add_foreign_commands(const CommandTree& tree);     // import, compare
-void add_store_command(const CommandTree& tree);        // store
-void add_export_command(const CommandTree& tree);       // export
-void add_show_command(const CommandTree& tree);         // show
-void add_list_command(const CommandTree& tree);         // list
-void add_explain_command(const CommandTree& tree);      // explain
-void add_converge_command(const CommandTree& tree);     // converge
-void add_completion_commands(const CommandTree& tree);  // completion, and what its scripts call
+void add_campaign_command(const CommandTree& tree);  // campaign, report
+void add_gate_command(const CommandTree& tree);
+void add_selftest_command(const CommandTree& tree);
+void add_baseline_commands(const CommandTree& tree);  // baseline diff, propose, approve
+void add_run_command(const CommandTree& tree);
+void add_problem_command(const CommandTree& tree);
+void add_job_command(const CommandTree& tree);
+void add_import_command(const CommandTree& tree);
+void add_compare_command(const CommandTree& tree);
+void add_export_command(const CommandTree& tree);
+void add_show_command(const CommandTree& tree);
+void add_store_command(const CommandTree& tree);
+void add_list_command(const CommandTree& tree);
+void add_explain_command(const CommandTree& tree);
+void add_converge_command(const CommandTree& tree);
+void add_completion_commands(const CommandTree& tree);  // completion, complete
 
-// All of them, and what --help ends with.
+// Adds all of them, and the end of --help.
 void add_all_commands(const CommandTree& tree);
 
 struct CommandText {
   const char *name, *description;
-  // Each a line "./slosh ..." at the end of the command's --help, that a test runs in a scratch
-  // directory, one after another.
+  // Lines "./slosh ..." at the end of the command's --help. A test runs them one after another in a
+  // scratch directory.
   std::vector<std::string> examples;
 };
 
 CLI::App& add_command(const CommandTree& tree, const CommandText& text, Action action);
 void give_examples(CLI::App& command, const std::vector<std::string>& examples);
 
-// Options that several commands have. What a value names is its type: completion goes by it.
+// Options that several commands have. The type of a value says what it names, for completion.
 inline constexpr const char *campaign_type = "CAMPAIGN", *case_type = "CASE", *run_type = "RUN",
                             *problem_type = "PROBLEM", *pattern_type = "PATTERN", *tag_type = "TAG",
                             *file_type = "FILE", *directory_type = "DIR";
-// The validator, not told of in --help beside the value's type.
+// Returns the validator without its description, which --help would show beside the type.
 CLI::Validator unnamed(CLI::Validator validator);
-// A number that keeps a rule as one of a case file does: finite, and refused in the same words.
+// Checks a number by a rule for case files: it must be finite, and is refused in the same words.
 template <class T>
 CLI::Validator keeps(const Rule<T>& rule) {
   return unnamed(CLI::Validator(
@@ -69,15 +76,22 @@ CLI::Validator keeps(const Rule<T>& rule) {
       },
       ""));
 }
-// One of these names, which --help lists; `expected` says what they name: "a shell".
+// Accepts one of these names, which --help lists. `expected` says what they name: "a shell".
 CLI::Validator one_of(const std::string& expected, const std::vector<std::string>& names);
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments);
-// Of the results that campaigns share: build/store unless the option or SLOSH_STORE says otherwise.
+// The directory of the results that campaigns share: the option, SLOSH_STORE or build/store.
 void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
                              const Installation& installation);
 void add_jobs_option(CLI::App& command, int& at_once, const char* what);
 
-// What the launcher ./slosh does itself.
+// The option --store of run and problem, which keep their result there under its key.
+CLI::Option* add_result_store_option(CLI::App& command, std::filesystem::path& store);
+
+// Returns the names of one kind, sorted: of campaigns, cases, runs (as CASE/RUN), problems or tags.
+// Throws CaseFileError for a file that cannot be read.
+std::vector<std::string> known_names(const std::string& kind, const Installation& installation);
+
+// The commands of the launcher ./slosh itself.
 struct LauncherCommand {
   const char *name, *description;
 };
@@ -86,8 +100,8 @@ inline constexpr LauncherCommand launcher_commands[] = {
     {"bench", "measures the speed of the SPH solver"},
     {"doctor", "tells what is installed, and what a missing part disables"}};
 
-// What may have been meant by the first word that the command line of `app` does not know, as a
-// sentence; empty where every word is known. To be asked after parsing has failed.
+// Returns a sentence on what the first unknown word of the command line may have meant, or an empty
+// text if every word is known. Called after parsing has failed.
 std::string suggestion(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace slosh

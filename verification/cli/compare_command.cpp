@@ -1,4 +1,5 @@
-#include "verification/cli/compare_command.hpp"
+// The subcommand compare: compares two result files on one quantity, with or without a case, and
+// judges the comparison if limits are given.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -14,10 +16,12 @@
 #include "reports/summary/results_json.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/cli/command_tree.hpp"
 #include "verification/cli/limit_option.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/import/import_series.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/metrics/comparison.hpp"
 #include "verification/results/result_file.hpp"
@@ -27,6 +31,16 @@ namespace slosh {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+struct CompareOptions {
+  std::filesystem::path candidate, reference;  // result files
+  std::string gauge, quantity;                 // at most one of the two
+  std::string case_name;                       // empty: none
+  std::vector<double> frequencies;             // [Hz], of the modes to fit without a case
+  std::vector<double> window;       // [s] begin and end; empty: see docs/other_solvers.md
+  std::vector<std::string> limits;  // "METRIC=VALUE", "MODE:METRIC=VALUE"
+  std::filesystem::path json;       // empty: none
+};
 
 std::vector<std::string> common_series(const RunResult& candidate, const RunResult& reference) {
   std::vector<std::string> names;
@@ -49,7 +63,7 @@ std::string compared_quantity(const CompareOptions& options, const RunResult& ca
                                   fmt::join(common, ", ")));
 }
 
-// A series that is not there is told with those that are.
+// Throws ResultError with the nearest names if the result has no such series.
 const TimeSeries& series_of(const RunResult& result, const std::filesystem::path& file,
                             const std::string& quantity) {
   std::vector<std::string> names;
@@ -73,18 +87,18 @@ std::vector<ToneRequest> modes_to_fit(const CompareOptions& options,
   return modes;
 }
 
-// A candidate that was cut short would be judged on what it has and pass: that part is compared
-// only where the user asks for it.
+// Refuses a candidate that ends early: it would be judged on the part that it has, and pass. A part
+// is compared only if the user names a window.
 void require_whole_reference(const TimeSeries& candidate, const TimeSeries& reference) {
   const auto &has = candidate.time, &expected = reference.time;
   const double intervals = std::max(1.0, static_cast<double>(has.size()) - 1);
-  const double sample = (has.back() - has.front()) / intervals * (1 + 1e-6);  // but for rounding
+  const double sample =
+      (has.back() - has.front()) / intervals * (1 + 1e-6);  // a margin for rounding
   if (has.front() <= expected.front() + sample && has.back() >= expected.back() - sample) return;
-  throw ComparisonError(
-      fmt::format("{}: the candidate spans {} to {} s, the reference {} to {} s; expected a "
-                  "candidate that covers the reference to within one sample, or --window BEGIN END "
-                  "for the part to compare",
-                  candidate.name, has.front(), has.back(), expected.front(), expected.back()));
+  throw ComparisonError(fmt::format(
+      "{}: the candidate spans {} to {} s, the reference {} to {} s; expected a candidate that "
+      "covers the reference to within one sample, or --window BEGIN END for the part to compare",
+      candidate.name, has.front(), has.back(), expected.front(), expected.back()));
 }
 
 TimeWindow window_of(const CompareOptions& options, const std::optional<CaseDefinition>& definition,
@@ -106,7 +120,7 @@ TimeWindow window_of(const CompareOptions& options, const std::optional<CaseDefi
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
   const std::string value = in_unit(estimate.value, unit);
-  if (!(estimate.half_width > 0)) return value;  // none of the whole window without modes
+  if (!(estimate.half_width > 0)) return value;  // e.g. a norm over the whole window without modes
   return value + " +- " + in_unit(estimate.half_width, unit);
 }
 
@@ -189,8 +203,6 @@ Comparison compared(const CompareOptions& options, const Installation& installat
   return comparison;
 }
 
-}  // namespace
-
 int compare_results(const CompareOptions& options, const Installation& installation) {
   const Comparison comparison = compared(options, installation);
   const std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
@@ -203,6 +215,57 @@ int compare_results(const CompareOptions& options, const Installation& installat
   const int status = outcomes.empty() ? static_cast<int>(exit_pass) : exit_status(outcomes);
   if (!options.json.empty()) write_json(comparison, outcomes, status, options.json);
   return status;
+}
+
+void add_compare_options(CLI::App& command, CompareOptions& options) {
+  command.add_option("candidate", options.candidate, "A result file")
+      ->type_name(file_type)
+      ->required();
+  command.add_option("reference", options.reference, "A result file")
+      ->type_name(file_type)
+      ->required();
+  CLI::Option* gauge = command.add_option("--gauge", options.gauge, "Compares elevation@GAUGE");
+  command.add_option("--quantity", options.quantity, "Compares this series")->excludes(gauge);
+  CLI::Option* of_case = command
+                             .add_option("--case", options.case_name,
+                                         "A case whose window, forcing and natural modes are taken")
+                             ->type_name(case_type);
+  command
+      .add_option("--frequency", options.frequencies,
+                  "Frequency of a mode to fit [Hz]; may be given again")
+      ->allow_extra_args(false)
+      ->check(keeps(positive("Hz")))
+      ->excludes(of_case);
+  command
+      .add_option("--window", options.window,
+                  "Begin and end [s] (default: the case's window, or what both series cover)")
+      ->expected(2);
+  command
+      .add_option("--limit", options.limits,
+                  "METRIC=VALUE or MODE:METRIC=VALUE, judged as a gate row is; may be given again")
+      ->allow_extra_args(false);
+  command
+      .add_option("--json", options.json,
+                  "Also write the comparison and the verdicts to this file, as JSON")
+      ->type_name(file_type);
+}
+
+}  // namespace
+
+void add_compare_command(const CommandTree& tree) {
+  const auto compared = std::make_shared<CompareOptions>();
+  add_compare_options(
+      add_command(tree,
+                  {"compare",
+                   "Compares two result files on a quantity, and judges by limits",
+                   {"./slosh run li2010_small_amplitude recommended_25mm",
+                    "./slosh run li2010_small_amplitude linear",
+                    "./slosh compare recommended_25mm.h5 linear.h5 --case li2010_small_amplitude "
+                    "--gauge right --limit amplitude_error=0.05"}},
+                  [compared, &installation = tree.installation] {
+                    return compare_results(*compared, installation);
+                  }),
+      *compared);
 }
 
 }  // namespace slosh

@@ -1,5 +1,5 @@
-// The subcommand converge: an SPH scheme of a case at several spacings against a reference, run and
-// compared as a campaign is, on a case file made for it.
+// The subcommand converge: compares an SPH scheme of a case at several spacings with a reference.
+// It writes a case file for this study, and runs and compares it as a campaign does.
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case/spacing_study.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/named_paths.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/texts/convergence_text.hpp"
@@ -30,21 +30,19 @@ struct ConvergeOptions {
   bool as_json = false;
 };
 
-// Two-layer theory is that of the solvers that see the gas.
+// SPH has no gas, so two-layer theory is no reference for it.
 bool can_refer(const RunDefinition& run) {
   if (const auto* record = std::get_if<RecordRun>(&run.solver)) return record->supplied;
-  if (std::holds_alternative<ExternalRun>(run.solver)) return false;  // its files lie elsewhere
-  const auto* linear = std::get_if<LinearRun>(&run.solver);
-  return !std::holds_alternative<SphRun>(run.solver) && !(linear && linear->two_layer);
+  return solver_kind(run).can_refer && !(is_theory(run) && sees_gas(run));
 }
 
-// The first theory or record that the case declares, or else its last interFoam run: case files
-// list meshes from coarse to fine.
+// Returns the first theory or record that the case declares, or else its last interFoam run: case
+// files list meshes from coarse to fine.
 std::string default_reference(const CaseDefinition& definition) {
   std::string mesh;
   for (const RunDefinition& run : definition.runs) {
     if (!can_refer(run)) continue;
-    if (!std::holds_alternative<InterFoamRun>(run.solver)) return run.name;
+    if (!is_simulation(run)) return run.name;
     mesh = run.name;
   }
   if (mesh.empty())
@@ -63,7 +61,7 @@ std::string asked_quantity(const CaseDefinition& definition, const std::string& 
   throw CaseFileError(fmt::format("quantity = {}: expected one of {}", asked, names));
 }
 
-// Reads the made case, too, so that all it gets wrong is told before anything runs.
+// Writes the case file and reads it, so that its mistakes are reported before anything runs.
 CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& study,
                          const fs::path& directory, const fs::path& experiments) {
   const fs::path file = directory / (definition.name + ".toml");
@@ -73,7 +71,7 @@ CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& s
   return made;
 }
 
-// As of a campaign: a solver that failed, then a reference out of its range or nothing measured.
+// The order is that of a campaign: a failed solver comes before a reference out of its range.
 int status_of(const ConvergenceStudy& study) {
   const auto& states = study.assessment.runs.status;
   for (const auto& [run, status] : states)
@@ -84,7 +82,7 @@ int status_of(const ConvergenceStudy& study) {
 
 int converge(const ConvergeOptions& options, const CommandTree& tree) {
   if (options.study.candidate.empty() && options.study.family.empty())
-    throw CaseFileError("expected --candidate RUN or --family SCHEME: what is to converge");
+    throw CaseFileError("expected --candidate RUN or --family SCHEME");
   tree.stop_on_signals();
   const fs::path experiments = whole(options.experiments);
   const CaseDefinition definition =

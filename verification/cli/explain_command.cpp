@@ -1,9 +1,10 @@
-// The subcommand explain: a case in words, with what its runs took where a campaign left a result;
-// and the keys of case files.
+// The subcommand explain: describes a case in words, with the known costs of its runs, or lists the
+// keys of case files.
 
 #include <iostream>
 #include <memory>
 
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/cli/command_tree.hpp"
@@ -21,7 +22,7 @@ KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
       run_key(definition, run, installation.builds, installation.openfoam_templates);
   KnownRun known{.cost =
                      expected_cost(definition, run, key, ResultStore(usual_store(installation)))};
-  if (std::holds_alternative<SphRun>(run.solver)) known.start = sph_outline(definition, run);
+  if (solver_kind(run).has_particles) known.start = sph_outline(definition, run);
   known.step = sph_step(definition, run);
   return known;
 }
@@ -52,7 +53,7 @@ void add_explain_command(const CommandTree& tree) {
   CLI::App& command =
       add_command(tree,
                   {"explain",
-                   "What a case solves, by what, what gates it and what it costs",
+                   "Explains a case: its flow, its solvers and their costs, and its gate rows",
                    {"./slosh explain li2010_small_amplitude", "./slosh explain --keys"}},
                   [options, &installation = tree.installation] {
                     return options->keys ? print_keys() : explain(options->name, installation);

@@ -1,4 +1,4 @@
-// The subcommand export: a result file for programs that read tables.
+// The subcommand export: writes the series of a result file as a table.
 
 #include <iostream>
 #include <memory>

@@ -1,16 +1,18 @@
-#include "verification/cli/import_command.hpp"
+// The subcommand import: reads series from another program's file into a result file.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
-#include <stdexcept>
+#include <memory>
 
 #include "verification/case/quantities.hpp"
+#include "verification/cli/command_tree.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/import/file_formats.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
@@ -20,17 +22,21 @@
 namespace slosh {
 namespace {
 
+struct ImportOptions {
+  std::filesystem::path file, output;
+  std::string format;
+  std::vector<std::string> series;  // "QUANTITY=COLUMN" each
+  std::string unit, time_column, time_unit;
+  double scale = 1, offset = 0;  // offset in the quantity's unit
+};
+
 [[noreturn]] void refuse_series(const std::string& series, const std::string& expected) {
   throw CaseFileError(fmt::format("--series {}: expected {}", series, expected));
 }
 
 void require_quantity(const std::string& series, const std::string& quantity) {
+  if (find_quantity(quantity) && !quantity.ends_with('@')) return;
   const std::vector<std::string> names = quantity_names();
-  try {
-    unit_of(quantity);
-    if (!quantity.ends_with('@')) return;
-  } catch (const std::invalid_argument&) {
-  }
   refuse_series(series,
                 fmt::format("QUANTITY=COLUMN with one of {}; nearest: {}", fmt::join(names, ", "),
                             nearest_names(quantity, names, 1).front()));
@@ -53,7 +59,7 @@ SeriesSource source_of(const std::string& series, const ImportOptions& options) 
   return source;
 }
 
-// All are known to be possible before any file is read.
+// Checks all options before any file is read.
 std::vector<SeriesSource> sources_of(const ImportOptions& options) {
   std::vector<SeriesSource> sources;
   for (const std::string& series : options.series) {
@@ -79,8 +85,6 @@ std::string command_of(const ImportOptions& options) {
   return command + " -o " + shell_word(options.output.string());
 }
 
-}  // namespace
-
 int import_file(const ImportOptions& options) {
   RunResult result;
   for (const SeriesSource& source : sources_of(options))
@@ -103,6 +107,66 @@ int import_file(const ImportOptions& options) {
                              series.unit);
   std::cout << "result: " << options.output.string() << "\n";
   return exit_pass;
+}
+
+// "csv and hdf5"
+std::string formats_that_name_times() {
+  std::vector<std::string> names;
+  for (const FileFormat& format : file_formats())
+    if (format.time_column != TimeColumn::known_by_format) names.push_back(format.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+std::string formats_text() {
+  std::string text = "Formats:\n";
+  for (const FileFormat& format : file_formats())
+    text += fmt::format("  {:<26}{}\n{:28}columns: {}\n", format.name, format.files, "",
+                        format.columns);
+  return text;
+}
+
+void add_import_options(CLI::App& command, ImportOptions& options) {
+  command.add_option("file", options.file, "A file that another program wrote")
+      ->type_name(file_type)
+      ->required();
+  command.add_option("--format", options.format, "What wrote it")
+      ->required()
+      ->check(one_of("a format", format_names()));
+  command
+      .add_option("--series", options.series,
+                  "QUANTITY=COLUMN, as in elevation@right=swlz; may be given again")
+      ->allow_extra_args(false)
+      ->required();
+  command.add_option("--unit", options.unit, "The columns' unit, where the file does not say it");
+  command.add_option("--time", options.time_column,
+                     "The column of times, of " + formats_that_name_times());
+  command.add_option("--time-unit", options.time_unit, "Its unit, where the file does not say it");
+  command.add_option("--scale", options.scale, "Multiplies the values, as 2 does for half a tank")
+      ->check(keeps(not_zero("1")));
+  command
+      .add_option("--offset", options.offset,
+                  "Added to the values, in the quantity's SI unit: -0.35 for a surface's height "
+                  "above the bottom of a tank filled to 0.35 m")
+      ->check(keeps(any_number("the quantity's SI unit")));
+  command.add_option("-o,--output", options.output, "Result file")
+      ->type_name(file_type)
+      ->required();
+}
+
+}  // namespace
+
+void add_import_command(const CommandTree& tree) {
+  const auto imported = std::make_shared<ImportOptions>();
+  CLI::App& command =
+      add_command(tree,
+                  {"import",
+                   "Writes a result file with series from another program",
+                   {"./slosh run li2010_small_amplitude linear",
+                    "./slosh import linear.h5 --format hdf5 --time /series/elevation@right/time "
+                    "--series elevation@right=/series/elevation@right/value -o imported.h5"}},
+                  [imported] { return import_file(*imported); });
+  add_import_options(command, *imported);
+  command.footer(formats_text() + "\n" + command.get_footer());
 }
 
 }  // namespace slosh

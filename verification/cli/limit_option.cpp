@@ -14,7 +14,7 @@
 namespace slosh {
 namespace {
 
-// "natural_1:frequency_error=0.01" in its three parts, of which the mode may be absent.
+// The three parts of "natural_1:frequency_error=0.01". The mode may be absent.
 struct LimitText {
   std::string whole;
   std::optional<std::string> mode;
@@ -54,7 +54,7 @@ std::string where_modes_are_named(const MetricEntry& metric) {
   return metric.measured_on == MeasuredOn::natural_mode ? "; --case names the natural modes" : "";
 }
 
-// Without a mode the forced one, where the metric can be measured on that, or the whole window.
+// The metric's default mode where the limit names none.
 std::string mode_of(const LimitText& limit, const MetricEntry& metric,
                     const Comparison& comparison) {
   std::vector<std::string> fitted;
@@ -64,8 +64,8 @@ std::string mode_of(const LimitText& limit, const MetricEntry& metric,
     return std::find(known.begin(), known.end(), mode) != known.end();
   };
   if (limit.mode && is_known(*limit.mode)) return *limit.mode;
-  for (const char* usual : {"forced", "whole"})
-    if (!limit.mode && is_known(usual)) return usual;
+  const std::optional<std::string> usual = default_mode(metric);
+  if (!limit.mode && usual && is_known(*usual)) return *usual;
   const std::string expected = one_of_text(measured_on_text(metric), known);
   if (known.empty()) refuse(limit, "mode", limit.mode, expected + where_modes_are_named(metric));
   refuse(limit, "mode", limit.mode,

@@ -1,6 +1,6 @@
-// Limits as a command line gives them, "phase_lag=2" or "natural_1:frequency_error=0.01", in the
-// metric's unit. The table of metrics that the gate rows of a case are held to holds these too
-// (metric_table.hpp): the modes that a metric is measured on, and how wide a limit may be.
+// Limits on a command line, "phase_lag=2" or "natural_1:frequency_error=0.01", in the metric's
+// unit. They obey the same table of metrics as the gate rows of a case (metric_table.hpp): it says
+// on which modes a metric is measured, and how wide a limit may be.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The subcommand list: the campaigns, cases with their runs, and problems, as text, as JSON or as
-// bare names.
+// The subcommand list: lists the campaigns, the cases with their runs, and the problems, as text,
+// as JSON or as bare names.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,14 +11,13 @@
 #include <set>
 
 #include "verification/campaign/run_selection.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/known_names.hpp"
 #include "verification/gate/gate.hpp"
-#include "verification/problems/problem.hpp"
+#include "verification/problems/problem_list.hpp"
 #include "verification/runs/run_case.hpp"
-#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 namespace {
@@ -29,7 +28,7 @@ using nlohmann::ordered_json;
 struct ListOptions {
   RunSelection selection;
   bool as_json = false;
-  std::string names;  // the kind whose bare names are printed; empty: all of everything
+  std::string names;  // the kind whose bare names are printed; empty: text or JSON
 };
 
 struct ListedCase {
@@ -51,7 +50,7 @@ std::vector<fs::path> definitions_in(const fs::path& directory) {
   return files;
 }
 
-// Throws CaseFileError where a pattern or a tag matches nothing.
+// Throws CaseFileError for a pattern or a tag that matches nothing.
 Listed selected(const RunSelection& selection, const Installation& installation) {
   std::vector<CaseDefinition> cases;
   for (const fs::path& file : definitions_in(installation.cases)) cases.push_back(read_case(file));

@@ -36,27 +36,27 @@ slosh::Installation installation() {
           source / "build"};
 }
 
-// A run that is ended ends; a campaign ends its runs first.
+// A campaign that is interrupted ends its runs first.
 void stop_on_signals() {
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 }
 
-// No number and no path of the tool, or of a program that it starts, may depend on the locale that
-// the user has: its decimals may be commas, and boost::filesystem throws where it is not installed.
+// Numbers and paths, also those of started programs, must not depend on the user's locale: its
+// decimals may be commas, and boost::filesystem throws if the locale is not installed.
 void use_no_locale() { setenv("LC_ALL", "C", 1); }
 
-// OpenMP's threads look for new work 300,000 times before they sleep. That keeps a core busy which
-// another process needs, and counts as the run's cost. Sleeping at each wait takes up to seventeen
-// times as long. With 3000 looks an idle machine takes 0.7 to 1.7 times as long
-// (docs/performance.md). OpenMP reads the number when the program starts: hence the program starts
-// once more.
+// OpenMP's threads look for new work 300,000 times before they sleep. This keeps a core busy that
+// another process needs, and counts as cost of the run. Sleeping at every wait takes up to
+// seventeen times as long. With 3000 looks, an idle machine takes 0.7 to 1.7 times as long
+// (docs/performance.md). OpenMP reads the number at the start of the program, so the program starts
+// itself again.
 void bound_waiting_of_threads(char** argv) {
   if (getenv("GOMP_SPINCOUNT") || getenv("OMP_WAIT_POLICY")) return;
   setenv("GOMP_SPINCOUNT", "3000", 0);
   std::error_code unknown;
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) execv(executable.c_str(), argv);  // where it fails, the threads wait as they do
+  if (!unknown) execv(executable.c_str(), argv);  // if it fails, the threads wait as usual
 }
 
 int dispatch(int argc, char** argv) {
@@ -70,7 +70,7 @@ int dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool asked_for_help = error.get_exit_code() == 0;
     const std::string meant = asked_for_help ? "" : slosh::suggestion(app, {argv + 1, argv + argc});
-    // What the parser misses then is a consequence of the wrong word.
+    // Any other mistake that the parser reports follows from the wrong word.
     if (meant.empty())
       app.exit(error);
     else
@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
     std::cerr << "slosh: " << error.what() << "\n";
     return status;
   };
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing, as a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a write error, like a full disk
   use_no_locale();
   bound_waiting_of_threads(argv);
   try {
@@ -99,8 +99,8 @@ int main(int argc, char** argv) {
   } catch (const slosh::SolverError& error) {
     return fail(error, slosh::exit_solver_failed);
   } catch (const std::exception& error) {
-    // A result or a report that could not be written: nothing was compared. An interrupt ends the
-    // plotter too, and then is the cause.
+    // A result or a report could not be written: nothing was compared. An interrupt also ends the
+    // plotter, and is then the cause.
     return fail(error, stop_requested ? slosh::exit_interrupted : slosh::exit_not_compared);
   }
 }

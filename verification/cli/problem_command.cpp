@@ -1,15 +1,16 @@
-#include "verification/cli/problem_command.hpp"
+// The subcommand problem: solves one verification problem in this process.
 
 #include <fmt/format.h>
 
 #include <iostream>
+#include <memory>
 
 #include "verification/assessment/problem_assessment.hpp"
+#include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/problems/problem.hpp"
-#include "verification/results/cost_meter.hpp"
+#include "verification/problems/problem_list.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/runs/run_case.hpp"
 
@@ -18,14 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Throws CaseFileError where there is none of that name.
+struct ProblemOptions {
+  std::string problem;
+  bool quick = false;
+  std::filesystem::path output;  // empty: NAME.json
+  std::filesystem::path store;   // the result is kept there under its key; empty: in the output
+};
+
+// Throws CaseFileError for an unknown name.
 const Problem& named_problem(const std::string& name) try {
   return find_problem(name);
 } catch (const std::invalid_argument& error) {
   throw CaseFileError(error.what());
 }
 
-// Throws SolverError where the solver fails.
+// Throws SolverError if the solver fails.
 ProblemOutcome outcome_of(const Problem& problem, bool quick) try {
   return problem.run(quick);
 } catch (const std::runtime_error& error) {
@@ -55,8 +63,6 @@ void print(const ProblemOutcome& outcome) {
   }
 }
 
-}  // namespace
-
 int run_problem(const ProblemOptions& options, const Installation& installation) {
   const Problem& problem = named_problem(options.problem);
   const std::string key = problem_key(problem, options.quick, installation.builds);
@@ -73,6 +79,25 @@ int run_problem(const ProblemOptions& options, const Installation& installation)
   write_problem_result(compute(), file);
   std::cout << "result: " << file.string() << "\n";
   return exit_pass;
+}
+
+}  // namespace
+
+void add_problem_command(const CommandTree& tree) {
+  auto options = std::make_shared<ProblemOptions>();
+  CLI::App& command = add_command(
+      tree,
+      {"problem",
+       "Solves one verification problem and writes its errors at each resolution",
+       {"./slosh problem kernels --quick"}},
+      [options, &installation = tree.installation] { return run_problem(*options, installation); });
+  command.add_option("name", options->problem, "A problem of `slosh list`")
+      ->type_name(problem_type)
+      ->required();
+  command.add_flag("--quick", options->quick, "Without the finest resolutions");
+  command.add_option("-o,--output", options->output, "Result file (default: NAME.json)")
+      ->type_name(file_type);
+  add_result_store_option(command, options->store);
 }
 
 }  // namespace slosh

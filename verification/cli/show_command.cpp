@@ -1,35 +1,63 @@
-// The subcommand show: a picture of a case's histories, of the results that there are. It throws
-// CaseFileError for what the command line makes impossible, ResultError where there is nothing to
-// show, and ReportError where it cannot be drawn.
+// The subcommand show: draws the histories of a case from the existing results. It throws
+// CaseFileError for impossible options, ResultError if there is nothing to show, and ReportError if
+// the picture cannot be drawn.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <boost/process.hpp>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <system_error>
 
 #include "reports/drawing/draw_figure.hpp"
 #include "reports/figures/case_figures.hpp"
-#include "reports/figures/shown_quantity.hpp"
-#include "reports/model/temporary_directory.hpp"
-#include "reports/pages/figure_page.hpp"
+#include "reports/model/report_files.hpp"
+#include "reports/pages/report_documents.hpp"
+#include "reports/wording/shown_quantity.hpp"
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/named_paths.hpp"
-#include "verification/cli/open_browser.hpp"
+#include "verification/cli/installation.hpp"
 #include "verification/files/atomic_file.hpp"
 
 namespace slosh {
 namespace {
 
+namespace process = boost::process;
+
+std::string browser_name() {
+  const char* named = std::getenv("BROWSER");
+  const std::string list = named ? named : "";
+  const std::string first = list.substr(0, list.find(':'));
+  return first.empty() ? "xdg-open" : first;
+}
+
+// Shows a file by the program that the variable BROWSER names (the first of a list), or else by
+// xdg-open, without a shell. Waits for the program, as a browser in the terminal requires. Returns
+// why the file could not be shown, or an empty text.
+std::string open_browser(const std::filesystem::path& file) {
+  const std::string name = browser_name();
+  const boost::filesystem::path program =
+      name.find('/') == std::string::npos ? process::search_path(name) : name;
+  if (program.empty()) return "there is no program " + name + " (the variable BROWSER names one)";
+  std::error_code failure;
+  process::child child(program, file.string(), failure);
+  if (failure) return name + " did not start: " + failure.message();
+  child.wait(failure);
+  return child.exit_code() == 0 ? ""
+                                : name + " ended with status " + std::to_string(child.exit_code());
+}
+
 namespace fs = std::filesystem;
 
 struct ShowOptions {
   std::string case_name;
-  std::string quantity;               // of the picture; empty: the one that the case is about
+  std::string quantity;               // of the picture; empty: the case's main one
   std::filesystem::path output;       // .png, .svg or .html; empty: a page, shown by a browser
   std::filesystem::path store;        // of the results
   std::filesystem::path experiments;  // empty: none is named
@@ -37,16 +65,14 @@ struct ShowOptions {
 
 struct Stored {
   CaseRuns runs;
-  std::vector<std::string> remarks;  // on runs that are not there, or not as they would be now
+  std::vector<std::string> remarks;  // on missing and outdated results
 };
 
 std::string how_to_compute(const CaseDefinition& definition, const RunDefinition& run,
                            const ShowOptions& options, const Installation& installation) {
   return fmt::format("`./slosh run {} {}{}` computes it",
                      name_or_path(definition.file, installation.cases), run.name,
-                     std::holds_alternative<RecordRun>(run.solver)
-                         ? experiments_option(whole(options.experiments))
-                         : "");
+                     is_record(run) ? experiments_option(whole(options.experiments)) : "");
 }
 
 void take(const PlannedRun& planned, const std::string& way, Stored& stored) {

@@ -1,16 +1,59 @@
-// The subcommand store: how much the shared results take, and which of them are of earlier builds.
+// The subcommand store: prints the size of the shared results, and lists or removes those that
+// earlier builds left. Only a report that starts no solver and the estimates of costs still use the
+// latter.
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/old_results.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/problems/problem_result.hpp"
+#include "verification/results/result_file.hpp"
+#include "verification/results/result_store.hpp"
+#include "verification/runs/run_key.hpp"
 
 namespace slosh {
 namespace {
+
+namespace fs = std::filesystem;
+
+struct OldResult {
+  std::string key, name;  // "CASE/RUN (sph)", or a description
+  std::uintmax_t size;    // [byte]
+};
+
+constexpr const char* unreadable = "a result that cannot be read";
+
+// Returns what lies under a key of another build; nullopt if a present build may still use it.
+std::optional<std::string> name_of_old(const ResultStore& store, const std::string& key,
+                                       const PresentAnswers& present) try {
+  if (const fs::path file = store.file(key, ".h5"); fs::exists(file)) {
+    const RunResult result = read_result(file);
+    if (present.unknown_solvers.contains(result.solver)) return std::nullopt;
+    return result.case_name + "/" + result.run_name + " (" + result.solver + ")";
+  }
+  if (const fs::path file = store.file(key, ".json"); fs::exists(file))
+    return read_problem_result(file).problem + " (a problem)";
+  return "what a failed or interrupted run left";
+} catch (const ResultError&) {
+  return unreadable;
+}
+
+// Returns the results that no build of this tree produces any more. A result of a present build is
+// never old, whatever case file it belongs to, nor is one of a solver whose build is unknown.
+std::vector<OldResult> old_results(const ResultStore& store, const PresentAnswers& present) {
+  std::vector<OldResult> old;
+  for (const std::string& key : store.keys()) {
+    if (present.gave(key)) continue;
+    if (const auto name = name_of_old(store, key, present))
+      old.push_back({key, *name, store.size(key)});
+  }
+  return old;
+}
 
 struct StoreOptions {
   std::filesystem::path store;
@@ -86,17 +129,17 @@ void add_store_command(const CommandTree& tree) {
   CLI::App& command =
       add_command(tree,
                   {"store",
-                   "Tells how much the kept results take, and which of them earlier builds left",
+                   "Prints the size of the kept results, and which of them earlier builds left",
                    {"./slosh store", "./slosh store --remove"}},
                   [options, &installation = tree.installation] {
                     return tell_of_store(*options, installation);
                   });
   add_shared_store_option(command, options->store, tree.installation);
-  CLI::Option* remove = command.add_flag(
-      "--remove", options->remove,
-      "Remove what earlier builds left, but for what is in use, and tell each; results of external "
-      "programs stay, and those of interFoam where none is installed");
-  command.add_flag("--total", options->total_alone, "Only the last line")->excludes(remove);
+  CLI::Option* remove =
+      command.add_flag("--remove", options->remove,
+                       "Remove and list what earlier builds left and nobody uses; results of "
+                       "external programs stay, and those of interFoam if it is not installed");
+  command.add_flag("--total", options->total_alone, "Print only the last line")->excludes(remove);
 }
 
 }  // namespace slosh

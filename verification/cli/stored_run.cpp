@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What cannot be used is computed again.
+// Returns whether the file holds a usable result.
 template <class Read>
 bool stands(const fs::path& file, Read read) try {
   read(file);
@@ -21,7 +21,7 @@ bool stands(const fs::path& file, Read read) try {
   return false;
 }
 
-// One whose series differ, or none.
+// Returns the name of a series in which the results differ, or an empty text.
 std::string difference(const RunResult& one, const RunResult& other) {
   if (one.series.size() != other.series.size()) return "number of series";
   for (const TimeSeries& series : one.series) {
@@ -31,8 +31,8 @@ std::string difference(const RunResult& one, const RunResult& other) {
   return "";
 }
 
-// What `compute` gives. Where its solver fails, why is left in the file, which tells of the last
-// try alone.
+// Returns the result of `compute`. If its solver fails, the reason is written to the file, which
+// holds only that of the last attempt.
 template <class Result>
 Result computed(const std::function<Result()>& compute, const fs::path& failure_file) {
   fs::remove(failure_file);
@@ -41,7 +41,7 @@ Result computed(const std::function<Result()>& compute, const fs::path& failure_
   } catch (const SolverError& error) {
     try {
       write_failure(error.failure, failure_file);
-    } catch (const ResultError&) {  // a full disk hides no failure
+    } catch (const ResultError&) {  // a full disk must not hide the failure
     }
     throw;
   }
@@ -85,7 +85,7 @@ void time_run(const ResultStore& store, const std::string& key, double longest,
               const std::function<RunResult()>& compute) {
   const StoreLock lock(store, key);
   if (!fs::exists(store.file(key, ".h5"))) {
-    std::cout << "no result stands that could be timed\n";
+    std::cout << "there is no result whose run could be repeated\n";
     return;
   }
   const RunResult kept = read_result(store.file(key, ".h5"));

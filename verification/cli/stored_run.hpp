@@ -1,4 +1,4 @@
-// What a campaign starts for each run and problem: into the store, once.
+// Computes the result of a run or problem once and keeps it in the store.
 #pragma once
 
 #include <functional>
@@ -9,22 +9,22 @@
 
 namespace slosh {
 
-// Keeps what `compute` gives under the key, unless a result that can be used is there once this
-// process holds the key. Throws what `compute` and write_result() throw; a SolverError is left
-// beside where the result would lie (run_failure.hpp).
+// Compute a result and keep it under the key. They wait until this process holds the key, and
+// compute nothing if a usable result is there by then. Throw what `compute` and write_result()
+// throw; a SolverError is also recorded beside the place of the result (run_failure.hpp).
 void keep_run(const ResultStore& store, const std::string& key,
               const std::function<RunResult()>& compute);
 void keep_problem(const ResultStore& store, const std::string& key,
                   const std::function<ProblemResult()>& compute);
 
-// Keeps a copy of a result that lies elsewhere, so that a campaign takes it; not where one that can
-// be used is there, or a process holds the key, which computes the same. Of a store that cannot be
-// written it tells on standard error: the result itself is where it was asked for.
+// Keeps a copy of a result that lies elsewhere, so that a campaign can use it. Does nothing if
+// there is a usable result, or if another process holds the key and so computes the same. A store
+// that cannot be written is only reported on standard error: the result itself is already written.
 void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result);
 
-// Adds what `compute` took to the timings of the key; not of a run that failed, nor of one that
-// took more than `longest` seconds of processor time. Throws ResultError where the new result has
-// other series by as much as a bit: what was timed was another answer.
+// Adds the cost of `compute` to the timings of the key. Skips a run without a result, and one that
+// took more than `longest` seconds of processor time. Throws ResultError if the series differ from
+// those of the stored result in a single bit: the timing would belong to another answer.
 void time_run(const ResultStore& store, const std::string& key, double longest,
               const std::function<RunResult()>& compute);
 

@@ -17,7 +17,7 @@ using Values = std::vector<ValueAtStep>;
 
 constexpr std::size_t fewest_values = 3, fewest_values_to_fit = 4;
 constexpr double cautious_safety_factor = 3;  // Eca & Hoekstra 2014, appendix A
-constexpr double order_too_high = 2.1;        // as above: 5 % beyond the formal order
+constexpr double order_too_high = 2.1;        // same source: 5 % above the formal order
 
 void require_sound(const Values& values) {
   if (values.size() < fewest_values)
@@ -54,7 +54,7 @@ bool within_noise(const ValueAtStep& a, const ValueAtStep& b) {
   return std::abs(difference(a, b)) <= noise_of_difference(a, b);
 }
 
-// Of the three values from the i-th on.
+// The order of the three values that begin with the i-th.
 double order_of_three(const Values& values, std::size_t i) {
   return three_grid_order(values[i], values[i + 1], values[i + 2]).value_or(0);
 }
@@ -89,7 +89,7 @@ struct ErrorEstimate {
   double uncertainty;   // half width of the 95 % interval about the value asked about
 };
 
-// sqrt(sum (largest change of the error as value i is moved up or down by its noise)^2)
+// sqrt(sum_i d_i^2), d_i the largest change of the error as value i moves up or down by its noise.
 double moved_by_noise(const Values& values, const std::function<double(const Values&)>& error) {
   const double unmoved = error(values);
   double squares = 0;
@@ -128,7 +128,7 @@ ErrorEstimate from_three(const Values& values, std::size_t asked) {
           safety_factor(order) * std::abs(error(values)) + moved_by_noise(values, error)};
 }
 
-// D of the header.
+// The mean difference D of the header.
 double data_range(const Values& values) {
   const auto [low, high] = std::minmax_element(
       values.begin(), values.end(),
@@ -155,7 +155,7 @@ ErrorEstimate from_fit(const Values& values, std::size_t asked) {
   return {order, fit.extrapolated, uncertainty + moved_by_noise(values, refitted)};
 }
 
-// The uncertainty where no order can be relied on.
+// The uncertainty where no order is reliable.
 double from_range(const Values& values, std::size_t asked) {
   const std::size_t last = std::max<std::size_t>(2, asked);
   double largest = 0;
@@ -176,20 +176,19 @@ std::string explanation_of(const DiscretisationUncertainty& result, const Values
           result.extrapolated, *result.order);
     case StepBehaviour::superconvergent:
       return fmt::format(
-          "The differences fall with an order of {:.2f}, above the formal one of 2: more than the "
-          "method can give, so that the safety factor is {:.0f}.",
+          "The differences fall with an order of {:.2f}, above the method's formal order of 2; the "
+          "safety factor is therefore {:.0f}.",
           *result.order, cautious_safety_factor);
     case StepBehaviour::oscillatory:
-      return "The differences fall, but are of both signs: the values have no order, and the "
-             "uncertainty "
-             "rests on their range and scatter.";
+      return "The differences fall, but have both signs: the values have no order, and the "
+             "uncertainty rests on their range and scatter.";
     case StepBehaviour::diverging:
       return "The differences do not fall with the step: the values show no convergence, and the "
              "uncertainty rests on their range and scatter.";
     case StepBehaviour::floor:
       return fmt::format(
-          "The last difference, {:.3g}, {}: the values stand at a floor, which says nothing of how "
-          "far that is from the truth.",
+          "The last difference, {:.3g}, {}: the values have reached a floor, whose distance from "
+          "the truth is unknown.",
           last,
           within_noise(values[0], values[1]) ? fmt::format("lies within its noise of {:.3g}", noise)
                                              : "does not fall with the step as the ones before");

@@ -10,7 +10,7 @@
 namespace slosh {
 namespace {
 
-// Negative orders need only be told from positive ones; above 8 no discretisation here goes.
+// A negative order only has to be told from a positive one; no discretisation here exceeds 8.
 constexpr OrderRange searched_orders{-1, 8};
 constexpr int scanned_orders = 45;
 
@@ -20,7 +20,7 @@ struct LinearFit {
   double weighted_squares;  // sum n w_i residual_i^2
 };
 
-// Over the finest.
+// The steps over the finest one.
 Eigen::VectorXd relative_steps(const std::vector<ValueAtStep>& values) {
   Eigen::VectorXd steps(static_cast<Eigen::Index>(values.size()));
   for (Eigen::Index i = 0; i < steps.size(); ++i)
@@ -50,7 +50,7 @@ double deviation(const LinearFit& fit, int unknowns) {
   return std::sqrt(fit.weighted_squares / static_cast<double>(fit.fitted.size() - unknowns));
 }
 
-// (h^p - 1) / p, which at p = 0 goes over into ln h instead of a second constant.
+// (h^p - 1) / p, which tends to ln h at p = 0 instead of to a second constant.
 Eigen::VectorXd power_column(const Eigen::VectorXd& steps, double p) {
   return steps.unaryExpr(
       [p](double h) { return std::abs(p) < 1e-9 ? std::log(h) : std::expm1(p * std::log(h)) / p; });
@@ -74,7 +74,7 @@ double best_order(const std::vector<ValueAtStep>& values, bool weighted, OrderRa
   }
   if (best == 0) return range.low;
   if (best == scanned_orders) return range.high;
-  constexpr int bits = 26;  // half of a double's: a minimum is not known better
+  constexpr int bits = 26;  // half of a double's, the attainable accuracy of a minimum
   return boost::math::tools::brent_find_minima(squares, scanned(best - 1), scanned(best + 1), bits)
       .first;
 }

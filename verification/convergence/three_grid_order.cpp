@@ -9,7 +9,7 @@ namespace {
 
 constexpr double highest_order = 10;
 
-// ln of r21^p (r32^p - s) / (r21^p - s) with a = ln r21, b = ln r32; at p = 0 its limit.
+// ln of r21^p (r32^p - s) / (r21^p - s) with a = ln r21, b = ln r32, and its limit at p = 0.
 double log_difference_ratio(double p, double a, double b, bool same_sign) {
   if (!same_sign) return a * p + std::log((std::exp(b * p) + 1) / (std::exp(a * p) + 1));
   return a * p + (p == 0 ? std::log(b / a) : std::log(std::expm1(b * p) / std::expm1(a * p)));

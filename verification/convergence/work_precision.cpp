@@ -5,12 +5,12 @@
 #include <cmath>
 #include <set>
 
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr double furthest_beyond = 2;  // the smallest error over the one asked for
+constexpr double furthest_beyond = 2;  // largest ratio of the smallest error to the one asked for
 
 bool is_usable(const WorkPoint& point) {
   const auto fits = [](double value) { return std::isfinite(value) && value > 0; };
@@ -28,12 +28,12 @@ std::size_t resolutions_of(const std::vector<WorkPoint>& points) {
   return different.size();
 }
 
-// Along the chord between two runs, t = 0 at the first.
+// The cost on the chord between two runs, with t = 0 at the first.
 CostAtError between(const WorkPoint& first, const WorkPoint& second, double error) {
   const double t = (log_error(first) - std::log(error)) / (log_error(first) - log_error(second));
   const double gain = (log_cost(second) - log_cost(first)) / (log_error(first) - log_error(second));
   const auto spread = [&](double of_first, double of_second) {
-    if (t == 1) return of_second;  // whatever is not known of the first
+    if (t == 1) return of_second;  // the first may be unknown (NaN)
     return std::hypot((1 - t) * of_first, t * of_second);
   };
   CostAtError found{Reach::between,
@@ -47,8 +47,8 @@ CostAtError between(const WorkPoint& first, const WorkPoint& second, double erro
   return found;
 }
 
-// The bar of the cheapest run's error counts as far as it reaches beyond the error asked for, at
-// what the next run's smaller error costs more; without a next one that is not known.
+// The bar of the cheapest run's error counts where it reaches beyond the error asked for, at the
+// additional cost of the next run's smaller error; without a next run that cost is NaN.
 CostAtError by_cheapest(const std::vector<WorkPoint>& front, double error) {
   const WorkPoint& cheapest = front.front();
   const double beyond = relative(cheapest.error) - (std::log(error) - log_error(cheapest));

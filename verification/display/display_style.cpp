@@ -9,7 +9,7 @@
 namespace slosh {
 
 DisplayStyle style_of(int descriptor) {
-  constexpr int usual_columns = 80;  // where the terminal does not tell
+  constexpr int usual_columns = 80;  // where the terminal reports none
   const auto variable = [](const char* name) {
     const char* text = std::getenv(name);
     return std::string_view(text ? text : "");

@@ -1,4 +1,4 @@
-// What one of the process's outputs can show.
+// What an output of the process (a terminal, a file) can show.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,11 @@ struct DisplayStyle {
   int columns;  // of the terminal
 };
 
-// Of standard output or error (STDOUT_FILENO, STDERR_FILENO): live on a terminal that is not
-// "dumb", colour there unless NO_COLOR is set and not empty (no-color.org).
+// Returns the style of standard output or error (STDOUT_FILENO, STDERR_FILENO). It is live on a
+// terminal that is not "dumb", with colour unless NO_COLOR is set and not empty (no-color.org).
 DisplayStyle style_of(int descriptor);
 
-// Asked at each showing: a user may resize the terminal.
+// Is called before each drawing, for a user may resize the terminal.
 using AskStyle = std::function<DisplayStyle()>;
 inline AskStyle style_now_of(int descriptor) {
   return [descriptor] { return style_of(descriptor); };

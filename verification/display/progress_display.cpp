@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds plain_interval{60};
 constexpr const char* line_up_and_erase = "\033[1A\033[2K";
 
-// How far the job is, the fullest form first.
+// Returns texts on the progress of the job, the longest first.
 std::vector<std::string> progress_texts(const JobState& state) {
   const std::string ago = fmt::format("started {} ago", clock_time(state.wall_time));
   if (!state.progress) {
@@ -121,7 +121,7 @@ void ProgressDisplay::show_plain_progress(const std::vector<JobState>& states, c
 }
 
 void ProgressDisplay::erase_live_lines() {
-  // A terminal that has become narrower shows a line in several rows.
+  // A terminal that has become narrower wraps a line into several rows.
   const auto columns = static_cast<std::size_t>(std::max(style_.columns, 1));
   for (const std::size_t length : live_lines_)
     for (std::size_t row = 0; row < std::max<std::size_t>(length, 1); row += columns)
@@ -136,7 +136,7 @@ void ProgressDisplay::draw_live_line(const std::string& line) {
 }
 
 void ProgressDisplay::draw_live_lines(const std::vector<JobState>& states, const Sums& sums) {
-  // A terminal may break a line that fills its last column.
+  // A terminal may wrap a line that fills its last column.
   const auto columns = static_cast<std::size_t>(std::max(style_.columns - 1, 1));
   std::size_t width = 0;
   for (const JobState& state : states)

@@ -1,6 +1,6 @@
-// Shows jobs to whoever waits. On a terminal: a live line for each running one, which fits it, with
-// the time left, and one for all of them together. Elsewhere: a line at each job's end, and where a
-// minute brings none, one that tells how far the jobs are.
+// Shows the progress of jobs. On a terminal each running job has a live line with the time left,
+// and there is one line for all jobs together. Elsewhere a line is written at each job's end, and
+// one on the progress of the jobs after a minute without such an end.
 #pragma once
 
 #include <chrono>
@@ -20,17 +20,17 @@ class ProgressDisplay {
   // The jobs share `at_once` cores.
   ProgressDisplay(std::ostream& stream, AskStyle style, int at_once);
 
-  // To be called with the states of the same jobs each time: an ObserveJobs.
+  // Shows the states; an ObserveJobs. Each call has the states of the same jobs.
   void show(const std::vector<JobState>& states, Clock::time_point now = Clock::now());
 
-  // Takes the live lines away, as before an error's message.
+  // Erases the live lines, as before an error message.
   void erase_live_lines();
 
  private:
-  // Of all jobs; empty of a single one.
+  // Numbers on all jobs together; empty where there is only one.
   struct Sums {
     std::string ended;  // "[12/46] "
-    std::string left;   // "3 min left", or nothing where that is not known
+    std::string left;   // "3 min left"; empty where that is not known
   };
   static Sums sums_of(const std::vector<JobState>& states, int at_once);
   void show_end(const JobState& state, JobPhase before, const Sums& sums);
@@ -45,12 +45,12 @@ class ProgressDisplay {
   int at_once_;
   std::vector<std::size_t> live_lines_;  // their lengths
   std::vector<JobPhase> phases_;         // as last shown
-  Clock::time_point written_;            // when the last line was that stays
+  Clock::time_point written_;            // time of the last permanent line
 };
 
-// "running  NAME  5.00 of 20 s, 0.5 simulated s per s, 0:30 left" in at most `columns`, the time
-// left in any case: what tells least is left out first, and of a name that is too long the middle.
-// Names are padded to `name_width`.
+// Returns "running  NAME  5.00 of 20 s, 0.5 simulated s per s, 0:30 left" in at most `columns`. The
+// time left is always there: the least important parts are left out first, then the middle of a
+// long name. Names are padded to `name_width`.
 std::string running_line(const JobState& state, std::size_t name_width, std::size_t columns);
 
 }  // namespace slosh

@@ -1,4 +1,4 @@
-// Shows how far the one run of this process is, on a terminal alone.
+// Shows the progress of a single run in this process, on a terminal alone.
 #pragma once
 
 #include <condition_variable>
@@ -13,14 +13,14 @@ namespace slosh {
 
 class RunDisplay {
  public:
-  // `expected_time` [s]: of the wall, for a solver that does not tell how far it is.
+  // `expected_time` [s] of wall time serves for a solver that does not report its progress.
   RunDisplay(std::ostream& stream, const AskStyle& style, const std::string& name,
              double expected_time);
-  ~RunDisplay();  // takes the line away
+  ~RunDisplay();  // erases the line
   RunDisplay(const RunDisplay&) = delete;
   RunDisplay& operator=(const RunDisplay&) = delete;
 
-  // From any thread.
+  // May be called from any thread.
   void tell(const RunProgress& progress);
 
  private:
@@ -28,7 +28,7 @@ class RunDisplay {
 
   ProgressDisplay display_;
   JobState state_;
-  std::mutex mutex_;  // of what follows and the state
+  std::mutex mutex_;  // guards the state and ended_
   std::condition_variable end_;
   bool ended_ = false;
   std::thread thread_;  // none outside a terminal

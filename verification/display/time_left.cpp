@@ -8,20 +8,22 @@
 namespace slosh {
 namespace {
 
-// A run's own forecast counts once it has a fiftieth of its time behind it: its first steps are no
-// sample of the others.
+// A run's own forecast counts after a fiftieth of its time: the first steps do not represent the
+// others.
 constexpr double telling_share = 0.02;
-// The estimates are believed as much as this many seconds of jobs that took just what was expected.
+// The weight of the estimates in the correction: that of so many seconds of jobs that took exactly
+// the expected time.
 constexpr double belief = 10;  // [s]
 
-// The share of its simulated time that a running job has behind it; 0 where that tells nothing.
+// Returns the share of the simulated time that a running job has completed; 0 where it is too small
+// for a forecast.
 double share_done(const JobState& state) {
   if (!state.progress || !(state.progress->end_time > 0)) return 0;
   const double share = std::min(state.progress->time / state.progress->end_time, 1.0);
   return share >= telling_share ? share : 0;
 }
 
-// By how much jobs take longer than was expected of them.
+// Returns the ratio of the jobs' actual times to their expected times.
 double slowness(const std::vector<JobState>& states) {
   double expected = belief, taken = belief;
   for (const JobState& state : states) {
@@ -35,7 +37,7 @@ double slowness(const std::vector<JobState>& states) {
   return taken / expected;
 }
 
-// [s] of wall time.
+// Returns the wall time that is left of a job [s].
 std::optional<double> rest_of(const JobState& state, double slowness) {
   if (has_ended(state)) return 0;
   const bool running = state.phase == JobPhase::running;

@@ -1,5 +1,5 @@
-// How long a campaign still takes: what its jobs are expected to take, corrected by what those that
-// have ended or are far enough took.
+// An estimate of the time that a campaign still needs: the expected times of its jobs, corrected by
+// the times of those that have ended or made enough progress.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace slosh {
 
-// [s] of wall time where `at_once` cores work: the rest of the jobs that share the cores, but no
-// less than the longest of them alone, and after them those that run alone. Nothing where nothing
-// is known of a job.
+// Returns the wall time [s] on `at_once` cores: the time of the jobs that share the cores, which is
+// at least that of the longest of them, and then the time of the jobs that run alone. Returns
+// nullopt where the expected time of a job is not known.
 std::optional<double> time_left(const std::vector<JobState>& states, int at_once);
 
 // "40 s", "3 min", "2.5 h".

@@ -1,4 +1,4 @@
-// A job: one process of a campaign, what it is expected to take, and how far it is.
+// A job: one process of a campaign, its expected cost, and its state.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@
 
 namespace slosh {
 
-// A command without a shell: its first element is the program (a path), its standard output and
-// error go to the log.
+// A command that runs without a shell: its first element is the program (a path), and its standard
+// output and error go to the log.
 struct Job {
   std::string name;
   std::vector<std::string> command;
   std::filesystem::path log_file;            // replaced; its directory is made if need be
-  std::filesystem::path progress_file = {};  // removed first, then looked at; empty for none
+  std::filesystem::path progress_file = {};  // removed first, then read; empty for none
   double time_limit = 0;                     // [s] of wall time; 0: none
   int cores = 1;
   double expected_time = 0;    // [s] of wall time; 0: unknown
@@ -33,7 +33,7 @@ enum class JobPhase {
   timed_out,
   interrupted,  // ended by the interrupt, or never started because of it
   not_started,  // message: why
-  lost          // left no word of its end (killed, or its machine failed); message: what is known
+  lost          // no record of its end (killed, or its machine failed); message: what is known
 };
 
 struct JobState {

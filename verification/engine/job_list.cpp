@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// CBOR (RFC 8949), for JSON has no place for paths that are no UTF-8.
+// The list is CBOR (RFC 8949), for JSON cannot hold paths that are not UTF-8.
 constexpr const char* list_name = "jobs.cbor";
 constexpr const char *started = ".started", *ended = ".ended.json";
 
@@ -44,7 +44,7 @@ Job job_of(const json& entry) {
           .alone = entry.at("alone")};
 }
 
-// Nothing where it is not there, or cannot be read yet: it is looked at again.
+// Returns nullopt where the file is absent or cannot be read yet: it is read again later.
 std::optional<json> read_end(const fs::path& file) try {
   if (!fs::exists(file)) return std::nullopt;
   return json::parse(read_bytes(file));

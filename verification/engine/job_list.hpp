@@ -1,5 +1,5 @@
-// The jobs of one start of a campaign as files in one directory, which is all that the processes
-// that run them share with the one that waits for them, be they on this machine or on others:
+// The jobs of one start of a campaign as files in one directory. These files are all that the
+// processes that run the jobs share with the one that waits for them, on this machine or on others:
 //   jobs.cbor     the jobs
 //   N.started     empty, made when job N starts
 //   N.ended.json  how it has ended, replaced as a whole
@@ -15,11 +15,12 @@ namespace slosh {
 
 class JobList {
  public:
-  // A new list in the directory, which is made and must not have one yet.
+  // Writes a new list to the directory, which is made and must not have one yet.
   // Throws std::filesystem::filesystem_error.
   static JobList create(const std::filesystem::path& directory, const std::vector<Job>& jobs);
 
-  // The list that is there. Throws std::runtime_error naming the file where it cannot be read.
+  // Reads the list in the directory. Throws std::runtime_error naming the file where it cannot be
+  // read.
   static JobList open(const std::filesystem::path& directory);
 
   const std::filesystem::path& directory() const { return directory_; }
@@ -28,11 +29,11 @@ class JobList {
   void mark_started(std::size_t index) const;
   void mark_ended(std::size_t index, const JobState& state) const;
 
-  // Looks at the files of the jobs that had not ended in `states`, which is as long as the list.
+  // Reads the files of the jobs that had not ended in `states`, which is as long as the list.
   // Returns whether a job's phase has changed.
   bool update(std::vector<JobState>& states) const;
 
-  // All waiting.
+  // Returns a state for each job, all of them waiting.
   std::vector<JobState> initial_states() const;
 
  private:

@@ -11,12 +11,11 @@
 #include "verification/engine/slurm_engine.hpp"
 
 namespace slosh {
-
 namespace {
 
 namespace fs = std::filesystem;
 
-// A name that no earlier start had.
+// Returns a name that no earlier start had.
 fs::path fresh_list(const fs::path& directory) {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return directory / fmt::format("list_{}_{}", now.count(), ::getpid());
@@ -25,12 +24,12 @@ fs::path fresh_list(const fs::path& directory) {
 void remove_lists(const fs::path& directory) {
   if (!fs::is_directory(directory)) return;
   for (const auto& entry : fs::directory_iterator(directory))
-    // What is left of an earlier start may write there at this moment: the next one removes that.
+    // Processes left of an earlier start may write there at this moment; the next start removes it.
     if (std::error_code none; entry.path().filename().string().starts_with("list_"))
       fs::remove_all(entry.path(), none);
 }
 
-// An earlier start's: a job that never starts must not seem to say what that one said.
+// Removes the logs of earlier starts, so that a job that never starts does not show an old log.
 void remove_logs(const std::vector<Job>& jobs) {
   std::error_code none;
   for (const Job& job : jobs) fs::remove(job.log_file, none);

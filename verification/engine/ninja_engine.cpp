@@ -23,7 +23,7 @@ rule job
   description = job $index
 )";
 
-// Longer than a job takes to end what does not heed SIGTERM.
+// Longer than a job needs to kill a process that ignores SIGTERM.
 constexpr std::chrono::seconds grace{15};
 
 std::string pool_of(const Job& job) {

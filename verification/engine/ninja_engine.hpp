@@ -1,19 +1,22 @@
-// Jobs on this machine by ninja (ninja-build.org): a build file of one edge a job.
+// Runs jobs on this machine by ninja (ninja-build.org), with a build file that has one edge a job.
 #pragma once
 
+#include <atomic>
 #include <string>
+#include <vector>
 
 #include "verification/engine/job_list.hpp"
-#include "verification/engine/launcher.hpp"
+#include "verification/engine/launch_settings.hpp"
 
 namespace slosh {
 
-// Of a list's jobs. Commands name jobs by number alone, and the tool by a variable of the
-// environment. A job of several cores counts as one for ninja, so that as many of those run at once
-// as fit `at_once` cores; one that wants to be alone waits for all others.
+// Returns the build file of a list's jobs. Its commands name jobs by number alone, and the tool by
+// an environment variable. Ninja counts a job of several cores as one, so jobs of several cores
+// have a pool, of which as many run at once as fit `at_once` cores. A job that runs alone waits for
+// all others.
 std::string ninja_file(const std::vector<Job>& jobs, int at_once);
 
-// As launch(), of a list that is written.
+// Runs the jobs of a written list as launch() does.
 std::vector<JobState> run_by_ninja(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe);
 

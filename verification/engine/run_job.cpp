@@ -11,7 +11,7 @@
 namespace slosh {
 namespace {
 
-// Far below any run's time.
+// Far below the time of any run.
 constexpr std::chrono::milliseconds look_interval{10};
 
 void wait_for(ChildProcess& child, JobState& state, const std::atomic<bool>& stop) {
@@ -36,7 +36,7 @@ void wait_for(ChildProcess& child, JobState& state, const std::atomic<bool>& sto
 JobState run_job(const JobList& list, std::size_t index, const std::atomic<bool>& stop) {
   JobState state{.job = list.jobs().at(index)};
   try {
-    std::filesystem::remove(state.job.progress_file);  // an earlier run's
+    std::filesystem::remove(state.job.progress_file);  // from an earlier run
     list.mark_started(index);
     ChildProcess child(state.job.command, {.log_file = state.job.log_file});
     wait_for(child, state, stop);

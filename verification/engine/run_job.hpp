@@ -1,4 +1,4 @@
-// Runs one job of a list in this process's stead: what an engine starts for each of them.
+// Runs one job of a list: an engine starts a process for each job, which calls this.
 #pragma once
 
 #include <atomic>
@@ -7,8 +7,8 @@
 
 namespace slosh {
 
-// Starts the job, waits for it, keeps its time limit, and leaves in the list how it has ended,
-// which it returns. Once `stop` is true the job's process group gets SIGTERM, three seconds later
+// Starts the job, waits for it, enforces its time limit, records in the list how it has ended, and
+// returns that. Once `stop` is true the job's process group gets SIGTERM, three seconds later
 // what is left of it SIGKILL. Throws std::filesystem::filesystem_error where the list cannot be
 // written.
 JobState run_job(const JobList& list, std::size_t index, const std::atomic<bool>& stop);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t places_of_array = 1000;  // MaxArraySize is 1001 unless a site changes it
 constexpr double mebibyte = 1024 * 1024;
-// A run's peak varies little between machines; Slurm kills what exceeds it.
+// A run's peak memory varies little between machines; Slurm kills a job that exceeds its request.
 constexpr double memory_margin = 2;
 constexpr double unknown_memory = 1024 * mebibyte;
 constexpr double unknown_time = 3600;  // [s]
@@ -28,7 +28,7 @@ int memory_of(const Job& job) {
   return power_of_two_above(memory_margin * expected / mebibyte + 64);
 }
 
-// The job keeps its own limit; Slurm's is a minute longer, so that the job can say that itself.
+// The job keeps its own limit. Slurm's is a minute longer, so that the job can report its time-out.
 int minutes_of(const Job& job) {
   const double limit = job.time_limit > 0 ? job.time_limit : unknown_time;
   return power_of_two_above(limit / 60 + 1);
@@ -60,7 +60,7 @@ std::vector<std::string> sbatch_arguments(const SlurmArray& array, const std::st
                                           const std::vector<std::string>& after) {
   std::vector<std::size_t> places;
   for (const std::size_t job : array.jobs) places.push_back(job - array.jobs.front());
-  // One at a time of those that want to be alone.
+  // Of jobs that run alone one is started at a time (%1).
   std::vector<std::string> arguments{
       "--parsable",
       "--job-name=slosh",

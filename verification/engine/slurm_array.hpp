@@ -1,4 +1,4 @@
-// Which jobs of a list go to Slurm as one array, and what sbatch is asked for them.
+// Groups the jobs of a list into Slurm job arrays, and writes the arguments of sbatch for them.
 #pragma once
 
 #include <string>
@@ -16,12 +16,13 @@ struct SlurmArray {
   bool alone;
 };
 
-// Jobs of the same needs, these rounded up to powers of two, that lie within 1000 places of each
-// other (below Slurm's usual MaxArraySize); those that want to be alone last.
+// Groups jobs of equal needs, which are rounded up to powers of two. The jobs of an array lie
+// within 1000 places of each other (below Slurm's usual MaxArraySize). Arrays of jobs that run
+// alone come last.
 std::vector<SlurmArray> slurm_arrays(const std::vector<Job>& jobs);
 
-// sbatch's arguments: the array's indices count from its first job. `after`: ids of arrays that
-// must have ended first; empty for none.
+// Returns the arguments of sbatch. The array's indices count from its first job; `after` has the
+// ids of the arrays that must have ended first.
 std::vector<std::string> sbatch_arguments(const SlurmArray& array, const std::string& directory,
                                           const std::vector<std::string>& after);
 

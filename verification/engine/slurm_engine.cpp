@@ -18,17 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// What a task runs: numbers alone come in from outside, and the tool's path as one word.
+// The script of a task: only numbers come in from outside, and the tool's path as one word.
 constexpr const char* script = R"sh(#!/bin/sh
 exec "$SLOSH_TOOL" job "$((SLOSH_FIRST_JOB + SLURM_ARRAY_TASK_ID))"
 )sh";
 constexpr const char* arrays_name = "slurm.json";
 
 constexpr std::chrono::seconds queue_interval{2};
-// As often as observers are told: the list may lie on a network's disk.
+// As often as observers are told, for the list may lie on a network file system.
 constexpr std::chrono::milliseconds list_interval{200};
-// From a task's last word in the queue until its files are seen here: network file systems are
-// late.
+// The time that a task's files may take to appear here after it has left the queue: network file
+// systems have a delay.
 constexpr std::chrono::seconds file_delay{10};
 
 struct Task {
@@ -53,7 +53,7 @@ class Arrays {
 
   void cancel() const { ask_slurm("scancel", ids_); }
 
-  // Jobs that have left the queue some time ago without a word.
+  // Returns the jobs that left the queue some time ago without a record of their end.
   std::vector<std::size_t> silent(const std::vector<JobState>& states) {
     const auto queued = queued_tasks(ids_);
     if (!queued) return {};  // the controller is asked again
@@ -120,7 +120,7 @@ std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& se
     }
     std::this_thread::sleep_for(list_interval);
   }
-  // What is cancelled takes its time to end: the next start waits for it.
+  // Cancelled tasks take some time to end: the next start waits for them.
   if (!stop) fs::remove(settings.directory / arrays_name);
   return watch.finish(stop, "");
 }

@@ -1,21 +1,27 @@
-// Jobs on a cluster by Slurm (slurm.schedmd.com): job arrays of jobs of equal needs. The directory
-// of the list, the tool, the case files and the results must be visible on the nodes under the same
-// paths. Partition, account and the like come from sbatch's own variables (SBATCH_PARTITION, ...).
+// Runs jobs on a cluster by Slurm (slurm.schedmd.com), as job arrays of jobs of equal needs. The
+// directory of the list, the tool, the case files and the results must be visible on the nodes
+// under the same paths. Partition, account and the like come from sbatch's own variables
+// (SBATCH_PARTITION, ...).
 #pragma once
 
+#include <atomic>
+#include <filesystem>
+#include <vector>
+
 #include "verification/engine/job_list.hpp"
-#include "verification/engine/launcher.hpp"
+#include "verification/engine/launch_settings.hpp"
 
 namespace slosh {
 
-// As launch(), of a list that is written. A job that has left the queue without a word is lost; a
-// controller that does not answer is asked again. Writes slurm.json, the ids of its arrays, to the
-// settings' directory.
+// Runs the jobs of a written list as launch() does. A job that has left the queue without a record
+// of its end is lost; a controller that does not answer is asked again. The ids of the arrays are
+// written to slurm.json in the settings' directory.
 std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe);
 
 // Waits until none of the arrays that slurm.json in the directory names is in the queue any more: a
-// start whose own process was killed leaves them there. At once where there is no such file.
+// start whose own process was killed leaves them there. Returns at once where there is no such
+// file.
 void wait_for_earlier_arrays(const std::filesystem::path& directory, const std::atomic<bool>& stop);
 
 }  // namespace slosh

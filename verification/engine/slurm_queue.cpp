@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "verification/engine/launcher.hpp"
+#include "verification/engine/launch_settings.hpp"
 
 namespace slosh {
 namespace {
@@ -19,7 +19,7 @@ namespace bp = boost::process;
 
 constexpr std::chrono::seconds time_limit{60};
 
-// Waits by asking: the library's own wait with a limit is deprecated.
+// Polls the child, for the library's own wait with a time limit is deprecated.
 bool ends_within(bp::child& child, std::chrono::seconds limit) {
   const auto end = std::chrono::steady_clock::now() + limit;
   std::error_code ignored;
@@ -56,7 +56,7 @@ std::optional<std::set<std::string>> queued_tasks(const std::vector<std::string>
   const SlurmAnswer answer = ask_slurm(
       "squeue",
       {"--noheader", "--array", "--format=%i", fmt::format("--jobs={}", fmt::join(arrays, ","))});
-  // What the controller has forgotten has ended.
+  // A job that the controller no longer knows has ended.
   if (answer.err.find("Invalid job id") != std::string::npos) return std::set<std::string>{};
   if (answer.status != 0) return std::nullopt;
   std::set<std::string> tasks;

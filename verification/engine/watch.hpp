@@ -1,4 +1,4 @@
-// Follows the jobs of a list until an engine has done with them.
+// Follows the jobs of a list while an engine runs them.
 #pragma once
 
 #include <chrono>
@@ -11,19 +11,20 @@ namespace slosh {
 
 class Watch {
  public:
-  static constexpr std::chrono::milliseconds interval{20};  // to look() at
+  static constexpr std::chrono::milliseconds interval{20};  // between calls of look()
 
   Watch(const JobList& list, const ObserveJobs& observe);
 
-  // Tells the observer at each change, and of the progress about five times a second.
+  // Reads the list, and calls the observer at each change and about five times a second.
   void look();
 
   const std::vector<JobState>& states() const { return states_; }
 
-  // A job of which the engine knows no more, while the list knows of no end.
+  // Marks a job as lost: the engine no longer knows it, and the list has no record of its end.
   void lose(std::size_t index, const std::string& what_is_known);
 
-  // Once the engine has ended: a job without a word is interrupted where `stopped`, else lost.
+  // Is called once the engine has ended. A job without a record of its end is marked as interrupted
+  // where `stopped`, else as lost.
   std::vector<JobState> finish(bool stopped, const std::string& what_is_known);
 
  private:

@@ -7,8 +7,8 @@
 #include "verification/case/ensemble.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/motion.hpp"
-#include "verification/case/natural_modes.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
@@ -25,14 +25,8 @@ const RecordRun* record_named(const CaseDefinition& definition, const std::strin
   return std::get_if<RecordRun>(&run_named(definition, run).solver);
 }
 
-// Whether no small disturbance decides what the run gives.
-bool is_exact(const decltype(RunDefinition::solver)& solver) {
-  return !std::holds_alternative<SphRun>(solver) && !std::holds_alternative<InterFoamRun>(solver) &&
-         !std::holds_alternative<ExternalRun>(solver);
-}
-
-// A record may be too short or too sparse for the modes.
-bool can_tell(const std::vector<ToneRequest>& modes, const TimeSeries& record,
+// Whether the record is long and dense enough to resolve the modes.
+bool resolves(const std::vector<ToneRequest>& modes, const TimeSeries& record,
               TimeWindow window) try {
   require_resolved(window, modes);
   require_sampled(cut_to_window(record, window), modes);
@@ -41,7 +35,7 @@ bool can_tell(const std::vector<ToneRequest>& modes, const TimeSeries& record,
   return false;
 }
 
-// Of a member of an ensemble that failed or was not run there is none.
+// Throws ResultError for a run without a result, such as a failed member of an ensemble.
 const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
                             const std::string& quantity) {
   const auto found = runs.results.find(run);
@@ -76,27 +70,25 @@ TimeWindow compared_window(const CaseDefinition& definition, const std::string& 
   return window;
 }
 
-AskedOfModes asked_by(const std::vector<GateRow>& rows) {
-  AskedOfModes asked{Detail::spectrum_alone};
+NeededModes modes_needed_by(const std::vector<GateRow>& rows) {
+  NeededModes needed{Detail::spectrum_alone};
   bool of_all = false;
   for (const GateRow& row : rows) {
-    const MeasuredOn on = metric_entry(row.metric).measured_on;
-    const bool is_of_a_mode = on == MeasuredOn::any_mode || on == MeasuredOn::natural_mode;
-    of_all |= on == MeasuredOn::cost;
-    if (of_all || (is_of_a_mode && row.metric != Metric::band_energy_error))
-      asked.detail = Detail::fitted_tones;
-    asked.names.insert(row.mode);
+    of_all |= is_cost(row.metric);
+    if (of_all || metric_entry(row.metric).fitted != FittedTones::none)
+      needed.detail = Detail::fitted_tones;
+    needed.names.insert(row.mode);
   }
-  if (of_all) asked.names.clear();
-  return asked;
+  if (of_all) needed.names.clear();
+  return needed;
 }
 
 CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
-                           const FittedComparisons* known, AskedOfModes asked)
+                           const FittedComparisons* known, NeededModes needed)
     : definition_(definition),
       runs_(runs),
       known_(known),
-      asked_(std::move(asked)),
+      needed_(std::move(needed)),
       modes_(fitted_modes(definition)) {}
 
 const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std::string& run,
@@ -109,23 +101,23 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
   std::shared_ptr<const PreparedSeries>& here = fitted_.series[key];
   if (!here)
     here = std::make_shared<PreparedSeries>(role, series_of(runs_, run, quantity), window, modes,
-                                            asked_.detail);
+                                            needed_.detail);
   return *here;
 }
 
-// The histories alone are compared where a record cannot tell the modes. Where the candidate's own
-// series cannot, that is its fault and no reason to ask less of it.
+// Where a record cannot resolve the modes, the histories alone are compared. A candidate that
+// cannot resolve them is refused.
 Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
                                   const std::string& quantity, const std::string& ending) {
   const TimeWindow window = compared_window(definition_, reference);
   std::vector<ToneRequest> modes;
   if (has_modes(quantity)) modes = modes_;
   if (record_named(definition_, reference) &&
-      !can_tell(modes, series_of(runs_, reference, quantity), window))
+      !resolves(modes, series_of(runs_, reference, quantity), window))
     modes.clear();
   Comparison comparison =
       compare(prepared("candidate", candidate, quantity, window, modes),
-              prepared("reference", reference, quantity + ending, window, modes), asked_.names);
+              prepared("reference", reference, quantity + ending, window, modes), needed_.names);
   comparison.candidate = candidate;
   comparison.reference = reference;
   return comparison;
@@ -155,7 +147,26 @@ const Contribution& CaseEvidence::input_contribution(const GateRow& row) {
       return known->second;
   if (const auto found = fitted_.input.find(key); found != fitted_.input.end())
     return found->second;
-  return fitted_.input.emplace(key, input_uncertainty(definition_, runs_, row)).first->second;
+  return fitted_.input
+      .emplace(key, input_uncertainty(definition_, runs_, row, measure_with_series()))
+      .first->second;
+}
+
+MeasureWithSeries CaseEvidence::measure_with_series() const {
+  return [this](const GateRow& row, const std::string& run, const TimeSeries& series) {
+    CaseRuns replaced;
+    for (const auto& [name, result] : runs_.results) {
+      const bool is_needed =
+          name == row.candidate || name == row.reference || is_record(run_named(definition_, name));
+      if (!is_needed) continue;
+      replaced.results[name] = judged_part(result, row.quantity);
+      replaced.status[name] = runs_.status.at(name);
+    }
+    for (TimeSeries& one : replaced.results.at(run).series)
+      if (one.name == row.quantity) one = series;
+    CaseEvidence evidence(definition_, replaced, nullptr, modes_needed_by({row}));
+    return measured(row, evidence.gate_evidence());
+  };
 }
 
 GateEvidence CaseEvidence::gate_evidence() {
@@ -178,8 +189,7 @@ GateEvidence CaseEvidence::gate_evidence() {
     return cost_to_reach(definition_, runs_, row, find);
   };
   const FindEnsemble ensemble = [this](const std::string& run) {
-    return EnsembleOfRun{members_of(definition_, run),
-                         is_exact(run_named(definition_, run).solver)};
+    return EnsembleOfRun{members_of(definition_, run), !is_simulation(run_named(definition_, run))};
   };
   const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble, history};
   GateEvidence against_coarser = evidence;
@@ -192,7 +202,8 @@ GateEvidence CaseEvidence::gate_evidence() {
       .measure = [evidence](const GateRow& row) { return measured(row, evidence); },
       .measure_against_coarser =
           [against_coarser](const GateRow& row) { return measured(row, against_coarser); },
-      .input = [this](const GateRow& row) { return input_contribution(row); }};
+      .input = [this](const GateRow& row) { return input_contribution(row); },
+      .measure_with = measure_with_series()};
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);
   };

@@ -1,5 +1,5 @@
-// What the gate rows of a case are judged by: comparisons of its runs over the case's window, each
-// computed once.
+// The evidence that the gate rows of a case are judged by: comparisons of its runs over the case's
+// window, each computed once and cached.
 #pragma once
 
 #include <array>
@@ -13,73 +13,75 @@
 
 #include "verification/case/case_definition.hpp"
 #include "verification/evidence/case_runs.hpp"
+#include "verification/evidence/record_uncertainty.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/metrics/comparison.hpp"
 
 namespace slosh {
 
-// The forcing, where the motion has one, and the first `count` natural modes (natural_modes.hpp).
+// The forcing, where the motion has one, and the first `count` natural modes (quantities.hpp).
 std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 
-// Of these, the ones that the case's comparisons fit.
+// Those of them that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 
-// The case's, or what a record covers of it: a candidate must cover it all.
+// The case's window, or the part of it that a record covers. A candidate must cover it all.
 TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference);
 
-// By role, run, quantity, window and number of modes: a series is prepared once for all that it is
-// compared with.
+// Role, run, quantity, window's begin and end, number of modes: a series is prepared once for all
+// its comparisons.
 using PreparedKey = std::tuple<std::string, std::string, std::string, double, double, std::size_t>;
 
 struct FittedComparisons {
   // By candidate, reference and the reference's quantity.
   std::map<std::array<std::string, 3>, Comparison> of;
   std::map<PreparedKey, std::shared_ptr<const PreparedSeries>> series;
-  // By row_name(): input_uncertainty(), in which the candidate's own series has no part.
+  // input_uncertainty() by row_name(); it does not depend on the candidate's own series.
   std::map<std::string, Contribution> input;
 };
 
-// What is asked of a comparison's modes; by default all.
-struct AskedOfModes {
+// The part of a comparison's modes that is computed; by default all of it.
+struct NeededModes {
   Detail detail = Detail::fitted_tones;
-  std::set<std::string> names = {};  // empty: of all
+  std::set<std::string> names = {};  // empty: all modes
 };
 
-// By these rows alone.
-AskedOfModes asked_by(const std::vector<GateRow>& rows);
+NeededModes modes_needed_by(const std::vector<GateRow>& rows);
 
 class CaseEvidence {
  public:
-  // All stay the caller's and outlive this; `known` are comparisons of these runs, null for none.
+  // All arguments must outlive this object. `known` holds comparisons of these runs that need not
+  // be computed again; it may be nullptr.
   CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
-               const FittedComparisons* known = nullptr, AskedOfModes asked = {});
+               const FittedComparisons* known = nullptr, NeededModes needed = {});
 
-  // Throws ComparisonError or ResultError where there is none.
+  // Throws ComparisonError or ResultError where the two runs cannot be compared.
   const Comparison& comparison(const std::string& candidate, const std::string& reference,
                                const std::string& quantity);
 
-  // Refers to this.
+  // The functions refer to this object.
   GateEvidence gate_evidence();
 
   GateOutcome judge(const GateRow& row);
 
-  // What was computed here; this has none of it any more.
+  // Hands over all that was computed here.
   FittedComparisons release_fitted() { return std::exchange(fitted_, {}); }
 
  private:
   const CaseDefinition& definition_;
   const CaseRuns& runs_;
   const FittedComparisons* known_;
-  AskedOfModes asked_;
+  NeededModes needed_;
   std::vector<ToneRequest> modes_;
   FittedComparisons fitted_;
 
-  // Of a reference that leaves the quantity twice, the one under this ending.
+  // Compares with the reference's series of the quantity whose name has this ending.
   const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
                                     const std::string& quantity, const std::string& ending);
   Comparison compared(const std::string& candidate, const std::string& reference,
                       const std::string& quantity, const std::string& ending);
   const Contribution& input_contribution(const GateRow& row);
+  MeasureWithSeries measure_with_series() const;
   const PreparedSeries& prepared(const std::string& role, const std::string& run,
                                  const std::string& quantity, TimeWindow window,
                                  const std::vector<ToneRequest>& modes);

@@ -1,4 +1,4 @@
-// How the runs of a case ended, and what those that finished left.
+// The runs of a case: how each of them ended, and the results of those that finished.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace slosh {
 
-// What theory predicts with one input of the case at either end of its declared interval.
+// The predictions with one input of the case at either bound of its declared interval.
 struct InputBounds {
   RunResult lower, upper;
 };
@@ -19,20 +19,25 @@ struct InputBounds {
 struct CaseRuns {
   std::map<std::string, RunStatus> status;   // of every run that the case declares
   std::map<std::string, RunResult> results;  // of the finished ones and those out of their range
-  // By run: what repeats of it took that had their core for themselves, in the order they were
-  // made; none where the campaign asks for none.
+  // By run: the costs of its repeats on a core of their own, in the order in which they were made;
+  // empty where the campaign requests no timings.
   std::map<std::string, std::vector<RunCost>> timings = {};
   std::map<Input, InputBounds> input_bounds = {};  // input_uncertainty.hpp
 };
 
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
-// What judging a row on the quantity takes of a result: its name, its cost, its diagnostics, that
-// series and potential flow's of fewer nodes.
+// The part of a result that rows on the quantity are judged by: its name, its cost, its
+// diagnostics, the quantity's series and that of the potential flow with fewer nodes.
 RunResult judged_part(const RunResult& result, const std::string& quantity);
 
-// That of the first record that has it; null where none is supplied.
+// The series of the first record that has the quantity. Returns nullptr where none is supplied.
 const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,
                                    const std::string& quantity);
+
+// Adds the low-pass filtered series, "wall_pressure@B/filtered" beside "wall_pressure@B", to each
+// result with the pressure of a gauge that names a cutoff. Returns "RUN: why" for each series that
+// could not be filtered.
+std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition, CaseRuns& runs);
 
 }  // namespace slosh

@@ -7,8 +7,8 @@
 #include "verification/convergence/error_expansion_fit.hpp"
 #include "verification/evidence/refinement.hpp"
 #include "verification/runs/run_case.hpp"
-#include "verification/series/estimate.hpp"
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
 namespace slosh {
@@ -17,13 +17,13 @@ namespace {
 constexpr double cautious_safety_factor = 3;  // Oberkampf & Roy 2010, chapter 8
 constexpr double order_too_high = 2.1;        // discretisation_uncertainty.hpp
 
-// A run's values at the times of the run in question.
+// The values of one run of a path at the sample times of the run whose uncertainty is wanted.
 struct HistoryAtStep {
   double step;
   std::vector<double> value;
 };
 
-// Finest first: the run itself and those coarser ones that can be read at its times.
+// The run itself and those coarser runs that can be read at its times, finest first.
 std::vector<HistoryAtStep> histories(const CaseDefinition& definition, const CaseRuns& runs,
                                      const RefinementDefinition& path, const std::string& own,
                                      const TimeSeries& series) {
@@ -47,7 +47,7 @@ std::vector<HistoryAtStep> histories(const CaseDefinition& definition, const Cas
   return found;
 }
 
-// What |f2 - f1| is to be multiplied by.
+// The factor of |f2 - f1| in the uncertainty.
 double factor_of(const std::vector<HistoryAtStep>& path) {
   const double ratio = path[1].step / path[0].step;
   if (path.size() == 2) return cautious_safety_factor / std::min(1.0, ratio - 1);
@@ -69,8 +69,8 @@ void add_in_quadrature(std::vector<double>& widths, const std::vector<double>& a
     widths[i] = std::hypot(widths[i], factor * apart[i]);
 }
 
-// What a run of fewer nodes is apart from the run at its samples. Potential flow ends where it
-// leaves its range: NaN where only one of the two goes on.
+// The difference of the run with fewer nodes from the run at its samples. Potential flow ends where
+// it leaves its range: the difference is NaN where only one of the two runs has a sample.
 std::vector<double> apart_from(const TimeSeries& coarse, const TimeSeries& series) {
   std::vector<double> apart(series.value.size(), not_a_number);
   for (std::size_t i = 0; i < std::min(apart.size(), coarse.value.size()); ++i)
@@ -87,7 +87,7 @@ std::vector<double> numerical_half_widths(const CaseDefinition& definition, cons
   for (const RefinementDefinition& path : definition.refinements) {
     if (std::find(path.runs.begin(), path.runs.end(), run) == path.runs.end()) continue;
     const std::vector<HistoryAtStep> found = histories(definition, runs, path, run, series);
-    // Without its own there is nothing that the others could be about.
+    // The path is of no use without the run's own history.
     if (found.size() < 2 || found[0].step > step_of(path.number, run_named(definition, run), runs))
       continue;
     add_in_quadrature(widths, minus(found[1].value, found[0].value), factor_of(found));

@@ -7,15 +7,14 @@
 #include <cmath>
 
 #include "verification/case/changed_input.hpp"
-#include "verification/case/inputs.hpp"
-#include "verification/evidence/replaced_series.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {
 namespace {
 
-// Of the candidate's liquid alone, without the gas: a tank of one layer.
+// The first theory inside its range that has the liquid alone, without the gas. Returns nullptr
+// where there is none.
 const RunDefinition* theory_in_range(const CaseDefinition& definition, const CaseRuns& runs) {
   for (const RunDefinition& run : definition.runs) {
     const auto* linear = std::get_if<LinearRun>(&run.solver);
@@ -52,14 +51,14 @@ std::map<Input, InputBounds> predict_input_bounds(const CaseDefinition& definiti
       bounds[one.input] = {predicted(definition, *theory, one.input, -one.half_width),
                            predicted(definition, *theory, one.input, one.half_width)};
     } catch (const std::exception&) {
-      continue;  // the tank is none at that end: the row then says that no theory holds
+      continue;  // the tank is impossible at that bound; the row then says that no theory holds
     }
   }
   return bounds;
 }
 
-void take_runs_at_ends(CaseDefinition& definition, CaseRuns& runs) {
-  std::map<Input, std::map<bool, RunResult>> ends;  // by input and whether it is the upper one
+void collect_input_bounds(CaseDefinition& definition, CaseRuns& runs) {
+  std::map<Input, std::map<bool, RunResult>> ends;  // by input; true: at the upper bound
   const std::vector<RunDefinition> all = std::move(definition.runs);
   definition.runs.clear();
   for (const RunDefinition& run : all) {
@@ -78,7 +77,7 @@ void take_runs_at_ends(CaseDefinition& definition, CaseRuns& runs) {
 }
 
 Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
-                               const GateRow& row) {
+                               const GateRow& row, const MeasureWithSeries& measure_with) {
   if (definition.inputs.empty())
     return Contribution::unknown(
         "the uncertainty of the experiment's inputs is unknown: the case declares no [[input]]");
@@ -89,12 +88,12 @@ Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns&
     try {
       if (bounds == runs.input_bounds.end())
         throw ComparisonError(
-            "no theory of the case holds there, and no coarse_run of the input tells it");
+            "no theory of the case is inside its range, and the input names no coarse_run");
       const auto value = [&](const RunResult& at_bound) {
-        return measured_with(definition, runs, row, row.candidate, at_bound.at(row.quantity)).value;
+        return measure_with(row, row.candidate, at_bound.at(row.quantity)).value;
       };
       const double half = (value(bounds->second.upper) - value(bounds->second.lower)) / 2;
-      if (!std::isfinite(half)) throw ComparisonError("theory has no such metric");
+      if (!std::isfinite(half)) throw ComparisonError("the prediction has no such metric");
       squares += half * half;
       parts.push_back(
           fmt::format("{} {}", input_name(one.input), in_unit(std::abs(half), row.unit)));

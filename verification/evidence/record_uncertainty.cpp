@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
-#include "verification/evidence/replaced_series.hpp"
 #include "verification/series/sample_moments.hpp"
 
 namespace slosh {
@@ -32,7 +32,7 @@ TimeSeries moved(TimeSeries record, double half_width, double offset, double str
 double uncertainty_from_values(Metric metric, const std::string& mode, const Comparison& comparison,
                                double half_width) {
   const ModeComparison* found = find_mode(comparison, mode);
-  if (!found) return 0;
+  if (!found || metric_entry(metric).fitted != FittedTones::of_both) return 0;
   const Tone& tone = found->reference;
   const double share = half_width / tone.amplitude.value;
   const double window = comparison.window.end - comparison.window.begin;
@@ -46,19 +46,17 @@ double uncertainty_from_values(Metric metric, const std::string& mode, const Com
     case Metric::decay_error:
       return 2 * share / (window * std::abs(tone.decay_rate.value));
     default:
-      return 0;
+      throw std::logic_error("no formula for the record's uncertainty in " + metric_name(metric));
   }
 }
 
-double record_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
-                          const GateRow& row, const Comparison& comparison, double half_width) {
+double record_uncertainty(const GateRow& row, const TimeSeries& record,
+                          const Comparison& comparison, double half_width,
+                          const MeasureWithSeries& measure_with) {
   if (row.mode != "whole")
     return uncertainty_from_values(row.metric, row.mode, comparison, half_width);
-  const TimeSeries& record = runs.results.at(row.reference).at(row.quantity);
   const auto value = [&](double offset, double stretch) {
-    return measured_with(definition, runs, row, row.reference,
-                         moved(record, half_width, offset, stretch))
-        .value;
+    return measure_with(row, row.reference, moved(record, half_width, offset, stretch)).value;
   };
   const double own = value(0, 0);
   double largest = 0;

@@ -12,7 +12,7 @@ double recorded(const RunDefinition& run, const CaseRuns& runs, const char* name
   const auto& diagnostics = runs.results.at(run.name).diagnostics;
   const auto found = diagnostics.find(name);
   if (found == diagnostics.end())
-    throw ComparisonError(fmt::format("the result of {} does not tell its {}", run.name, name));
+    throw ComparisonError(fmt::format("the result of {} does not record its {}", run.name, name));
   return found->second;
 }
 
@@ -29,11 +29,10 @@ DiscretisationUncertainty of_two(const ValueAtStep& fine, const ValueAtStep& coa
           .order = {},
           .extrapolated = at_step == fine.step ? fine.value : coarse.value,
           .uncertainty = first_order_uncertainty(difference, at_step, fine.step, coarse.step),
-          .explanation =
-              "two values have no order: three times their difference on one of the first order"};
+          .explanation = "two values have no order: first order and a safety factor of three"};
 }
 
-// Coarse to fine.
+// `values` go from coarse to fine.
 DiscretisationUncertainty judge(const std::vector<ValueAtStep>& values, double at_step) {
   return values.size() == 2 ? of_two(values[1], values[0], at_step)
                             : discretisation_uncertainty(values, at_step);
@@ -65,16 +64,11 @@ std::vector<MeasuredRun> measure_path(const RefinementDefinition& path,
   return measured;
 }
 
-// Whether the metric's interval is that of a difference between two fits of one window.
-bool is_of_two_fits(Metric metric) {
-  return metric == Metric::amplitude_error || metric == Metric::phase_lag ||
-         metric == Metric::frequency_error || metric == Metric::decay_error;
-}
-
-// Of a difference between two runs of one path, both fitted together.
+// The half width of the difference between two runs of one path, both fitted together. Returns
+// nullopt for a metric whose interval is not that of such a difference.
 std::optional<double> noise_of_pair(const GateRow& row, const std::string& run,
                                     const std::string& finest, const MeasureRow& measure) {
-  if (!is_of_two_fits(row.metric)) return std::nullopt;
+  if (metric_entry(row.metric).fitted != FittedTones::of_both) return std::nullopt;
   GateRow pair = row;
   pair.candidate = run;
   pair.reference = finest;
@@ -86,9 +80,10 @@ std::optional<double> noise_of_pair(const GateRow& row, const std::string& run,
   }
 }
 
-// The runs of a path see the same flow, and what the fit of one window cannot explain is nearly the
-// same in all of them: what counts between two of them is the interval of their own difference. The
-// finest is given the smallest share of it that leaves each difference to it its interval.
+// The runs of a path have the same flow, and the residual of the fit is nearly the same in all of
+// them. Between two runs, the interval of their own difference therefore counts. It is split so
+// that each difference from the finest run keeps its interval: the finest run has the smallest of
+// them over the square root of two, the others have the rest.
 void take_noise_of_differences(std::vector<MeasuredRun>& measured, const GateRow& row,
                                const MeasureRow& measure) {
   const std::string finest = measured.back().name;

@@ -1,9 +1,9 @@
-// How far a metric of one run may lie from that of another run of the same flow, where small
-// disturbances decide what the flow does (a wave that breaks, an impact): from repeats with
-// disturbed starts,
+// The scatter of a metric between runs of the same flow where the flow is sensitive to small
+// disturbances (a breaking wave, an impact). From n repeats with disturbed starts and the standard
+// deviation s of their metric, it is the half width of the 95 % prediction interval,
 //   U = t_(0.975, n-1) s sqrt(1 + 1/n),
-// s their standard deviation: the interval that holds one more such run in 95 % of all cases.
-// Repeats count that are alike but for their start and the particle spacing.
+// which holds one more such run in 95 % of all cases. Runs are repeats of one another where they
+// differ in their start and their particle spacing alone.
 #pragma once
 
 #include "verification/case/case_definition.hpp"
@@ -14,7 +14,7 @@ namespace slosh {
 
 bool repeat_one_another(const SphRun& one, const SphRun& other);
 
-// Zero of fewer than three repeats that have the metric, and of an ensemble (repeats = N), whose
+// Zero where fewer than three repeats have the metric, and for an ensemble (repeats = N), whose
 // mean has its own interval.
 double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                      const MeasureRow& measure);

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "verification/case/ensemble.hpp"
-#include "verification/case/run_family.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
@@ -31,7 +31,8 @@ std::vector<WorkPoint> points_of(const WorkFamily& family, Estimate MeasuredCost
   return points;
 }
 
-// Of the candidate's family those that `comparison` can compare; of the candidate it must.
+// The runs of the candidate's family that `comparison` can compare. Throws what it throws for the
+// candidate itself.
 WorkFamily family_of_row(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                          const FindComparison& comparison) {
   const std::string name = work_family(run_named(definition, row.candidate));
@@ -111,10 +112,11 @@ CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs
   const CostAtError found = cost_at_error(by_core_seconds(family), row.error.value());
   if (found.reach == Reach::not_at_all) require_all_runs(definition, runs, family);
   require_timings(family, found);
-  // An upper bound, which within the limit is enough to pass.
+  // The cost is then an upper bound, which is enough to pass where it is within the limit.
   if (found.reach == Reach::by_cheapest && row.limit && found.cost > *row.limit)
     throw ComparisonError(fmt::format(
-        "{} errs less than {} at {}: without a coarser run what that error costs is not known",
+        "the error of {} is below {} at {}: without a coarser run the cost of that error is "
+        "unknown",
         found.rests_on.front(), in_unit(*row.error, "1"), in_unit(found.cost, row.unit)));
   return found;
 }

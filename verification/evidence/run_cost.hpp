@@ -1,7 +1,7 @@
-// Costs and errors of a case's runs, by family: runs that differ in resolution alone. A cost is the
-// mean over the repeats that had a core for themselves, with the 95 % interval of Student's t, or
-// that of the campaign's own run, which others ran beside. core-seconds = user + system time, of
-// all threads and processes.
+// The costs and errors of a case's runs, by family. The runs of a family differ in resolution
+// alone. A cost is the mean over the repeats on a core of their own, with the 95 % interval of
+// Student's t; without such repeats it is the cost of the campaign's own run, beside which other
+// runs ran. core-seconds = user + system time of all threads and processes.
 #pragma once
 
 #include <string>
@@ -18,13 +18,12 @@ struct MeasuredCost {
   // Half widths of NaN where there are fewer than two timings.
   Estimate core_seconds;  // [s]
   Estimate memory;        // the largest process at its peak [byte]
-  std::size_t timings;    // alone on a core; 0: beside other runs
+  std::size_t timings;    // repeats alone on a core; 0: the run ran beside others
 
-  // With what scatter others are to be compared.
   bool has_interval() const { return timings >= 2; }
 };
 
-// Of a run that left a result.
+// The cost of a run that left a result.
 MeasuredCost cost_of(const CaseRuns& runs, const std::string& run);
 
 struct WorkRun {
@@ -34,13 +33,13 @@ struct WorkRun {
   Estimate error;  // normalised rms
 };
 
-// Of a run that left a result.
+// The cost and error of a run that left a result.
 WorkRun work_run(const RunDefinition& run, const CaseRuns& runs, const Estimate& error);
 
 struct WorkFamily {
   std::string name;           // "recommended", "recommended, shifting", "interFoam"
   std::string reference;      // of the errors
-  bool changed;               // something of an SPH scheme
+  bool changed;               // an SPH scheme with something changed
   std::vector<WorkRun> runs;  // coarse to fine
 };
 
@@ -49,8 +48,9 @@ void sort_by_resolution(WorkFamily& family);
 std::vector<WorkPoint> by_core_seconds(const WorkFamily& family);
 std::vector<WorkPoint> by_memory(const WorkFamily& family);
 
-// What a gate row's cost_to_reach is judged by (gate.hpp, MeasureCost): of the candidate's family
-// what `comparison` can compare with the row's reference.
+// The cost at which the candidate's family reaches the row's error, from those runs of the family
+// that `comparison` can compare with the row's reference. Throws as MeasureCost (gate_evidence.hpp)
+// says.
 CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,
                           const GateRow& row, const FindComparison& comparison);
 

@@ -29,7 +29,7 @@ class Descriptor {
   }
   operator int() const { return id_; }
 
-  // What a network's file system could not write shows here.
+  // A network file system may report a failed write only at the close.
   void close(const fs::path& file) {
     if (::close(std::exchange(id_, -1)) != 0) fail("cannot write", file);
   }
@@ -65,7 +65,7 @@ void replace_file(const fs::path& file, std::string_view content, Durability dur
     fs::remove(temporary, ignored);
     throw;
   }
-  // The new name itself reaches the disk with the directory.
+  // The new name reaches the disk with the directory.
   if (durability == Durability::power_loss) ::fsync(Descriptor(directory, O_RDONLY | O_DIRECTORY));
 }
 

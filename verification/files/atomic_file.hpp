@@ -1,4 +1,4 @@
-// Replaces a file as a whole: whoever reads it meets the old content or the new one, never a part.
+// Atomic replacement of a file: a reader sees the old content or the new one, never a part of it.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,12 @@
 
 namespace slosh {
 
-enum class Durability { process_crash, power_loss };  // the latter waits for the disk (fsync)
+// What the new content survives. power_loss waits for the disk (fsync).
+enum class Durability { process_crash, power_loss };
 
-// Writes to a temporary file in the same directory (made if need be) and renames it. Throws
-// std::filesystem::filesystem_error; the temporary file is gone then and the old content is as it
-// was.
+// Writes to a temporary file in the same directory (made if needed) and renames it. Throws
+// std::filesystem::filesystem_error; the temporary file is then removed and the old content
+// unchanged.
 void replace_file(const std::filesystem::path& file, std::string_view content,
                   Durability durability);
 

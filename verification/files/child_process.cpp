@@ -2,23 +2,26 @@
 
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <boost/process.hpp>
 #include <boost/process/extend.hpp>
 #include <cerrno>
 #include <cstdio>
+#include <fstream>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <system_error>
-
-#include "verification/files/adopted_processes.hpp"
+#include <thread>
 
 namespace slosh {
 namespace {
 
 namespace bp = boost::process;
+using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 using LogFile = std::unique_ptr<FILE, int (*)(FILE*)>;
@@ -33,7 +36,49 @@ LogFile open_log(const std::filesystem::path& file) {
   return log;
 }
 
-// The children that this process has started here and still owns: none of them is adopted.
+// Adopted processes have lost their parent and became children of this process: what a child has
+// started and left behind, also in a session of its own (setsid), which no signal to the child's
+// process group reaches. prctl(2), PR_SET_CHILD_SUBREAPER.
+
+constexpr auto look_interval = 2ms;
+// A process that does not end on SIGKILL waits for a device. This process does not wait for it.
+constexpr auto patience = 5s;
+
+std::set<pid_t> children() {
+  std::set<pid_t> found;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream list(thread.path() / "children");
+    for (pid_t child; list >> child;) found.insert(child);
+  }
+  return found;
+}
+
+// Makes this process adopt the orphans among its descendants from now on; one call is enough.
+void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
+
+// The adopted processes: children of this process in another process group, except `own`, which
+// this process has started itself. Reaps those that have ended.
+std::set<pid_t> adopted_processes(const std::set<pid_t>& own) {
+  std::set<pid_t> adopted;
+  for (const pid_t child : children())
+    if (!own.contains(child) && ::getpgid(child) != ::getpgrp() &&
+        ::waitpid(child, nullptr, WNOHANG) == 0)
+      adopted.insert(child);
+  return adopted;
+}
+
+// Ends all adopted processes and the orphans that they leave in turn, with SIGKILL.
+void end_adopted_processes(const std::set<pid_t>& own) {
+  const auto begin = Clock::now();
+  for (std::set<pid_t> left = adopted_processes(own);
+       !left.empty() && Clock::now() - begin < patience; left = adopted_processes(own)) {
+    for (const pid_t process : left) ::kill(process, SIGKILL);
+    std::this_thread::sleep_for(look_interval);
+  }
+}
+
+// The children that this process has started here and that are still running or not yet reaped;
+// none of them counts as adopted.
 class OwnChildren {
  public:
   void add(pid_t child) {
@@ -75,7 +120,7 @@ struct ChildProcess::State {
   }
 
   ~State() {
-    if (!child.valid()) return;  // it has never started
+    if (!child.valid()) return;  // the child has never started
     std::error_code ignored;
     signal_group(SIGKILL);
     child.wait(ignored);
@@ -117,7 +162,7 @@ bool ChildProcess::is_over() {
   if (!state_->terminated) return !child_runs;
   const bool out_of_grace = Clock::now() - *state_->terminated > state_->grace;
   if (out_of_grace) state_->signal_group(SIGKILL);
-  // Out of grace a group may still show: killed processes that nobody has reaped.
+  // After the grace the group may still exist: killed processes that nobody has reaped.
   return !child_runs && (out_of_grace || !state_->group_lives());
 }
 

@@ -10,7 +10,7 @@
 
 namespace slosh {
 
-// XXH3's state asks for 64-byte alignment, which its own allocator gives.
+// XXH3's state needs 64-byte alignment, which its own allocator provides.
 struct ContentHash::State {
   XXH3_state_t* xxh = XXH3_createState();
   ~State() { XXH3_freeState(xxh); }

@@ -1,5 +1,5 @@
-// The 128-bit XXH3 hash of bytes in 32 hexadecimal digits: guards result files and names what made
-// them. It detects accidents, not forgery.
+// The 128-bit XXH3 hash of bytes in 32 hexadecimal digits. It guards result files and names what
+// they were made from. It detects accidents, not forgery.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ class ContentHash {
   ContentHash();
   ~ContentHash();
   void add(std::string_view bytes);
-  // The whole content of a file; throws std::filesystem::filesystem_error where it cannot be read.
+  // Adds the content of a file. Throws std::filesystem::filesystem_error where it cannot be read.
   void add_file(const std::filesystem::path& file);
   std::string digits() const;
 
@@ -25,7 +25,7 @@ class ContentHash {
 
 std::string content_hash(std::string_view bytes);
 
-// Throws std::filesystem::filesystem_error.
+// The content of a file. Throws std::filesystem::filesystem_error where it cannot be read.
 std::string read_bytes(const std::filesystem::path& file);
 
 }  // namespace slosh

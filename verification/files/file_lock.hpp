@@ -1,4 +1,4 @@
-// Holds a file for this process alone (flock(2)): a process that dies leaves it free.
+// An exclusive lock on a file (flock(2)), which ends with the process that holds it.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,8 @@ namespace slosh {
 
 class FileLock {
  public:
-  // Makes the file and its directory if need be, and waits for whoever holds it; `waiting` is
-  // called about ten times a second meanwhile, and may throw. Throws
-  // std::filesystem::filesystem_error.
+  // Makes the file and its directory if needed, and waits for the lock. Meanwhile it calls
+  // `waiting` about ten times a second, which may throw. Throws std::filesystem::filesystem_error.
   explicit FileLock(const std::filesystem::path& file, const std::function<void()>& waiting = {});
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;

@@ -33,7 +33,8 @@ Handle open_dataset(hid_t parent, const std::string& name) {
   return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "open the data set " + name};
 }
 
-// A shape may be of any size and nothing of it stored: what is read is what the file holds.
+// The number of values. Throws Hdf5Error where the file stores fewer bytes than that: it may
+// declare a shape of any size without storing it.
 std::size_t point_count(hid_t dataset, const std::string& name) {
   const Handle space(H5Dget_space(dataset), H5Sclose, "get a data set's shape");
   const auto count =
@@ -45,7 +46,7 @@ std::size_t point_count(hid_t dataset, const std::string& name) {
   return static_cast<std::size_t>(count);
 }
 
-// Of more values than one HDF5 would write all.
+// Throws Hdf5Error unless the attribute has one value: HDF5 would write all of them to the buffer.
 void require_scalar(hid_t attribute, const std::string& name) {
   const Handle space(H5Aget_space(attribute), H5Sclose, "get an attribute's shape");
   const hssize_t count = checked(H5Sget_simple_extent_npoints(space), "get an attribute's shape");
@@ -54,7 +55,7 @@ void require_scalar(hid_t attribute, const std::string& name) {
                     " values, expected one");
 }
 
-// Takes over a string that HDF5 allocated; a null one is the empty string.
+// Copies and frees a string that HDF5 allocated; a null pointer gives the empty string.
 std::string take(char* text) {
   const std::string copy = text ? text : "";
   H5free_memory(text);
@@ -167,7 +168,7 @@ Handle write_numbers(hid_t parent, const std::string& name, const std::vector<do
                      int columns) {
   const int rank = columns > 1 ? 2 : 1;
   const hsize_t shape[] = {values.size() / columns, static_cast<hsize_t>(columns)};
-  // Filters ask for chunks, and an empty data set may have a chunk only where it could grow.
+  // Filters need chunks, and an empty data set may have a chunk only if it is extensible.
   const hsize_t chunk[] = {std::max<hsize_t>(shape[0], 1), shape[1]};
   const hsize_t largest[] = {H5S_UNLIMITED, shape[1]};
   const Handle space(H5Screate_simple(rank, shape, largest), H5Sclose,

@@ -1,5 +1,5 @@
-// HDF5's C handles as values that close themselves, and the few calls that this folder makes of
-// them. Each throws Hdf5Error with the library's own words in place of a negative status.
+// HDF5's C handles as RAII values, and the HDF5 calls that the project needs. Each throws Hdf5Error
+// with the library's own message in place of a negative status.
 #pragma once
 
 #include <hdf5.h>
@@ -38,7 +38,7 @@ class Handle {
   Close close_;
 };
 
-// While one lives, HDF5 does not print its error stack.
+// While an object of this class exists, HDF5 does not print its error stack.
 class QuietErrors {
  public:
   QuietErrors();
@@ -51,16 +51,16 @@ class QuietErrors {
   void* print_data_;
 };
 
-// Properties of a file that lives in memory alone, and the bytes of one whose root `write` fills.
-// On a full disk HDF5 may crash the process; nothing of it writes to the disk where that can be
-// helped.
+// The access properties of a file in memory. Files are made in memory because HDF5 may crash the
+// process on a full disk.
 Handle memory_access();
+// The bytes of a file in memory whose root group `write` fills.
 std::string image_of(const std::function<void(hid_t)>& write);
 
-Handle create_group(hid_t parent,
-                    const std::string& name);  // its members keep the order of creation
+// Makes a group whose members keep the order of creation, in which member_names() lists them.
+Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
-std::vector<std::string> member_names(hid_t group);  // in the order of creation
+std::vector<std::string> member_names(hid_t group);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);  // UTF-8
 void write_attribute(hid_t object, const std::string& name, double value);
@@ -68,8 +68,8 @@ std::string read_text_attribute(hid_t object, const std::string& name);
 double read_number_attribute(hid_t object, const std::string& name);
 std::vector<std::string> attribute_names(hid_t object);
 
-// Shape (rows) or, above one column, (rows, columns) in row-major order; each chunk carries a
-// Fletcher32 sum.
+// Writes a data set of shape (rows) for one column, or (rows, columns) in row-major order for more;
+// each chunk has a Fletcher32 checksum.
 Handle write_numbers(hid_t parent, const std::string& name, const std::vector<double>& values,
                      int columns = 1);
 std::vector<double> read_numbers(hid_t parent, const std::string& name);

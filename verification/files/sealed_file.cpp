@@ -24,7 +24,7 @@ std::string seal(const SealedKind& kind, std::string_view image) {
   return fmt::format("{}{:03d} {}\n", seal_begin(kind), kind.version, content_hash(image));
 }
 
-// The bytes of the image; throws ResultError unless the seal fits them.
+// The bytes of the image. Throws ResultError unless the seal matches them.
 std::string_view unsealed(const SealedKind& kind, std::string_view bytes) {
   const std::string begin = seal_begin(kind);
   const std::size_t seal_length = begin.size() + 3 + 1 + hash_length + 1;
@@ -43,11 +43,11 @@ std::string_view unsealed(const SealedKind& kind, std::string_view bytes) {
         fmt::format("format version {}, expected {}", version(found), version(expected)));
   }
   if (found != expected)
-    throw ResultError("its content does not fit its checksum: it has been altered");
+    throw ResultError("its content does not match its checksum: it has been altered");
   return image;
 }
 
-// What is hashed is what is parsed, and the paths and locks stay the system's affair.
+// Parses the very bytes that were hashed; HDF5 opens and locks no file.
 void read_image(std::string_view image, const std::function<void(hid_t)>& read) {
   const Handle access = hdf5::memory_access();
   checked(

@@ -25,13 +25,13 @@ void write_sealed_json(const json& body, const std::filesystem::path& file) try 
 }
 
 json read_sealed_json(const char* format, const std::filesystem::path& file) try {
-  if (!std::filesystem::exists(file)) throw ResultError(file.string() + " is not there");
+  if (!std::filesystem::exists(file)) throw ResultError(file.string() + " does not exist");
   const json document = json::parse(read_bytes(file));
   const json& body = document.at("body");
   if (document.at("hash") != content_hash(text_of(body, -1)))
     throw ResultError(file.string() + " has been altered");
   if (body.at("format") != format)
-    throw ResultError(file.string() + " is no file of the format \"" + format + "\"");
+    throw ResultError(file.string() + " does not have the format \"" + format + "\"");
   return body;
 } catch (const json::exception& error) {
   throw ResultError(file.string() + " is truncated or altered: " + error.what());

@@ -1,8 +1,8 @@
-// A small file of ours as JSON, for those that a person may want to read:
+// A sealed JSON file, for small files of this project that a person may want to read:
 //   body: its content, with the member "format" that names its kind
 //   hash: content_hash of the body's compact text
-// It is written under a temporary name and renamed when complete. The hash is checked before the
-// body is given out, so that an altered or truncated file is refused.
+// It is written under a temporary name and renamed when complete. The hash is checked when it is
+// read, so that an altered or truncated file is refused.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace slosh {
 
-// Bytes that are no UTF-8 are replaced. Throws ResultError (result_file.hpp) with the file's name.
+// Replaces bytes that are not UTF-8. Throws ResultError (result_error.hpp) with the file's name.
 void write_sealed_json(const nlohmann::json& body, const std::filesystem::path& file);
 
-// The body. Throws ResultError with the file's name where it is absent, truncated, altered, or of
-// another format than `format`.
+// The body. Throws ResultError with the file's name where the file is missing, truncated, altered,
+// or of another format than `format`.
 nlohmann::json read_sealed_json(const char* format, const std::filesystem::path& file);
 
 }  // namespace slosh

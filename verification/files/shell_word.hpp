@@ -1,11 +1,15 @@
-// A text as one word of a shell's command line, whatever is in it: for commands that are shown to
-// be repeated, never to be run from here.
+// Quotes a text as one word of a shell's command line. It serves commands that are shown for the
+// user to repeat; no command is run by a shell here.
 #pragma once
 
 #include <string>
 
 namespace slosh {
 
-std::string shell_word(const std::string& text);
+inline std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
 
 }  // namespace slosh

@@ -1,18 +1,17 @@
-// 95 % intervals of what is computed from integrals over a whole window, by the delete-one-block
-// jackknife (Kuensch 1989, Ann. Statist. 17:1217): with S_j the integrals over the j-th of K blocks
-// and S their sum,
+// 95 % intervals of quantities that are computed from integrals over a whole window, by the
+// delete-one-block jackknife (Kuensch 1989, Ann. Statist. 17:1217). With S_j the integrals over the
+// j-th of K blocks and S their sum,
 //   theta_j = f(S - S_j),   variance = (K - 1) / K sum_j (theta_j - mean theta)^2,
-// half width = Student's t of K - 1 degrees of freedom at 97.5 % times the root of it. The blocks
-// are as long as the longest period or longer, so that they say nearly independent things of the
-// window: how far the figure would be another in another window of the same flow. A transient has
-// no such blocks.
+// half width = Student's t of K - 1 degrees of freedom at 97.5 % times the square root of the
+// variance. The blocks are at least as long as the longest period, so that they are nearly
+// independent: the interval covers the value in another window of the same flow. A transient has no
+// such blocks.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <vector>
 
-#include "verification/fits/harmonic_fit.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 
@@ -26,11 +25,12 @@ struct BlockIntegrals {
 
 inline constexpr int fewest_blocks = 3, most_blocks = 8;
 
-// As many blocks as there are of the period in the duration, at most most_blocks [both s]; 1 where
-// there would be fewer than fewest_blocks.
+// The number of whole periods in the duration [both s], at most most_blocks; 1 where it would be
+// below fewest_blocks.
 int block_count(double duration, double longest_period);
 
-// `of` whole sums. The half width of a single block is zero: none is known.
+// The value of `of` for the sum of all blocks, with its interval. A single block has a half width
+// of zero: its interval is unknown.
 Estimate block_jackknife(const std::vector<BlockIntegrals>& blocks,
                          const std::function<double(const BlockIntegrals&)>& of);
 

@@ -46,7 +46,7 @@ MatrixXd unit_columns(const MatrixXd& columns) {
 
 MatrixXd orthonormal(const MatrixXd& columns, double least) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(transposed_product(columns, columns));
-  // The eigenvalues ascend: those to keep are the last.
+  // The eigenvalues ascend, so that those to keep come last.
   const Index kept = (eigen.eigenvalues().array() > least).count();
   const VectorXd lengths = eigen.eigenvalues().tail(kept).cwiseSqrt();
   return product(columns,
@@ -54,7 +54,7 @@ MatrixXd orthonormal(const MatrixXd& columns, double least) {
 }
 
 VectorXd orthogonal_part(VectorXd value, const MatrixXd& basis) {
-  // Once more, of what round-off has left.
+  // The second pass removes the error that round-off leaves.
   for (int pass = 0; pass < 2; ++pass) value -= basis * (basis.transpose() * value);
   return value;
 }

@@ -1,5 +1,5 @@
-// Products, decompositions and bases of dense matrices. They are Eigen's, all compiled in one file:
-// their templates would take most of the compilation of every file that used them.
+// Products, decompositions and bases of dense matrices. All are Eigen's, compiled in this one file,
+// because the templates would dominate the compile time of every file that used them.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -7,22 +7,22 @@
 
 namespace slosh {
 
-// A matrix, or a block of the rows or columns of one.
+// A matrix, or a block of its rows or columns.
 using MatrixView = Eigen::Ref<const Eigen::MatrixXd>;
 
-// a b, of m x k and k x n.
+// a b, with a of m x k and b of k x n.
 Eigen::MatrixXd product(const MatrixView& a, const MatrixView& b);
 
-// a^T b, of k x m and k x n.
+// a^T b, with a of k x m and b of k x n.
 Eigen::MatrixXd transposed_product(const MatrixView& a, const MatrixView& b);
 
-// Solves equations of one symmetric positive semidefinite matrix (Cholesky, L D L^T).
+// Solves linear systems with one symmetric positive semidefinite matrix (Cholesky, L D L^T).
 class SymmetricFactors {
  public:
   SymmetricFactors() = default;
   explicit SymmetricFactors(const Eigen::MatrixXd& matrix);
 
-  // x of matrix x = right; of each column of `right`.
+  // The solution x of matrix x = right; solve_columns() solves for each column of `right`.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& right) const;
 
@@ -42,14 +42,15 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& columns, const Eigen::Vecto
 // One over each column's length.
 Eigen::VectorXd inverse_lengths(const Eigen::MatrixXd& columns);
 
-// The columns at unit length: those of a weak tone would vanish beside those that carry seconds.
+// The columns scaled to unit length. Without it, the columns of a weak tone would vanish beside
+// those that are multiplied by the time.
 Eigen::MatrixXd unit_columns(const Eigen::MatrixXd& columns);
 
-// Orthonormal columns that span these, without the directions in which their squares sum to no
-// more than `least`.
+// Orthonormal columns that span the given ones, without the directions in which the sum of their
+// squares is at most `least`.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double least);
 
-// What is orthogonal to an orthonormal basis.
+// The part of the values that is orthogonal to an orthonormal basis.
 Eigen::VectorXd orthogonal_part(Eigen::VectorXd value, const Eigen::MatrixXd& basis);
 
 }  // namespace slosh

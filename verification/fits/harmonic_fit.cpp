@@ -1,7 +1,5 @@
 #include "verification/fits/harmonic_fit.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -15,14 +13,14 @@ namespace {
 
 using std::numbers::pi;
 
-// sqrt(13.28), the 99 % point of chi-square with the four parameters of a refined tone: what the
-// search finds in noise alone stays below this many standard errors.
+// sqrt(13.28), the 99 % point of chi-square with the four parameters of a refined tone. In noise
+// alone, the amplitude that the search finds stays below this many standard errors.
 constexpr double detection_level = 3.644, normal_quantile = 1.959964;
 
-// Whether the search ended at an end of its range, so that the data would have it outside.
+// Whether the search ended at an end of its range: the optimum may lie outside.
 bool at_edge(double value, double low, double high) {
-  const double edge =
-      1e-3 * (high - low);  // as near as the sine's flat ends let it come for certain
+  // The map to the range is a sine, flat at its ends: the search surely comes this close.
+  const double edge = 1e-3 * (high - low);
   return !(value > low + edge && value < high - edge);
 }
 
@@ -44,14 +42,15 @@ void widen(Tone& tone, const ToneRange& range) {
   tone.phase.half_width = tone.phase_at_middle.half_width = pi;
 }
 
-// What the window cannot tell from the tone corrects nothing of it: the estimate stays the fit's.
-LeftoverModel correcting(const LeftoverModel& leftovers, const std::optional<double>& beside) {
-  return beside ? leftovers.without_corrections() : leftovers;
+// An unnamed tone that the window cannot tell from the requested one must not correct it: the
+// estimate stays that of the fit.
+ResidualModel correcting(const ResidualModel& model, const std::optional<double>& beside) {
+  return beside ? model.without_corrections() : model;
 }
 
-Tone tone_of(const WindowFit& fit, std::size_t k, const LeftoverModel& leftovers) {
-  const auto beside = fit.beside(k, leftovers);
-  const WindowFit::ToneEstimates found = fit.estimates(k, correcting(leftovers, beside));
+Tone tone_of(const WindowFit& fit, std::size_t k, const ResidualModel& model) {
+  const auto beside = fit.beside(k, model);
+  const WindowFit::ToneEstimates found = fit.estimates(k, correcting(model, beside));
   Tone tone{.name = fit.requests[k].name,
             .resolved = detected(found.amplitude),
             .angular_frequency = found.angular_frequency,
@@ -65,35 +64,34 @@ Tone tone_of(const WindowFit& fit, std::size_t k, const LeftoverModel& leftovers
   return tone;
 }
 
-// c0 and c1 are those of 1 and 2 s / span - 1.
+// The fit's first two coefficients belong to the columns 1 and 2 s / span - 1.
 HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
   const Eigen::VectorXd residual = fit.residual(cut.time, cut.value);
-  const LeftoverModel leftovers = fit.leftovers(cut.time, residual);
+  const ResidualModel model = fit.residual_model(cut.time, residual);
   HarmonicFit found{
       .mean = fit.coefficients[0],
       .trend = 2 * fit.coefficients[1] / (fit.window.end - fit.window.begin),
       .tones = {},
       .residual_rms = std::sqrt(residual.squaredNorm() / static_cast<double>(residual.size()))};
   for (std::size_t k = 0; k < fit.requests.size(); ++k)
-    found.tones.push_back(tone_of(fit, k, leftovers));
+    found.tones.push_back(tone_of(fit, k, model));
   return found;
 }
 
-// Of the tone's amplitude. A tone half a spectral bin off leaves three quarters of itself beside
-// the fitted one: where what is left of two series differs by less than this, what either tone is
-// part of differs by little more.
+// As a share of the tone's amplitude. Of an unnamed tone half a spectral bin off, the fit leaves
+// three quarters in the residual: where two residuals differ by less than this share, the unnamed
+// tones differ by little more.
 constexpr double alike_share = 0.01;
 
-// What the fits leave of the candidate less what they leave of the reference, that scaled by the
-// ratio of the tone's amplitudes.
-struct LeftDifference {
-  Eigen::VectorXd left;
-  double share;           // its root mean square over the candidate's amplitude
-  double reference_rest;  // the root mean square that is left of the reference over its amplitude
+// The candidate's residual less the reference's, the latter scaled by the ratio of the amplitudes.
+struct ResidualDifference {
+  Eigen::VectorXd values;
+  double share;            // rms of the values over the candidate's amplitude
+  double reference_share;  // rms of the reference's residual over the reference's amplitude
 };
 
-LeftDifference left_difference(const WindowFit& candidate, const WindowFit& reference,
-                               std::size_t k, const CommonSamples& common) {
+ResidualDifference residual_difference(const WindowFit& candidate, const WindowFit& reference,
+                                       std::size_t k, const CommonSamples& common) {
   const auto amplitude = [k](const WindowFit& fit) {
     return fit.coefficients.segment<2>(static_cast<Eigen::Index>(2 + 2 * k)).norm();
   };
@@ -102,21 +100,22 @@ LeftDifference left_difference(const WindowFit& candidate, const WindowFit& refe
     return std::sqrt(of.squaredNorm() / static_cast<double>(of.size()));
   };
   const Eigen::VectorXd of_reference = reference.residual(common.time, common.reference);
-  Eigen::VectorXd left = candidate.residual(common.time, common.candidate) - ratio * of_reference;
-  const double share = rms(left) / amplitude(candidate);
-  return {std::move(left), share, rms(of_reference) / amplitude(reference)};
+  Eigen::VectorXd values = candidate.residual(common.time, common.candidate) - ratio * of_reference;
+  const double share = rms(values) / amplitude(candidate);
+  return {std::move(values), share, rms(of_reference) / amplitude(reference)};
 }
 
-bool each_told(const Tone& candidate, const Tone& reference) {
+bool both_distinct(const Tone& candidate, const Tone& reference) {
   return !candidate.beside && !reference.beside;
 }
 
-bool can_be_paired(const Tone& candidate, const Tone& reference, const LeftDifference& difference) {
+bool can_be_paired(const Tone& candidate, const Tone& reference,
+                   const ResidualDifference& difference) {
   return candidate.resolved && reference.resolved &&
-         (each_told(candidate, reference) || difference.share < alike_share);
+         (both_distinct(candidate, reference) || difference.share < alike_share);
 }
 
-// Of two tones that know nothing of one another.
+// The difference of two tones whose errors are independent.
 PairedDifference unpaired(const Tone& candidate, const Tone& reference) {
   const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
     return {c.value - r.value, std::hypot(c.half_width, r.half_width)};
@@ -134,10 +133,10 @@ PairedDifference unpaired(const Tone& candidate, const Tone& reference) {
 }
 
 PairedDifference paired(const WindowFit& candidate, const WindowFit& reference, std::size_t k,
-                        const LeftoverModel& leftovers) {
-  const auto beside = candidate.beside(k, leftovers);
-  const auto of_c = candidate.estimates(k, correcting(leftovers, beside));
-  const auto of_r = reference.estimates(k, leftovers.without_corrections());
+                        const ResidualModel& model) {
+  const auto beside = candidate.beside(k, model);
+  const auto of_c = candidate.estimates(k, correcting(model, beside));
+  const auto of_r = reference.estimates(k, model.without_corrections());
   const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
     return {c.value - r.value, c.half_width};
   };
@@ -151,14 +150,14 @@ PairedDifference paired(const WindowFit& candidate, const WindowFit& reference, 
           .beside = beside};
 }
 
-// Where both tones are part of something else that is alike in both, an unnamed tone of the complex
-// amplitude U beside the named one's T, the fits give T + k U: the ratio is then
-// 1 + d T / (T + k U) in place of 1 + d. Its error is d k U / T to the first order. A tone 0.35,
-// 0.4 and 0.5 of a bin off has |k U| of 2.0, 1.6 and 1.2 times the root mean square that the fit
-// leaves of it: twice that of the reference holds the error down to 0.35 of a bin, where 89 to 95 %
-// of the intervals were counted to hold the truth, and is wide for half a bin, where 98 to 99 % do.
-PairedDifference widened_by_the_rest(PairedDifference difference, double reference_rest) {
-  const double rest = 2 * reference_rest;
+// Both series may hold the same unnamed tone, of complex amplitude U, that the window cannot tell
+// from the named one, T. The fits then give T + k U, and the ratio is 1 + d T / (T + k U) in place
+// of 1 + d. Its error is d k U / T to first order. For an unnamed tone 0.35, 0.4 and 0.5 of a bin
+// off, |k U| is 2.0, 1.6 and 1.2 times the rms that it leaves in the residual. Twice the rms of the
+// reference's residual therefore bounds the error down to 0.35 of a bin: there 89 to 95 % of the
+// intervals were counted to hold the truth. At half a bin the bound is wide: 98 to 99 % do.
+PairedDifference widened_by_unnamed(PairedDifference difference, double reference_share) {
+  const double rest = 2 * reference_share;
   const auto widen = [](Estimate& estimate, double by) {
     estimate.half_width = std::hypot(estimate.half_width, by);
   };
@@ -173,33 +172,6 @@ PairedDifference widened_by_the_rest(PairedDifference difference, double referen
 }
 
 }  // namespace
-
-void require_resolved(TimeWindow window, const std::vector<ToneRequest>& requests) {
-  const double length = window.end - window.begin;
-  const auto require_apart = [&](double difference, const std::string& which) {
-    const double needed = 2 * pi / std::abs(difference);
-    if (!(length > needed)) {
-      throw ComparisonError(
-          fmt::format("the window of {:.4g} s cannot resolve {}; needed: more than {:.4g} s",
-                      length, which, needed));
-    }
-  };
-  const auto describe = [](const ToneRequest& tone) {
-    return fmt::format("{} ({:.4g} Hz)", tone.name, tone.angular_frequency / (2 * pi));
-  };
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!(requests[i].angular_frequency > 0)) {
-      throw ComparisonError(describe(requests[i]) + ": expected a positive frequency");
-    }
-    require_apart(requests[i].angular_frequency, describe(requests[i]) + " from the mean");
-    for (std::size_t j = 0; j < i; ++j) {
-      require_apart(requests[i].angular_frequency - requests[j].angular_frequency,
-                    describe(requests[j]) + " from " + describe(requests[i]));
-    }
-  }
-}
-
-double wrap_angle(double angle) { return std::remainder(angle, 2 * pi); }
 
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests) {
@@ -218,14 +190,16 @@ PairedDifference paired_difference(const SeriesFit& candidate, const SeriesFit& 
   const CommonSamples common =
       common_samples(candidate.series(), cut_to_window(reference.series(), reference.fit().window));
   const Tone &of_c = candidate.harmonics().tones[k], &of_r = reference.harmonics().tones[k];
-  const LeftDifference left = left_difference(candidate.fit(), reference.fit(), k, common);
+  const ResidualDifference residuals =
+      residual_difference(candidate.fit(), reference.fit(), k, common);
   PairedDifference apart = unpaired(of_c, of_r);
-  if (!can_be_paired(of_c, of_r, left)) return apart;
-  const PairedDifference difference = paired(candidate.fit(), reference.fit(), k,
-                                             candidate.fit().leftovers(common.time, left.left, k));
+  if (!can_be_paired(of_c, of_r, residuals)) return apart;
+  const PairedDifference difference =
+      paired(candidate.fit(), reference.fit(), k,
+             candidate.fit().residual_model(common.time, residuals.values, k));
   if (!difference.beside)
-    return each_told(of_c, of_r) ? difference
-                                 : widened_by_the_rest(difference, left.reference_rest);
+    return both_distinct(of_c, of_r) ? difference
+                                     : widened_by_unnamed(difference, residuals.reference_share);
   apart.beside = difference.beside;
   return apart;
 }

@@ -7,13 +7,14 @@
 #include <numbers>
 
 #include "verification/fits/dense_algebra.hpp"
+#include "verification/fits/tone_search.hpp"
 
 namespace slosh {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-// 2.5 spectral bins to either side: up to 10 degrees of freedom.
+// The band reaches 2.5 spectral bins to either side: up to 10 degrees of freedom.
 constexpr int half_band = 5;
 
 // R x with R_ij = correlation^|i - j|.
@@ -29,8 +30,8 @@ MatrixXd correlated(const MatrixXd& columns, double correlation) {
   return ahead + behind - columns;
 }
 
-// The likelihoods of noises of one correlation after another: what does not depend on it is
-// computed once.
+// The likelihood of a noise as a function of its correlation. Everything that does not depend on
+// the correlation is computed once.
 class RestrictedLikelihood {
  public:
   explicit RestrictedLikelihood(const FittedSamples& fit)
@@ -46,10 +47,10 @@ class RestrictedLikelihood {
     mixed_ += mixed_.transpose().eval();
   }
 
-  // The logarithm, the level eliminated.
+  // The logarithm of the likelihood, with the level eliminated.
   double log(double correlation) const {
     const double square = correlation * correlation;
-    // The products of whitened() columns.
+    // These are the products of the columns after whitened().
     const MatrixXd products =
         first_ + (later_ - correlation * mixed_ + square * earlier_) / (1 - square);
     const MatrixXd normal = products.topLeftCorner(parameters_, parameters_);
@@ -89,7 +90,7 @@ MatrixXd band_about(const VectorXd& elapsed, double angular_frequency, double sp
 
 std::vector<LikelyNoise> likely_noises(const FittedSamples& fit) {
   if (fit.residual.squaredNorm() == 0) return {{0, 1}};
-  // Correlation times of 0, then doubling from half a sample to twice the window.
+  // The correlation times are 0, then double from half a sample to twice the window.
   const RestrictedLikelihood likelihood(fit);
   std::vector<LikelyNoise> noises{{0, likelihood.log(0)}};
   for (double samples = 0.5; samples < 2.0 * static_cast<double>(fit.elapsed.size()); samples *= 2)
@@ -116,7 +117,7 @@ LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, doubl
                        const ParameterNoise& of_parameters) {
   const MatrixXd band = band_about(fit.elapsed, angular_frequency, span, half_band);
   const MatrixXd outside = band - product(fit.basis, transposed_product(fit.basis, band));
-  // Directions that the fit takes more than half of tell of the fit.
+  // Directions that lie more than half in the range of the fit are left out.
   const MatrixXd directions = orthonormal(outside, 0.5);
   if (directions.cols() == 0) return;
   const auto count = static_cast<double>(directions.cols());

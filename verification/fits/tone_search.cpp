@@ -7,14 +7,14 @@
 #include <numbers>
 
 #include "verification/fits/dense_algebra.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-// low at u = -pi/2, high at pi/2.
+// The value in the range: low at u = -pi/2, high at pi/2.
 double inside(double low, double high, double u) {
   return 0.5 * (low + high) + 0.5 * (high - low) * std::sin(u);
 }
@@ -23,7 +23,7 @@ double angle_of(double low, double high, double value) {
   return std::asin(std::clamp((2 * value - low - high) / (high - low), -1.0, 1.0));
 }
 
-// The shapes as two angles each.
+// The shapes that these angles stand for, two angles per shape.
 std::vector<ToneShape> shapes_of(const std::vector<ToneRange>& ranges, const VectorXd& angles) {
   std::vector<ToneShape> shapes;
   Index next = 0;
@@ -53,8 +53,8 @@ MatrixXd columns_of(const VectorXd& elapsed, const std::vector<ToneShape>& shape
   return columns;
 }
 
-// Least squares of values, orthogonal to an orthonormal basis, by tones less what the basis takes
-// of them.
+// Least squares of values that are orthogonal to an orthonormal basis, by the parts of the tones
+// orthogonal to it.
 struct ReducedFit {
   MatrixXd tones, in_basis;  // the tones' columns, and their products with the basis
   SymmetricFactors normal;
@@ -70,7 +70,7 @@ ReducedFit reduced_fit(const VectorXd& elapsed, const VectorXd& left, const Matr
                                 transposed_product(fit.in_basis, fit.in_basis));
   fit.coefficients = VectorXd::Zero(fit.tones.cols());
   fit.residual = left;
-  // Once more, of what the squared condition number has left.
+  // The second pass corrects the error that the squared condition number leaves.
   for (int pass = 0; pass < 2; ++pass) {
     const VectorXd more = fit.normal.solve(fit.tones.transpose() * fit.residual);
     fit.coefficients += more;
@@ -79,7 +79,7 @@ ReducedFit reduced_fit(const VectorXd& elapsed, const VectorXd& left, const Matr
   return fit;
 }
 
-// d tones / d angles, one column each.
+// The derivatives of the fitted tones by the angles, one column each.
 MatrixXd slopes(const VectorXd& elapsed, const ReducedFit& fit,
                 const std::vector<ToneRange>& ranges, const VectorXd& angles) {
   MatrixXd columns(elapsed.size(), angles.size());
@@ -112,6 +112,55 @@ ReducedNormal reduced_normal(const ReducedFit& fit, const MatrixXd& basis, const
           slope.transpose() * fit.residual};
 }
 
+// Trial frequencies half a spectral bin apart, so that one of them lies inside the main lobe, each
+// with those of the decay rates that are below the range's end.
+std::vector<ToneShape> trial_shapes(const ToneRange& range, double span,
+                                    const std::vector<double>& decays_per_span) {
+  const double width = range.high.angular_frequency - range.low.angular_frequency;
+  const int cells = 1 + static_cast<int>(width * span / std::numbers::pi);
+  std::vector<ToneShape> trials;
+  for (int i = 0; i < cells; ++i) {
+    for (const double decays : decays_per_span) {
+      const double decay_rate = decays / span;
+      if (decay_rate >= range.high.decay_rate) continue;
+      trials.push_back({range.low.angular_frequency + width * (i + 0.5) / cells, decay_rate});
+    }
+  }
+  return trials;
+}
+
+// Tones that are tried one by one; their columns are computed once.
+class TrialTones {
+ public:
+  // Requires at least one shape.
+  TrialTones(const VectorXd& elapsed, std::vector<ToneShape> shapes)
+      : shapes_(std::move(shapes)), columns_(columns_of(elapsed, shapes_)) {}
+
+  // The shape that explains most of the part of the values orthogonal to the basis.
+  ToneShape best(const VectorXd& value, const MatrixXd& basis) const {
+    const MatrixXd in_basis = transposed_product(basis, columns_);
+    const VectorXd products = columns_.transpose() * orthogonal_part(value, basis);
+    double most = -1;
+    std::size_t best = 0;
+    for (std::size_t k = 0; k < shapes_.size(); ++k) {
+      const Index column = 2 * static_cast<Index>(k);
+      const auto tone = columns_.middleCols<2>(column), taken = in_basis.middleCols<2>(column);
+      const MatrixXd square = transposed_product(tone, tone) - transposed_product(taken, taken);
+      const VectorXd with_value = products.segment<2>(column);
+      const double explained = with_value.dot(SymmetricFactors(square).solve(with_value));
+      if (explained > most) {
+        most = explained;
+        best = k;
+      }
+    }
+    return shapes_[best];
+  }
+
+ private:
+  std::vector<ToneShape> shapes_;
+  MatrixXd columns_;  // two of each shape
+};
+
 }  // namespace
 
 std::vector<ToneRange> tone_ranges(const std::vector<ToneRequest>& requests, double span) {
@@ -135,7 +184,8 @@ std::vector<ToneRange> tone_ranges(const std::vector<ToneRequest>& requests, dou
 MatrixXd tone_columns(const VectorXd& elapsed, const ToneShape& shape) {
   const std::complex<double> rate(-shape.decay_rate, shape.angular_frequency);
   const Index count = elapsed.size();
-  // Equal steps turn by the same factor; afresh every so often, before round-off adds up.
+  // Over equal steps the tone turns by the same factor. The exponential is computed anew every 32
+  // steps, before round-off adds up.
   constexpr Index turns = 32;
   const double step = count > 1 ? (elapsed[count - 1] - elapsed[0]) / double(count - 1) : 0;
   const std::complex<double> turn = std::exp(rate * step);
@@ -166,48 +216,11 @@ ToneFit fit_tones(const VectorXd& elapsed, const VectorXd& value, const MatrixXd
   }
   const SymmetricFactors normal(transposed_product(fit.basis, fit.basis));
   fit.coefficients = normal.solve(fit.basis.transpose() * value);
-  // Once more, of what the squared condition number has left.
+  // The second solution corrects the error that the squared condition number leaves.
   fit.residual = value - fit.basis * fit.coefficients;
   fit.coefficients += normal.solve(fit.basis.transpose() * fit.residual);
   fit.residual = value - fit.basis * fit.coefficients;
   return fit;
-}
-
-std::vector<ToneShape> trial_shapes(const ToneRange& range, double span,
-                                    const std::vector<double>& decays_per_span) {
-  const double width = range.high.angular_frequency - range.low.angular_frequency;
-  const int cells = 1 + static_cast<int>(width * span / std::numbers::pi);
-  std::vector<ToneShape> trials;
-  for (int i = 0; i < cells; ++i) {
-    for (const double decays : decays_per_span) {
-      const double decay_rate = decays / span;
-      if (decay_rate >= range.high.decay_rate) continue;
-      trials.push_back({range.low.angular_frequency + width * (i + 0.5) / cells, decay_rate});
-    }
-  }
-  return trials;
-}
-
-TrialTones::TrialTones(const VectorXd& elapsed, std::vector<ToneShape> shapes)
-    : shapes_(std::move(shapes)), columns_(columns_of(elapsed, shapes_)) {}
-
-ToneShape TrialTones::best(const VectorXd& value, const MatrixXd& basis) const {
-  const MatrixXd in_basis = transposed_product(basis, columns_);
-  const VectorXd products = columns_.transpose() * orthogonal_part(value, basis);
-  double most = -1;
-  std::size_t best = 0;
-  for (std::size_t k = 0; k < shapes_.size(); ++k) {
-    const Index column = 2 * static_cast<Index>(k);
-    const auto tone = columns_.middleCols<2>(column), taken = in_basis.middleCols<2>(column);
-    const MatrixXd square = transposed_product(tone, tone) - transposed_product(taken, taken);
-    const VectorXd with_value = products.segment<2>(column);
-    const double explained = with_value.dot(SymmetricFactors(square).solve(with_value));
-    if (explained > most) {
-      most = explained;
-      best = k;
-    }
-  }
-  return shapes_[best];
 }
 
 std::vector<ToneShape> refine_tones(const VectorXd& elapsed, const VectorXd& value,
@@ -260,7 +273,7 @@ std::vector<ToneShape> search_tones(const VectorXd& elapsed, const VectorXd& val
                         .best(value, beside(found)));
     found.push_back(start.back());
   }
-  // Below round-off of the sum of squares nothing is to be gained.
+  // A smaller gain would be below the round-off of the sum of squares.
   const std::vector<ToneShape> best = refine_tones(elapsed, value, basis, refined, start, 1e-14);
   std::vector<ToneShape> shapes;
   auto next = best.begin();

@@ -18,11 +18,11 @@ TrialSpectrum::TrialSpectrum(const VectorXd& elapsed, double low, double high, d
                              const std::function<bool(const ToneShape&)>& admits) {
   const Index count = elapsed.size();
   const double interval = (elapsed[count - 1] - elapsed[0]) / static_cast<double>(count - 1);
-  // The factor absorbs round-off.
+  // The factor allows for round-off.
   const auto least = static_cast<Index>(std::ceil((1 - 1e-9) * 2 * pi / (spacing * interval)));
   length_ = fast_length(std::max(least, count));
   step_ = 2 * pi / (static_cast<double>(length_) * interval);
-  // Twice each frequency has its place in the transforms too.
+  // The transforms must also hold twice each frequency.
   const auto last = std::min(static_cast<Index>(high / step_), (length_ / 2) / 2);
   for (const double decay_rate : decay_rates) {
     OneDecay one{decay_rate, (-decay_rate * elapsed).array().exp(), {}, {}};
@@ -44,8 +44,8 @@ ToneShape TrialSpectrum::best(const VectorXd& value, const MatrixXd& basis) cons
   double most = -1;
   ToneShape found{};
   for (const OneDecay& one : decays_) {
-    // Their real parts are the products with the cosine, their imaginary parts the negative ones
-    // with the sine, of a tone that is counted from the first time on.
+    // The real parts are the products with the cosine, the imaginary parts the negative products
+    // with the sine, of a tone whose phase counts from the first time.
     const MatrixXcd products =
         fourier_transforms(one.envelope.asDiagonal() * columns, length_).transpose();
     const double sum = one.squares[0].real();

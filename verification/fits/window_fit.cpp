@@ -1,7 +1,5 @@
 #include "verification/fits/window_fit.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -22,7 +20,7 @@ Eigen::Map<const VectorXd> vector_of(const std::vector<double>& values) {
   return {values.data(), static_cast<Index>(values.size())};
 }
 
-// 1 and 2 s / span - 1.
+// The columns 1 and 2 s / span - 1.
 MatrixXd mean_and_trend(const VectorXd& elapsed, TimeWindow window) {
   MatrixXd columns(elapsed.size(), 2);
   columns.col(0).setOnes();
@@ -43,25 +41,6 @@ MatrixXd basis_of(const VectorXd& elapsed, TimeWindow window,
 }
 
 }  // namespace
-
-void require_sampled(const TimeSeries& cut, const std::vector<ToneRequest>& requests) {
-  double highest = 0;
-  for (const ToneRequest& request : requests)
-    highest = std::max(highest, request.angular_frequency);
-  // Ten samples per period: below, the cubic interpolation beside this fit errs by more than 1 %.
-  const double longest_interval = 2 * pi / (10 * highest);
-  for (std::size_t i = 1; i < cut.time.size(); ++i) {
-    if (!(cut.time[i] - cut.time[i - 1] <= longest_interval)) {
-      throw ComparisonError(
-          fmt::format("{}: no sample between {} s and {} s; expected intervals up to {:.3g} s",
-                      cut.name, cut.time[i - 1], cut.time[i], longest_interval));
-    }
-  }
-  if (cut.time.size() < 2 * (2 + 4 * requests.size())) {
-    throw ComparisonError(fmt::format("{}: {} samples are too few to fit {} tones", cut.name,
-                                      cut.time.size(), requests.size()));
-  }
-}
 
 MatrixXd WindowFit::jacobian(const std::vector<double>& time) const {
   const VectorXd elapsed = elapsed_of(time, window);
@@ -87,38 +66,38 @@ VectorXd WindowFit::residual(const std::vector<double>& time,
   return vector_of(value) - basis_of(elapsed_of(time, window), window, shapes) * coefficients;
 }
 
-LeftoverModel WindowFit::leftovers(const std::vector<double>& time, const VectorXd& left,
-                                   std::optional<std::size_t> k) const {
-  return model_leftovers(elapsed_of(time, window), jacobian(time), left, shapes, ranges,
-                         window.end - window.begin, k);
+ResidualModel WindowFit::residual_model(const std::vector<double>& time, const VectorXd& residuals,
+                                        std::optional<std::size_t> k) const {
+  return model_residual(elapsed_of(time, window), jacobian(time), residuals, shapes, ranges,
+                        window.end - window.begin, k);
 }
 
-WindowFit::ToneEstimates WindowFit::estimates(std::size_t k, const LeftoverModel& leftovers) const {
+WindowFit::ToneEstimates WindowFit::estimates(std::size_t k, const ResidualModel& model) const {
   const auto cosine = static_cast<Index>(2 + 2 * k);
   const auto refined_before =
       std::count_if(requests.begin(), requests.begin() + static_cast<std::ptrdiff_t>(k),
                     [](const auto& r) { return r.refine; });
   const auto shape = static_cast<Index>(2 + 2 * requests.size()) + 2 * refined_before;
   const bool refine = requests[k].refine;
-  const double a = coefficients[cosine] + leftovers.correction[cosine],
-               b = coefficients[cosine + 1] + leftovers.correction[cosine + 1];
-  const double w = shapes[k].angular_frequency + (refine ? leftovers.correction[shape] : 0),
-               g = shapes[k].decay_rate + (refine ? leftovers.correction[shape + 1] : 0);
+  const double a = coefficients[cosine] + model.correction[cosine],
+               b = coefficients[cosine + 1] + model.correction[cosine + 1];
+  const double w = shapes[k].angular_frequency + (refine ? model.correction[shape] : 0),
+               g = shapes[k].decay_rate + (refine ? model.correction[shape + 1] : 0);
   const double amplitude = std::hypot(a, b), square = amplitude * amplitude;
   const auto half_width = [&](double by_a, double by_b, double by_w, double by_g) {
-    VectorXd gradient = VectorXd::Zero(leftovers.correction.size());
+    VectorXd gradient = VectorXd::Zero(model.correction.size());
     gradient[cosine] = by_a;
     gradient[cosine + 1] = by_b;
     if (refine) gradient.segment<2>(shape) << by_w, by_g;
-    return leftovers.noise[k].half_width(gradient);
+    return model.noise[k].half_width(gradient);
   };
-  // Where the correction may as well be the tone's own, it is uncertain by all of it.
+  // Where the correction may equally well belong to the tone itself, all of it is uncertain.
   const auto corrected = [&](double value, double uncorrected, double half) -> Estimate {
-    return {value, half + (leftovers.beside[k] ? std::abs(value - uncorrected) : 0)};
+    return {value, half + (model.beside[k] ? std::abs(value - uncorrected) : 0)};
   };
   const double a0 = coefficients[cosine], b0 = coefficients[cosine + 1];
   const double w0 = shapes[k].angular_frequency, g0 = shapes[k].decay_rate;
-  // This long after the window's begin.
+  // The phase at a time since the window's begin [s].
   const auto phase_after = [&](double time) {
     const double angle = std::atan2(-b, a) + w * time,
                  change = angle - std::atan2(-b0, a0) - w0 * time;
@@ -134,12 +113,12 @@ WindowFit::ToneEstimates WindowFit::estimates(std::size_t k, const LeftoverModel
           .phase_at_middle = phase_after(0.5 * (window.end - window.begin))};
 }
 
-std::optional<double> WindowFit::beside(std::size_t k, const LeftoverModel& leftovers) const {
+std::optional<double> WindowFit::beside(std::size_t k, const ResidualModel& model) const {
   const auto cosine = static_cast<Index>(2 + 2 * k);
-  const double shift = leftovers.correction.segment<2>(cosine).norm();
-  if (leftovers.noise[k].known() && shift < largest_shift * coefficients.segment<2>(cosine).norm())
+  const double shift = model.correction.segment<2>(cosine).norm();
+  if (model.noise[k].known() && shift < largest_shift * coefficients.segment<2>(cosine).norm())
     return std::nullopt;
-  return leftovers.beside[k];
+  return model.beside[k];
 }
 
 WindowFit fit_window(const TimeSeries& cut, TimeWindow window,

@@ -1,12 +1,13 @@
-// One series fitted over a window by the model of harmonic_fit.hpp, with what is needed to say more
-// of it than its tones. Private to the metrics.
+// The fit of one series over a window by the model of harmonic_fit.hpp, with all that the estimates
+// and their intervals need. Private to verification/fits/.
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
-#include "verification/fits/harmonic_fit.hpp"
-#include "verification/fits/leftover_model.hpp"
+#include "verification/fits/residual_model.hpp"
+#include "verification/fits/tone_request.hpp"
 #include "verification/fits/tone_search.hpp"
 
 namespace slosh {
@@ -18,27 +19,29 @@ struct WindowFit {
   std::vector<ToneShape> shapes;
   Eigen::VectorXd coefficients;  // c0, c1, then a and b of each tone
 
-  // At any times [s]: d model / d (c0, c1, a_0, b_0, ...), then (w, g) of each refined tone.
+  // The derivatives at any times [s]: d model / d (c0, c1, a_0, b_0, ...), then by (w, g) of each
+  // refined tone; one column per parameter.
   Eigen::MatrixXd jacobian(const std::vector<double>& time) const;
   // Values less the model.
   Eigen::VectorXd residual(const std::vector<double>& time, const std::vector<double>& value) const;
-  // What is left of values at these times, such as residual() gives, and what it says of the tones,
-  // or of the k-th alone.
-  LeftoverModel leftovers(const std::vector<double>& time, const Eigen::VectorXd& left,
-                          std::optional<std::size_t> k = {}) const;
+  // Models a residual at these times, such as residual() gives, about all tones, or about the k-th
+  // tone alone.
+  ResidualModel residual_model(const std::vector<double>& time, const Eigen::VectorXd& residuals,
+                               std::optional<std::size_t> k = {}) const;
 
-  // The k-th tone's parameters with the corrections that a model of the leftovers makes to them,
-  // and their 95 % intervals.
+  // The k-th tone's parameters with the corrections by a model of the residual, and their 95 %
+  // intervals.
   struct ToneEstimates {
     Estimate amplitude, angular_frequency, decay_rate, phase, phase_at_middle;
   };
-  ToneEstimates estimates(std::size_t k, const LeftoverModel& leftovers) const;
+  ToneEstimates estimates(std::size_t k, const ResidualModel& model) const;
 
-  // What the window cannot tell from the k-th tone and what moves it too far [rad/s].
-  std::optional<double> beside(std::size_t k, const LeftoverModel& leftovers) const;
+  // Frequency [rad/s] of an unnamed tone that the window cannot tell from the k-th tone and that
+  // shifts it by more than largest_shift; nullopt where there is none.
+  std::optional<double> beside(std::size_t k, const ResidualModel& model) const;
 };
 
-// Throws as fit_harmonics() does. `cut` lies in the window.
+// Throws as fit_harmonics() does. `cut` is cut to the window.
 WindowFit fit_window(const TimeSeries& cut, TimeWindow window,
                      const std::vector<ToneRequest>& requests);
 

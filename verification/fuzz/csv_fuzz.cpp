@@ -1,7 +1,8 @@
 // Any bytes as each of the tables that a user supplies or another program wrote: numbers, a
 // CaseFileError or, of an import, a ResultError.
-#include "verification/case_file/motion_table.hpp"
+#include "verification/case_file/case_sections.hpp"
 #include "verification/fuzz/memory_file.hpp"
+#include "verification/import/file_formats.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/peak_table.hpp"
 #include "verification/input/time_table.hpp"
@@ -9,16 +10,17 @@
 
 namespace {
 
-struct Import {
-  const char *format, *column, *time;
-};
-constexpr Import imports[] = {{"csv", "eta", "t_s"},
-                              {"dualsphysics_gauge", "swlz", ""},
-                              {"dualsphysics_points", "Elevation_0", ""},
-                              {"openfoam_probes", "probe_0", ""},
-                              {"openfoam_interface_height", "hB_0", ""},
-                              {"openfoam_field_value", "volAverage(alpha.water)", ""},
-                              {"sphinxsys", "Position[0][1]", ""}};
+// The elevation from a table of this format: from the first of the columns that the format's row
+// gives as examples, or from one that the corpus has.
+slosh::SeriesSource source_of(const slosh::FileFormat& format, const std::filesystem::path& file) {
+  const bool is_named = format.time_column == slosh::TimeColumn::must_be_named;
+  return {.quantity = "elevation@right",
+          .file = file,
+          .format = format.name,
+          .column = is_named ? "eta" : format.columns.substr(0, format.columns.find_first_of(",;")),
+          .unit = "m",
+          .time_column = is_named ? "t_s" : ""};
+}
 
 template <class Read>
 void read_or_refuse(Read read) {
@@ -40,14 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   read_or_refuse([&] { slosh::read_surge_table(path, 1.0); });
   read_or_refuse([&] { slosh::read_roll_table(path, 1.0); });
   read_or_refuse([&] { slosh::read_peak_table(path); });
-  for (const auto& [format, column, time] : imports)
-    read_or_refuse([&, format = format, column = column, time = time] {
-      slosh::import_series({.quantity = "elevation@right",
-                            .file = path,
-                            .format = format,
-                            .column = column,
-                            .unit = "m",
-                            .time_column = time});
-    });
+  for (const slosh::FileFormat& format : slosh::file_formats())
+    if (format.read_head) read_or_refuse([&] { slosh::import_series(source_of(format, path)); });
   return 0;
 }

@@ -18,12 +18,13 @@ namespace slosh {
 namespace {
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
-  const std::string value = in_unit(estimate.value, unit);
+  std::string value = in_unit(estimate.value, unit);
   if (!(estimate.half_width > 0)) return value;  // a whole-window metric has none
   return value + " +- " + in_unit(estimate.half_width, unit);
 }
 
-// Nearer to zero by more than both intervals together, or by an interval that holds zero itself.
+// The estimate must be nearer to zero by more than both intervals together, or its interval must
+// hold zero and have a half width below the other's magnitude.
 bool improves(const Estimate& estimate, const Estimate& other) {
   const double gain = std::abs(other.value) - std::abs(estimate.value);
   const bool clearly = gain > std::hypot(estimate.half_width, other.half_width);
@@ -32,7 +33,7 @@ bool improves(const Estimate& estimate, const Estimate& other) {
   return gain > 0 && (clearly || to_zero);
 }
 
-// Written so that NaN is not better.
+// A comparison with NaN is false, so that NaN is never better.
 Verdict verdict_on_improvement(const Estimate& estimate, const Estimate& other) {
   if (improves(estimate, other)) return Verdict::pass;
   const double loss = std::abs(estimate.value) - std::abs(other.value);
@@ -44,14 +45,14 @@ UncertaintyContributions contributions_to(const GateRow& row, const GateEvidence
   return evidence.uncertainty ? evidence.uncertainty(row) : UncertaintyContributions{};
 }
 
-// A validation row whose numerical or whose reference's uncertainty is unknown does not pass.
+// A validation row does not pass while its numerical uncertainty or its reference's is unknown.
 Verdict verdict_of_kind(const GateRow& row, Verdict verdict, const std::string& missing) {
   const bool rests_on_unknown = row.kind == RowKind::validation && !missing.empty();
   return verdict == Verdict::pass && rests_on_unknown ? Verdict::inconclusive : verdict;
 }
 
 std::string with_missing(const std::string& text, const std::string& missing) {
-  return missing.empty() ? text : text + ", as far as is known: " + missing;
+  return missing.empty() ? text : text + ", as far as known: " + missing;
 }
 
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
@@ -78,12 +79,19 @@ Verdict verdict_of(ThreeWayVerdict verdict) {
     case ThreeWayVerdict::inconclusive:
       return Verdict::inconclusive;
   }
-  throw std::logic_error("a verdict of no kind");
+  throw std::logic_error("an unknown verdict");
 }
 
-// Whether it is no number for want of what the row looks for.
+// Whether the value is NaN because the impact did not occur or the error was not reached.
 bool is_lost(const GateRow& row, double value) {
-  return std::isnan(value) && (is_of_impacts(row.metric) || row.metric == Metric::cost_to_reach);
+  return std::isnan(value) && (is_of_impacts(row.metric) || is_cost(row.metric));
+}
+
+// "not reached (5.7 % at 85 s)": the smallest error that any run has, and its cost.
+std::string not_reached_text(const CostAtError& found, const std::string& unit) {
+  if (!found.most_exact) return "not reached (no run has a cost and an error)";
+  return fmt::format("not reached ({} at {})", in_unit(found.most_exact->error.value, "1"),
+                     in_unit(found.most_exact->cost.value, unit));
 }
 
 std::string lost_text(const GateRow& row, const GateEvidence& evidence) {
@@ -106,7 +114,7 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
       case ThreeWayVerdict::inconclusive:
         break;
     }
-    return "cannot be told from";
+    return "cannot be distinguished from";
   };
   if (row.limit)
     return fmt::format("{} {} {}", judged.error < 0 ? "|" + shown + "|" : shown,
@@ -115,7 +123,7 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                      in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
 }
 
-// "; mean over 4 x 3 repeats" of ensembles, nothing of single runs.
+// "; mean over 4 x 3 repeats" for ensembles, "" for single runs.
 std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
   if (!is_of_ensembles(row, evidence)) return "";
   const std::size_t candidates = ensemble_of(row.candidate, evidence).members.size();
@@ -143,7 +151,7 @@ struct RoleInRow {
   std::string role, run;
 };
 
-// Of an ensemble each member: a row on fewer than all would be a row on another ensemble.
+// Every member of an ensemble is needed: fewer members would be another ensemble.
 std::vector<RoleInRow> runs_of(const GateRow& row, const GateEvidence& evidence) {
   std::vector<RoleInRow> runs;
   const auto add = [&](const char* role, const std::string& named) {
@@ -155,7 +163,7 @@ std::vector<RoleInRow> runs_of(const GateRow& row, const GateEvidence& evidence)
   return runs;
 }
 
-// Why a row cannot be evaluated, most telling first; nothing where it can.
+// The most important reason why a row cannot be evaluated. Returns nullopt where it can.
 std::optional<std::pair<Verdict, std::string>> obstacle(
     const GateRow& row, const std::map<std::string, RunStatus>& runs,
     const GateEvidence& evidence) {
@@ -194,6 +202,17 @@ AllowedRange allowed_by(const GateRow& row) {
   return {row.between->first, row.between->second};
 }
 
+std::optional<AllowedRange> tolerance_of(const CaseDefinition& definition,
+                                         const Comparison& comparison, const std::string& mode,
+                                         Metric metric) {
+  for (const GateRow& row : definition.gate)
+    if (row.metric == metric && row.mode == mode && (row.limit || row.between) &&
+        row.candidate == comparison.candidate && row.reference == comparison.reference &&
+        row.quantity == comparison.quantity)
+      return allowed_by(row);
+  return std::nullopt;
+}
+
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence) {
   if (const auto found = obstacle(row, runs, evidence))
@@ -208,8 +227,8 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     return {row, Verdict::not_supplied, no_value, error.what()};
   } catch (const NotSelectedError& error) {
     return {row, Verdict::not_selected, no_value, error.what()};
-  } catch (const std::runtime_error&
-               error) {  // ComparisonError and ResultError: there is nothing to compare
+  } catch (const std::runtime_error& error) {
+    // ComparisonError or ResultError: there is nothing to compare.
     return {row, Verdict::not_compared, no_value, error.what()};
   }
 }
@@ -263,7 +282,7 @@ std::string headline_word(int status) {
     case exit_inconclusive:
       return "INCONCLUSIVE";
     default:
-      throw std::logic_error(fmt::format("exit status {} is no verdict's", status));
+      throw std::logic_error(fmt::format("no verdict has the exit status {}", status));
   }
 }
 
@@ -288,12 +307,6 @@ std::string state_name(RunState state) {
 std::string measured_name(const GateRow& row) {
   const std::string name = metric_name(row.metric);
   return row.error ? fmt::format("{} {}", name, in_unit(*row.error, "1")) : name;
-}
-
-std::string not_reached_text(const CostAtError& found, const std::string& unit) {
-  if (!found.most_exact) return "not reached (no run has a cost and an error)";
-  return fmt::format("not reached ({} at {})", in_unit(found.most_exact->error.value, "1"),
-                     in_unit(found.most_exact->cost.value, unit));
 }
 
 std::string row_name(const GateRow& row) {

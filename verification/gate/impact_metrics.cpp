@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
 const ImpactsDefinition& published(const CaseDefinition& definition) {
   if (definition.impacts) return *definition.impacts;
-  throw ComparisonError("the case " + definition.name + " says nothing of impacts");
+  throw ComparisonError("the case " + definition.name + " has no [impacts]");
 }
 
-// From 0, of "impact_1", "impact_2", ...
+// 0 for "impact_1", 1 for "impact_2", ...
 std::size_t impact_number(const std::string& mode, const ImpactsDefinition& impacts) {
   for (std::size_t n = 0; n < impacts.times.size(); ++n)
     if (mode == fmt::format("impact_{}", n + 1)) return n;
@@ -27,7 +27,7 @@ ComparisonError not_in_record(const TimeSeries& record, std::size_t n,
       record.name, n + 1, impact_threshold(published(definition).peak_means), impact_share));
 }
 
-// Not of a record that cannot be searched: that excuses no candidate.
+// False for a record that cannot be searched, which excuses no candidate.
 bool lacks_impact(const TimeSeries& record, std::size_t n, const CaseDefinition& definition) try {
   return !impacts_in(record, definition).at(n);
 } catch (const ComparisonError&) {
@@ -66,8 +66,8 @@ double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries
   if (!pressure.name.ends_with("/filtered")) return published(definition).times[n];
   if (!record)
     throw NotSuppliedError(
-        "the published times are those of the pressure as it is, and the record, to be filtered "
-        "alike, is not supplied");
+        "the published times are those of the unfiltered pressure, and the record, which would be "
+        "filtered alike, is not supplied");
   const std::optional<ImpactPeak> peak = impacts_in(*record, definition).at(n);
   if (!peak) throw not_in_record(*record, n, definition);
   return peak->time;
@@ -83,6 +83,8 @@ double impact_metric(Metric metric, const std::string& mode, const TimeSeries& p
     throw not_in_record(*record, n, definition);
   if (metric == Metric::impact_time)
     return peak ? peak->time - expected_time(n, pressure, record, definition) : not_a_number;
+  if (metric != Metric::impact_percentile)
+    throw std::logic_error("an impact has no value of " + metric_name(metric));
   const Distribution repeats = repeated_peaks(definition, n);
   return peak ? repeats.percentile(peak->pressure) / 100 : not_a_number;
 }

@@ -1,7 +1,8 @@
-// What sets a run's impacts apart from the published ones of its case: when each comes, how high
-// the plateau behind it is, and where its peak falls among the peaks of the experiment's repeats,
-// of which no two are alike. An impact's peak is sought within a quarter of the period of its
-// published time (impact_peaks.hpp); the whole history counts, not the comparison's window.
+// A run's impacts compared with the published ones of its case: the time of each impact, the height
+// of the plateau after it, and the percentile of its peak among the peaks of the experiment's
+// repeats, no two of which are equal. An impact's peak is sought within a quarter of a period of
+// its published time (impact_peaks.hpp), in the whole history and not in the comparison's window
+// alone.
 #pragma once
 
 #include <optional>
@@ -16,34 +17,36 @@
 
 namespace slosh {
 
-// What a metric needs is not supplied: what() says what.
+// The user has not supplied something that a metric needs; what() names it.
 struct NotSuppliedError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// All of them throw ComparisonError where the case says nothing of impacts.
+// All functions throw ComparisonError where the case has no [impacts].
 
-// One for each published time, none where that impact does not come. Throws ComparisonError as
-// impact_peaks() does.
+// One peak for each published time; nullopt where that impact does not occur. Throws
+// ComparisonError as impact_peaks() does.
 std::vector<std::optional<ImpactPeak>> impacts_in(const TimeSeries& pressure,
                                                   const CaseDefinition& definition);
 
-// The run's mean over the published plateau's time, over the published value, less 1. Throws
-// ComparisonError as plateau_mean() does.
+// The run's mean over the time of the published plateau, divided by the published value, less 1.
+// Throws ComparisonError as plateau_mean() does.
 double plateau_error(const TimeSeries& pressure, const CaseDefinition& definition);
 
-// The peaks of the repeats' n-th impact, n from 0 [Pa]. Throws NotSuppliedError.
+// The peaks of the n-th impact in all repeats [Pa], n from 0. Throws NotSuppliedError.
 Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n);
 
-// When the n-th impact should come [s]. In the pressure as it is: as published. In the filtered
-// pressure, whose peaks stand elsewhere: as in the record's, filtered alike. `record`: the record's
-// series of the same name, null where there is none. Throws NotSuppliedError for want of it, and
-// ComparisonError where the impact is not in it.
+// The time at which the n-th impact should occur [s]. In the unfiltered pressure this is the
+// published time. The filter moves the peaks, so that in the filtered pressure it is the time of
+// the peak in `record`, the record's series of the same name filtered alike; nullptr where there is
+// none. Throws NotSuppliedError where the record is needed and missing, and ComparisonError where
+// it does not have the impact.
 double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries* record,
                      const CaseDefinition& definition);
 
-// In the metric's unit; NaN where the mode's impact does not come in the candidate's pressure.
-// Throws as those above, and ComparisonError where it does not come in the record's either.
+// The metric in its own unit; NaN where the mode's impact does not occur in the candidate's
+// pressure. Throws what the functions above throw, and ComparisonError where the impact does not
+// occur in the record either.
 double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
                      const TimeSeries* record, const CaseDefinition& definition);
 

@@ -22,18 +22,18 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
     throw ComparisonError("the mode " + mode + " was not fitted");
   for (const Tone* tone : {&found->candidate, &found->reference})
     if (!tone->resolved)
-      throw ComparisonError(fmt::format("the {}'s mode {} cannot be told from the rest",
+      throw ComparisonError(fmt::format("the {}'s mode {} cannot be resolved",
                                         tone == &found->candidate ? "candidate" : "reference",
                                         mode));
   if (found->beside)
     throw ComparisonError(fmt::format(
-        "the window of {:.4g} s cannot tell the mode {} from something else at {:.4g} Hz",
+        "the window of {:.4g} s cannot separate the mode {} from a component at {:.4g} Hz",
         comparison.window.end - comparison.window.begin, mode,
         *found->beside / (2 * std::numbers::pi)));
   return *found;
 }
 
-// Of a reference that does not decay, as potential flow, there is nothing to take a share of.
+// A reference that does not decay, such as potential flow, has no decay rate to divide by.
 Estimate decay_error_of(const ModeComparison& mode) {
   if (!(mode.reference.decay_rate.value > mode.reference.decay_rate.half_width))
     throw ComparisonError("the reference's mode " + mode.mode +
@@ -41,8 +41,8 @@ Estimate decay_error_of(const ModeComparison& mode) {
   return mode.decay_error;
 }
 
-// Of the declared window, as normalised_rms. Both series are finite, so that what is no number is
-// for want of periods.
+// Both series are finite, so that NaN means too few periods. The value holds for the declared
+// window alone, like normalised_rms.
 Estimate resolved_or_refused(Metric metric, double value) {
   if (std::isnan(value))
     throw ComparisonError(fmt::format(
@@ -53,7 +53,7 @@ Estimate resolved_or_refused(Metric metric, double value) {
 
 Estimate spectral_peak_error(const Comparison& comparison) {
   if (comparison.candidate_peaks.empty() || comparison.reference_peaks.empty())
-    throw ComparisonError("a spectrum without a peak");
+    throw ComparisonError("one of the spectra has no peak");
   return {
       comparison.candidate_peaks.front().frequency / comparison.reference_peaks.front().frequency -
           1,
@@ -73,7 +73,8 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::decay_error:
       return decay_error_of(mode_of(comparison, mode));
     case Metric::normalised_rms:
-      // Of the declared window, whose samples are all there: its interval tells of other windows.
+      // The gate judges the declared window, all of whose samples are known; the interval would
+      // describe other windows.
       return {comparison.normalised_rms.value, 0};
     case Metric::maximum_residual:
       return {comparison.maximum_residual, 0};
@@ -104,19 +105,19 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::plateau_error:
     case Metric::impact_percentile:
     case Metric::cost_to_reach:
-      break;  // of no single comparison
+      break;  // measured_once() measures these without a comparison
   }
-  throw std::logic_error("a metric without a value");
+  throw std::logic_error("a comparison has no value of " + metric_name(metric));
 }
 
-// As wide as the interval's upper end, the further one: it is symmetric in the logarithm. Of the
-// declared window, like normalised_rms: what the errors' bars add tells of other windows.
+// The interval is symmetric in the logarithm; its upper, wider half counts. The errors' intervals
+// do not, as they describe other windows than the declared one.
 Estimate cost_value(const CostAtError& found) {
   if (found.reach == Reach::not_at_all) return no_value;
   return {found.cost, found.cost * std::expm1(found.cost_spread)};
 }
 
-// No number where a value is none or where there is no value at all.
+// NaN where a value is NaN or where there is no value at all.
 double largest_magnitude(const TimeSeries& series) {
   double largest = series.value.empty() ? no_value.value : 0;
   for (const double value : series.value) {
@@ -126,7 +127,7 @@ double largest_magnitude(const TimeSeries& series) {
   return largest;
 }
 
-// Of a series that is recorded from the start of the time.
+// Throws ComparisonError where the record begins later than the time itself.
 double initial_value(const TimeSeries& series) {
   if (series.time.size() < 2 || std::abs(series.time[0]) > series.time[1] - series.time[0])
     throw ComparisonError(fmt::format(
@@ -142,14 +143,16 @@ void require_unit(const GateRow& row, const std::string& quantity_unit) {
       fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
 }
 
-// The series over the window is asked for first: what is amiss there is refused for this metric
-// too.
+// The series over the window is requested first in any case: a series that is unusable there is
+// refused for initial_value too.
 double candidate_alone(const GateRow& row, const GateEvidence& evidence) {
   const TimeSeries series = evidence.series(row.candidate, row.quantity);
   require_unit(row, series.unit);
   if (row.metric == Metric::noise_share) return noise_share(series);
   if (row.metric == Metric::largest_magnitude) return largest_magnitude(series);
-  return initial_value(evidence.history(row.candidate, row.quantity));
+  if (row.metric == Metric::initial_value)
+    return initial_value(evidence.history(row.candidate, row.quantity));
+  throw std::logic_error("the candidate alone has no value of " + metric_name(row.metric));
 }
 
 Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
@@ -158,7 +161,7 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
     require_unit(row, "Pa");
     return {evidence.impacts(row.candidate, row), 0};
   }
-  if (row.metric == Metric::cost_to_reach) {
+  if (is_cost(row.metric)) {
     require_unit(row, "s");
     return cost_value(evidence.cost(row));
   }
@@ -168,10 +171,6 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
 }
 
 }  // namespace
-
-bool is_of_candidate_alone(Metric metric) {
-  return metric_entry(metric).measured_on == MeasuredOn::own_series;
-}
 
 EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) {
   return evidence.ensemble ? evidence.ensemble(run) : EnsembleOfRun{{run}};
@@ -191,11 +190,11 @@ std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row,
       pair.candidate = candidate;
       pair.reference = reference;
       pairs.back().push_back(measured_once(pair, evidence));
-      // A lag is told within half a turn from the first: those about half a turn would else have a
-      // mean of none.
+      // Each angle is taken within half a turn of the first one: without this, angles near half a
+      // turn of either sign would have a mean near zero.
       double& value = pairs.back().back().value;
       constexpr double turn = 360;
-      if (row.metric == Metric::phase_lag || row.metric == Metric::cross_correlation_lag)
+      if (is_angle(row.metric))
         value -= turn * std::round((value - pairs.front().front().value) / turn);
     }
   }
@@ -216,10 +215,9 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence) {
 }
 
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence) {
-  return row.metric != Metric::cost_to_reach &&
-         ensemble_of(row.candidate, evidence).members.size() *
-                 reference_of(row, evidence).members.size() >
-             1;
+  return !is_cost(row.metric) && ensemble_of(row.candidate, evidence).members.size() *
+                                         reference_of(row, evidence).members.size() >
+                                     1;
 }
 
 }  // namespace slosh

@@ -1,35 +1,34 @@
-// What a gate row measures: its metric of one comparison, or the mean over an ensemble's.
+// The value of a gate row's metric: of one comparison, or the mean over an ensemble's comparisons.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "verification/gate/gate.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/gate/gate_evidence.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 
-// Of a row that was not measured.
+// The value of a row that was not measured.
 inline constexpr Estimate no_value{not_a_number, not_a_number};
 
-// The row's metric of its candidate; where that or the reference is an ensemble the mean over all
-// pairs of their members with the interval of ensemble_mean.hpp, which takes the place of those of
-// single histories. What an error costs is of no ensemble. Throws as what the evidence is asked
-// for, and ComparisonError where the row's unit is not the metric's.
+// The metric of the row's candidate in the metric's unit. Where the candidate or the reference is
+// an ensemble, this is the mean over all pairs of their members with the interval of
+// ensemble_mean.hpp, which replaces the intervals of single histories; a cost has no ensemble mean.
+// Throws what the functions of the evidence throw, and ComparisonError where the row's unit is not
+// the metric's.
 Estimate measured(const GateRow& row, const GateEvidence& evidence);
 
-// Whether the row's candidate or its reference is an ensemble on whose mean it is judged.
+// Whether the row is judged on the mean over an ensemble, its candidate or its reference.
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
-// The metric of each member of the candidate (outer) against each of the reference. Throws as
-// measured().
+// The metric of each member of the candidate (outer index) against each member of the reference
+// (inner index). Throws what measured() throws.
 std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row, const GateEvidence& evidence);
 
-// The run alone where the evidence knows of no ensemble.
+// The run alone where the evidence has no ensembles.
 EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence);
 
-// Nothing but itself of a row that has none.
+// One member without a name, and exact, where the row has no reference.
 EnsembleOfRun reference_of(const GateRow& row, const GateEvidence& evidence);
-
-bool is_of_candidate_alone(Metric metric);
 
 }  // namespace slosh

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr double work_exponent = 3;  // of 1 / h: two dimensions and the time step
+constexpr double work_exponent = 3;  // work ~ h^-3: two dimensions and the time step
 
-// Inside positive, outside negative; NaN of an error that is not finite and of a bound that is NaN.
+// The distance to the nearest bound: positive inside, negative outside, NaN where the error is not
+// finite or a bound is NaN.
 double margin(double error, const AllowedRange& allowed) {
   const double above = error - allowed.lower, below = allowed.upper - error;
   if (!std::isfinite(error) || std::isnan(above) || std::isnan(below)) return not_a_number;
@@ -26,7 +26,7 @@ ThreeWayVerdict verdict_of(double margin, double uncertainty) {
   return uncertainty < -margin ? ThreeWayVerdict::fail : ThreeWayVerdict::inconclusive;
 }
 
-// The half width left to one contribution beside the others; none where they leave nothing.
+// The half width that the others leave to one contribution. Returns nullopt where they leave none.
 std::optional<double> left_beside(const ThreeWayOutcome& outcome,
                                   Contribution UncertaintyContributions::*one) {
   if (outcome.verdict != ThreeWayVerdict::inconclusive || !std::isfinite(outcome.uncertainty))
@@ -93,18 +93,6 @@ std::optional<Remedy> longer_window(const ThreeWayOutcome& outcome) {
   if (!left) return std::nullopt;
   const double ratio = std::pow(outcome.contributions.statistics.known() / *left, 2);
   return Remedy{*left, ratio, ratio};
-}
-
-std::string three_way_name(ThreeWayVerdict verdict) {
-  switch (verdict) {
-    case ThreeWayVerdict::pass:
-      return "pass";
-    case ThreeWayVerdict::fail:
-      return "fail";
-    case ThreeWayVerdict::inconclusive:
-      return "inconclusive";
-  }
-  throw std::logic_error("a verdict without a name");
 }
 
 }  // namespace slosh

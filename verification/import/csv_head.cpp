@@ -1,5 +1,5 @@
-// Tables of any program: names in the first line, after a '#' or not, then rows of numbers with a
-// decimal point.
+// Tables of any program: names in the first line, which may begin with a '#', then rows of numbers
+// with a decimal point.
 #include "verification/import/table_head.hpp"
 
 namespace slosh {
@@ -24,7 +24,7 @@ TableHead read_csv_head(TableReader& reader, const SeriesSource& source) {
   head.columns = columns_of(names, head.separator);
   if (head.columns.empty()) reader.refuse("head", line, "a first line with the columns' names");
   head.time = column_place(reader, head, "time_column", source.time_column);
-  // The time has the name that the user gave it, which may tell its unit.
+  // The user's name for the column of times may contain its unit.
   if (head.columns[head.time].unit.empty())
     head.columns[head.time].unit = column_of(source.time_column).unit;
   reader.next();

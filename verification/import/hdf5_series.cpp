@@ -1,11 +1,13 @@
-#include "verification/import/hdf5_series.hpp"
-
+// Series in HDF5 files: one-dimensional data sets, named by their paths, with the unit in an
+// attribute "unit" or "units"; or a group with the data sets "time" and "value", as in a result
+// file of this project.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <string_view>
 
 #include "verification/files/hdf5_handles.hpp"
+#include "verification/import/file_formats.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 
@@ -37,13 +39,13 @@ std::string unit_of_data_set(hid_t data_set) {
     if (H5Aexists(data_set, name) <= 0) continue;
     try {
       return hdf5::read_text_attribute(data_set, name);
-    } catch (const hdf5::Hdf5Error&) {  // a text of a fixed length: as good as none
+    } catch (const hdf5::Hdf5Error&) {  // a text of fixed length counts as absent
     }
   }
   return "";
 }
 
-// The numbers and the unit of a data set of one dimension.
+// Reads the numbers and the unit of a one-dimensional data set.
 void read_data_set(hid_t file, const SeriesSource& source, std::string_view key,
                    const std::string& path, std::vector<double>& values, std::string& unit) {
   const hid_t found = H5Dopen2(file, path.c_str(), H5P_DEFAULT);

@@ -10,38 +10,16 @@
 
 #include "verification/case/quantities.hpp"
 #include "verification/files/result_error.hpp"
-#include "verification/import/hdf5_series.hpp"
-#include "verification/import/table_head.hpp"
+#include "verification/import/file_formats.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr std::size_t least_rows = 4;  // what a comparison needs
-// Programs write "none" as the largest number of a type: 1e300 (OpenFOAM), 3.4e38.
+constexpr std::size_t least_rows = 4;  // the least for a comparison
+// Programs write a missing value as the largest number of a type: 1e300 (OpenFOAM), 3.4e38.
 constexpr double largest_value = 1e30;
-
-const std::vector<std::string> formats{"csv",
-                                       "dualsphysics_gauge",
-                                       "dualsphysics_points",
-                                       "openfoam_probes",
-                                       "openfoam_interface_height",
-                                       "openfoam_forces",
-                                       "openfoam_field_value",
-                                       "sphinxsys",
-                                       "hdf5"};
-
-TableHead read_head(TableReader& reader, const SeriesSource& source) {
-  const std::string& format = source.format;
-  if (format == "csv") return read_csv_head(reader, source);
-  if (format == "dualsphysics_gauge") return read_dualsphysics_gauge_head(reader);
-  if (format == "dualsphysics_points") return read_dualsphysics_points_head(reader);
-  if (format == "openfoam_probes") return read_openfoam_probes_head(reader);
-  if (format == "openfoam_interface_height") return read_openfoam_interface_height_head(reader);
-  if (format == "sphinxsys") return read_sphinxsys_head(reader);
-  return read_openfoam_table_head(reader);
-}
 
 [[noreturn]] void refuse(std::string_view place, std::string_view key, std::string_view value,
                          std::string_view expected) {
@@ -57,8 +35,8 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// The unit that the user or the file says; of both the same. A force in N may be told to be one per
-// metre of width, which no file can know.
+// The unit that the user or the file gives; if both do, they must agree. A force in N may be
+// declared as one per metre of width, which no file can know.
 std::string agreed_unit(const SeriesSource& source, const std::string& key, const std::string& told,
                         const std::string& in_file, const std::string& si_unit) {
   const std::vector<std::string> known = unit_names(si_unit);
@@ -107,7 +85,7 @@ RawSeries read_rows(TableReader& reader, const TableHead& head, std::size_t colu
   return series;
 }
 
-// What the numbers of a text table are checked for row by row.
+// The checks that a text table gets row by row.
 void check_numbers(const SeriesSource& source, const RawSeries& series) {
   const std::string file = source.file.string();
   const auto& [time, value, time_unit, unit] = series;
@@ -129,7 +107,7 @@ void require_rows(const SeriesSource& source, const RawSeries& series) {
            fmt::format("at least {}", least_rows));
 }
 
-// Numbers that cannot be used are no error of whoever named the file.
+// Turns a CaseFileError about the numbers into a ResultError: they are no mistake in the case file.
 template <class Read>
 RawSeries usable(const SeriesSource& source, Read read) try {
   RawSeries series = read();
@@ -153,8 +131,8 @@ TimeSeries in_own_unit(const SeriesSource& source, const Units& units, RawSeries
   return {source.quantity, unit, std::move(raw.time), std::move(raw.value)};
 }
 
-TimeSeries import_hdf5(const SeriesSource& source) {
-  RawSeries raw = read_hdf5_series(source);
+TimeSeries import_other(const FileFormat& format, const SeriesSource& source) {
+  RawSeries raw = format.read_series(source);
   const Units units = agreed_units(source, raw.time_unit, raw.unit);
   raw = usable(source, [&] {
     check_numbers(source, raw);
@@ -163,9 +141,9 @@ TimeSeries import_hdf5(const SeriesSource& source) {
   return in_own_unit(source, units, std::move(raw));
 }
 
-TimeSeries import_table(const SeriesSource& source) {
+TimeSeries import_table(const FileFormat& format, const SeriesSource& source) {
   TableReader reader(source.file);
-  const TableHead head = read_head(reader, source);
+  const TableHead head = format.read_head(reader, source);
   const std::size_t column = column_place(reader, head, "column", source.column);
   std::string told = column_of(source.column).unit;
   SeriesSource asked = source;
@@ -175,19 +153,21 @@ TimeSeries import_table(const SeriesSource& source) {
                      usable(source, [&] { return read_rows(reader, head, column, units); }));
 }
 
+const FileFormat& format_of(const SeriesSource& source) {
+  for (const FileFormat& format : file_formats())
+    if (format.name == source.format) return format;
+  refuse("", "format", source.format,
+         fmt::format("one of {}; nearest: {}", fmt::join(format_names(), ", "),
+                     nearest_names(source.format, format_names(), 1).front()));
+}
+
 }  // namespace
 
-std::vector<std::string> import_formats() { return formats; }
-
 void require_known_form(const SeriesSource& source) {
-  if (!is_one_of(source.format, formats))
-    refuse("", "format", source.format,
-           fmt::format("one of {}; nearest: {}", fmt::join(formats, ", "),
-                       nearest_names(source.format, formats, 1).front()));
-  const bool may_name_time = source.format == "csv" || source.format == "hdf5";
-  if (source.format == "csv" && source.time_column.empty())
+  const TimeColumn time = format_of(source).time_column;
+  if (time == TimeColumn::must_be_named && source.time_column.empty())
     refuse("", "time_column", "", "the name of the file's column of times");
-  if (!may_name_time && !(source.time_column + source.time_unit).empty())
+  if (time == TimeColumn::known_by_format && !(source.time_column + source.time_unit).empty())
     refuse("", "time_column", source.time_column,
            fmt::format("no time column or unit: a {} file has its own", source.format));
 }
@@ -196,7 +176,8 @@ TimeSeries import_series(const SeriesSource& source) {
   require_known_form(source);
   if (!std::filesystem::is_regular_file(source.file))
     refuse("", "file", source.file.string(), "a file; there is none");
-  return source.format == "hdf5" ? import_hdf5(source) : import_table(source);
+  const FileFormat& format = format_of(source);
+  return format.read_head ? import_table(format, source) : import_other(format, source);
 }
 
 }  // namespace slosh

@@ -1,5 +1,6 @@
-// OpenFOAM's function objects, versions v1912 and later and those of the Foundation that write
-// alike: comment lines, of which the last names the columns, then rows, vectors in parentheses.
+// The output of OpenFOAM's function objects, of v1912 and later and of those versions of the
+// Foundation with the same output: comment lines, the last of which names the columns, then rows
+// with vectors in parentheses.
 //   # Probe 1 (0.95 0.5 0.2)          # Location 0 : (0.05 0.5 0)
 //   #  Probe     0        1           # Time   hB    hL
 //   #   Time
@@ -10,7 +11,7 @@
 namespace slosh {
 namespace {
 
-// Words, of which one that stands in unbalanced parentheses loses them: "(total_x", "total_z)".
+// The words of a line; an unbalanced parenthesis of a word is removed: "(total_x", "total_z)".
 std::vector<std::string> names_in(std::string_view line) {
   std::vector<std::string> names;
   constexpr std::string_view white = " \t";
@@ -26,7 +27,7 @@ std::vector<std::string> names_in(std::string_view line) {
   return names;
 }
 
-// The sizes of a row's values, 3 of a vector.
+// The number of components of each value in a row: 1 for a number, 3 for a vector.
 std::vector<std::size_t> value_sizes(const std::string& row) {
   std::vector<std::size_t> sizes;
   std::string_view rest = row;
@@ -42,8 +43,8 @@ std::vector<std::size_t> value_sizes(const std::string& row) {
   return sizes;
 }
 
-// The values' names, of a vector with its components; they are as many as the first row has, or
-// name each of its numbers.
+// The head with the values' names, extended by the components for vectors. There must be one name
+// for each value of the first row, or one for each of its numbers.
 TableHead head_of(TableReader& reader, const std::vector<std::string>& names) {
   TableHead head{{{"Time", "s"}}, reader.line_number() - 1, 0, ' '};
   const std::vector<std::size_t> sizes = value_sizes(reader.line());
@@ -61,7 +62,7 @@ TableHead head_of(TableReader& reader, const std::vector<std::string>& names) {
   return head;
 }
 
-// Goes on to the first row, and gives each comment to whoever looks at it.
+// Advances to the first row and passes each comment to `look`.
 template <class Look>
 void read_comments(TableReader& reader, Look look) {
   while (reader.line().starts_with('#')) {
@@ -70,7 +71,7 @@ void read_comments(TableReader& reader, Look look) {
   }
 }
 
-// The names after "Time" in the last comment that begins so; none where there is no such.
+// The names after "Time" in the last comment that begins with it; empty without such a comment.
 std::vector<std::string> names_after_time(TableReader& reader) {
   std::vector<std::string> names;
   read_comments(reader, [&](std::string_view comment) {
@@ -81,7 +82,7 @@ std::vector<std::string> names_after_time(TableReader& reader) {
 
 }  // namespace
 
-TableHead read_openfoam_probes_head(TableReader& reader) {
+TableHead read_openfoam_probes_head(TableReader& reader, const SeriesSource&) {
   std::vector<std::string> names;
   read_comments(reader, [&](std::string_view comment) {
     if (comment.starts_with("Probe ") && comment.find('(') != comment.npos)
@@ -92,7 +93,7 @@ TableHead read_openfoam_probes_head(TableReader& reader) {
   return head_of(reader, names);
 }
 
-TableHead read_openfoam_interface_height_head(TableReader& reader) {
+TableHead read_openfoam_interface_height_head(TableReader& reader, const SeriesSource&) {
   std::vector<std::string> names = names_after_time(reader);
   if (names.empty() || (names[0] != "hB" && names[0] != "p"))
     reader.refuse("head", reader.line(),
@@ -103,7 +104,7 @@ TableHead read_openfoam_interface_height_head(TableReader& reader) {
   return head_of(reader, names);
 }
 
-TableHead read_openfoam_table_head(TableReader& reader) {
+TableHead read_openfoam_table_head(TableReader& reader, const SeriesSource&) {
   const std::vector<std::string> names = names_after_time(reader);
   if (names.empty() || names[0].starts_with("forces("))
     reader.refuse("head", reader.line(),

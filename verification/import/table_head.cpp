@@ -24,7 +24,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
-// Up to the next separator outside quotes.
+// The length of the line up to the next separator outside quotes.
 std::size_t field_length(std::string_view line, char separator) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -1,5 +1,5 @@
-// How the head of a text table tells of its columns: what each format's reader of heads gives.
-// Private to verification/import/.
+// The head of a text table: its columns and how its rows are separated. Private to
+// verification/import/.
 #pragma once
 
 #include <string>
@@ -12,39 +12,28 @@
 namespace slosh {
 
 struct ForeignColumn {
-  std::string name, unit;  // the unit empty where the file does not say it
+  std::string name, unit;  // the unit is empty where the file does not give it
 };
 
 struct TableHead {
   std::vector<ForeignColumn> columns;
-  int line = 1;          // that names them
-  std::size_t time = 0;  // which of them
+  int line = 1;          // the line with the names
+  std::size_t time = 0;  // index of the column of times
   char separator = ' ';  // ' ': any run of blanks, tabs and parentheses
 };
 
-// Each gets a reader on the file's first line and leaves it on the first row, or on the empty
-// line after the end where there is none. They throw CaseFileError where the file is not of their
-// format.
-TableHead read_csv_head(TableReader& reader, const SeriesSource& source);
-TableHead read_dualsphysics_gauge_head(TableReader& reader);
-TableHead read_dualsphysics_points_head(TableReader& reader);
-TableHead read_openfoam_probes_head(TableReader& reader);
-TableHead read_openfoam_interface_height_head(TableReader& reader);
-TableHead read_openfoam_table_head(TableReader& reader);
-TableHead read_sphinxsys_head(TableReader& reader);
-
-// A row's fields without the blanks and quotes around them; an empty last one, as a separator at
-// the row's end leaves it, is none.
+// A row's fields without the blanks and quotes around them. An empty last field, as after a
+// separator at the row's end, is left out.
 std::vector<std::string_view> fields_of(std::string_view line, char separator);
 
-// "swlz [m]": a name and its unit; a text without brackets at its end is a name alone.
+// "swlz [m]": a name and its unit; a text without brackets at its end is a name without a unit.
 ForeignColumn column_of(std::string_view text);
 
 // The columns of a line of such texts.
 std::vector<ForeignColumn> columns_of(std::string_view line, char separator);
 
-// Which of the columns has this name, with or without its unit. Throws CaseFileError, naming the
-// nearest, where none has or more than one.
+// The index of the column with this name, given with or without its unit. Throws CaseFileError,
+// with the nearest names, where no column or more than one has it.
 std::size_t column_place(const TableReader& reader, const TableHead& head, const std::string& key,
                          const std::string& name);
 

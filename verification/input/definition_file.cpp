@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> names_in(const fs::path& directory) {
   std::vector<std::string> names;
-  std::error_code none;  // a directory that is not there holds no names
+  std::error_code none;  // an absent directory has no names
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, none)) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   }

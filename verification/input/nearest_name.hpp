@@ -1,6 +1,6 @@
-// What the user may have meant: the known names that are nearest to a wrong one, by the edit
-// distance of V. I. Levenshtein (1966), the least number of characters inserted, deleted or
-// replaced.
+// Suggests what the user may have meant: the known names nearest to a wrong one, by the edit
+// distance of V. I. Levenshtein (1966), the smallest number of insertions, deletions and
+// replacements of characters.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,15 @@ namespace slosh {
 
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// At most `count` of the known names, the nearest first; equally near ones keep their order.
+// Returns at most `count` of the known names, the nearest first. Equally near ones keep their
+// order.
 std::vector<std::string> nearest_names(std::string_view wrong, std::vector<std::string> known,
                                        std::size_t count);
 
-// What a name must be: "a run, one of fine, coarse", "a unit, which is m", "a mode, of which there
-// is none".
+// Returns what a name must be: "a run, one of fine, coarse", "a unit, which is m", "a mode, of
+// which there is none".
 std::string one_of_text(std::string_view expected, const std::vector<std::string>& known);
-// "; nearest: coarse"; nothing where no name is known.
+// Returns "; nearest: coarse", or an empty text if no name is known.
 std::string nearest_text(std::string_view wrong, const std::vector<std::string>& known);
 
 }  // namespace slosh

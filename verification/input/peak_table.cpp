@@ -18,7 +18,7 @@ namespace slosh {
 namespace {
 
 constexpr double pascal_per_mbar = 100;
-constexpr std::size_t fewest_runs = 2;  // what a scatter needs
+constexpr std::size_t fewest_runs = 2;  // needed for a scatter
 
 using Row = std::array<double, 4>;
 

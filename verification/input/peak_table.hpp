@@ -1,6 +1,6 @@
-// The peak pressures of repeated impact runs in the form in which SPHERIC benchmark 10 publishes
-// them: a title line that names the unit mbar, a header line, then a row for each run of four
-// numbers, the peaks of its first four impacts, separated by tabs or blanks.
+// Reads the peak pressures of repeated impact experiments in the format of SPHERIC benchmark 10: a
+// title line that names the unit mbar, a header line, and a row for each run with the peaks of its
+// first four impacts, separated by tabs or blanks.
 #pragma once
 
 #include <array>
@@ -12,12 +12,13 @@
 namespace slosh {
 
 struct PeakTable {
-  // [Pa], per impact the peak of each run, runs in the file's order.
+  // [Pa], for each impact the peaks of the runs, in the order of the file.
   std::array<std::vector<double>, 4> impacts;
 };
 
-// Throws CaseFileError with the table's own file:line when the file cannot be read, the title names
-// no mbar, there is no header, a row is not four finite numbers or there are fewer than two runs.
+// Throws CaseFileError with the table's file:line if the file cannot be read, if the title does not
+// name mbar, if there is no header, if a row is not four finite numbers, or if there are fewer than
+// two runs.
 PeakTable read_peak_table(const std::filesystem::path& file);
 
 }  // namespace slosh

@@ -67,7 +67,7 @@ Rule<std::string> file_safe_name() {
               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                      c == '_' || c == '-';
             };
-            // With a - first it would be an option where it is an argument.
+            // With a - first it would be taken for an option on a command line.
             return !name.empty() && name[0] != '-' &&
                    std::all_of(name.begin(), name.end(), allowed);
           },

@@ -1,5 +1,5 @@
-// A text file of values over time, read line by line, so that whatever is wrong is told with its
-// line: what the readers of the project's own tables and of other programs' share.
+// Reads a text file of values over time line by line, so that every mistake is reported with its
+// line. The readers of the project's own tables and of other programs' files share it.
 #pragma once
 
 #include <filesystem>
@@ -14,26 +14,26 @@ namespace slosh {
 
 class TableReader {
  public:
-  // Stands on the first line; on an empty one of a file that is empty or cannot be read.
+  // Starts at the first line, which is empty if the file is empty or cannot be read.
   explicit TableReader(const std::filesystem::path& file);
 
-  // Goes to the next line; false at the end, where the line is empty.
+  // Goes to the next line. Returns false at the end, where the line is empty.
   bool next();
 
   const std::string& line() const { return line_; }  // without its end, be that "\n" or "\r\n"
-  // Whether nothing ends the line, as where a program was stopped while it wrote.
+  // Whether the line has no end, as after a program that was stopped while writing.
   bool is_cut() const { return stream_.eof() && !line_.empty(); }
   int line_number() const { return line_number_; }
   const std::filesystem::path& file() const { return file_; }
 
-  // A finite number. Throws CaseFileError.
+  // Returns a finite number. Throws CaseFileError.
   double number(std::string_view column, std::string_view text, std::string_view unit) const;
 
-  // Adds a time that must lie above the last one. Throws CaseFileError.
+  // Appends a time. Throws CaseFileError unless it is greater than the last one.
   void add_time(std::string_view column, std::string_view text, std::string_view unit,
                 std::vector<double>& times) const;
 
-  // Throws CaseFileError, "file:line: key = value: expected EXPECTED", of the present line.
+  // Throws CaseFileError, "file:line: key = value: expected EXPECTED", for the current line.
   [[noreturn]] void refuse(std::string_view key, std::string_view value,
                            std::string_view expected) const;
 
@@ -44,10 +44,10 @@ class TableReader {
   int line_number_ = 0;
 };
 
-// The text without blanks at its ends.
+// Returns the text without blanks at its ends.
 std::string_view trimmed(std::string_view text);
 
-// What is wrong on a line of a table.
+// Returns the error for a mistake on a line of a table.
 CaseFileError table_error(const std::filesystem::path& file, int line, std::string_view key,
                           std::string_view value, std::string_view expected);
 

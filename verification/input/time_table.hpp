@@ -1,6 +1,6 @@
-// CSV files of values over time: the project's own of two columns, "time_s" and one more whose name
-// ends in its unit (a tank's motion, a published record), and tables of others, whose columns are
-// told.
+// Reads CSV files of values over time: the project's own with the columns "time_s" and another
+// whose name ends in its unit (a tank's motion, a published record), and files of other origin,
+// whose columns the caller names.
 #pragma once
 
 #include <filesystem>
@@ -18,19 +18,19 @@ struct TimeTable {
   std::vector<double> time, value;  // [s] and the column's unit; the first row is on line 2
 };
 
-// Which of a file's columns are read, by their names in its first line.
+// The columns to read, by their names in the first line of the file.
 struct TimeColumns {
   std::string time, value;
   std::string value_unit;  // for messages
 };
 
-// Both: at least four rows (what a spline needs), the numbers finite, times strictly increasing.
-// Throw CaseFileError with the CSV file's own file:line.
+// Both throw CaseFileError with the CSV file's file:line unless the table has at least four rows (a
+// spline needs them), finite numbers and strictly increasing times.
 
-// Of two columns, the second one of those given.
+// Reads a file of two columns: "time_s" and one of those given.
 TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns);
-// Of any columns, of which two are read.
+// Reads two columns of a file with any columns.
 TimeTable read_time_columns(const std::filesystem::path& file, const TimeColumns& columns);
 
 }  // namespace slosh

@@ -6,8 +6,8 @@
 namespace slosh {
 namespace {
 
-// The position behind the string that opens at `begin`: basic ("), with escapes, or literal ('),
-// each also over several lines between triple marks.
+// Returns the position after the string that opens at `begin`: a basic string (") with escapes or a
+// literal one ('), each also over several lines between triple marks.
 std::size_t behind_string(std::string_view text, std::size_t begin) {
   const char mark = text[begin];
   const std::string triple(3, mark);

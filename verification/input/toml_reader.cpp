@@ -9,18 +9,18 @@
 #include <limits>
 #include <type_traits>
 
-#include "verification/input/complaints.hpp"
+#include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/input/toml_letters.hpp"
 
 namespace slosh {
 
 struct TomlTable::Content {
-  std::shared_ptr<const toml::table> root;  // keeps `table`, a part of it, alive
+  std::shared_ptr<const toml::table> root;  // keeps `table`, which is part of it, alive
   const toml::table* table;
   std::string file;
   std::string path;  // "" for the root, "tank." inside [tank]
-  int line = 0;      // of a copy, whose nodes know no place
+  int line = 0;      // of a copy, whose nodes have no place
   // The refusals of read_all() so far; null outside it.
   std::shared_ptr<std::vector<std::string>> kept = nullptr;
 
@@ -78,8 +78,8 @@ std::optional<T> converted(const toml::node& node) {
 toml::table parsed(std::string_view text, const std::filesystem::path& file) {
   if (const auto letter = letter_outside_strings(text))
     throw CaseFileError(fmt::format(
-        "{}:{}:{}: not TOML: a letter beyond ASCII; expected such letters in strings and comments "
-        "alone",
+        "{}:{}:{}: not TOML: a letter beyond ASCII; expected such letters only in strings and "
+        "comments",
         file.string(), letter->line, letter->column));
   try {
     return toml::parse(text, file.string());

@@ -1,5 +1,5 @@
-// The units in which other programs and laboratories write what this project keeps in SI units: one
-// table for whoever reads their files.
+// The units in which other programs and laboratories write quantities. The project itself keeps
+// them in SI units.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@ namespace slosh {
 
 struct Unit {
   std::string name;
-  double si;  // how many of the SI unit it is
+  double si;  // in the SI unit
 };
 
-// Those of the quantities in this SI unit ("s", "m", "Pa", "N/m", "N", "kg/s"), itself first; of
-// another the unit alone.
+// Returns the units of quantities with this SI unit ("s", "m", "Pa", "N/m", "N", "kg/s"), the SI
+// unit first. Any other unit is the only one of its quantities.
 std::vector<Unit> units_of(const std::string& si_unit);
 
-// Their names alone, in the same order.
+// Returns their names, in the same order.
 std::vector<std::string> unit_names(const std::string& si_unit);
 
-// How many of the SI unit one of the units is. Throws std::invalid_argument for none of them.
+// Returns the value of a unit in the SI unit. Throws std::invalid_argument for an unknown unit.
 double si_value(const std::string& unit, const std::string& si_unit);
 
 }  // namespace slosh

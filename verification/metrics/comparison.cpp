@@ -8,14 +8,18 @@
 #include <numbers>
 
 #include "verification/fits/block_jackknife.hpp"
-#include "verification/metrics/cross_correlation.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {
 
 using std::numbers::pi;
+
+TimeSeries named(const std::string& role, TimeSeries series) {
+  series.name = role + " " + series.name;
+  return series;
+}
 
 double mean_of(const std::vector<double>& time, const std::vector<double>& value) {
   double sum = 0;
@@ -60,7 +64,7 @@ std::vector<ModeComparison> compare_fits(const SeriesFit& candidate, const Serie
   return compared;
 }
 
-// By the trapezoidal rule over the interval before the i-th sample.
+// The integrals over the interval before the i-th sample, by the trapezoidal rule.
 BlockIntegrals over_interval(const CommonSamples& common, double mean, std::size_t i) {
   const auto at = [&](std::size_t k) {
     const double c = common.candidate[k], r = common.reference[k];
@@ -114,7 +118,7 @@ void compare_waves(const CommonSamples& common, const std::vector<ToneRequest>& 
   result.reference_wave = statistics(common.reference);
 }
 
-// Of the slowest mode; none repeats without one.
+// The number of blocks, from the period of the slowest mode; 1 without modes.
 int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
   if (modes.empty()) return 1;
   double slowest = modes.front().angular_frequency;
@@ -145,6 +149,21 @@ void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
 }
 
 }  // namespace
+
+PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindow over,
+                               std::vector<ToneRequest> requests, Detail detail)
+    : quantity(of.name),
+      series(named(role, std::move(of))),
+      window(over),
+      modes(std::move(requests)),
+      cut(cut_to_window(series, window)) {
+  require_variation(cut);
+  if (modes.empty()) return;
+  require_resolved(window, modes);
+  require_sampled(cut, modes);
+  if (detail == Detail::fitted_tones) fit.emplace(series, window, modes);
+  spectrum = power_spectrum(series, window);
+}
 
 std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
                                           TimeWindow window,

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verification/series/estimate.hpp"
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
-// The variance of a side's mean and its degrees of freedom; none of a side of one.
+// The variance of a side's mean and its degrees of freedom; both are zero for a side of one run.
 struct MeanVariance {
   double variance = 0, freedom = 0;
 };
@@ -22,7 +22,7 @@ MeanVariance variance_of_mean(const std::vector<double>& values) {
   return {deviation * deviation / (n - 1), n - 1};
 }
 
-// A run of the other side has the variance of one of these n, n times that of their mean.
+// The variance of the difference between this mean and one more run: s^2 / n + s^2.
 MeanVariance with_one_of_many(const MeanVariance& mean) {
   return {mean.variance * (mean.freedom + 2), mean.freedom};
 }
@@ -36,7 +36,7 @@ double welch_freedom(const MeanVariance& a, const MeanVariance& b) {
 }
 
 double half_width_of(double variance, double freedom) {
-  if (variance == 0) return 0;  // members that are all alike
+  if (variance == 0) return 0;  // all members are equal
   if (!std::isfinite(variance)) return not_a_number;
   return boost::math::quantile(boost::math::students_t(freedom), 0.975) * std::sqrt(variance);
 }

@@ -8,14 +8,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "verification/series/estimate.hpp"
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr std::uint64_t noise_seed = 20090401;  // any; fixed, so that a report can be had again
+constexpr std::uint64_t noise_seed = 20090401;  // arbitrary; fixed, so that reports repeat
 constexpr double thousand = 1000;
 
 TimeSeries scaled(TimeSeries series, double factor) {
@@ -23,7 +23,7 @@ TimeSeries scaled(TimeSeries series, double factor) {
   return series;
 }
 
-// The values that the series has at other times, at its own ones.
+// The series' values at other times, given at its own sample times.
 TimeSeries moved_in_time(const TimeSeries& series, const std::function<double(double)>& taken_at) {
   std::vector<double> times(series.time.size());
   std::transform(series.time.begin(), series.time.end(), times.begin(), [&](double t) {
@@ -48,7 +48,7 @@ TimeSeries shifted(TimeSeries series, double offset) {
   return series;
 }
 
-// 0 before the window, 1 after it.
+// How much of the window has passed at time t: 0 before it, 1 after it.
 double share_of_window(double t, TimeWindow window) {
   return std::clamp((t - window.begin) / (window.end - window.begin), 0.0, 1.0);
 }
@@ -66,15 +66,14 @@ TimeSeries chirped(const TimeSeries& series, TimeWindow window, double lead) {
   });
 }
 
-// Plus the mode's part times gain(time since the window's begin, decay rate).
+// Adds the mode's part of the fit times gain(time since the window's begin, decay rate).
 template <class Gain>
 TimeSeries with_mode_changed(TimeSeries series, const Mutation& mutation,
                              const MutationFrame& frame, const Gain& gain) {
-  const std::vector<Tone> tones =
-      frame.tones.empty() ? fit_harmonics(series, frame.window, frame.modes).tones : frame.tones;
-  const auto tone = std::find_if(tones.begin(), tones.end(),
+  const auto tone = std::find_if(frame.tones.begin(), frame.tones.end(),
                                  [&](const Tone& one) { return one.name == mutation.mode; });
-  if (tone == tones.end()) throw ComparisonError("the mode " + mutation.mode + " is not fitted");
+  if (tone == frame.tones.end())
+    throw ComparisonError("the mode " + mutation.mode + " is not fitted");
   for (std::size_t i = 0; i < series.value.size(); ++i) {
     const double t = series.time[i], since = std::max(0.0, t - frame.window.begin);
     series.value[i] += gain(since, tone->decay_rate.value) * tone->amplitude.value *

@@ -10,7 +10,7 @@ std::vector<FittedWindow> sliding_fit(const TimeSeries& candidate, const TimeSer
                                       TimeWindow window, SlidingWindows sliding,
                                       std::vector<ToneRequest> tones) {
   for (ToneRequest& tone : tones) tone.refine = false;
-  // As much as round-off may take from a last window that just fits.
+  // The summand allows for round-off where the last window just fits.
   const double places = (window.end - window.begin - sliding.length) / sliding.step + 1e-9;
   if (!(places >= 0))
     throw ComparisonError(fmt::format("windows of {:.4g} s do not fit in {:.4g} s", sliding.length,

@@ -16,7 +16,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-// The one's as candidate and the other's as reference, over a window that both are checked for.
+// Returns both at the other's times, the one as candidate; checks that both cover the window.
 CommonSamples within_window(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
   const TimeSeries cut = cut_to_window(other, window);
   cut_to_window(one, {cut.time.front(), cut.time.back()});
@@ -34,7 +34,7 @@ FittedTone fit_tone(const Values& time, const Values& value, double omega) {
   basis << Eigen::ArrayXd::Ones(count), (omega * t).cos(), (omega * t).sin();
   const Eigen::VectorXd x = least_squares(basis, y.matrix());
   const double sum = (y.matrix() - basis * x).squaredNorm();
-  // Of samples spread over whole periods: each coefficient's variance is 2 s^2 / n.
+  // For samples spread over whole periods, the variance of each coefficient is 2 s^2 / n.
   const double n = static_cast<double>(count);
   const double half_width = 1.96 * std::sqrt(sum / (n - 3) * 2 / n);
   return {std::hypot(x[1], x[2]), std::atan2(-x[2], x[1]), half_width};
@@ -86,7 +86,7 @@ std::pair<std::string, double> filtered_gauge(const CaseDefinition& definition) 
 HistoryDifference difference(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
   const CommonSamples common = within_window(one, other, window);
   const Values varying = without_mean(common.reference);
-  return {.as_it_is = rms(minus(common.candidate, common.reference)) / rms(varying),
+  return {.with_means = rms(minus(common.candidate, common.reference)) / rms(varying),
           .without_means = rms(minus(without_mean(common.candidate), varying)) / rms(varying),
           .offset = mean(common.reference) - mean(common.candidate)};
 }

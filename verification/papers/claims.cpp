@@ -17,7 +17,7 @@ std::string verdict_of(Held held) {
 
 Finding found(const Find& find) try {
   return find();
-} catch (const std::runtime_error& error) {  // what is missing, ComparisonError, ResultError
+} catch (const std::runtime_error& error) {  // ComparisonError, ResultError and others
   return {Held::undecided, error.what()};
 }
 
@@ -42,7 +42,30 @@ DecidedClaim decide(const Claim& claim) {
           fmt::format("{}", fmt::join(refuted ? against : unknown, "; "))};
 }
 
-Finding within(const Shown& shown, const Estimate& estimate, double lower, double upper) {
+Held compare(double value, const Threshold& threshold) {
+  if (std::isnan(value)) return Held::undecided;
+  const auto yes_or_no = [](bool holds) { return holds ? Held::yes : Held::no; };
+  switch (threshold.relation) {
+    case Relation::within:
+      return yes_or_no(value >= threshold.lower && value <= threshold.upper);
+    case Relation::at_least:
+      if (value >= threshold.upper) return Held::yes;
+      return value <= threshold.lower ? Held::no : Held::undecided;
+    case Relation::at_most:
+      return yes_or_no(value <= threshold.upper);
+    case Relation::within_factor:
+      return yes_or_no(std::max(value, 1 / value) <= threshold.upper);
+  }
+  throw std::logic_error("a relation without a comparison");
+}
+
+Held both(Held one, Held other) {
+  if (one == Held::no || other == Held::no) return Held::no;
+  return one == Held::yes && other == Held::yes ? Held::yes : Held::undecided;
+}
+
+Finding within(const Shown& shown, const Estimate& estimate, const Threshold& range) {
+  const auto [relation, lower, upper] = range;
   const double low = estimate.value - estimate.half_width,
                high = estimate.value + estimate.half_width;
   const auto in_unit = [&](double value) { return fmt::format("{:.3g}", shown.scale * value); };
@@ -59,19 +82,14 @@ Finding within(const Shown& shown, const Estimate& estimate, double lower, doubl
           text + (std::isnan(low + high) ? ": no number" : ": within its interval")};
 }
 
-Held at_least(double value, double refuted, double confirmed) {
-  if (value >= confirmed) return Held::yes;
-  return value <= refuted ? Held::no : Held::undecided;
-}
-
 reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims) {
   reports::Table table{
       id,
       "Claims of the paper",
-      "Each claim in our own words, as restated here; in brackets what a number must keep to. The "
-      "thresholds were set before any run was looked at. A run that is absent or failed, a number "
-      "that is none and an interval that reaches over a threshold confirm nothing.",
-      {"claim", "as restated here", "verdict", "found", "what speaks against it or is missing"},
+      "Each claim in our own words; the range that a number must keep to is in brackets. The "
+      "thresholds were set before any run was looked at. A claim cannot be confirmed where a run "
+      "is absent or failed, a number is NaN, or an interval reaches over a threshold.",
+      {"claim", "in our words", "verdict", "result", "evidence against it, or what is missing"},
       {}};
   for (const Claim& claim : claims) {
     const DecidedClaim decided = decide(claim);

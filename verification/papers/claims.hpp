@@ -1,7 +1,7 @@
 // A paper's claims, each decided by what this harness found: confirmed, refuted or not decidable.
-// A claim stands on findings. One that speaks against it refutes it; otherwise one that cannot be
-// told, because a run is absent or failed, a number is none or its interval reaches over the
-// threshold, leaves it undecided. The thresholds stand in claim_thresholds.hpp.
+// A claim rests on findings. One finding against it refutes it. Otherwise it is undecided where a
+// finding is undecided: a run is absent or failed, a number is NaN, or its interval reaches over
+// the threshold. The claims and their thresholds are in paper_claims.cpp.
 #pragma once
 
 #include <functional>
@@ -15,12 +15,41 @@ namespace slosh {
 
 enum class Held { yes, no, undecided };
 
-struct Finding {
-  Held held;
-  std::string text;  // the number, its threshold, and whose it is; or what is missing
+enum class Relation {
+  within,        // from lower to upper
+  at_least,      // holds from upper on, is refuted up to lower, undecided in between
+  at_most,       // up to upper
+  within_factor  // from 1 / upper to upper
 };
 
-// Throws what a missing run, series or number throws (std::runtime_error): then it cannot be told.
+struct Threshold {
+  Relation relation;
+  double lower, upper;
+};
+inline Threshold within_range(double lower, double upper) {
+  return {Relation::within, lower, upper};
+}
+inline Threshold at_least_between(double refuted, double confirmed) {
+  return {Relation::at_least, refuted, confirmed};
+}
+inline Threshold at_most(double upper) { return {Relation::at_most, -upper, upper}; }
+inline Threshold within_factor(double factor) {
+  return {Relation::within_factor, 1 / factor, factor};
+}
+
+// NaN is undecided.
+Held compare(double value, const Threshold& threshold);
+
+// The claim of both parts together.
+Held both(Held one, Held other);
+
+struct Finding {
+  Held held;
+  std::string text;  // the number, its threshold, and the run; or what is missing
+};
+
+// Throws std::runtime_error where a run, a series or a number is missing: then the finding is
+// undecided.
 using Find = std::function<Finding()>;
 
 struct Claim {
@@ -31,26 +60,22 @@ struct Claim {
 struct DecidedClaim {
   std::string statement;
   Held held;
-  std::string found;  // all that was found
-  std::string why;    // of a claim that is not confirmed: what speaks against it or cannot be told
+  std::string found;  // all findings
+  std::string why;    // of a claim that is not confirmed: what speaks against it or is missing
 };
 
 DecidedClaim decide(const Claim& claim);
 
-// How a finding is shown: "first natural frequency", 100, "%".
+// How a finding shows its number: "first natural frequency", 100, "%".
 struct Shown {
   std::string name;
   double scale;
   std::string unit;
 };
 
-// Whether a value with its 95 % interval lies from lower to upper; undecided where the interval
-// reaches over either, and of NaN.
-Finding within(const Shown& shown, const Estimate& estimate, double lower, double upper);
-
-// Whether a value is at least so large, or clearly is not: undecided from `refuted` to `confirmed`,
-// and of NaN.
-Held at_least(double value, double refuted, double confirmed);
+// Whether a value with its 95 % interval lies within the threshold's range; undecided where the
+// interval reaches over an end, and for NaN.
+Finding within(const Shown& shown, const Estimate& estimate, const Threshold& range);
 
 reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims);
 

@@ -1,5 +1,4 @@
-#include "verification/papers/li2010_paper.hpp"
-
+// The section on Li et al. 2010: its claims, its printed numbers and its errata.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +7,8 @@
 
 #include "reference/linear_surge.hpp"
 #include "verification/papers/claim_evidence.hpp"
-#include "verification/papers/li2010_claims.hpp"
+#include "verification/papers/paper_claims.hpp"
+#include "verification/papers/paper_sections.hpp"
 #include "verification/papers/surface_spectrum.hpp"
 
 namespace slosh {
@@ -18,14 +18,14 @@ using reports::Table;
 
 constexpr double printed_natural_frequency =
     4.94488;  // omega_0 [rad/s], Li et al. 2010, section 4.1
-const reference::Tank tank{1.0, 0.35, 9.81, 1000};
+const reference::Tank li2010_tank{1.0, 0.35, 9.81, 1000};
 constexpr reference::SineSurge motion{0.02, 0.3 * printed_natural_frequency};
 constexpr int modes = 1000;
 constexpr double gauge = 0.45;  // [m] from the tank's centre: 0.05 m from the right wall
-constexpr double shown = 12;    // [s], as figure 1
+constexpr double shown = 12;    // [s], the time that figure 1 shows
 constexpr double sampling = 0.01;
 
-// Largest |f(t)| over the time that the paper shows.
+// Returns the largest |f(t)| over the time that the paper shows.
 template <class Function>
 double largest(const Function& f) {
   double value = 0;
@@ -33,8 +33,8 @@ double largest(const Function& f) {
   return value;
 }
 
-// "x of run (y of run)": a mode's measure for each run of the scheme that stands, against linear
-// theory.
+// Returns "run: x; run: y", a measure of a mode against linear theory for each run of the scheme
+// that has one.
 template <class Format>
 std::string for_each_li2010_run(const CaseAssessment* assessment, const std::string& mode,
                                 const Format& format) {
@@ -58,7 +58,7 @@ std::string li2010_particles(const CaseAssessment* assessment) {
 
 Table printed_numbers(const std::vector<CaseAssessment>& cases) {
   const CaseAssessment* small = find_case(cases, "li2010_small_amplitude");
-  const double omega = reference::natural_frequency(tank, 1);
+  const double omega = reference::natural_frequency(li2010_tank, 1);
   const auto amplitude = [](const ModeComparison& mode) {
     return fmt::format("{:+.1f} ± {:.1f} %", 100 * mode.amplitude_error.value,
                        100 * mode.amplitude_error.half_width);
@@ -75,7 +75,7 @@ Table printed_numbers(const std::vector<CaseAssessment>& cases) {
                            : std::string("not resolved");
   };
   return {"li2010-numbers",
-          "The paper's printed numbers beside ours",
+          "The paper's printed numbers and ours",
           "",
           {"quantity", "printed", "here"},
           {{"first natural frequency", "4.94488 rad/s",
@@ -90,23 +90,23 @@ Table printed_numbers(const std::vector<CaseAssessment>& cases) {
             "decay: " + for_each_li2010_run(small, "natural_1", damping)}}};
 }
 
-Table errata() {
-  const reference::LinearSurge ours(tank, reference::Start::earth, motion, modes);
-  const reference::LinearSurge printed_sign(tank, reference::Start::earth,
+Table li2010_errata() {
+  const reference::LinearSurge ours(li2010_tank, reference::Start::earth, motion, modes);
+  const reference::LinearSurge printed_sign(li2010_tank, reference::Start::earth,
                                             {-motion.amplitude, motion.angular_frequency}, modes);
   const double highest = largest([&](double t) { return ours.elevation(gauge, t); });
   const double opposite = largest(
       [&](double t) { return ours.elevation(gauge, t) + printed_sign.elevation(gauge, t); });
-  // sin(lambda_n 0.95) = sin(lambda_n 0.05) for L = 1 m: x = 0.95 in eq. 16 is a gauge 0.05 m from
+  // For L = 1 m, sin(lambda_n 0.95) = sin(lambda_n 0.05): x = 0.95 in eq. 16 is a gauge 0.05 m from
   // the centre.
   const double misplaced =
       largest([&](double t) { return ours.elevation(gauge, t) - ours.elevation(0.05, t); });
-  const double omega = reference::natural_frequency(tank, 1);
+  const double omega = reference::natural_frequency(li2010_tank, 1);
   return {
       "li2010-errata",
       "Errata of Li et al. 2010",
-      "Each with the figure computed here.",
-      {"the paper", "what holds", "computed"},
+      "Each with the numbers computed here.",
+      {"the paper", "correction", "computed"},
       {{"Eqs 16-20 use an undefined A",
         "They match x_e = b sin(omega t) only with A = -b omega; A = +b omega gives -eta.",
         fmt::format("largest |eta| {:.3f} mm; largest |eta(+b omega) + eta(-b omega)| {:.1e} mm",
@@ -143,18 +143,18 @@ Table errata() {
 reports::Section li2010_section(const std::vector<CaseAssessment>& cases) {
   reports::Section section{
       "li2010",
-      "Beside the paper",
+      "Comparison with the paper",
       {"Li et al. 2010: sloshing in a surging tank by SPH with repulsive and mirror particles. Its "
-       "figure 1 has its counterpart in the section of the small-amplitude case, its figures 2 and "
-       "3 in those of the resonant cases, its figures at b = 0.075 and 0.125 m in those of the "
+       "figure 1 corresponds to the page of the small-amplitude case, its figures 2 and 3 to those "
+       "of the resonant cases, its figures at b = 0.075 and 0.125 m to those of the "
        "large-amplitude cases, as far as they are part of this campaign."},
-      {claims_table("li2010-claims", li2010_claims(cases))},
+      {claims_table("li2010-claims", claims_of("li2010", cases))},
       {}};
   const CaseAssessment* smaller = find_case(cases, "li2010_large_b075");
   const CaseAssessment* larger = find_case(cases, "li2010_large_b125");
   if (smaller && larger) section.tables.push_back(surface_spectrum_table(*smaller, *larger));
   section.tables.push_back(printed_numbers(cases));
-  section.tables.push_back(errata());
+  section.tables.push_back(li2010_errata());
   return section;
 }
 

@@ -7,14 +7,15 @@
 
 #include "verification/case/ensemble.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/papers/claim_evidence.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
 constexpr int sought_peaks = 8;
-// Within the window's resolution: two peaks are further apart than that.
+// Returns the peak nearest to a frequency, within the resolution of the window; NaN without one.
 SpectralPeak nearest(const std::vector<SpectralPeak>& peaks, double frequency, double resolution) {
   SpectralPeak best{not_a_number, not_a_number};
   double distance = resolution;
@@ -39,7 +40,7 @@ std::vector<std::string> cells(const SurfaceSpectrum& spectrum) {
           fmt::format("{:.3g}", spectrum.ratio())};
 }
 
-// The two rows of a run, the second with what has grown.
+// Adds the two rows of a run; the second has the growth.
 void add_rows(const CaseAssessment& smaller, const CaseAssessment& larger, const std::string& run,
               reports::Table& table) {
   const auto row_of = [&](const CaseAssessment& assessment) {
@@ -92,11 +93,10 @@ reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseA
       "li2010-spectrum",
       "Spectrum of the highest surface elevation",
       fmt::format(
-          "Its peaks at the excitation and at twice it, {} m from the left wall, from {} to {} s. "
-          "Power here: half the squared amplitude of a sine [m2], one-sided, Hann window; the unit "
-          "of the printed power is not known, so that only ratios compare. Growth: from the "
-          "smaller "
-          "to the larger amplitude b.",
+          "Peaks at the excitation frequency and at twice that, {} m from the left wall, from {} "
+          "to {} s. Power: half the squared amplitude of a sine [m2], one-sided, Hann window. The "
+          "unit of the printed power is unknown, so only ratios can be compared. Growth: from the "
+          "smaller to the larger amplitude b.",
           smaller.definition.gauges.empty() ? not_a_number : smaller.definition.gauges.front().x,
           smaller.definition.window_begin, smaller.definition.window_end),
       {"run", "b [m]", "first peak [Hz]", "its power", "second peak [Hz]", "its power",
@@ -105,9 +105,8 @@ reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseA
        {"printed", "0.125", "0.77", "0.2423", "1.54", "0.0493", "4.915",
         fmt::format("{:.3g}", 0.2423 / 0.048), fmt::format("{:.3g}", 0.0493 / 0.024)}}};
   for (const RunDefinition& run : smaller.definition.runs) {
-    const bool solved = std::holds_alternative<SphRun>(run.solver) ||
-                        std::holds_alternative<InterFoamRun>(run.solver);
-    if (solved && !is_later_member(run) && larger.runs.status.contains(run.name))
+    if (solver_kind(run).solves_flow && !is_later_member(run) &&
+        larger.runs.status.contains(run.name))
       add_rows(smaller, larger, run.name, table);
   }
   return table;

@@ -1,6 +1,6 @@
-// The spectrum of the highest surface elevation at a surging tank's first gauge, as Li et al. 2010
-// discuss it: its peaks at the excitation and at twice it. Power as spectrum.hpp defines it, over
-// the comparison's window.
+// The spectrum of the highest surface elevation at a surging tank's first gauge, as in Li et al.
+// 2010: its peaks at the excitation frequency and at twice that. The power is that of spectrum.hpp,
+// over the comparison window.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace slosh {
 
 struct SurfaceSpectrum {
   double excitation;                 // [Hz]
-  std::array<SpectralPeak, 2> peak;  // nearest to one and two times it; NaN where there is none
+  std::array<SpectralPeak, 2> peak;  // nearest to one and two times that; NaN where there is none
   bool highest;                      // whether these are the two highest peaks of the spectrum
 
   double ratio() const { return peak[0].power / peak[1].power; }
@@ -24,7 +24,7 @@ struct SurfaceSpectrum {
 // power_spectrum() does.
 SurfaceSpectrum surface_spectrum(const CaseAssessment& assessment, const std::string& run);
 
-// Of every solver's run that the two cases share, beside the printed numbers.
+// The spectra of every run of a solver that the two cases share, and the printed numbers.
 reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger);
 
 }  // namespace slosh

@@ -1,5 +1,4 @@
-#include "verification/papers/wall_treatments.hpp"
-
+// The section on wall treatments: the runs of cases with the tag "walls", named by their walls.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,20 +7,21 @@
 
 #include "verification/assessment/pressure_noise.hpp"
 #include "verification/papers/claim_evidence.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/papers/paper_sections.hpp"
 #include "verification/series/impact_peaks.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr double late_part = 0.2;  // of the run: what a treatment has settled to
+constexpr double late_part = 0.2;  // the last part of the run, after the initial transient
 
 bool has_tag(const CaseDefinition& definition, const std::string& tag) {
   return std::find(definition.tags.begin(), definition.tags.end(), tag) != definition.tags.end();
 }
 
-// Mean over the last fifth of the run; NaN where the run has no such series or one that is no
-// number or ends early.
+// Returns the mean over the last fifth of the run; NaN where the run lacks the series, or the
+// series has NaN or ends early.
 double late_mean(const CaseAssessment& assessment, const std::string& run,
                  const std::string& series) {
   const double end = assessment.definition.duration;
@@ -33,7 +33,7 @@ double late_mean(const CaseAssessment& assessment, const std::string& run,
   }
 }
 
-// Of the case's first pressure gauge; NaN as above.
+// Returns the noise at the case's first pressure gauge; NaN as above.
 double noise_of(const CaseAssessment& assessment, const std::string& run) {
   const CaseDefinition& definition = assessment.definition;
   if (definition.pressure_gauges.empty()) return not_a_number;
@@ -52,18 +52,18 @@ double nanoseconds(const RunCost& cost) {
 }
 
 std::string number(double value, const char* format) {
-  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "no number";
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "NaN";
 }
 
 struct Crossings {
   std::string count, verdict;
 };
 
-// Written so that a count that is NaN or was not made confirms nothing.
+// A count that is NaN or missing is not decidable.
 Crossings crossings_of(const RunResult& result) {
   const auto found = result.diagnostics.find("wall_crossings");
   if (found == result.diagnostics.end()) return {"not counted", "not decidable"};
-  if (!std::isfinite(found->second)) return {"no number", "not decidable"};
+  if (!std::isfinite(found->second)) return {"NaN", "not decidable"};
   return {fmt::format("{:.0f}", found->second), found->second == 0 ? "confirmed" : "refuted"};
 }
 
@@ -98,15 +98,14 @@ reports::Table table_of(const std::vector<const CaseAssessment*>& cases) {
         fmt::format("{:.3g} Hz ({})", noise_band(one->definition), one->definition.name));
   reports::Table table{
       "walls-table",
-      "Wall treatments side by side",
+      "Comparison of wall treatments",
       fmt::format(
-          "Gap: between a wall and the particles next to it, and volume drift: each the mean over "
-          "the last fifth of the run, where the run records it. Pressure noise: power of the first "
-          "pressure gauge's series above a frequency over its mean square, its mean included; the "
-          "frequency is 5 Hz or three times the third natural mode that surge excites, whichever "
-          "is "
-          "larger: {}. Wall crossings: how often a particle beyond a wall was put back; none must "
-          "be for the walls to hold. Cost: user time.",
+          "Gap (between a wall and the nearest particles) and volume drift: mean over the last "
+          "fifth of the run, where the run records it. Pressure noise: power of the first pressure "
+          "gauge's series above a frequency, over its mean square with the mean included; the "
+          "frequency is the larger one of 5 Hz and three times the third natural mode that surge "
+          "excites: {}. Wall crossings: how often a particle beyond a wall was put back; the walls "
+          "hold the liquid where that never happened. Cost: user time.",
           fmt::join(bands, ", ")),
       {"case", "walls", "gap [spacings]", "pressure noise [1]", "volume drift [%]",
        "wall crossings", "holds the liquid", "cost [ns per particle and step]", "remark"},
@@ -121,7 +120,7 @@ reports::Figure figure_of(const std::vector<const CaseAssessment*>& cases) {
   reports::Figure figure;
   figure.id = "walls-noise-and-cost";
   figure.title = "Noise and cost of each wall treatment";
-  figure.caption = "Each point is a case of the table above; nearer to the lower left is better.";
+  figure.caption = "Each point is a case of the table; lower left is better.";
   figure.x_label = "user time [ns per particle and step]";
   figure.y_label = "pressure noise [1]";
   figure.log_y = true;

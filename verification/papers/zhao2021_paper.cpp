@@ -1,5 +1,4 @@
-#include "verification/papers/zhao2021_paper.hpp"
-
+// The section on Zhao et al. 2021: its claims and its errata.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +9,8 @@
 #include "reference/linear_surge.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/papers/claim_evidence.hpp"
-#include "verification/papers/zhao2021_claims.hpp"
+#include "verification/papers/paper_claims.hpp"
+#include "verification/papers/paper_sections.hpp"
 
 namespace slosh {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 using std::numbers::pi;
 
 // The violently rolling tank: SPHERIC benchmark 10, water.
-const reference::Tank tank{0.9, 0.093, 9.81, 998};
-constexpr double printed_natural = 1.919, printed_forcing = 1.631;  // called rad/s there
+const reference::Tank rolling_tank{0.9, 0.093, 9.81, 998};
+constexpr double printed_natural = 1.919, printed_forcing = 1.631;  // the paper gives rad/s
 constexpr double printed_probe = 0.0093, probe = 0.093;             // [m] above the bottom
 
 // Integral of (1 - q/2)^4 (1 + 2q) over the plane, q = r / h <= 2, by Simpson's rule.
@@ -32,7 +32,7 @@ double kernel_integral() {
   return sum * step / 3;
 }
 
-// The experiment's roll beside the sine, as the two cases of the campaign have them.
+// Compares the measured roll of one case with the sine of the other.
 std::string roll_beside_sine(const std::vector<CaseAssessment>& cases) try {
   const CaseDefinition& measured = case_named(cases, "zhao2021_violent_roll").definition;
   const CaseDefinition& literal = case_named(cases, "zhao2021_violent_sine").definition;
@@ -56,18 +56,18 @@ std::string roll_beside_sine(const std::vector<CaseAssessment>& cases) try {
   return error.what();
 }
 
-reports::Table errata(const std::vector<CaseAssessment>& cases) {
-  const double omega = reference::natural_frequency(tank, 1);
+reports::Table zhao2021_errata(const std::vector<CaseAssessment>& cases) {
+  const double omega = reference::natural_frequency(rolling_tank, 1);
   const double forcing = 2 * pi / printed_forcing;
   const auto still_pressure = [](double height) {
-    return tank.density * tank.gravity * (tank.fill_depth - height);
+    return rolling_tank.density * rolling_tank.gravity * (rolling_tank.fill_depth - height);
   };
   const double integral = kernel_integral();
   return {
       "zhao2021-errata",
       "Errata of Zhao et al. 2021",
-      "Each with the figure computed here.",
-      {"the paper", "what holds", "computed"},
+      "Each with the numbers computed here.",
+      {"the paper", "correction", "computed"},
       {{"omega_0 = 1.919 rad/s", "That is the first natural period in seconds.",
         fmt::format("omega_1 = {:.3f} rad/s, period {:.3f} s ({:+.2f} % off {})", omega,
                     2 * pi / omega, 100 * (2 * pi / omega / printed_natural - 1), printed_natural)},
@@ -94,10 +94,10 @@ reports::Table errata(const std::vector<CaseAssessment>& cases) {
 reports::Section zhao2021_section(const std::vector<CaseAssessment>& cases) {
   return {
       "zhao2021",
-      "Beside the paper",
+      "Comparison with the paper",
       {"Zhao et al. 2021: sloshing in a rolling tank by SPH with dynamic boundary particles that "
        "move with the tank or are fixed in its frame."},
-      {claims_table("zhao2021-claims", zhao2021_claims(cases)), errata(cases)},
+      {claims_table("zhao2021-claims", claims_of("zhao2021", cases)), zhao2021_errata(cases)},
       {}};
 }
 

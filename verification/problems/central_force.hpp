@@ -1,5 +1,5 @@
-// A liquid far from all walls that a central force -Omega^2 r pulls to the middle of its box, in
-// the place of gravity: as a frame of a scheme, so that a tank's particles know nothing of it.
+// A liquid far from all walls that a central force -Omega^2 r pulls to the middle of its box,
+// instead of gravity. The force is a scheme's frame, so that the schemes of tanks need not know it.
 #pragma once
 
 #include "sph/schemes.hpp"

@@ -35,7 +35,7 @@ SemiAxes advanced(SemiAxes from, double time) {
 double drop_period(double amplitude) {
   SemiAxes now{1, 1, amplitude};
   double time = 0;
-  // The axis a comes back to its start twice in a period: falling first, growing then.
+  // The axis a passes its initial value twice in a period: first decreasing, then increasing.
   for (;;) {
     const SemiAxes next = step(now, longest_step);
     if (now.a < 1 && next.a >= 1) return time + longest_step * (1 - now.a) / (next.a - now.a);

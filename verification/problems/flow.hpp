@@ -1,5 +1,5 @@
-// A liquid of a scheme's terms for a problem: a box, the particles that its author lays, no weight,
-// and the scheme's own integrator with equal steps.
+// A liquid with a scheme's terms for a problem: a box, particles placed by the problem, no gravity
+// unless given, and the scheme's own integrator with equal steps.
 #pragma once
 
 #include <cmath>
@@ -41,8 +41,8 @@ inline sph::Scene scene_of(const Box& box) {
           .record_snapshot = {}};
 }
 
-// The scheme's own numbers, but for the speed of sound: without weight there is no wave to scale it
-// by.
+// Returns the scheme with its own numbers, except the speed of sound: without gravity there is no
+// wave speed to scale it by.
 template <class Choice>
 sph::Scheme<Choice> scheme_of(const Box& box) {
   sph::Setting setting = sph::setting_of(scene_of(box), Choice::numbers);
@@ -51,8 +51,8 @@ sph::Scheme<Choice> scheme_of(const Box& box) {
   return sph::Scheme<Choice>(setting);
 }
 
-// Particles in the middles of square cells of the box where `keep(x, z)`, at rest, of the rest
-// density.
+// Returns particles at rest and of the rest density, in the middles of those square cells of the
+// box where `keep(x, z)` is true.
 template <class Keep>
 sph::Particles lattice(const Box& box, const Keep& keep) {
   sph::Particles p;
@@ -78,7 +78,7 @@ inline sph::Particles full_lattice(const Box& box) {
   return lattice(box, [](double, double) { return true; });
 }
 
-// The density of a pressure, and the mass that fills the particle's cell at that density.
+// Gives a particle the density of a pressure, and the mass that fills its cell at that density.
 template <class Scheme>
 void set_pressure(const Scheme& scheme, sph::Particles& p, std::size_t i, double pressure) {
   const double density = scheme.state.density(pressure);
@@ -106,8 +106,8 @@ struct Flow {
     steps += 1;
   }
 
-  // Equal steps, each at most the scheme's longest. Throws SimulationError for a state that is not
-  // finite or out of its range.
+  // Takes equal steps, each at most the scheme's longest. Throws SimulationError for a state that
+  // is not finite or out of its range.
   void advance_to(double time) {
     const double left = time - liquid.time;
     const double count = std::ceil(left / liquid.scheme().time_step(0.0) - 1e-9);

@@ -1,9 +1,9 @@
-// Problem: intervals that are 95 %. 200 pairs of synthetic series per scenario, whose every
-// parameter is known (interval_scenarios.hpp), are compared as a campaign compares them; the share
-// of the printed intervals that hold the truth is to be 0.95. What the window cannot tell is to be
-// refused: a refused pair is not counted as covered, and counted apart.
-// Source: Student 1908; the standard error of a share of 200 at 0.95 is 0.015, so that four
-// hundredths are 2.6 of them.
+// Problem: the coverage of the 95 % intervals. In each scenario 200 pairs of synthetic series with
+// known parameters (interval_scenarios.hpp) are compared as a campaign compares them; the share of
+// the intervals that contain the truth should be 0.95. Where the window is too short to separate
+// the tones the comparison should refuse the pair; refused pairs are counted separately. Source:
+// Student 1908. The standard error of a share of 200 at 0.95 is 0.015, so that a deviation of 0.04
+// is 2.6 standard errors.
 #include <fmt/format.h>
 
 #include "verification/problems/interval_scenarios.hpp"
@@ -16,7 +16,7 @@ constexpr int draws = 200;
 
 double share_of(int count, int all) { return static_cast<double>(count) / all; }
 
-// Exact at the bounds, as 0.99 - 0.95 is not.
+// Integers make the value exact at the bounds, where 0.99 - 0.95 has a rounding error.
 double excess_over_95_percent(int held, int judged) {
   return static_cast<double>(20 * held - 19 * judged) / (20 * judged);
 }

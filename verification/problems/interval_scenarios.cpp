@@ -10,7 +10,7 @@ namespace {
 constexpr double pi = std::numbers::pi, degree = pi / 180;
 constexpr double amplitude_error = 0.02, lag = degree, frequency_error = 0.003, decay_rate = 0.05;
 constexpr double sample_interval = 0.01;
-// The levels of leftover_model.hpp and local_noise.hpp were chosen on the seeds below this one.
+// The levels of residual_model.hpp and local_noise.hpp were chosen with smaller seeds.
 constexpr std::uint64_t first_seed = 1001;
 
 class Random {
@@ -20,7 +20,7 @@ class Random {
     return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
   }
   double phase() { return uniform(0, 2 * pi); }
-  // By Box and Muller, so that every library draws the same.
+  // The Box-Muller transform gives the same numbers with every standard library.
   double normal() {
     const double radius = std::sqrt(-2 * std::log(1 - uniform(0, 1)));
     return radius * std::cos(phase());
@@ -124,7 +124,7 @@ std::vector<IntervalScenario> leftovers() {
   return all;
 }
 
-// Nothing tells these apart: every answer but a refusal is luck.
+// Scenarios whose tones cannot be separated: only a refusal is right.
 std::vector<IntervalScenario> beyond_the_window() {
   std::vector<IntervalScenario> all;
   IntervalScenario one = forced_alone("near_beat", "an unnamed tone half a bin off", 19, faint);
@@ -199,7 +199,7 @@ std::vector<ToneRequest> requests_of(const IntervalScenario& scenario) {
 
 namespace {
 
-// The estimates of one pair and what they are to be, in the order of quantities_of().
+// The estimates of one pair and their true values, in the order of quantities_of().
 struct Judged {
   Estimate estimate;
   double truth;
@@ -213,7 +213,7 @@ std::vector<std::string> quantities_of(const IntervalScenario& scenario) {
   return names;
 }
 
-// None where the comparison refuses.
+// Returns nullopt where the comparison refuses the pair.
 std::vector<Judged> judged(const IntervalScenario& scenario, std::uint64_t seed) try {
   const SyntheticPair pair = draw_pair(scenario, seed);
   const std::vector<ModeComparison> modes =

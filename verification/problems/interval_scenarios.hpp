@@ -1,10 +1,11 @@
-// Pairs of synthetic series whose every parameter is known, to find out how often the intervals of
-// compare() hold the truth. The reference is
-//   r(t) = A cos(w t + p) + B cos(n t + q),
-// the candidate has 1.02 A, comes 1 degree late at w, and swings at (1 + 0.003) n with amplitude
-// 1.02 B exp(-0.05 (t - t0)) at the window's begin t0. What no request names comes on top of the
-// candidate, or of both: first-order autoregressive noise, a modulation, a further tone. Phases are
-// drawn anew for every pair, each pair from a seed of its own.
+// Pairs of synthetic series with known parameters, to measure how often the intervals of compare()
+// contain the truth. The reference is
+//   r(t) = A cos(w t + p) + B cos(n t + q).
+// The candidate has the amplitude 1.02 A and a lag of 1 degree at w, and its natural mode has the
+// frequency (1 + 0.003) n and the amplitude 1.02 B exp(-0.05 (t - t0)), with t0 the window's begin.
+// Contributions that no request names are added to the candidate or to both: first-order
+// autoregressive noise, a modulation, another tone. Each pair has a seed of its own, from which its
+// phases are drawn.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ struct Noise {
   double correlation_time = 0;  // [s]; 0: white
 };
 
-// A mode's amplitude times 1 + depth cos(2 pi t / period + phase), of a mean that the truth keeps.
+// The factor 1 + depth cos(2 pi t / period + phase) on a mode's amplitude, whose mean is the truth.
 struct Modulation {
   double depth = 0, shortest_period = 1, longest_period = 1;  // [s], uniformly drawn
 };
@@ -38,8 +39,8 @@ struct IntervalScenario {
   double beats_per_window = 0;  // (its frequency - that of the forcing) times the window's length
   bool beat_in_both = false;
   bool deterministic_leftovers = false;
-  bool to_be_refused = false;   // no window of this length tells the tones apart
-  bool may_be_refused = false;  // refusing is right too, as a window of this length tells little
+  bool to_be_refused = false;   // no window of this length separates the tones
+  bool may_be_refused = false;  // a refusal is right too: the window hardly separates the tones
   bool quick = false;           // drawn in the quick form too
 };
 
@@ -54,7 +55,7 @@ SyntheticPair draw_pair(const IntervalScenario& scenario, std::uint64_t seed);
 
 std::vector<ToneRequest> requests_of(const IntervalScenario& scenario);
 
-// How often each interval held the truth, of the draws that were not refused: those where
+// The number of intervals that contained the truth among the draws that were not refused, for which
 // compare_modes() neither threw nor left a mode unresolved. The seeds are always the same.
 struct IntervalCoverage {
   struct Quantity {

@@ -1,11 +1,11 @@
-// Problem: what every smoothing kernel W(q), q = r / h, is asked for in two dimensions:
-//   int W dA = 1             it keeps a constant
-//   int x dW/dx dA = -1      its gradient keeps a linear field
+// Problem: the properties that every smoothing kernel W(q), q = r / h, must have in two dimensions:
+//   int W dA = 1             it reproduces a constant
+//   int x dW/dx dA = -1      its gradient reproduces that of a linear field
 //   W' q = gradient_shape    the gradient in the pair sums is that of W
 //   W = W' = 0 for q >= 2    no source beyond the support
 // Source: Monaghan 2005, Rep. Prog. Phys. 68:1703.
-// The integrals by the midpoint rule in q, whose error is of second order, the slope by central
-// differences, of second order too.
+// The integrals are found by the midpoint rule in q and the slope by central differences, both with
+// errors of second order.
 #include "sph/terms/kernels.hpp"
 
 #include <algorithm>

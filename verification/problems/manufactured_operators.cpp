@@ -1,14 +1,16 @@
-// Problem: the pair sums of the momentum and the continuity equation on chosen fields, with free
-// slip mirror walls that continue them (operator_errors.hpp has the fields).
-// Source: Quinlan, Basa & Lastiwka 2006, Int. J. Numer. Meth. Eng. 66:2064; Monaghan 2005, Rep.
-// Prog. Phys. 68:1703. The errors, with k the fields' wave number:
-//   lattice     smoothing, (k h)^2 times half the kernel's second moment, and a quadrature error
-//               that depends on h / dp alone: a floor where that ratio is kept, and second order
-//               in h where it grows
-//   scattered   sum_b V_b grad W_ab is no longer zero: an operator that the sum p_a + p_b or a
-//               second derivative goes into errs by disorder / (k h), order -1 where h / dp is
-//               kept; one of the difference v_a - v_b by a share that stays, order 0. With h kept
-//               they vanish as (dp / h)^2, places scattered apart from one another averaging out.
+// Problem: the pair sums of the momentum and the continuity equation on manufactured fields, which
+// the mirror particles of free-slip walls continue (operator_errors.hpp has the fields). Source:
+// Quinlan, Basa & Lastiwka 2006, Int. J. Numer. Meth. Eng. 66:2064; Monaghan 2005, Rep. Prog. Phys.
+// 68:1703. The errors, with k the fields' wave number:
+//   lattice     The smoothing error is (k h)^2 times half the kernel's second moment. The
+//   quadrature
+//               error depends on h / dp alone: it is constant where that ratio is constant, and of
+//               second order in h where the ratio grows.
+//   scattered   sum_b V_b grad W_ab is no longer zero. An operator with the sum p_a + p_b or with a
+//               second derivative has an error of disorder / (k h), of order -1 at constant h / dp;
+//               one with the difference v_a - v_b has a constant relative error, of order 0. At
+//               constant h both vanish as (dp / h)^2, because independent displacements average
+//               out.
 #include <cmath>
 
 #include "verification/problems/operator_errors.hpp"
@@ -57,7 +59,7 @@ std::vector<MeasureKind> kinds() {
   return all;
 }
 
-// h / dp grows as the root of the number of cells.
+// h / dp grows as the square root of the number of cells.
 Resolution growing_ratio(int cells) { return {cells, 3 * std::sqrt(cells / 32.0), 0}; }
 Resolution kept_ratio(int cells, double disorder) { return {cells, 1.5, disorder}; }
 Resolution kept_smoothing(int cells) { return {cells, 1.5 * cells / 32.0, 0.1}; }

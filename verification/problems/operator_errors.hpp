@@ -16,7 +16,7 @@
 
 namespace slosh {
 
-// The choice with the terms that are measured: a viscosity that is linear and a pressure that is.
+// The choice with the terms that are measured: linear viscosity and a linear equation of state.
 template <class Choice>
 struct Measured : Choice {
   using EquationOfState = sph::LinearState;
@@ -30,21 +30,23 @@ struct Measured : Choice {
 };
 
 struct Resolution {
-  int cells;        // along each side of the box
-  double ratio;     // h / dp
-  double disorder;  // each particle off its place by up to this share of the spacing
+  int cells;     // along each side of the box
+  double ratio;  // h / dp
+  double
+      disorder;  // largest displacement of a particle from its lattice position, over the spacing
 
   double spacing() const { return 1.0 / cells; }
   double smoothing_length() const { return ratio / cells; }
 };
 
-// rms of the error over the rms of the exact values.
+// The rms of the errors over the rms of the exact values.
 struct OperatorErrors {
   double gradient, divergence, viscosity, diffusion;
   double gradient_beyond_smoothing;
 };
 
-// What a kernel's sum leaves of a wave of the wave number k: the transform of the kernel,
+// Returns the factor by which a kernel's sum reduces a wave of wave number k, the kernel's
+// transform,
 //   2 pi int W(r) J0(k r) r dr,  k in 1/h.
 template <class Kernel>
 double kept_of_wave(double k) {

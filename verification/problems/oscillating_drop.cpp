@@ -1,6 +1,6 @@
-// Problem: a circular drop of radius R under a central force -Omega^2 r, set off with the velocity
-// Omega (x, -z), without surface tension: a free surface without walls (drop_motion.hpp has the
-// exact semi-axes). At the start
+// Problem: a circular drop of radius R under a central force -Omega^2 r without surface tension,
+// which starts with the velocity Omega (x, -z): a free surface without walls. drop_motion.hpp has
+// the exact semi-axes. At the start
 //   p = rho / 2 (A0^2 + Omega^2) (R^2 - r^2),  A0 = Omega.
 // c0 = 20 Omega R, 20 times the largest speed at the start.
 #include <algorithm>
@@ -31,7 +31,7 @@ sph::Particles start(const Box& box) {
   return p;
 }
 
-// From the second moments: that of a uniform ellipse is a^2 / 4.
+// Returns the semi-axis from the second moment, which is a^2 / 4 for a uniform ellipse.
 double semi_axis(const sph::Particles& p, const sph::Array<double>& places) {
   double mass = 0, moment = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {

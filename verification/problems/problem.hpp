@@ -1,7 +1,7 @@
-// A verification problem: one whose exact solution is known, solved with the solver's own operators
-// at several resolutions. Each is one short file of this folder, which states the problem, its
-// source and its exact solution, and leaves the errors; what they are to be stands as gate rows in
-// the campaign file.
+// A verification problem: a problem with a known exact solution, which is solved with the solver's
+// own operators at several resolutions. Each is stated with its source and its exact solution in a
+// file of this folder, and its run returns the errors. Their limits are gate rows in the campaign
+// file.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace slosh {
 
-// The longest side of a cell, the smoothing length, a time step: whatever shrinks.
+// The step is what refinement reduces: the particle spacing, the smoothing length, a time step.
 struct ErrorAtStep {
   double step, error;
 };
@@ -22,7 +22,7 @@ struct MeasureKind {
   std::string unit;  // of the error; "1" for none
   std::string step;  // what the steps are, with their unit: "h / L"
   std::string meaning;
-  bool has_order = true;  // in the steps: the report shows it
+  bool has_order = true;  // the report shows the order of the errors in the steps
 };
 
 struct MeasuredErrors {
@@ -30,6 +30,8 @@ struct MeasuredErrors {
   std::vector<ErrorAtStep> errors;  // from the largest step to the smallest
 };
 
+// The figures and tables show fields and time series that only the run has, so they are part of
+// what it returns and of the stored result.
 struct ProblemOutcome {
   std::vector<MeasuredErrors> measures;  // in the order of the problem's kinds
   std::vector<reports::Figure> figures;
@@ -40,19 +42,10 @@ struct Problem {
   std::string name, title;
   std::string statement, source, exact_solution;  // in words and formulas
   std::vector<MeasureKind> measures;
-  // The quick form leaves out the finest resolutions.
+  // Solves the problem; the quick form leaves out the finest resolutions.
   ProblemOutcome (*run)(bool quick);
   double expected_time;        // of the whole form on one core [s]: the longest is started first
-  bool is_of_metrics = false;  // solves nothing by SPH, but tries the metrics
+  bool is_of_metrics = false;  // it tests the metrics and solves nothing by SPH
 };
-
-// In the order of the report.
-const std::vector<Problem>& all_problems();
-
-// Throws std::invalid_argument with the nearest names where there is none of that name.
-const Problem& find_problem(const std::string& name);
-
-// For the reader of campaign files.
-std::vector<KnownProblem> known_problems();
 
 }  // namespace slosh

@@ -1,10 +1,24 @@
-// The problems, each made in the file of its name.
+// The list of all problems.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "verification/case/campaign_definition.hpp"
 #include "verification/problems/problem.hpp"
 
 namespace slosh {
 
+// Returns all problems in the order of the report.
+const std::vector<Problem>& all_problems();
+
+// Throws std::invalid_argument with the nearest name where no problem has the name.
+const Problem& find_problem(const std::string& name);
+
+// Returns the problems' names and measures, for the reader of campaign files.
+std::vector<KnownProblem> known_problems();
+
+// Each problem, with its statement and measures.
 Problem kernels_problem();
 Problem manufactured_operators_problem();
 Problem taylor_green_problem();

@@ -4,7 +4,7 @@
 
 #include "verification/files/content_hash.hpp"
 #include "verification/files/sealed_json.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {

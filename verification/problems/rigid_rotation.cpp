@@ -1,10 +1,12 @@
-// Problem: a circular drop that turns as a rigid body under a central force -Omega^2 r.
-//   omega = Omega       the force keeps every particle on its circle, p = 0: the pair sums must add
-//                       nothing, and the path shows the integrator's order in the time step
-//   omega = Omega / 2   p = rho / 2 (Omega^2 - omega^2) (R^2 - r^2) bears the rest; a viscous
-//                       stress that is not symmetric would slow the rotation down
-// Pairs push along their line, so that the angular momentum stays to round-off. Source:
-// Monaghan 2005, Rep. Prog. Phys. 68:1703 (conservation).
+// Problem: a circular drop that rotates as a rigid body under a central force -Omega^2 r.
+//   omega = Omega       The force keeps every particle on its circle and p = 0: the pair sums must
+//   add
+//                       nothing, and the path shows the integrator's order in the time step.
+//   omega = Omega / 2   The pressure p = rho / 2 (Omega^2 - omega^2) (R^2 - r^2) balances the rest
+//   of
+//                       the force; a viscous stress that is not symmetric would slow the rotation.
+// The forces of a pair act along the line between its particles, so that the angular momentum is
+// conserved to round-off. Source: Monaghan 2005, Rep. Prog. Phys. 68:1703 (conservation).
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,7 +47,7 @@ double angular_momentum(const sph::Particles& p) {
   return sum;
 }
 
-// The largest distance of a particle from the nearest place of the start, turned by `angle`.
+// Returns the largest distance of a particle from the nearest initial position, rotated by `angle`.
 double distance_from_turned(const sph::Particles& p, const sph::Particles& start, double angle) {
   double farthest = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -61,7 +63,7 @@ double distance_from_turned(const sph::Particles& p, const sph::Particles& start
   return std::sqrt(farthest);
 }
 
-// The start of the leapfrog included.
+// Returns the error of the path, that of the leapfrog's first step included.
 double path_error(int steps) {
   const Box box = box_of(16);
   const sph::Particles start = turning(box, angular_frequency);
@@ -82,7 +84,7 @@ Turned half_turn(int cells) {
   const sph::Particles& p = flow.liquid.particles;
   const double start = angular_momentum(p);
   flow.advance_to(std::numbers::pi / omega);
-  // The leapfrog's velocities are half a step behind.
+  // The leapfrog's velocities are those of half a step earlier.
   double error2 = 0, exact2 = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double u = -omega * (p.z[i] - middle), w = omega * (p.x[i] - middle);

@@ -1,7 +1,7 @@
-// Problem: the balance of momentum. Particles of a liquid push one another in pairs that cancel, so
-// that its momentum changes by the weight and by what its walls give it,
+// Problem: the balance of momentum. The forces between the particles of a liquid cancel in pairs,
+// so that its momentum changes by the weight and by the force of its walls,
 //   M(t) - M(0) = sum over steps of dt (m g + sum_a m_a f_a),
-// with the walls' push f_a summed here over all mirror images, by the formulas of the scheme's
+// with the walls' force f_a summed here over all mirror images, by the formulas of the scheme's
 // policies but without its neighbour lists, clusters and vectors: for an image b of a particle
 //   f_a = -rho_0/rho_a sum_b V_b ((p_a + p_b) / rho_0 + Pi_ab) grad_a W_ab.
 // Source: Monaghan 2005, Rep. Prog. Phys. 68:1703; the images' pressure as in
@@ -12,7 +12,7 @@
 #include "sph/schemes.hpp"
 #include "verification/problems/flow.hpp"
 #include "verification/problems/problem_list.hpp"
-#include "verification/series/estimate.hpp"
+#include "verification/series/time_series.hpp"
 
 namespace slosh {
 namespace {
@@ -24,7 +24,7 @@ Box box_of(int cells) {
   return {.length = 1, .height = 1, .spacing = 1.0 / cells, .speed_of_sound = 20, .gravity = 9.81};
 }
 
-// Half the box, scattered and in motion towards a corner.
+// Returns a liquid that fills half the box, with scattered particles that move towards a corner.
 sph::Particles start(const Box& box) {
   const Scheme scheme = scheme_of<Choice>(box);
   sph::Particles p = lattice(box, [](double, double z) { return z < 0.5; });
@@ -41,14 +41,15 @@ struct Image {
   double x, z, u, w;
 };
 
-// Of a particle in the wall or the corner that the bits name.
+// Returns the image of a particle in its nearest side wall, its nearest floor or roof, or the
+// corner of the two.
 Image image_of(const sph::Particles& p, std::size_t i, bool side, bool level) {
   const double wall = p.x[i] < 0.5 ? 0 : 1, floor = p.z[i] < 0.5 ? 0 : 1;
   return {side ? 2 * wall - p.x[i] : p.x[i], level ? 2 * floor - p.z[i] : p.z[i],
           side ? -p.velocity_x[i] : p.velocity_x[i], level ? -p.velocity_z[i] : p.velocity_z[i]};
 }
 
-// Of the image b of the particle `owner` on the particle a [N/m].
+// Returns the force of the image b of the particle `owner` on the particle a [N/m].
 sph::Vector2 push(const Scheme& s, const sph::Particles& p, std::size_t a, const Image& b,
                   std::size_t owner) {
   using Kernel = Choice::Kernel;
@@ -111,7 +112,7 @@ Balance balance(int cells) {
   double largest = 0;
   const double dt = 0.5 * scheme.time_step(0.0), duration = 0.1;
   while (flow.liquid.time < duration) {
-    // The staggered leapfrog kicks by the push at the step's start, half as long at first.
+    // The staggered leapfrog's kick has the force at the step's start; the first is half as long.
     const double kick = flow.steps == 0 ? 0.5 * dt : dt;
     const sph::Vector2 walls = push_of_walls(scheme, p);
     impulse.x += kick * walls.x;
@@ -126,7 +127,7 @@ Balance balance(int cells) {
     result.impulse.push_back(impulse.x);
   }
   result.imbalance /= largest;
-  // A particle that a wall has put back has a push that is not in the sums.
+  // A particle that a wall has put back got a force that is not in the sums.
   if (flow.liquid.exchanged_at_walls() > 0) result.imbalance = not_a_number;
   return result;
 }

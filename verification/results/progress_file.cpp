@@ -19,7 +19,7 @@ std::optional<RunProgress> read_progress(const std::filesystem::path& file) try 
   return RunProgress{.time = document.at("time_s"),
                      .end_time = document.at("end_time_s"),
                      .steps = document.at("steps")};
-} catch (const std::exception&) {  // not there yet, or not to be read
+} catch (const std::exception&) {  // absent or not readable
   return std::nullopt;
 }
 

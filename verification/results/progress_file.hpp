@@ -1,5 +1,5 @@
-// How a run tells the process that started it how far it is: a small JSON file that is replaced as
-// a whole.
+// The progress of a run, for the process that started it: a small JSON file that is replaced as a
+// whole.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +13,10 @@ struct RunProgress {
   double steps = 0;
 };
 
-// Throws std::filesystem::filesystem_error.
+// Replaces the file. Throws std::filesystem::filesystem_error.
 void write_progress(const RunProgress& progress, const std::filesystem::path& file);
 
-// Nothing where the file is absent or is no progress file: a run may not have begun to write.
+// Returns nullopt where the file is absent or not readable: the run may not have begun to write it.
 std::optional<RunProgress> read_progress(const std::filesystem::path& file);
 
 }  // namespace slosh

@@ -16,8 +16,8 @@ using hdf5::Handle;
 
 constexpr SealedKind kind{"result", 2};
 
-// A '/' parts groups in HDF5, so a link's name has "%2F" for it; the attribute "name" has the name
-// itself.
+// HDF5 separates groups by '/', so a link's name has "%2F" instead; the attribute "name" has the
+// unchanged name.
 std::string link_name(const std::string& series_name) {
   std::string link;
   for (const char c : series_name) link += c == '/' ? "%2F" : c == '%' ? "%25" : std::string(1, c);
@@ -34,7 +34,7 @@ constexpr std::pair<const char*, double RunCost::*> cost_fields[] = {
     {"steps", &RunCost::steps},
     {"elements", &RunCost::elements}};
 
-// The same for the texts of the root; the series and the maps have loops of their own.
+// The texts of the root; the series and the maps have loops of their own.
 constexpr std::pair<const char*, std::string RunResult::*> root_fields[] = {
     {"case_name", &RunResult::case_name},
     {"run_name", &RunResult::run_name},

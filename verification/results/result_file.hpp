@@ -1,5 +1,5 @@
-// What a run leaves: one HDF5 file, written under a temporary name and renamed when complete.
-// Everything after it (metrics, gate, report) can be redone without running a solver. Layout,
+// The result of a run: one HDF5 file, written under a temporary name and renamed when complete.
+// All later steps (metrics, gate, report) can be redone without running a solver. Layout,
 // version 2 (texts are UTF-8, numbers float64):
 //   /              attributes format ("slosh result"), format_version, case_name, run_name,
 //                  solver, key
@@ -13,7 +13,7 @@
 //                  Fletcher32 sums; in NAME a '/' is "%2F" and a '%' is "%25"
 //   /snapshots/N   N = 00000, 00001, ...: attributes time_s, width_m, height_m; data sets x, z,
 //                  velocity_x, velocity_z, pressure, each with the attribute unit
-// Sealed as sealed_file.hpp says.
+// The file is sealed (sealed_file.hpp).
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@
 
 namespace slosh {
 
-// What the run took, in the operating system's figures for its process and its children.
+// The cost of a run, by the operating system's account of its process and its children.
 struct RunCost {
   double wall_time = 0;    // [s]
   double user_time = 0;    // [s], all threads and children
@@ -36,11 +36,11 @@ struct RunCost {
   double elements = 0;  // particles (walls apart) or cells
 };
 
-// The liquid at one moment: places of equal size, particles or those cells that are at least half
-// liquid.
+// The liquid at one moment, as rectangles of equal size: the particles, or the cells that are at
+// least half liquid.
 struct FieldSnapshot {
   double time;                                 // [s]
-  double width, height;                        // of a place [m]
+  double width, height;                        // of a rectangle [m]
   std::vector<double> x, z;                    // middles, from the tank's bottom left corner [m]
   std::vector<double> velocity_x, velocity_z;  // against the tank, along its axes [m/s]
   std::vector<double> pressure;                // above the gas's [Pa]
@@ -59,15 +59,16 @@ struct RunResult {
   std::vector<TimeSeries> series;
   std::vector<FieldSnapshot> snapshots = {};  // at the case's snapshot times
 
-  // Throws ResultError when there is no such series.
+  // Returns the series of that name. Throws ResultError where there is none.
   const TimeSeries& at(const std::string& series_name) const;
 };
 
-// Makes the directory if need be. Throws ResultError, also for a series without a name, of a name
-// given twice or with unequal numbers of times and values; what was under the name stays then.
+// Writes the result and makes the directory if need be. Throws ResultError, also for a series that
+// has no name, the name of another, or unequal numbers of times and values; an earlier file stays
+// then.
 void write_result(const RunResult& result, const std::filesystem::path& file);
 
-// Throws ResultError with the file's name.
+// Reads a result. Throws ResultError with the file's name.
 RunResult read_result(const std::filesystem::path& file);
 
 }  // namespace slosh

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 std::string question_of(const std::string& key) { return key.substr(0, key.find('-')); }
 std::string answer_of(const std::string& key) { return key.substr(key.find('-') + 1); }
 
-// Of the names that atomic_file.hpp writes under.
+// Removes temporary files, which have the names that atomic_file.hpp gives.
 void remove_half_written(const fs::path& directory, const std::string& answer) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string name = entry.path().filename().string();
@@ -21,13 +21,13 @@ void remove_half_written(const fs::path& directory, const std::string& answer) {
 constexpr const char* lock_extension = ".lock";
 constexpr std::size_t digits_of_half = 32;
 
-// A question or an answer, as content_hash() writes them.
+// Returns whether the name is a question or an answer, as content_hash() writes them.
 bool is_half(const std::string& name) {
   return name.size() == digits_of_half &&
          name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-// "<answer>.h5", and of a file that is half written ".<answer>.h5.123.partial".
+// Returns the answer in "<answer>.h5" or, of a half-written file, in ".<answer>.h5.123.partial".
 std::string answer_in(const std::string& file_name) {
   const std::size_t begin = file_name.starts_with(".") ? 1 : 0;
   return file_name.substr(begin, file_name.find('.', begin) - begin);
@@ -55,7 +55,7 @@ std::optional<fs::path> ResultStore::newest_file(const std::string& key,
   std::optional<fs::path> newest;
   if (!fs::is_directory(own.parent_path())) return newest;
   for (const auto& entry : fs::directory_iterator(own.parent_path())) {
-    // "<answer>.h5", and none of the states that lie beside it in work directories.
+    // Takes "<answer>.h5", but none of the states in work directories.
     if (entry.path().extension() != extension || entry.path().stem().has_extension()) continue;
     if (!newest || fs::last_write_time(entry) > fs::last_write_time(*newest)) newest = entry;
   }

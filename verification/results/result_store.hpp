@@ -1,13 +1,13 @@
-// Where results lie, by the key of all that determined them (run_key.hpp, problem_key()):
+// The store of results, by the key of everything that determined them (run_key.hpp, problem_key()):
 //   <root>/<question>/<answer>.h5            a run's result; .json: a problem's
-//   <root>/<question>/<answer>.work/         what its solver leaves beside it
-//   <root>/<question>/<answer>.timings.json  what repeats took (timings.hpp)
+//   <root>/<question>/<answer>.work/         other files of its solver
+//   <root>/<question>/<answer>.timings.json  costs of repeats (timings.hpp)
 //   <root>/<question>/<answer>.failure.json  why it failed when it was last tried (run_failure.hpp)
 //   <root>/<question>/<answer>.lock          held by whoever computes it
-//   <root>/costs.txt                         what runs took of what was estimated
-//                                            (campaign/cost_records.hpp)
-// so that campaigns share what they have in common, and one that asks for what another computes
-// waits for that.
+//   <root>/costs.txt                         costs of runs beside their estimates
+//                                            (runs/cost_records.hpp)
+// Campaigns share the results that they have in common, and one that needs a result which another
+// is computing waits for it.
 #pragma once
 
 #include <cstdint>
@@ -27,21 +27,21 @@ class ResultStore {
 
   const std::filesystem::path& root() const { return root_; }
 
-  // `extension` with its dot. The key has the form "question-answer".
+  // Returns the file of the key; `extension` has its dot. The key has the form "question-answer".
   std::filesystem::path file(const std::string& key, const char* extension) const;
 
-  // That of the key, or else the newest that answers the same question; nothing where none is.
+  // Returns the file of the key, or else the newest that answers the same question, or nullopt.
   std::optional<std::filesystem::path> newest_file(const std::string& key,
                                                    const char* extension) const;
 
-  // The keys under which something lies, sorted. Files that no key names are none of the store's.
+  // Returns the keys that have files, sorted. Files that no key names do not belong to the store.
   std::vector<std::string> keys() const;
 
-  // Of all that lies under the key [byte].
+  // Returns the size of all files of the key [byte].
   std::uintmax_t size(const std::string& key) const;
 
-  // Removes all that lies under the key but its lock, which whoever waits for the key may have open
-  // already. False, and nothing is removed, where a process holds the key.
+  // Removes all files of the key except its lock, which a waiting process may already have open.
+  // Returns false, and removes nothing, where a process holds the key.
   bool remove(const std::string& key) const;
 
  private:
@@ -50,8 +50,8 @@ class ResultStore {
   std::filesystem::path root_;
 };
 
-// Holds a key of the store for this process alone until it goes, and clears away what a process
-// that died there has half written. Waits for whoever holds it. Throws
+// Holds a key of the store for this process alone during its lifetime, and removes the half-written
+// files of a process that died there. Waits for another process that holds the key. Throws
 // std::filesystem::filesystem_error.
 class StoreLock {
  public:

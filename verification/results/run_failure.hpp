@@ -1,5 +1,5 @@
-// Why a run or a problem failed, as data: a sealed JSON file (sealed_json.hpp) that lies in the
-// store where the result would (result_store.hpp) until the run is tried again.
+// The reason why a run or a problem failed, as a sealed JSON file (sealed_json.hpp). It lies in the
+// store in the place of the result (result_store.hpp) until the run is tried again.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,18 @@ inline constexpr const char* failure_extension = ".failure.json";
 struct RunFailure {
   std::string kind;     // "solver failed", "killed", "time limit", "not started", "lost", ...
   std::string message;  // one line
-  std::string details;  // the failed program's own words, line by line; empty where it left none
-  std::string log;      // the file that has all of them; empty where there is none
+  std::string details;  // the failed program's last output; empty where it left none
+  std::string log;      // the file with its whole output; empty where there is none
 };
 
 // Throws ResultError.
 void write_failure(const RunFailure& failure, const std::filesystem::path& file);
 
-// Nothing where the file is absent, altered, or no such file.
+// Returns nullopt where the file is absent, altered or of another kind.
 std::optional<RunFailure> read_failure(const std::filesystem::path& file);
 
-// The solver failed, could not use its directories, or left less than the whole duration or values
-// that are no numbers. what() says how.
+// The solver failed, could not use its directories, or left series that end early or hold NaN or
+// infinite values. what() says how.
 struct SolverError : std::runtime_error {
   explicit SolverError(const std::string& message)
       : SolverError({"solver failed", message, "", ""}) {}

@@ -1,4 +1,4 @@
-// The series that SPH and interFoam name alike, from their own histories into a result.
+// Moves the histories that SPH and interFoam both record into the series of a result.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace slosh {
 
-// A history that the solver did not record is no series.
+// Adds the history as a series unless it is empty: the solver did not record it then.
 template <class History>
 void take_series(const std::string& name, const std::string& unit, History& history,
                  RunResult& result) {
@@ -16,7 +16,7 @@ void take_series(const std::string& name, const std::string& unit, History& hist
     result.series.push_back({name, unit, std::move(history.time), std::move(history.value)});
 }
 
-// Those of both; `output` of either solver.
+// Adds the series that both solvers have; `output` is that of either.
 template <class Output>
 void take_common_series(Output& output, RunResult& result) {
   for (auto& [gauge, history] : output.elevation)

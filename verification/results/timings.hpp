@@ -1,5 +1,5 @@
-// What repeats of a run took that had their core for themselves: a sealed JSON file
-// (sealed_json.hpp) beside its result.
+// The costs of repeats of a run that ran alone on their core, as a sealed JSON file
+// (sealed_json.hpp) beside the run's result.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,16 @@ struct Timing {
   std::string processor, date;  // as in a result's provenance
 };
 
-// None where the file is absent, altered, or no such file: they are made again then.
+// Returns an empty list where the file is absent, altered or of another kind: the repeats are then
+// run again.
 std::vector<Timing> read_timings(const std::filesystem::path& file);
 
-// Adds one; the file is replaced as a whole. Throws ResultError. The caller sees to it that no
-// other process does the same (StoreLock).
+// Adds a timing; the file is replaced as a whole. Throws ResultError. The caller holds the
+// key's StoreLock, so that no other process writes the file.
 void add_timing(const Timing& timing, const std::filesystem::path& file);
 
-// Of those on the processor of the last one: times on two machines are no repeats.
+// Returns the costs of the timings that have the processor of the last one: times on two kinds of
+// machine are no repeats.
 std::vector<RunCost> comparable_costs(const std::vector<Timing>& timings);
 
 }  // namespace slosh

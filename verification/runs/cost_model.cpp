@@ -13,15 +13,15 @@ namespace {
 
 constexpr double nanosecond = 1e-9, microsecond = 1e-6, millisecond = 1e-3;
 
-// A two-core virtual machine at work takes so much longer than the same machine idle, on which the
-// figures of the model were measured: a quiet one is faster by this, a crowded one slower.
+// The figures of the model were measured on an idle two-core virtual machine. The same machine at
+// work takes longer by this factor; a crowded one takes longer still.
 constexpr double at_work = 1.4;
 
 struct SchemeWork {
   double support;      // of the kernel [h]
   double ratio;        // h / dp
   double evaluations;  // of the sums in a step
-  double terms;        // what its terms take over those of `recommended`
+  double terms;        // cost of its terms over that of `recommended`
 };
 
 SchemeWork work_of(const SphRun& sph) {
@@ -46,9 +46,10 @@ double time_of(const SphRun& sph, const RunEffort& effort, const CaseDefinition&
          nanosecond;
 }
 
-// A later correction of a step starts near its solution. In a shallow tank bores and the gas that
-// they drive shorten the steps by half, and the pressure takes twice as many iterations: this was
-// measured on one run alone, the violent roll on 90 x 51 cells.
+// The first of a step's pressure corrections costs more than the later ones, which start near their
+// solution. In a shallow tank bores and the gas that they drive halve the steps, and the pressure
+// takes twice as many iterations. This was measured on one run alone, the violent roll on 90 x 51
+// cells.
 double time_of(const InterFoamRun&, const RunEffort& effort, const CaseDefinition& definition) {
   constexpr double start = 0.5;                // [s], the mesh and the reading of the results
   constexpr double shallow = 0.15, bores = 3;  // depth over length; times as long
@@ -58,7 +59,7 @@ double time_of(const InterFoamRun&, const RunEffort& effort, const CaseDefinitio
                      (0.36 * millisecond + equations * 0.83 * microsecond);
 }
 
-// On all nodes and on three quarters of them along each axis.
+// The flow is solved on all nodes, and on three quarters of them along each axis.
 double time_of(const PotentialRun&, const RunEffort& effort, const CaseDefinition& definition) {
   const double nodes = std::pow(effort.elements, 1.6) + std::pow(effort.elements * 9 / 16, 1.6);
   return effort.steps * nodes * 0.06 * microsecond * (definition.motion.roll ? 1.6 : 1);
@@ -68,12 +69,15 @@ double time_of(const LinearRun&, const RunEffort& effort, const CaseDefinition&)
   return effort.steps * effort.elements * 0.2 * microsecond;
 }
 
-double time_of(const ViscousWaveRun&, const RunEffort&, const CaseDefinition&) { return 0; }
-double time_of(const RecordRun&, const RunEffort&, const CaseDefinition&) { return 0; }
-
 double time_of(const ExternalRun& external, const RunEffort&, const CaseDefinition&) {
   constexpr double unknown = 3600;  // [s]
   return external.time_limit.value_or(unknown) / at_work;
+}
+
+// A record or a formula takes no more than the start of its process.
+template <class Other>
+double time_of(const Other&, const RunEffort&, const CaseDefinition&) {
+  return 0;
 }
 
 }  // namespace

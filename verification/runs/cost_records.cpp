@@ -11,13 +11,13 @@
 namespace slosh {
 namespace {
 
-constexpr double shortest = 2;          // [s]: a shorter run tells of its start, not of its solver
+constexpr double shortest = 2;          // [s]: a shorter run measures its start, not its solver
 constexpr std::size_t recent = 30;      // runs
 constexpr std::streamoff tail = 65536;  // [byte], some 1500 lines
 
 std::filesystem::path file_of(const ResultStore& store) { return store.root() / "costs.txt"; }
 
-// The file's end, without its first line, which may be cut.
+// Returns the end of the file without its first line, which may be cut.
 std::string last_lines(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   stream.seekg(0, std::ios::end);
@@ -31,7 +31,7 @@ std::string last_lines(const std::filesystem::path& file) {
 
 void record_cost(const CostRecord& record, const ResultStore& store) {
   if (!(record.taken >= shortest) || !(record.modelled > 0)) return;
-  // A short line in one write: those of runs that end at once do not mix.
+  // A short line is one write, so that the lines of runs that end together do not mix.
   std::ofstream(file_of(store), std::ios::app)
       << fmt::format("{} {:.4g} {:.4g}\n", record.solver, record.modelled, record.taken);
 }

@@ -1,5 +1,5 @@
-// What runs took against what the model (cost_model.hpp) had said of them, in a file of the store:
-// the machine's own factor, which no model knows. A line a run, "SOLVER MODELLED TAKEN" in seconds.
+// A file of the store with the cost of each run beside the modelled one (cost_model.hpp), from
+// which the machine's own factor follows. Each run has a line, "SOLVER MODELLED TAKEN" in seconds.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 namespace slosh {
 
 struct CostRecord {
-  std::string solver;      // solver_name(), run_case.hpp
+  std::string solver;      // solver_name(), solver_kinds.hpp
   double modelled, taken;  // processor time [s]
 };
 
-// Adds it; one that cannot be written is left out, for no run fails because nobody learns of it.
+// Adds the record. No error is raised where it cannot be written: the run itself has succeeded.
 void record_cost(const CostRecord& record, const ResultStore& store);
 
-// By how much this solver's last runs took longer than the model says: the median; nothing where
-// none is recorded that took long enough to tell.
+// Returns the median ratio of the taken to the modelled time over this solver's last runs, or
+// nullopt where no run that took long enough is recorded.
 std::optional<double> machine_factor(const std::string& solver, const ResultStore& store);
 
 }  // namespace slosh

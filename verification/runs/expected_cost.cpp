@@ -6,21 +6,26 @@
 #include <cmath>
 #include <optional>
 
+#include "verification/case/solver_kinds.hpp"
 #include "verification/runs/cost_model.hpp"
 #include "verification/runs/cost_records.hpp"
 #include "verification/runs/run_case.hpp"
-#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 namespace {
 
 constexpr double mebibyte = 1024 * 1024;
 
-// The model's own error, and with it that of a machine of which nothing is known: the same machine
-// took twice as long crowded as idle.
+// The factors by which the model may be wrong. On a machine without recorded runs it is larger: the
+// same machine took twice as long crowded as idle.
 constexpr double of_known_machine = 1.5, of_unknown_machine = 2;
 
-// Memory above what any run took on two-core machines.
+// Nothing is known of what an external program does.
+bool can_be_modelled(const RunDefinition& run) {
+  return solver_kind(run).answered_with != AnsweredWith::user_program;
+}
+
+// The estimated memory is above that of any run measured on two-core machines.
 ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run,
                       const ResultStore& store) {
   const double area = definition.liquid.column_width.value_or(definition.tank.length) *
@@ -35,14 +40,14 @@ ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run
   } else if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) {
     cost.memory += 128 * mebibyte + 8192.0 * mesh->cells_x * mesh->cells_z;
     cost.cores = mesh->processes;
-  } else if (std::holds_alternative<ExternalRun>(run.solver)) {
+  } else if (!can_be_modelled(run)) {
     cost.uncertainty = 0;
   }
   cost.wall_time = cost.processor_time / cost.cores;
   return cost;
 }
 
-// Two digits, or whole seconds.
+// Writes two digits, or whole seconds.
 std::string seconds_text(double seconds) {
   return seconds < 10 ? fmt::format("{:.2g}", seconds) : fmt::format("{:.0f}", seconds);
 }
@@ -61,7 +66,7 @@ ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition
     cost.memory = taken.peak_memory;
     cost.measured = true;
     cost.uncertainty = 1;
-  } catch (const ResultError&) {  // damaged: it says nothing
+  } catch (const ResultError&) {  // the file is damaged and says nothing
   }
   return cost;
 }
@@ -69,7 +74,7 @@ ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition
 void learn_cost(const RunResult& result, const CaseDefinition& definition, const RunDefinition& run,
                 const ResultStore& store) {
   const bool ended_early = result.provenance.contains("left_range_because");
-  if (ended_early || std::holds_alternative<ExternalRun>(run.solver)) return;
+  if (ended_early || !can_be_modelled(run)) return;
   record_cost({.solver = solver_name(run),
                .modelled = modelled_time(definition, run),
                .taken = result.cost.user_time + result.cost.system_time},

@@ -1,5 +1,5 @@
-// What a run is expected to take: what one that asked the same took, or else what the model says
-// (cost_model.hpp), corrected by what other runs of the solver took on this machine.
+// The expected cost of a run: the measured cost of an earlier run with the same key, or else the
+// model's (cost_model.hpp), corrected by the cost of the solver's other runs on this machine.
 #pragma once
 
 #include <string>
@@ -24,15 +24,15 @@ struct ExpectedCost {
 ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition& run,
                            const std::string& key, const ResultStore& store);
 
-// Lets the next estimates of the solver know what this run took. A run that ended before its time,
-// or an external program's, tells nothing.
+// Records the run's cost for later estimates of the same solver, unless the run ended before its
+// time or is an external program's.
 void learn_cost(const RunResult& result, const CaseDefinition& definition, const RunDefinition& run,
                 const ResultStore& store);
 
 // "1.4 core-seconds measured", "about 1.4 core-seconds, an estimate: 0.93 to 2.1".
 std::string cost_text(const ExpectedCost& cost);
 
-// [s]: beyond it a run hangs.
+// Returns the wall time [s] beyond which a run is taken to hang.
 double time_limit(const ExpectedCost& cost);
 
 }  // namespace slosh

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/errors.hpp"
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/results/cost_meter.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/solvers/solver_runs.hpp"
 
@@ -20,30 +20,28 @@ bool is_finite(const std::vector<double>& values) {
                      [](double value) { return std::isfinite(value); });
 }
 
-// A solver that ends early or with values that are no numbers has failed, whatever it says of
-// itself.
+// Throws SolverError where a series ends early or holds NaN or infinity, even if the solver reports
+// success.
 void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
   if (series.time.empty() || series.time.size() != series.value.size()) {
     throw SolverError(fmt::format("the series {} has {} times and {} values", series.name,
                                   series.time.size(), series.value.size()));
   }
   const double missing = definition.duration - series.time.back();
-  if (!(missing <=
-        definition.sample_interval)) {  // the last sample may lie anywhere in the last interval
+  // The last sample may lie anywhere in the last interval.
+  if (!(missing <= definition.sample_interval)) {
     throw SolverError(fmt::format("the series {} ends at {} s, expected {} s", series.name,
                                   series.time.back(), definition.duration));
   }
   if (!is_finite(series.time) || !is_finite(series.value)) {
-    throw SolverError(fmt::format("the series {} holds values that are no numbers", series.name));
+    throw SolverError(fmt::format("the series {} holds NaN or infinite values", series.name));
   }
 }
 
-// What a case can say and no solver takes yet; a record stands whatever the case says.
+// Runs the solver and turns the leaves' exceptions into those of execute().
 RunResult run_chosen_solver(const RunRequest& request) try {
   RunResult result = run_solver(request);
-  // A record is as long as it is, and potential flow ends where it leaves its range.
-  if (!std::holds_alternative<RecordRun>(request.run.solver) &&
-      !std::holds_alternative<PotentialRun>(request.run.solver))
+  if (!solver_kind(request.run).can_end_early)
     for (const TimeSeries& series : result.series) require_whole(series, request.definition);
   return result;
 } catch (const std::invalid_argument& error) {  // a case that the solver does not take
@@ -66,13 +64,13 @@ void require_runnable(const CaseDefinition& definition, const RunDefinition& run
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress) {
   const CostMeter meter;
-  const bool particles = std::holds_alternative<SphRun>(run.solver);
+  const bool particles = solver_kind(run).has_particles;
   if (settings.snapshot_interval != 0 && !particles)
     throw refused(run, "snapshots: expected a run of the solver sph, no other has particles");
   if ((settings.state_interval != 0 || !settings.resume.empty()) && !particles)
     throw refused(run,
                   "states and resume: expected a run of the solver sph, no other saves states");
-  if (settings.time_limit != 0 && !std::holds_alternative<InterFoamRun>(run.solver))
+  if (settings.time_limit != 0 && !solver_kind(run).takes_time_limit)
     throw refused(run, "time limit: expected a run of the solver interfoam");
   const CaseDefinition solved = definition_solved_by(run, definition);
   RunResult result = run_chosen_solver({solved, run, settings, progress});

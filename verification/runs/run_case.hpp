@@ -1,9 +1,13 @@
-// Executes one run of a case in this process: translates the case for the solver, runs it, and puts
-// what it gives into a result. Series: the case's quantities (quantities.hpp) as far as the solver
-// has them; of SPH also "kinetic_energy", "potential_energy" [J/m] and, of still water, those of
-// sph/still_water.hpp; of interFoam also "liquid_volume" [m2]; of a record its own quantity alone;
-// of an external program those that the case declares. Of potential flow each also with the suffix
-// `coarser`, from a run of fewer nodes. SPH and interFoam leave snapshots at the case's times.
+// Executes one run of a case in this process: it translates the case for the solver, runs it, and
+// collects its output in a result. The series are
+//   of every solver        the case's quantities (quantities.hpp), as far as the solver has them
+//   SPH, also              "kinetic_energy" and "potential_energy" [J/m], and of still water those
+//                          of sph/recording/still_water.hpp
+//   interFoam, also        "liquid_volume" [m2]
+//   potential flow, also   each series with the suffix `coarser`, from a run with fewer nodes
+//   a record               its own quantity alone
+//   an external program    those that the case declares
+// SPH and interFoam leave snapshots at the case's times.
 #pragma once
 
 #include <string>
@@ -11,18 +15,18 @@
 #include "verification/case/case_definition.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/results/run_failure.hpp"
-#include "verification/solvers/run_request.hpp"
+#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 
-// Throws CaseFileError (file:line) for what execute() would refuse of a case but for a record that
-// is not supplied (an unknown scheme, a spacing that does not fit the tank, a dam for linear
-// theory): for whoever wants to know before anything runs.
+// Checks a run before anything runs: throws CaseFileError (file:line) for whatever execute() would
+// refuse (an unknown scheme, a spacing that does not fit the tank, a dam for linear theory), except
+// a record that is not supplied.
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run);
 
-// Throws CaseFileError (file:line) for an unknown scheme, anything else that the solver
-// does not take, snapshots that it cannot make and a record that is not supplied, SolverError, and
-// ResultError where a snapshot cannot be written.
+// Executes the run and returns its result. Throws CaseFileError (file:line) for a case or settings
+// that the solver does not take and for a record that is not supplied, SolverError where the solver
+// fails, and ResultError where a snapshot cannot be written.
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
                   const RunSettings& settings, const Progress& progress);
 

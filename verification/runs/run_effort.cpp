@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "openfoam_cases/time_step.hpp"
-#include "sph/initial_lattice.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/solvers/sph_step.hpp"
+#include "verification/solvers/sph_scene.hpp"
 
 namespace slosh {
 namespace {
@@ -17,7 +17,7 @@ double samples(const CaseDefinition& definition) {
   return definition.duration / definition.sample_interval;
 }
 
-// Equal steps from one sample to the next, none longer than the longest.
+// The number of equal steps from one sample to the next, none longer than `longest` [s].
 double steps_to_samples(const CaseDefinition& definition, double longest) {
   return samples(definition) *
          std::max(std::ceil(definition.sample_interval / longest - 1e-9), 1.0);
@@ -73,9 +73,11 @@ RunEffort effort_of(const ViscousWaveRun&, const CaseDefinition& definition, con
   return {.steps = samples(definition), .elements = 1};
 }
 
-RunEffort effort_of(const RecordRun&, const CaseDefinition&, const RunDefinition&) { return {}; }
-
-RunEffort effort_of(const ExternalRun&, const CaseDefinition&, const RunDefinition&) { return {}; }
+// A record is only read, and nothing is known of an external program.
+template <class Other>
+RunEffort effort_of(const Other&, const CaseDefinition&, const RunDefinition&) {
+  return {};
+}
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How much a run computes, as far as that is known before it runs.
+// The amount that a run computes, as far as it is known beforehand.
 #pragma once
 
 #include "verification/case/case_definition.hpp"
@@ -6,14 +6,14 @@
 namespace slosh {
 
 struct RunEffort {
-  double steps = 0;     // in time; of potential flow and theory the samples
-  double elements = 0;  // particles, cells, nodes or modes
-  // Of interFoam, pressure equations solved in each step.
-  int pressure_corrections = 0;
+  double steps = 0;              // in time; for potential flow and theory the samples
+  double elements = 0;           // particles, cells, nodes or modes
+  int pressure_corrections = 0;  // pressure equations that interFoam solves in a step
 };
 
-// Flow so violent that it shortens the steps takes more of them, potential flow that leaves its
-// range fewer. Nothing is known of an external program, and a record is only read.
+// Violent flow shortens the steps and takes more of them; potential flow that leaves its range
+// takes fewer. Both numbers are 0 for an external program, of which nothing is known, and for a
+// record.
 RunEffort run_effort(const CaseDefinition& definition, const RunDefinition& run);
 
 }  // namespace slosh

@@ -3,19 +3,19 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/run_case.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/field_times.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/external_command.hpp"
-#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;  // its objects are sorted and its numbers written in full: one text per value
+using nlohmann::json;  // sorted objects and numbers in full: equal values have equal texts
 
 json number_or_null(const std::optional<double>& number) {
   return number ? json(*number) : json(nullptr);
@@ -25,40 +25,6 @@ json description(const SineMotion& motion) {
   return {{"sine", {motion.amplitude, motion.angular_frequency, motion.ramp_periods}}};
 }
 json description(const TableMotion& motion) { return {{"table", {motion.time, motion.value}}}; }
-
-json description(const SphRun& run) {
-  json numbers = json::object();
-  for (const auto& [name, number] : sph_number_names)
-    numbers[name] = number_or_null(run.numbers.*number);
-  json asked = {{"sph",
-                 {run.scheme, run.particle_spacing, run.surface_particle_spacing, run.variant,
-                  run.initial_state, numbers}}};
-  if (run.energy_budget) asked["energy_budget"] = true;
-  if (run.start_disorder > 0) asked["start"] = {run.start_disorder, run.start_seed};
-  return asked;
-}
-json description(const InterFoamRun& run) {
-  json asked = {{"interfoam", {run.cells_x, run.cells_z, run.processes}}};
-  if (run.start_disorder > 0) asked["start"] = {run.start_disorder, run.start_seed};
-  return asked;
-}
-json description(const PotentialRun& run) { return {{"potential", {run.nodes_x, run.nodes_z}}}; }
-json description(const LinearRun& run) { return {{"linear", {run.modes, run.two_layer}}}; }
-
-json description(const ViscousWaveRun&) { return "viscous_wave"; }
-
-json description(const RecordRun& run) {
-  return {
-      {"record", {run.quantity, run.unit, run.time, run.value, number_or_null(run.uncertainty)}}};
-}
-
-json description(const ExternalRun& run) {
-  json series = json::array();
-  for (const SeriesSource& one : run.series)
-    series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
-                      one.time_column, one.time_unit, one.scale, one.offset});
-  return {{"external", {run.command, run.directory.filename().string(), series}}};
-}
 
 template <class... Types>
 json description(const std::variant<Types...>& choice) {
@@ -78,16 +44,9 @@ json description(const PressureGaugeDefinition& gauge) {
           number_or_null(gauge.filter_cutoff)};
 }
 
-bool leaves_fields(const RunDefinition& run) {
-  return std::holds_alternative<SphRun>(run.solver) ||
-         std::holds_alternative<InterFoamRun>(run.solver);
-}
-
-// A program of the user's own may read anything of the case.
+// An external program may read anything of the case.
 bool reads_gas(const RunDefinition& run) {
-  const auto* linear = std::get_if<LinearRun>(&run.solver);
-  return std::holds_alternative<InterFoamRun>(run.solver) ||
-         std::holds_alternative<ExternalRun>(run.solver) || (linear && linear->two_layer);
+  return sees_gas(run) || solver_kind(run).answered_with == AnsweredWith::user_program;
 }
 
 json physics(const CaseDefinition& definition) {
@@ -141,11 +100,12 @@ const std::string& openfoam_version() {
   return version;
 }
 
-// All of the answer but for an external run's program.
+// Adds all that determines the answer except an external run's program.
 void add_answer(ContentHash& answer, const std::string& solver, const fs::path& builds,
                 const fs::path& openfoam_templates) {
   answer.add_file(builds / solver);
-  if (solver != "interfoam") return;
+  const SolverKind* kind = find_solver_kind(solver);  // no kind: the file of the problems
+  if (!kind || kind->answered_with != AnsweredWith::openfoam) return;
   answer.add(openfoam_version());
   add_directory(answer, openfoam_templates);
 }
@@ -157,10 +117,10 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& openfoam_templates) {
   ContentHash question, answer;
   json asked{{"case", physics(definition_solved_by(run, definition))},
-             {"run", description(run.solver)}};
+             {"run", hashed_settings(run)}};
   if (reads_gas(run))
     asked["case"]["gas"] = {definition.gas.density, definition.gas.kinematic_viscosity};
-  if (leaves_fields(run)) asked["snapshot_times"] = field_times(definition);
+  if (solver_kind(run).solves_flow) asked["snapshot_times"] = field_times(definition);
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external) asked["inputs"] = contents(external_inputs(*external, definition));
   question.add(asked.dump());
@@ -173,8 +133,10 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
 }
 
 PresentAnswers present_answers(const fs::path& builds, const fs::path& openfoam_templates) {
-  PresentAnswers present{{}, {"external"}};
-  if (openfoam_version().empty()) present.unknown_solvers.insert("interfoam");
+  PresentAnswers present;
+  present.unknown_solvers.merge(solvers_answered_with(AnsweredWith::user_program));
+  if (openfoam_version().empty())
+    present.unknown_solvers.merge(solvers_answered_with(AnsweredWith::openfoam));
   for (const auto& build : fs::directory_iterator(builds)) {
     ContentHash answer;
     add_answer(answer, build.path().filename().string(), builds, openfoam_templates);

@@ -16,10 +16,10 @@ namespace slosh {
 namespace {
 
 constexpr double counted_part = 0.9;  // of a shift, a stretch, a noise or a largest value
-constexpr double rounding = 1e-9;     // relative: a value on its bound claims nothing
+constexpr double rounding = 1e-9;     // relative; a value on its bound claims nothing
 constexpr double half_turn = 180, whole_turn = 360;  // [deg]
 
-// What the metric becomes, or what it then reaches at least.
+// The metric of the mutated candidate, or its lower bound.
 struct Prediction {
   double value;
   bool at_least = false;
@@ -40,7 +40,7 @@ std::optional<double> factor_of(const Mutation& mutation) {
   }
 }
 
-// Counted part of what is gained by the first kind and lost by the second.
+// The counted part of the strength: positive for the first kind, negative for the second.
 std::optional<double> change_of(const Mutation& mutation, MutationKind up, MutationKind down) {
   if (mutation.kind == up) return counted_part * mutation.strength;
   if (mutation.kind == down) return -counted_part * mutation.strength;
@@ -51,7 +51,7 @@ double wrap_degrees(double angle) {
   return wrap_angle(angle * std::numbers::pi / half_turn) * half_turn / std::numbers::pi;
 }
 
-// What sets the mutant apart from the candidate in the window.
+// The mutant less the candidate, in the window.
 std::vector<double> change_in_window(const TimeSeries& candidate, const TimeSeries& mutant,
                                      TimeWindow window) {
   return minus(cut_to_window(mutant, window).value, cut_to_window(candidate, window).value);
@@ -61,7 +61,7 @@ double deviation_in_window(const TimeSeries& series, TimeWindow window) {
   return rms(without_mean(cut_to_window(series, window).value));
 }
 
-// Counted part: the metric looks at the reference's times alone.
+// A part of the largest value counts, because the metric is taken at the reference's times alone.
 double largest_in_window(const TimeSeries& series, TimeWindow window) {
   double largest = 0;
   for (const double value : cut_to_window(series, window).value)
@@ -69,55 +69,65 @@ double largest_in_window(const TimeSeries& series, TimeWindow window) {
   return counted_part * largest;
 }
 
+MutationResponse response_of(const GateRow& row) { return metric_entry(row.metric).response; }
+
 std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& candidate,
                                    double factor, TimeWindow window) {
   const double e = candidate.measured;
-  switch (row.metric) {
-    case Metric::amplitude_error:
-    case Metric::rms_error:
+  switch (response_of(row)) {
+    case MutationResponse::as_amplitude:
       return Prediction{(1 + e) * std::abs(factor) - 1};
-    case Metric::band_energy_error:
+    case MutationResponse::as_energy:
       return Prediction{(1 + e) * factor * factor - 1};
-    case Metric::crest_error:
-    case Metric::trough_error:  // a flipped sign makes troughs of crests
+    case MutationResponse::as_crest:  // a flipped sign turns crests into troughs
       if (factor > 0) return Prediction{(1 + e) * factor - 1};
-      return std::nullopt;
-    case Metric::largest_magnitude:
+      break;
+    case MutationResponse::as_magnitude:
       return Prediction{std::abs(factor) * e};
-    case Metric::initial_value:
+    case MutationResponse::as_start:
       return Prediction{factor * e};
-    case Metric::normalised_rms:
+    case MutationResponse::as_rms_residual:
       return Prediction{std::abs(factor - 1) * (1 - e) - e, true};
-    case Metric::maximum_residual:
+    case MutationResponse::as_largest_residual:
       return Prediction{std::abs(factor - 1) * largest_in_window(candidate.series, window) - e,
                         true};
-    case Metric::phase_lag:
+    case MutationResponse::as_phase:
       if (factor < 0) return Prediction{wrap_degrees(e + half_turn)};
-      return std::nullopt;
-    default:
-      return std::nullopt;
+      break;
+    case MutationResponse::as_mean:
+    case MutationResponse::as_correlation:
+    case MutationResponse::as_delay:
+    case MutationResponse::as_frequency:
+    case MutationResponse::as_decay:
+    case MutationResponse::as_noise:
+    case MutationResponse::unpredicted:
+      break;
   }
+  return std::nullopt;
 }
 
 std::optional<Prediction> of_shift(const GateRow& row, double e, double periods, double period) {
-  if (row.metric == Metric::phase_lag || row.metric == Metric::cross_correlation_lag)
+  const MutationResponse response = response_of(row);
+  if (response == MutationResponse::as_phase || response == MutationResponse::as_correlation)
     return Prediction{wrap_degrees(e + whole_turn * periods)};
-  if (row.metric == Metric::time_lag) return Prediction{e + periods * period};
+  if (response == MutationResponse::as_delay) return Prediction{e + periods * period};
   return std::nullopt;
 }
 
 std::optional<Prediction> of_offset(const GateRow& row, double e, double offset) {
-  if (row.metric == Metric::mean_offset || row.metric == Metric::initial_value)
+  const MutationResponse response = response_of(row);
+  if (response == MutationResponse::as_mean || response == MutationResponse::as_start)
     return Prediction{e + offset};
-  if (row.metric == Metric::largest_magnitude) return Prediction{std::abs(offset) - e, true};
+  if (response == MutationResponse::as_magnitude) return Prediction{std::abs(offset) - e, true};
   return std::nullopt;
 }
 
-// By the triangle inequality, of what adds something to the candidate.
+// The lower bound of a residual after something was added to the candidate, by the triangle
+// inequality.
 std::optional<Prediction> of_residual(const GateRow& row, const JudgedCandidate& candidate,
                                       const Mutation& mutation, const MutationFrame& frame) {
-  const bool is_rms = row.metric == Metric::normalised_rms;
-  if (!is_rms && row.metric != Metric::maximum_residual) return std::nullopt;
+  const bool is_rms = response_of(row) == MutationResponse::as_rms_residual;
+  if (!is_rms && response_of(row) != MutationResponse::as_largest_residual) return std::nullopt;
   const double e = candidate.measured;
   const std::vector<double> change =
       change_in_window(candidate.series, mutated(candidate.series, mutation, frame), frame.window);
@@ -131,10 +141,12 @@ std::optional<Prediction> of_residual(const GateRow& row, const JudgedCandidate&
   return Prediction{counted_part * largest - e, true};
 }
 
-// Of the kinds that add something: a datum, a ramp, a part of a mode, a slow change of frequency.
+// The prediction for kinds that add something: an offset, a ramp, a part of a mode, a slow change
+// of frequency.
 std::optional<Prediction> of_addition(const GateRow& row, const JudgedCandidate& candidate,
                                       const Mutation& mutation, const MutationFrame& frame) {
   const double e = candidate.measured, s = mutation.strength;
+  const MutationResponse response = response_of(row);
   switch (mutation.kind) {
     case MutationKind::raised:
     case MutationKind::lowered:
@@ -143,20 +155,20 @@ std::optional<Prediction> of_addition(const GateRow& row, const JudgedCandidate&
         return found;
       break;
     case MutationKind::drifting:
-      if (row.metric == Metric::mean_offset)
+      if (response == MutationResponse::as_mean)
         return Prediction{e + counted_part * s / 2 *
                                   deviation_in_window(candidate.series, frame.window)};
       break;
     case MutationKind::chirped:
-      if (row.metric == Metric::phase_lag && row.mode == "forced")
+      if (response == MutationResponse::as_phase && row.mode == "forced")
         return Prediction{wrap_degrees(e - counted_part * s / 3 * whole_turn)};
       break;
     case MutationKind::mode_gained:
-      if (row.metric == Metric::amplitude_error && row.mode == mutation.mode)
+      if (response == MutationResponse::as_amplitude && row.mode == mutation.mode)
         return Prediction{(1 + e) * (1 + counted_part * s) - 1};
       break;
     case MutationKind::mode_damped:
-      if (row.metric == Metric::decay_rate && row.mode == mutation.mode && e > 0)
+      if (response == MutationResponse::as_decay && row.mode == mutation.mode && e > 0)
         return Prediction{e * (1 + counted_part * s)};
       break;
     default:
@@ -168,17 +180,17 @@ std::optional<Prediction> of_addition(const GateRow& row, const JudgedCandidate&
 std::optional<Prediction> after(const GateRow& row, const JudgedCandidate& candidate,
                                 const Mutation& mutation, const MutationFrame& frame) {
   const double e = candidate.measured;
+  const MutationResponse response = response_of(row);
   if (const auto factor = factor_of(mutation))
     return of_scale(row, candidate, *factor, frame.window);
   if (const auto periods = change_of(mutation, MutationKind::late, MutationKind::early))
     return of_shift(row, e, *periods, frame.period);
   if (const auto gain = change_of(mutation, MutationKind::faster, MutationKind::slower);
-      gain && ((row.metric == Metric::frequency_error && row.mode != "forced") ||
-               row.metric == Metric::spectral_peak_error))
+      gain && response == MutationResponse::as_frequency && row.mode != "forced")
     return Prediction{(1 + e) * (1 + *gain) - 1};
-  if (mutation.kind == MutationKind::noisy && row.metric == Metric::noise_share)
+  if (mutation.kind == MutationKind::noisy && response == MutationResponse::as_noise)
     return Prediction{counted_part * mutation.strength / std::hypot(1, mutation.strength), true};
-  if (mutation.kind == MutationKind::noisy && row.metric == Metric::normalised_rms)
+  if (mutation.kind == MutationKind::noisy && response == MutationResponse::as_rms_residual)
     return Prediction{counted_part * mutation.strength * (1 - e) - e, true};
   return of_addition(row, candidate, mutation, frame);
 }
@@ -196,7 +208,8 @@ bool outside_bounds(const GateRow& row, const Prediction& prediction) {
 bool claims_to_detect(const GateRow& row, const JudgedCandidate& candidate,
                       const Mutation& mutation, const MutationFrame& frame) {
   if (is_of_impacts(row.metric)) return false;
-  if (mutation.kind == MutationKind::other_unit && row.metric == Metric::noise_share) return false;
+  if (mutation.kind == MutationKind::other_unit && response_of(row) == MutationResponse::as_noise)
+    return false;
   if (!changes_values(mutation.kind)) return true;
   const auto prediction = after(row, candidate, mutation, frame);
   return prediction && outside_bounds(row, *prediction);

@@ -1,28 +1,31 @@
-// Which mutations of its candidate a gate row must detect, told from its metric, its bounds and the
-// value E that it measures of the candidate as it is. With f the factor of a mutation that scales:
-//   amplitude_error    becomes (1 + E) f - 1, as rms_error, crest_error and trough_error
-//   band_energy_error  becomes (1 + E) f^2 - 1
-//   noise_share        is at least s / sqrt(1 + s^2) of noise of strength s
-//   largest_magnitude  becomes |f| E
-//   normalised_rms     is at least |f - 1| (1 - E) - E, and s (1 - E) - E of noise of strength s
-//   maximum_residual   is at least |f - 1| max |candidate| - E
-//   initial_value      becomes f E, and E + o of an offset o
-//   mean_offset        becomes E + o of an offset o, and E + s d / 2 of a drift to s deviations d
-//   largest_magnitude  is at least |o| - E
-// Of what adds a series x to the candidate c (an offset, a drift, a gained mode, a chirp):
-//   normalised_rms     is at least rms(x) / rms(c - mean c) (1 - E) - E
-//   maximum_residual   is at least max |x| - E
-// by the triangle inequality. phase_lag, cross_correlation_lag, time_lag and frequency_error move
-// by the shift or stretch, the phase by half a turn of a flipped sign, and that of the forced mode
-// by a third of a turn times a chirp's strength (the mean of u^2); the amplitude error of a gained
-// mode becomes (1 + E) (1 + s) - 1. The row claims the mutation where that lies outside its bounds.
-// Of a shift, a stretch, a noise, an added series and max |candidate| nine tenths are counted, as
-// the ends of the window, filled with held values, and the times between samples take their part.
-// NaN in the window, a series that ends in it, swapped columns and another unit are claimed by
-// every row that looks at a series over the window (another unit not by noise_share, which is a
-// share of the series itself). What a metric is blind to (a phase to the amplitude, every mode to a
-// slip by whole periods), rows that compare two errors (improves_on) and the metrics of impacts
-// claim nothing more.
+// The mutations of its candidate that a gate row must detect, derived from the metric's
+// MutationResponse (metric_table.hpp), the row's bounds and the value E that it measures of the
+// candidate as it is. With f the factor of a mutation that scales, s the strength of a mutation,
+// and o an offset, the metric of the mutated candidate is
+//   as_amplitude         (1 + E) |f| - 1; (1 + E) (1 + s) - 1 where the row's mode is amplified
+//   as_energy            (1 + E) f^2 - 1
+//   as_crest             (1 + E) f - 1, of a positive f
+//   as_magnitude         |f| E; at least |o| - E
+//   as_start             f E; E + o
+//   as_mean              E + o; E + s d / 2 of a drift to s deviations d
+//   as_phase             E plus the shift, plus half a turn of a flipped sign; for the forced mode
+//                        less a third of a turn times a chirp's s (the mean of u^2)
+//   as_correlation       E plus the shift in degrees of the period
+//   as_delay             E plus the shift in seconds
+//   as_frequency         (1 + E) (1 + s) - 1 of a stretch of time, except for the forced mode
+//   as_decay             E (1 + s) where the row's mode is damped
+//   as_rms_residual      at least |f - 1| (1 - E) - E; s (1 - E) - E of noise; and rms(x) / rms(c -
+//                        mean c) (1 - E) - E where a series x is added to the candidate c (an
+//                        offset, a drift, a mode, a chirp)
+//   as_largest_residual  at least |f - 1| max |c| - E; and max |x| - E where x is added
+//   as_noise             at least s / sqrt(1 + s^2) of noise
+// The lower bounds of residuals follow from the triangle inequality. The row claims the mutation
+// where this value lies outside its bounds. Of a shift, a stretch, a noise, an added series and max
+// |c| nine tenths count: the rest is lost at the ends of the window, where values are held, and
+// between samples. Every row on a series over the window claims NaN in the window, a series that
+// ends in it, swapped columns and another unit, which as_noise does not depend on. All other pairs
+// of metric and mutation claim nothing, nor do metrics of impacts; rows that compare two errors
+// (improves_on) claim no change of values.
 #pragma once
 
 #include "verification/case/case_definition.hpp"
@@ -30,13 +33,13 @@
 
 namespace slosh {
 
-// The row's metric of its candidate as it is, in the row's unit, and that candidate.
+// The candidate as it is, and the row's metric of it in the row's unit.
 struct JudgedCandidate {
   double measured;
   const TimeSeries& series;
 };
 
-// Throws ComparisonError as cut_to_window() does of the candidate.
+// Throws ComparisonError as cut_to_window() does for the candidate.
 bool claims_to_detect(const GateRow& row, const JudgedCandidate& candidate,
                       const Mutation& mutation, const MutationFrame& frame);
 

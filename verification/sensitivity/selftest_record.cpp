@@ -62,7 +62,7 @@ void write_selftest_record(const SelftestRecord& record, const fs::path& file) {
 SelftestRecord read_selftest_record(const fs::path& file) {
   if (!fs::exists(file))
     throw SelftestRecordError(file.string() +
-                              ": is not there; expected what `slosh selftest --record` leaves");
+                              ": the file is missing; `slosh selftest --record` writes it");
   try {
     const Json content = Json::parse(read_bytes(file));
     SelftestRecord record{content.at("campaign"), content.at("quick"), {}};

@@ -1,10 +1,10 @@
-// What the self-test of a shipped campaign found, kept in the repository beside the baselines, so
-// that a test holds every shipped case to it without running the campaigns:
+// The record of a shipped campaign's self-test, kept in the repository beside the baselines, so
+// that a test can check every shipped case against it without running the campaigns:
 //   <baselines>/NAME.selftest.json, NAME-quick.selftest.json:
 //   {"campaign", "quick", "cases": [{"case", "rows", "rows_declared", "rows_judged",
 //     "detections": {"amplitude": {"coverage": "detected", "rows": [...]}, ...}}]}
-// `rows` is the hash of the case's rows (case_coverage.hpp): a row that has changed since makes the
-// record one of other rows.
+// `rows` is the hash of the case's rows (case_coverage.hpp): the record is out of date where a row
+// has changed since.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct SelftestRecord {
   std::vector<CaseCoverage> cases;
 };
 
-// A record that is not there or cannot be read. what() says the file.
+// The record is missing or cannot be read; what() names the file.
 struct SelftestRecordError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -36,7 +36,7 @@ void write_selftest_record(const SelftestRecord& record, const std::filesystem::
 // Throws SelftestRecordError.
 SelftestRecord read_selftest_record(const std::filesystem::path& file);
 
-// What keeps the record from holding for these cases, one line each: a case that it does not have,
+// The reasons why the record does not hold for these cases, one line each: a case that it lacks,
 // rows that have changed since, a detection that is missed.
 std::vector<std::string> shortcomings(const SelftestRecord& record,
                                       const std::vector<CaseDefinition>& cases);

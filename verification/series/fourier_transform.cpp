@@ -12,7 +12,7 @@ using Eigen::Index, Eigen::MatrixXcd, Eigen::MatrixXd;
 MatrixXcd fourier_transforms(const MatrixXd& columns, Index length) {
   MatrixXd padded = MatrixXd::Zero(length, columns.cols());
   MatrixXcd transforms(length / 2 + 1, columns.cols());
-  // FFTW makes and destroys plans in one thread at a time; it executes them in many.
+  // FFTW's planner is not thread-safe; the execution of plans is.
   static std::mutex planning;
   const int size = static_cast<int>(length), outputs = size / 2 + 1;
   const auto destroy = [](fftw_plan plan) {

@@ -5,11 +5,11 @@
 
 namespace slosh {
 
-// Per column x of n samples, zeros after them up to `length` >= n: the sums over i of
-// x_i exp(-2 pi i j sqrt(-1) / length), a row for each j = 0 ... length / 2.
+// The transform of each column x of n samples, padded with zeros to `length` >= n: row j holds the
+// sum over i of x_i exp(-2 pi i j sqrt(-1) / length), for j = 0 ... length / 2.
 Eigen::MatrixXcd fourier_transforms(const Eigen::MatrixXd& columns, Eigen::Index length);
 
-// The smallest number from `least` on with no prime factor above 5, which FFTW transforms fast.
+// The smallest number >= `least` with no prime factor above 5, which FFTW transforms fast.
 Eigen::Index fast_length(Eigen::Index least);
 
 }  // namespace slosh

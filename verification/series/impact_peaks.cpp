@@ -10,7 +10,7 @@
 namespace slosh {
 namespace {
 
-// Higher than the samples before and after, of equal ones the first.
+// Whether the sample is higher than its neighbours; of several equal samples the first counts.
 bool is_local_maximum(const std::vector<double>& value, std::size_t i) {
   if (i == 0 || !(value[i] > value[i - 1])) return false;
   const auto next = std::find_if(value.begin() + static_cast<std::ptrdiff_t>(i), value.end(),
@@ -64,7 +64,7 @@ std::vector<std::optional<ImpactPeak>> impact_peaks(const TimeSeries& pressure,
   }
   std::vector<std::optional<ImpactPeak>> peaks;
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    cut_to_window(pressure, windows[i]);  // for its checks
+    cut_to_window(pressure, windows[i]);  // only for its checks
     if (i > 0 && windows[i].begin < windows[i - 1].end) {
       throw ComparisonError(fmt::format(
           "{}: the window of impact {} begins at {} s; expected at or after the last one's end, "

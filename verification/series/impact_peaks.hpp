@@ -1,8 +1,8 @@
-// The pressure peaks of a series of impacts, one a period: in each window the highest local maximum
-// of the samples, where it exceeds the threshold; otherwise that impact did not come. A window
-// holds its beginning and not its end. A rise or fall that the window's edge cuts off is no peak of
-// that window. The values are the samples': a peak shorter than the sampling's interval is missed,
-// and of a filtered series they are the filtered ones.
+// The pressure peaks of a series of impacts, one per period. The peak of a window is the highest
+// local maximum of its samples, where that exceeds the threshold; otherwise the window has no
+// impact. A window includes its beginning and excludes its end. A rise or fall that the window's
+// edge cuts off is no peak of that window. The values are those of the samples: a peak shorter than
+// the sampling interval is missed, and for a filtered series they are the filtered ones.
 #pragma once
 
 #include <optional>
@@ -17,22 +17,22 @@ struct ImpactPeak {
   double pressure;  // [Pa]
 };
 
-// `count` windows of one period each, one after the other from `start` [s].
+// `count` consecutive windows of one period each, the first at `start` [s].
 std::vector<TimeWindow> impact_windows(double start, double period, int count);
 
-// One window a quarter of a period to both sides of each expected time [s].
+// One window of a quarter of a period to either side of each expected time [s].
 std::vector<TimeWindow> impact_windows(const std::vector<double>& expected_times, double period);
 
 // The pressure [Pa] above which a peak is an impact: a quarter of the lowest of the published mean
-// peaks, so that it follows the liquid and the tank of the experiment. SPHERIC benchmark 10: 928 Pa
-// in water, the plateau after an impact is 670 Pa and the lowest of the 408 published peaks 2213
-// Pa. Throws ComparisonError where there are no mean peaks.
+// peaks, so that it scales with the liquid and the tank of the experiment. SPHERIC benchmark 10 has
+// 928 Pa in water, where the plateau after an impact is 670 Pa and the lowest of the 408 published
+// peaks 2213 Pa. Throws ComparisonError where there are no mean peaks.
 inline constexpr double impact_share = 0.25;
 double impact_threshold(const std::vector<double>& mean_peaks);
 
-// Per window its impact's peak, none where no peak exceeds the threshold [Pa]. Throws
-// ComparisonError as cut_to_window() does per window, when a window begins before the last one's
-// end, and when there are no windows or the threshold is not a positive number.
+// The peak of each window, nullopt where no peak exceeds the threshold [Pa]. Throws ComparisonError
+// as cut_to_window() does per window, when a window begins before the previous one's end, when
+// there are no windows, and when the threshold is not a positive finite number.
 std::vector<std::optional<ImpactPeak>> impact_peaks(const TimeSeries& pressure,
                                                     const std::vector<TimeWindow>& windows,
                                                     double threshold);

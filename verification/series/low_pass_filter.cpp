@@ -15,7 +15,7 @@ namespace {
 constexpr double reach_of_width = 5;
 constexpr double largest_cutoff_of_nyquist = 1.0 / 3;
 
-// Checked as a window's samples are.
+// The whole series, with the checks of cut_to_window().
 TimeSeries checked_whole(const TimeSeries& series) {
   if (series.time.empty()) throw ComparisonError(series.name + ": no samples");
   return cut_to_window(series, {series.time.front(), series.time.back()});
@@ -33,7 +33,7 @@ double widest_interval(const std::vector<double>& time) {
 
 void require_resolved(const TimeSeries& series, double cutoff) {
   const double nyquist = 0.5 / widest_interval(series.time);
-  // The factor absorbs the rounding of sample times only.
+  // The factor only allows for the rounding of sample times.
   const double largest = largest_cutoff_of_nyquist * nyquist * (1 + 1e-6);
   if (!(cutoff > 0) || !(cutoff <= largest)) {
     throw ComparisonError(

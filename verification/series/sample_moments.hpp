@@ -1,6 +1,6 @@
-// Moments of samples x_1 .. x_n that all count alike, whatever their times:
+// Moments of samples x_1 .. x_n with equal weights, whatever their times:
 //   mean m = sum x_i / n,   rms = sqrt(sum x_i^2 / n)
-// NaN of no samples.
+// Both are NaN for no samples.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace slosh {
 double mean(const std::vector<double>& values);
 double rms(const std::vector<double>& values);
 
-// Each less the mean of all: their rms is the samples' own standard deviation.
+// The values less their mean; their rms is the standard deviation (with n, not n - 1).
 std::vector<double> without_mean(std::vector<double> values);
 
-// Sample by sample. Throws std::invalid_argument unless `other` has as many.
+// The difference sample by sample. Throws std::invalid_argument unless both have the same length.
 std::vector<double> minus(std::vector<double> values, const std::vector<double>& other);
 
 }  // namespace slosh

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "verification/series/estimate.hpp"
 #include "verification/series/fourier_transform.hpp"
+#include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
 namespace slosh {

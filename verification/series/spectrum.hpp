@@ -1,12 +1,12 @@
-// One-sided power spectrum of a series over a window and its peaks: freed of its least-squares
-// line, Hann window, zero-padded by four (which interpolates the spectrum and adds no resolution),
-// FFTW:
+// One-sided power spectrum of a series over a window, and its peaks. The least-squares line is
+// removed, a Hann window applied, and the samples padded with zeros to four times their number
+// (which interpolates the spectrum and adds no resolution):
 //   P(f) = 2 |sum_i w_i y_i exp(-2 pi i f t_i)|^2 / (sum_i w_i)^2,
 //   w_i = (1 - cos(2 pi i / n)) / 2,   i = 0 ... n - 1
-// so that a sine of amplitude A, three or more periods long, peaks at A^2 / 2. A peak's place and
-// height come from the parabola through the logarithm of its three highest points (Harris 1978 for
-// the window; Gasior & Gonzalez 2004 for the parabola): 0.1 to 0.3 % in frequency at three periods,
-// by the starting phase.
+// so that a sine of amplitude A, three or more periods long, peaks at A^2 / 2. A peak's frequency
+// and height come from the parabola through the logarithm of its three highest points (Harris 1978
+// for the window; Gasior & Gonzalez 2004 for the parabola). At three periods the error in frequency
+// is 0.1 to 0.3 %, depending on the starting phase.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ namespace slosh {
 struct Spectrum {
   std::vector<double> frequency;  // [Hz], 0 to Nyquist's, four points per 1 / window
   std::vector<double> power;      // amplitude squared / 2 of a sine at that frequency [unit^2]
-  // [Hz], main-lobe half width of Hann's window, 2 / window: what two tones must be apart.
+  // [Hz], main-lobe half width of the Hann window, 2 / window. Two tones must be this far apart.
   double resolution;
 };
 
@@ -31,15 +31,15 @@ struct SpectralPeak {
 // ComparisonError as cut_to_window() does.
 Spectrum power_spectrum(const TimeSeries& series, TimeWindow window);
 
-// The `count` highest local maxima, highest first, none closer to another than the resolution.
-// Fewer where there are fewer. Below 0.07 % of the highest peak's power a maximum may be a side
-// lobe of the window (-31.5 dB).
+// The `count` highest local maxima, highest first, at least the resolution apart; fewer where the
+// spectrum has fewer. Below 0.07 % of the highest peak's power a maximum may be a side lobe of the
+// window (-31.5 dB).
 std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, int count);
 
 // The series' variance within a band of frequencies [unit^2], from low to high [Hz]: the sum of the
-// spectrum's points there over the 1.5 bins (of 1 / window each) over which Hann's window spreads a
-// tone's power (Harris 1978, table 1: equivalent noise bandwidth); A^2 / 2 of a sine well inside.
-// NaN where the band is narrower than the spectrum's resolution to either side of its middle.
+// spectrum's points there over the 1.5 bins (of 1 / window each) over which the Hann window spreads
+// a tone's power (Harris 1978, table 1: equivalent noise bandwidth). For a sine well inside it is
+// A^2 / 2. Returns NaN where the band is narrower than the resolution to either side of its middle.
 double band_energy(const Spectrum& spectrum, double low, double high);
 
 }  // namespace slosh

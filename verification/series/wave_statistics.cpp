@@ -13,8 +13,8 @@
 namespace slosh {
 namespace {
 
-constexpr std::size_t fewest_samples = 16;  // twelve differences: fewer have no median to speak of
-constexpr double normal_median = 0.6744897501960817;  // of |x|, x standard normal
+constexpr std::size_t fewest_samples = 16;  // twelve differences: the least for a usable median
+constexpr double normal_median = 0.6744897501960817;  // median of |x|, x standard normal
 constexpr double squared_weights = 70;                // 1 + 16 + 36 + 16 + 1
 
 struct Extremes {
@@ -22,10 +22,11 @@ struct Extremes {
   double low = std::numeric_limits<double>::infinity();
 };
 
-// Of each whole period; a period without a sample, and one cut short by the window, has none.
+// The extremes of each whole period that has a sample; a period cut short by the window is left
+// out.
 std::vector<Extremes> extremes_by_period(const TimeSeries& series, double period) {
   const double begin = series.time.front();
-  // The factor absorbs the rounding of sample times only.
+  // The factor only allows for the rounding of sample times.
   const double whole = std::floor((series.time.back() - begin) / period * (1 + 1e-9));
   std::vector<Extremes> found(static_cast<std::size_t>(std::max(0.0, whole)));
   for (std::size_t i = 0; i < series.time.size(); ++i) {

@@ -42,7 +42,7 @@ void require_coverage(const TimeSeries& series, TimeWindow window) {
   }
   const double first = series.time.front(), last = series.time.back();
   const double mean_interval = (last - first) / static_cast<double>(series.time.size() - 1);
-  // The factor absorbs the rounding of sample times only.
+  // The factor only allows for the rounding of sample times.
   const double slack = mean_interval * (1 + 1e-6);
   if (first > window.begin + slack || last < window.end - slack) {
     throw ComparisonError(fmt::format(
@@ -84,7 +84,7 @@ void require_variation(const TimeSeries& series) {
 
 std::vector<double> interpolate(const TimeSeries& series, const std::vector<double>& times) {
   using Curve = boost::math::interpolators::makima<std::vector<double>>;
-  std::optional<Curve> curve;  // at its own times a series needs none
+  std::optional<Curve> curve;  // only made for times between samples
   std::vector<double> values;
   values.reserve(times.size());
   for (const double time : times) {

@@ -1,7 +1,7 @@
-// The part of a series that a metric looks at: checked, cut to the window, resampled, freed of its
-// trend. Interpolation is the modified Akima cubic (Boost.Math's makima: local, any spacing). Its
-// largest error on a sine, of the amplitude: 1.0 % at 10 samples per period, 0.34 % at 20, 0.015 %
-// at 100.
+// The part of a series that a metric uses: checked, cut to the window, resampled and detrended.
+// Interpolation is the modified Akima cubic (Boost.Math's makima: local, any spacing). Its largest
+// error on a sine, relative to the amplitude, is 1.0 % at 10 samples per period, 0.34 % at 20 and
+// 0.015 % at 100.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace slosh {
 
-// The samples inside the window. Throws ComparisonError naming the series when a time or value is
-// not finite, times do not increase, the lengths differ, the window is empty, the series falls
-// short of the window by more than one of its mean sample intervals, or fewer than four samples lie
-// inside.
+// The samples inside the window. Throws ComparisonError, with the series' name, when a time or
+// value is not finite, times do not increase, the lengths differ, the window is empty, the series
+// falls short of the window by more than one of its mean sample intervals, or fewer than four
+// samples lie inside.
 TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window);
 
 // Throws ComparisonError when a checked series is constant to rounding: its phase and its
@@ -28,14 +28,14 @@ struct CommonSamples {
   std::vector<double> time, candidate, reference;
 };
 
-// Of checked series: both at those times of the reference, cut to its window, that lie inside the
-// candidate's (at most a sample less).
+// Both series at the reference's times that lie inside the candidate's span. Requires checked
+// series; the reference is cut to its window, which the candidate covers to within a sample.
 CommonSamples common_samples(const TimeSeries& candidate, const TimeSeries& cut_reference);
 
 // `count` equally spaced times from begin to end, both included [s].
 std::vector<double> uniform_times(double begin, double end, std::size_t count);
 
-// Subtracts the least-squares straight line of equally spaced values.
+// Subtracts the least-squares straight line from equally spaced values.
 void remove_trend(std::vector<double>& values);
 
 }  // namespace slosh

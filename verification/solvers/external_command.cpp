@@ -31,8 +31,8 @@ bool is_name(std::string_view text) {
   return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == text.npos;
 }
 
-// Braces around anything but a name stay. Throws std::invalid_argument for a name of no
-// placeholder.
+// Fills in the placeholders; braces around anything but a name stay. Throws std::invalid_argument
+// for a name that is no placeholder.
 std::string filled_in(const std::string& argument, const Placeholders& known) {
   std::string filled;
   for (std::size_t at = 0; at < argument.size();) {
@@ -60,7 +60,7 @@ std::string filled_in(const std::string& argument, const Placeholders& known) {
   return filled;
 }
 
-// The argument, and what it sets where it has the form "--name=value".
+// Returns the argument, and also its value where it has the form "--name=value".
 std::vector<std::string> texts_of(const std::string& argument) {
   std::vector<std::string> texts{argument};
   if (const std::size_t equals = argument.find('='); equals != argument.npos)
@@ -102,7 +102,7 @@ std::vector<fs::path> external_inputs(const ExternalRun& external,
     if (fs::is_regular_file(file, none) && file.lexically_normal() != case_file) add(file);
   };
   for (const fs::path& input : external.inputs) add(input);
-  // What lies in the work directory is made by the run; nothing lies below /dev/null.
+  // Files in the work directory are made by the run, so none may be found: /dev/null has none.
   const std::vector<std::string> command = external_command(external, definition, "/dev/null");
   for (auto argument = command.begin() + 1; argument != command.end(); ++argument)
     for (const std::string& text : texts_of(*argument)) {

@@ -1,6 +1,7 @@
-// A program of the user's own: started without a shell in a fresh directory, its output kept beside
-// that, ended with all it has started when its time is over or this process is told to end; then
-// its files are read. Whatever it leaves undone is its failure.
+// Runs an external program without a shell in a fresh directory, keeps its output in a log beside
+// that, and reads the files of series that it leaves. The program and its child processes are ended
+// when its time limit is over or this process is told to end. A missing or unreadable series is a
+// failure of the run.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/wait.h>
@@ -27,12 +28,12 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 50ms;
-// From the signal that ends this process to the end of the program's whole group: less than what
-// the campaign leaves its runs before it kills them.
+// From the signal that ends this process to the kill of the program's process group: less than the
+// time that a campaign leaves its runs before it kills them.
 constexpr auto grace = 1s;
 
-// While one lives, the signals that would end this process wait, so that the program, whose group
-// is its own, is ended first.
+// While an object of this class lives, the signals that would end this process are held back, so
+// that the program, which has a process group of its own, is ended first.
 class AwaitedEnd {
  public:
   AwaitedEnd() {
@@ -53,7 +54,8 @@ class AwaitedEnd {
   void (*former_[std::size(signals)])(int);
 };
 
-// What went wrong in one line, as reports show it, then the end of the program's log.
+// Returns the error with one line that says what went wrong, as reports show it, and the end of the
+// program's log.
 SolverError failure(const std::string& what, const fs::path& log) {
   constexpr std::size_t shown = 10;
   std::deque<std::string> lines;
@@ -67,7 +69,7 @@ SolverError failure(const std::string& what, const fs::path& log) {
                       fmt::format("{}", fmt::join(lines, "\n")), log.string()});
 }
 
-// "" where it ended as it should.
+// Returns how the program ended; empty for exit status 0.
 std::string bad_end(int wait_status) {
   if (WIFSIGNALED(wait_status))
     return fmt::format("killed by signal {} ({})", WTERMSIG(wait_status),
@@ -132,9 +134,9 @@ void require_scene(const ExternalRun& external, const CaseDefinition& definition
   }
 }
 
-RunResult run_external(const ExternalRun& external, const RunRequest& request) {
+RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
   require_scene(external, request.definition, request.run);
-  // Only now: a report of what it left needs no program.
+  // The program is looked for only now, since a report on a stored result needs no program.
   if (external_program(external, request.definition).empty())
     throw SolverError(
         fmt::format("command: {}: expected a program relative to the case file or on "
@@ -143,7 +145,7 @@ RunResult run_external(const ExternalRun& external, const RunRequest& request) {
   const fs::path work = fs::absolute(request.settings.work_directory);
   const fs::path directory = work / (request.run.name + ".external");
   const fs::path log = work / (request.run.name + ".external.log");
-  fs::remove_all(directory);  // what an earlier run left is none of this one's
+  fs::remove_all(directory);  // an earlier run may have left files
   fs::create_directories(directory);
   const std::vector<std::string> command =
       external_command(external, request.definition, directory);

@@ -2,8 +2,11 @@
 #include <stdexcept>
 
 #include "openfoam_cases/check_tank.hpp"
-#include "openfoam_cases/geometry/start_disturbance.hpp"
+#include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/output/harvest.hpp"
+#include "openfoam_cases/run_case.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/write_case.hpp"
 #include "verification/case/field_times.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/results/taken_series.hpp"
@@ -58,7 +61,7 @@ openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& de
   return tank;
 }
 
-// The cells that are at least half liquid.
+// Returns the cells that are at least half liquid.
 FieldSnapshot liquid_of(const openfoam::FieldSnapshot& cells) {
   FieldSnapshot liquid{cells.time, cells.cell_width, cells.cell_height, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < cells.x.size(); ++i) {
@@ -81,10 +84,10 @@ void require_scene(const InterFoamRun& interfoam, const CaseDefinition& definiti
   throw refused(run, error.what());
 }
 
-RunResult run_interfoam(const InterFoamRun& interfoam, const RunRequest& request) {
+RunResult run_solver(const InterFoamRun& interfoam, const RunRequest& request) {
   const openfoam::SloshingTank tank = tank_of(interfoam, request.definition);
   const auto case_directory = request.settings.work_directory / (request.run.name + ".openfoam");
-  std::filesystem::remove_all(case_directory);  // what an earlier, broken run may have left
+  std::filesystem::remove_all(case_directory);  // an earlier, broken run may have left files
   openfoam::write_case(tank, request.settings.openfoam_templates, case_directory);
   openfoam::TimeLimits limits;
   if (request.settings.time_limit > 0) limits.solver = request.settings.time_limit;

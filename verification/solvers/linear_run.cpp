@@ -13,15 +13,15 @@
 namespace slosh {
 namespace {
 
-// Samples per sample interval of a motion that has no closed form. Duhamel's integral takes X'' as
-// linear between them: relative error (omega step)^2 / 12, below 1e-4 where a forcing period has 50
-// samples.
+// Samples of a motion without a closed form in each sample interval. Duhamel's integral takes X''
+// as linear between them; its relative error (omega step)^2 / 12 is below 1e-4 where a forcing
+// period has 50 samples.
 constexpr int motion_samples_per_sample = 4;
-// The same error up to 14 rad/s, without more memory for a case that is sampled for its impacts.
-// [s]
+// [s] The error is the same up to 14 rad/s, and a case that is finely sampled for its impacts needs
+// no more memory.
 constexpr double shortest_motion_step = 2.5e-3;
 
-// The surge where it has a closed form: a sine without a ramp.
+// Returns the surge where it has a closed form (a sine without a ramp), else nullptr.
 const SineMotion* sine_surge(const CaseDefinition& definition) {
   if (!definition.motion.surge) return nullptr;
   const auto* sine = std::get_if<SineMotion>(&*definition.motion.surge);
@@ -34,7 +34,7 @@ std::optional<reference::Gas> gas_of(const LinearRun& linear, const CaseDefiniti
                         definition.tank.height - definition.liquid.fill_depth};
 }
 
-// The answer to `motion`, with the gas where the run counts it.
+// Returns the solution for the motion, with the gas where the run counts it.
 template <class Solution, class Motion>
 Solution solution(const LinearRun& linear, const CaseDefinition& definition, const Motion& motion) {
   const auto gas = gas_of(linear, definition);
@@ -79,8 +79,8 @@ std::optional<reference::StandingWave> wave_of(const LinearRun& linear,
       {definition.initial_wave->mode, definition.initial_wave->amplitude});
 }
 
-// Surge, roll and the initial wave together: to the first order the sum of what each does, on still
-// water counted once.
+// Surge, roll and the initial wave together: the sum of the three solutions, as linear theory has
+// it. The hydrostatic pressure, which each of them contains, counts once.
 class LinearTank {
  public:
   LinearTank(const LinearRun& linear, const CaseDefinition& definition)
@@ -92,7 +92,7 @@ class LinearTank {
 
   const std::vector<double>& times() const { return times_; }
 
-  // x from the tank's centre.
+  // x is measured from the tank's centre [m].
   std::vector<double> elevation(double x) const {
     std::vector<double> sum(times_.size(), 0.0);
     if (surge_) add(sum, surge_->elevation(x, times_));
@@ -101,7 +101,7 @@ class LinearTank {
     return sum;
   }
 
-  // The mean over the sensor, by the midpoint rule; all of it lies under the still surface.
+  // Returns the mean over the sensor by the midpoint rule; all of it lies under the still surface.
   std::vector<double> wall_pressure(const PressureGaugeDefinition& gauge) const {
     const int places = gauge.width > 0 ? places_of_sensor : 1;
     std::vector<double> mean(times_.size(), 0.0);
@@ -118,7 +118,7 @@ class LinearTank {
              (wave_ ? wave_->horizontal_force(t) : 0);
     });
   }
-  // Where nothing but roll excites the liquid.
+  // The moment is known where nothing but roll excites the liquid.
   bool has_moment() const { return roll_ && !surge_ && !wave_; }
   std::vector<double> moment() const {
     return series([&](double t) { return roll_->moment(t); });
@@ -179,7 +179,7 @@ void require_scene(const LinearRun&, const CaseDefinition& definition, const Run
                   "which nothing can be compared; expected a tank that moves or an [initial_wave]");
 }
 
-RunResult run_linear(const LinearRun& linear, const RunRequest& request) {
+RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
   require_scene(linear, request.definition, request.run);
   const CaseDefinition& definition = request.definition;
   const LinearTank tank(linear, definition);

@@ -3,7 +3,7 @@
 #include <functional>
 #include <numbers>
 
-#include "reference/nonlinear_potential_flow.hpp"
+#include "reference/potential_flow/nonlinear_potential_flow.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/solvers/reference_tank.hpp"
@@ -32,7 +32,7 @@ reference::TankMotion motion_of(const CaseDefinition& definition) {
   return motion;
 }
 
-// From the tank's centre; empty for a level surface.
+// Returns the initial elevation over x from the tank's centre; empty for a level surface.
 std::function<double(double)> initial_elevation(const CaseDefinition& definition) {
   if (!definition.initial_wave) return {};
   const double wave_number =
@@ -57,7 +57,7 @@ reference::Observation observation_of(const CaseDefinition& definition) {
   reference::Observation observation{.times = sample_times(definition)};
   for (const GaugeDefinition& gauge : definition.gauges)
     observation.gauges.push_back(gauge.x - definition.tank.length / 2);
-  // The sensor's middle: over its few millimetres the pressure is linear.
+  // The pressure is linear over the few millimetres of a sensor, so its middle is enough.
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     observation.pressure_places.push_back(place_on_wall(definition, gauge.wall, gauge.position));
   return observation;
@@ -83,7 +83,7 @@ void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
   if (definition.motion.roll) add("moment", "N", std::move(moment));
 }
 
-// Series of two runs stand beside one another: both end where the first of them has left its range.
+// Cuts a record to the samples that both runs have: both end where the first leaves its range.
 void cut_to(std::size_t samples, NonlinearRecord& record) {
   record.times.resize(samples);
   for (std::vector<double>& series : record.elevation) series.resize(samples);
@@ -103,8 +103,9 @@ void require_scene(const PotentialRun&, const CaseDefinition& definition,
     throw refused(run, "potential flow takes no [[obstacle]]: its tank has four plane walls");
 }
 
-// Twice, with three quarters of the nodes too: what sets the two apart tells the run's uncertainty.
-RunResult run_potential(const PotentialRun& potential, const RunRequest& request) {
+// The flow is also solved with three quarters of the nodes: the difference of the two solutions
+// estimates the numerical uncertainty.
+RunResult run_solver(const PotentialRun& potential, const RunRequest& request) {
   require_scene(potential, request.definition, request.run);
   const CaseDefinition& definition = request.definition;
   const reference::Observation observation = observation_of(definition);

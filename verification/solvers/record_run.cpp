@@ -11,10 +11,10 @@ std::string where_to_get(const RecordRun& record, const CaseDefinition& definiti
       record.file.string(), definition.source);
 }
 
-// The case parser has read and checked the record, or found that its user has none.
+// The case parser has already read and checked the record, or found that it is not supplied.
 void require_scene(const RecordRun&, const CaseDefinition&, const RunDefinition&) {}
 
-RunResult run_record(const RecordRun& record, const RunRequest& request) {
+RunResult run_solver(const RecordRun& record, const RunRequest& request) {
   if (!record.supplied) throw refused(request.run, where_to_get(record, request.definition));
   RunResult result;
   result.series.push_back({record.quantity, record.unit, record.time, record.value});

@@ -1,4 +1,5 @@
-// What every theory is told of a case and when it is asked, and the size of what it answers.
+// A case as the theories of reference/ see it: the tank, the start, wall positions and sample
+// times.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "reference/linear_surge.hpp"
-#include "reference/nonlinear_potential_flow.hpp"
+#include "reference/potential_flow/nonlinear_potential_flow.hpp"
 #include "verification/case/case_definition.hpp"
 
 namespace slosh {
@@ -21,8 +22,8 @@ inline reference::Start start_of(const CaseDefinition& definition) {
   return definition.start == Start::earth ? reference::Start::earth : reference::Start::tank;
 }
 
-// `along` a side wall from the bottom, along the bottom from the left wall [m]; the place is from
-// the centre of the still surface.
+// Returns a position relative to the centre of the still surface. `along` is the distance from the
+// bottom on a side wall, and from the left wall on the bottom [m].
 inline reference::Observation::Place place_on_wall(const CaseDefinition& definition, Wall wall,
                                                    double along) {
   const double half = definition.tank.length / 2, depth = definition.liquid.fill_depth;
@@ -37,7 +38,7 @@ inline reference::Observation::Place place_on_wall(const CaseDefinition& definit
   return {along - half, -depth};
 }
 
-// 0, interval, ..., up to and including the duration (but for a rounding error) [s].
+// Returns the times 0, interval, ... up to and including the duration, within round-off [s].
 inline std::vector<double> sample_times(const CaseDefinition& definition) {
   const double intervals = definition.duration / definition.sample_interval;
   std::vector<double> times(static_cast<std::size_t>(intervals * (1 + 1e-12)) + 1);

@@ -42,7 +42,7 @@ std::vector<double> in_plane(const std::vector<double>& x, const std::vector<dou
   return rows;
 }
 
-// A run's name is safe as a file's (the case parser sees to it), and so it is in XML.
+// The case parser only accepts run names that are safe in file names, and these are safe in XML.
 std::string data_item(const std::string& place, const std::string& dimensions) {
   return fmt::format(
       R"(<DataItem Dimensions="{}" NumberType="Float" Precision="8" Format="HDF">{}</DataItem>)",
@@ -54,8 +54,8 @@ void write_values(hid_t group, const char* name, const char* unit,
   hdf5::write_attribute(hdf5::write_numbers(group, name, values, columns), "unit", unit);
 }
 
-// HDF5 crashes where a file cannot be completed: what it may need is taken from the disk first.
-// What is left of that goes when HDF5 closes the file.
+// HDF5 crashes where a file cannot be completed, so the space that it may need is allocated first.
+// The rest is freed when HDF5 closes the file.
 void reserve(const fs::path& data, std::size_t places) {
   constexpr std::size_t columns = 8;          // of a snapshot
   constexpr std::size_t structure = 1 << 16;  // [byte]: names, shapes and trees take some 20 kB

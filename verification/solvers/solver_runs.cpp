@@ -5,42 +5,6 @@
 #include <variant>
 
 namespace slosh {
-namespace {
-
-const char* solver_name(const SphRun&) { return "sph"; }
-const char* solver_name(const InterFoamRun&) { return "interfoam"; }
-const char* solver_name(const LinearRun&) { return "linear"; }
-const char* solver_name(const PotentialRun&) { return "potential"; }
-const char* solver_name(const ViscousWaveRun&) { return "viscous_wave"; }
-const char* solver_name(const RecordRun&) { return "record"; }
-const char* solver_name(const ExternalRun&) { return "external"; }
-
-RunResult run_solver(const SphRun& run, const RunRequest& request) { return run_sph(run, request); }
-RunResult run_solver(const InterFoamRun& run, const RunRequest& request) {
-  return run_interfoam(run, request);
-}
-RunResult run_solver(const LinearRun& run, const RunRequest& request) {
-  return run_linear(run, request);
-}
-RunResult run_solver(const PotentialRun& run, const RunRequest& request) {
-  return run_potential(run, request);
-}
-RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
-  return run_viscous_wave(request);
-}
-RunResult run_solver(const RecordRun& run, const RunRequest& request) {
-  return run_record(run, request);
-}
-RunResult run_solver(const ExternalRun& run, const RunRequest& request) {
-  return run_external(run, request);
-}
-
-}  // namespace
-
-std::string solver_name(const RunDefinition& run) {
-  return std::visit([](const auto& solver) -> std::string { return solver_name(solver); },
-                    run.solver);
-}
 
 CaseFileError refused(const RunDefinition& run, const std::string& why) {
   return CaseFileError(
@@ -52,7 +16,8 @@ void require_scene(const CaseDefinition& definition, const RunDefinition& run) {
 }
 
 RunResult run_solver(const RunRequest& request) {
-  return std::visit([&](const auto& run) { return run_solver(run, request); }, request.run.solver);
+  return std::visit([&](const auto& solver) { return run_solver(solver, request); },
+                    request.run.solver);
 }
 
 }  // namespace slosh

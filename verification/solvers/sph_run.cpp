@@ -17,7 +17,8 @@
 namespace slosh {
 namespace {
 
-// The solver hands over snapshots at equal intervals; these are whole numbers of samples.
+// The times of snapshot files and of the result's snapshots, as whole numbers of samples. The
+// solver hands over snapshots at equal intervals.
 class SnapshotTimes {
  public:
   SnapshotTimes(const CaseDefinition& definition, double file_interval)
@@ -43,7 +44,7 @@ class SnapshotTimes {
   std::vector<long> result_;
 };
 
-// As a camera that the tank carries sees it: velocities against the tank.
+// Returns the snapshot with velocities relative to the tank, along its axes.
 FieldSnapshot as_seen_in_the_tank(const sph::Snapshot& snapshot, const CaseDefinition& definition,
                                   double spacing) {
   const double surge = surge_motion(definition).velocity(snapshot.time);
@@ -67,7 +68,8 @@ FieldSnapshot as_seen_in_the_tank(const sph::Snapshot& snapshot, const CaseDefin
   return field;
 }
 
-// Where the run goes wrong its last good state stays on the disk, and the message says where.
+// Runs the scene. Where the run fails its last good state stays on the disk, and the error names
+// it.
 sph::RunOutput run_scene(const std::string& scheme, sph::Scene& scene, const RunRequest& request) {
   const auto file = last_good_state_file(request.settings.work_directory, request.run.name);
   std::string left;
@@ -103,7 +105,7 @@ void require_scene(const SphRun&, const CaseDefinition& definition, const RunDef
   sph_outline(definition, run);
 }
 
-RunResult run_sph(const SphRun& sph, const RunRequest& request) {
+RunResult run_solver(const SphRun& sph, const RunRequest& request) {
   const CaseDefinition& definition = request.definition;
   sph::Scene scene = sph_scene(definition, sph);
   const SnapshotTimes times(definition, request.settings.snapshot_interval);

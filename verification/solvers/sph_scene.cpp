@@ -1,7 +1,12 @@
 #include "verification/solvers/sph_scene.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <stdexcept>
 
+#include "sph/simulation.hpp"
+#include "verification/case/changed_input.hpp"
 #include "verification/case/motion.hpp"
 
 namespace slosh {
@@ -25,6 +30,10 @@ sph::Wall wall_of(Wall wall) {
 }
 
 }  // namespace
+
+// A number of the scheme that the case's runs can change needs a row in SphNumbers, its list of
+// names, and the copy below.
+static_assert(sizeof(SphNumbers) == sizeof(sph::SchemeNumbers));
 
 sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
   const SurgeMotion motion = surge_motion(definition);
@@ -68,6 +77,17 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
   for (const ObstacleDefinition& one : definition.obstacles)
     scene.obstacles.push_back({one.left, one.right, one.bottom, one.top});
   return scene;
+}
+
+std::optional<SphStep> sph_step(const CaseDefinition& definition, const RunDefinition& run) try {
+  const auto* sph = std::get_if<SphRun>(&run.solver);
+  if (!sph) return {};
+  const CaseDefinition solved = definition_solved_by(run, definition);
+  const double stable = sph::stable_time_step(sph->scheme, sph_scene(solved, *sph)),
+               interval = solved.sample_interval;
+  return SphStep{stable, interval / std::max(std::ceil(interval / stable - 1e-9), 1.0)};
+} catch (const std::invalid_argument&) {  // the solver refuses the run when it starts
+  return {};
 }
 
 }  // namespace slosh

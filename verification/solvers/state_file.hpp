@@ -1,24 +1,24 @@
-// What an SPH run goes on from (sph/saved_state.hpp), as a sealed HDF5 file (sealed_file.hpp): the
-// attribute key, and a group for each part of the state under the part's own name.
+// The state from which an SPH run restarts (sph/restart/saved_state.hpp), as a sealed HDF5 file
+// (sealed_file.hpp) with the attribute key and a group for each part of the state.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
-#include "sph/saved_state.hpp"
+#include "sph/restart/saved_state.hpp"
 
 namespace slosh {
 
-// The state of a run in a directory.
+// Returns the file of a run's state in a directory.
 std::filesystem::path state_file(const std::filesystem::path& directory,
                                  const std::string& run_name);
 
-// What a run that went wrong was at its last sample.
+// Returns the file of the last good state of a run that failed.
 std::filesystem::path last_good_state_file(const std::filesystem::path& directory,
                                            const std::string& run_name);
 
-// `key` of the run (run_key.hpp). Both throw ResultError; reading also where the state is of a run
-// of another key.
+// `key` is the run's (run_key.hpp). Both throw ResultError; read_state() also where the state
+// belongs to a run of another key.
 void write_state(const sph::SavedState& state, const std::string& key,
                  const std::filesystem::path& file);
 sph::SavedState read_state(const std::string& key, const std::filesystem::path& file);

@@ -25,7 +25,7 @@ void require_scene(const ViscousWaveRun&, const CaseDefinition& definition,
   throw refused(run, error.what());
 }
 
-RunResult run_viscous_wave(const RunRequest& request) {
+RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
   const CaseDefinition& definition = request.definition;
   require_scene(ViscousWaveRun{}, definition, request.run);
   const reference::ViscousStandingWave wave = wave_of(definition);

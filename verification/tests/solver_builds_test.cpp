@@ -58,7 +58,7 @@ const std::vector<std::string> kinds{"sph",          "interfoam", "linear",  "po
 TEST(SolverBuilds, RestOnNoGateMetricReportOrCampaign) {
   for (const std::string& kind : kinds) {
     const std::set<std::string> files = files_behind(kind);
-    EXPECT_TRUE(files.contains("verification/runs/" + kind + "_run.cpp")) << kind;
+    EXPECT_TRUE(files.contains("verification/solvers/" + kind + "_run.cpp")) << kind;
     EXPECT_TRUE(files.contains("verification/case/case_definition.hpp")) << kind;
     for (const char* folder : {"verification/gate/", "verification/metrics/harmonic_fit",
                                "reports/", "verification/campaign/", "verification/engine/"})
@@ -75,7 +75,9 @@ TEST(SolverBuilds, RestOnTheirOwnSolverAlone) {
   for (const std::string kind : {"linear", "potential", "viscous_wave"})
     EXPECT_TRUE(any_in(files_behind(kind), "reference/")) << kind;
   for (const std::string kind : {"sph", "interfoam", "external"})
-    EXPECT_FALSE(files_behind(kind).contains("reference/nonlinear_potential_flow.cpp")) << kind;
+    EXPECT_FALSE(
+        files_behind(kind).contains("reference/potential_flow/nonlinear_potential_flow.cpp"))
+        << kind;
 }
 
 TEST(SolverBuilds, OfProblemsTellThoseOfTheMetricsApart) {

@@ -315,7 +315,7 @@ TEST_F(Tool, GatesNothingOnALedgerWhoseLastLineIsForged) {
   write("a.jsonl", with(read("a.jsonl"), "\"upper\":0.3", "\"upper\":0.9"));
   const Ended forged = run({"gate"});
   EXPECT_EQ(forged.status, 4) << forged.out;
-  EXPECT_TRUE(holds(forged.err, "altered, added or taken out by hand")) << forged.err;
+  EXPECT_TRUE(holds(forged.err, "altered, added or removed by hand")) << forged.err;
 }
 
 TEST_F(Tool, TestsWhatItsOwnGateDetects) {

@@ -4,12 +4,12 @@
 
 #include <sstream>
 
-#include "verification/case_file/problem_table.hpp"
+#include "verification/case/campaign_definition.hpp"
 
 namespace slosh {
 namespace {
 
-// The failed program's own words below what is told of it, and where all of them are.
+// Returns the last lines of the failed program's output, and the place of the whole log.
 std::string words_of(const RunStatus& status) {
   if (!status.failure) return "";
   std::string text;

@@ -1,4 +1,4 @@
-// What is told of an assessed campaign.
+// The text that the tool prints about an assessed campaign.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace slosh {
 
-// A line for each run and problem without a result: why, and below it what the failed program said.
+// Returns a line for each run and problem without a result: the reason, followed by the output of
+// the failed program.
 std::string complaints(const std::vector<CaseAssessment>& cases,
                        const std::vector<ProblemAssessment>& problems);
 
-// A line for each gate row, the verdict first.
+// Returns a line for each gate row, which begins with the verdict.
 std::string gate_lines(const std::vector<CaseAssessment>& cases,
                        const std::vector<ProblemAssessment>& problems);
 

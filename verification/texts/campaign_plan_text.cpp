@@ -12,7 +12,7 @@
 namespace slosh {
 namespace {
 
-// A word that a shell would take apart is shown in quotes.
+// Quotes a word that a shell would split or expand.
 std::string shown(const std::string& word) {
   constexpr const char* plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@%";
@@ -29,7 +29,7 @@ std::string command_text(const Job& job) {
 struct Sums {
   int kept = 0, left_out = 0, to_run = 0, timings = 0;
   double processor_time = 0, alone = 0;  // [s]
-  double uncertainty = 1;                // the greatest factor of a run
+  double uncertainty = 1;                // the largest factor of any run
 };
 
 std::string line_of(const Job& job, const std::string& cost, Sums& sums) {
@@ -38,7 +38,7 @@ std::string line_of(const Job& job, const std::string& cost, Sums& sums) {
                      command_text(job));
 }
 
-// Of a problem, and of what was measured.
+// For a problem, and for a run whose cost is known.
 std::string line_of(const Job& job, Sums& sums) {
   return line_of(job, fmt::format("about {:.3g} core-seconds", job.expected_time * job.cores),
                  sums);

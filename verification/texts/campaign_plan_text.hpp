@@ -1,4 +1,4 @@
-// What `campaign --dry-run` tells.
+// The output of `campaign --dry-run`.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace slosh {
 
-// Of each run, problem and timing whether its result stands, what it is expected to cost and the
-// command that would be started; then the sums. Starts nothing.
+// Returns for each run, problem and timing whether its result exists, its expected cost and the
+// command that would start it, followed by the sums. Starts nothing.
 std::string plan_text(const std::vector<CaseDefinition>& cases,
                       const std::vector<ProblemDefinition>& problems,
                       const CampaignSettings& settings);

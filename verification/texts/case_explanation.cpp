@@ -8,11 +8,12 @@
 #include <sstream>
 
 #include "reference/linear_surge.hpp"
-#include "reports/tables/case_text.hpp"
+#include "reports/wording/case_text.hpp"
+#include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
-#include "verification/case/inputs.hpp"
 #include "verification/case/motion.hpp"
-#include "verification/case/natural_modes.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/solvers/reference_tank.hpp"
@@ -23,7 +24,7 @@ namespace {
 
 constexpr std::size_t columns = 80;
 
-// The words of a text in lines that start `indent` columns in.
+// Breaks a text into lines that are indented by `indent` columns.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream stream(text);
   std::string lines, line(indent, ' ');
@@ -43,8 +44,8 @@ std::string entry(const std::string& label, const std::string& text) {
   return lines.replace(2, label.size(), label);
 }
 
-const char* wall_name(Wall wall) {
-  return wall == Wall::left ? "left wall" : wall == Wall::right ? "right wall" : "bottom";
+std::string wall_text(Wall wall) {
+  return name_of(wall, wall_names) + (wall == Wall::bottom ? "" : " wall");
 }
 
 std::string gauges_text(const CaseDefinition& definition) {
@@ -53,7 +54,7 @@ std::string gauges_text(const CaseDefinition& definition) {
     texts.push_back(fmt::format("elevation@{} {:g} m from the left wall", gauge.name, gauge.x));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     texts.push_back(fmt::format(
-        "wall_pressure@{} on the {} at {:g} m{}", gauge.name, wall_name(gauge.wall), gauge.position,
+        "wall_pressure@{} on the {} at {:g} m{}", gauge.name, wall_text(gauge.wall), gauge.position,
         gauge.filter_cutoff ? fmt::format(", also filtered at {:g} Hz", *gauge.filter_cutoff)
                             : ""));
   return fmt::format("{}", fmt::join(texts, "; "));
@@ -78,16 +79,16 @@ std::string frequencies_text(const CaseDefinition& definition) {
   return text;
 }
 
-std::string solved(const CaseDefinition& definition) {
-  std::string text = "What is solved\n";
+std::string flow_text(const CaseDefinition& definition) {
+  std::string text = "Flow\n";
   text += entry("tank", fmt::format("{:g} m long, {:g} m high", definition.tank.length,
                                     definition.tank.height));
   text += entry("liquid",
                 fmt::format("{}; {:g} kg/m3, {:g} m2/s", liquid_text(definition),
                             definition.liquid.density, definition.liquid.kinematic_viscosity));
   text += entry("motion", motion_text(definition));
-  text += entry("start", fmt::format("at rest in the {}'s frame",
-                                     definition.start == Start::earth ? "earth" : "tank"));
+  text += entry("start",
+                fmt::format("at rest in the {}'s frame", name_of(definition.start, start_names)));
   text += entry("time", fmt::format("{:g} s, a sample every {:g} s; compared from {:g} to {:g} s",
                                     definition.duration, definition.sample_interval,
                                     definition.window_begin, definition.window_end));
@@ -109,12 +110,13 @@ std::string purpose_text(const InputEnd& end, const CaseDefinition& definition) 
                      in_unit(std::abs(end.change), input_unit(end.input, definition.motion)));
 }
 
-constexpr double told_loss = 0.005;  // of a step
+// The relative loss of a time step from which on it is printed.
+constexpr double told_loss = 0.005;
 
-std::string by_what(const CaseDefinition& definition,
-                    const std::map<std::string, KnownRun>& known) {
-  std::string text = "By what, at what cost\n";
-  std::map<std::string, std::string> told;  // the terms, by the run that has told them
+std::string runs_text(const CaseDefinition& definition,
+                      const std::map<std::string, KnownRun>& known) {
+  std::string text = "Runs and their costs\n";
+  std::map<std::string, std::string> told;  // the terms, by the first run that has them
   for (const RunDefinition& run : definition.runs) {
     const auto found = known.find(run.name);
     const KnownRun of_run = found == known.end() ? KnownRun{} : found->second;
@@ -136,58 +138,6 @@ std::string by_what(const CaseDefinition& definition,
   return text;
 }
 
-const char* words_for(Metric metric) {
-  switch (metric) {
-    case Metric::amplitude_error:
-      return "error of the amplitude";
-    case Metric::phase_lag:
-      return "phase lag";
-    case Metric::frequency_error:
-      return "error of the frequency";
-    case Metric::decay_rate:
-      return "decay rate";
-    case Metric::decay_error:
-      return "error of the decay rate";
-    case Metric::normalised_rms:
-      return "normalised rms of the difference";
-    case Metric::maximum_residual:
-      return "largest difference";
-    case Metric::time_lag:
-      return "time lag";
-    case Metric::aligned_rms:
-      return "normalised rms of the difference without the time lag";
-    case Metric::largest_magnitude:
-      return "largest magnitude";
-    case Metric::band_energy_error:
-      return "error of the energy near the mode's frequency";
-    case Metric::cross_correlation_lag:
-      return "lag of the highest cross-correlation";
-    case Metric::spectral_peak_error:
-      return "error of the frequency of the highest spectral peak";
-    case Metric::rms_error:
-      return "error of the root mean square about the mean";
-    case Metric::crest_error:
-      return "error of the mean crest";
-    case Metric::trough_error:
-      return "error of the mean trough";
-    case Metric::mean_offset:
-      return "mean less the reference's";
-    case Metric::noise_share:
-      return "white noise over the standard deviation";
-    case Metric::initial_value:
-      return "value at the start";
-    case Metric::impact_time:
-      return "time of the peak less the published one";
-    case Metric::plateau_error:
-      return "error of the mean over the plateau";
-    case Metric::impact_percentile:
-      return "share of the experiment's repeats that peak lower";
-    case Metric::cost_to_reach:
-      return "processor time to reach an error";
-  }
-  throw std::logic_error("a metric without words");
-}
-
 std::string bound_text(const GateRow& row) {
   if (row.improves_on) return "must be nearer to zero than that of " + *row.improves_on;
   if (row.between)
@@ -196,9 +146,9 @@ std::string bound_text(const GateRow& row) {
   return "must not exceed " + in_unit(row.limit.value(), row.unit) + " either way";
 }
 
-std::string gates(const CaseDefinition& definition) {
-  if (definition.gate.empty()) return "What gates\n  nothing: the case is only shown\n";
-  std::string text = "What gates\n";
+std::string gates_text(const CaseDefinition& definition) {
+  if (definition.gate.empty()) return "Gate rows\n  none: the case is only shown\n";
+  std::string text = "Gate rows\n";
   for (const GateRow& row : definition.gate) {
     text += wrapped(row_text(row), 2);
     text += wrapped(row.reason + " [" + row.source + "]", 6);
@@ -211,8 +161,8 @@ std::string gates(const CaseDefinition& definition) {
 std::string row_text(const GateRow& row) {
   const std::string mode = row.mode == "whole" ? "" : fmt::format(" ({})", row.mode);
   const std::string against = row.reference.empty() ? "" : " against " + row.reference;
-  return fmt::format("{}: {} of {}{}{} {}.", row.candidate, words_for(row.metric), row.quantity,
-                     mode, against, bound_text(row));
+  return fmt::format("{}: {} of {}{}{} {}.", row.candidate, metric_entry(row.metric).description,
+                     row.quantity, mode, against, bound_text(row));
 }
 
 std::string explanation(const CaseDefinition& definition,
@@ -221,8 +171,8 @@ std::string explanation(const CaseDefinition& definition,
   text += wrapped("Source: " + definition.source, 0);
   if (!definition.tags.empty())
     text += wrapped(fmt::format("Tags: {}", fmt::join(definition.tags, ", ")), 0);
-  return text + "\n" + solved(definition) + "\n" + by_what(definition, known) + "\n" +
-         gates(definition);
+  return text + "\n" + flow_text(definition) + "\n" + runs_text(definition, known) + "\n" +
+         gates_text(definition);
 }
 
 }  // namespace slosh

@@ -1,5 +1,5 @@
-// A case explained to its reader, in lines of at most 80 columns: what is solved, by what, what
-// gates and what it costs.
+// Explains a case in lines of at most 80 columns: the flow, the solvers and their costs, and the
+// gate rows.
 #pragma once
 
 #include <map>
@@ -11,22 +11,22 @@
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/solver_runs.hpp"
-#include "verification/solvers/sph_step.hpp"
+#include "verification/solvers/sph_scene.hpp"
 
 namespace slosh {
 
-// What is known of a run beyond its case file.
+// What is known about a run beyond its case file.
 struct KnownRun {
   ExpectedCost cost{};
   std::optional<SphOutline> start = {};  // of an SPH run
   std::optional<SphStep> step = {};      // of an SPH run
 };
 
-// By run.
+// `known` has the names of runs as keys.
 std::string explanation(const CaseDefinition& definition,
                         const std::map<std::string, KnownRun>& known);
 
-// The row in words: what is measured, and what it must be.
+// Returns the row in words: what is measured, and what it must be.
 std::string row_text(const GateRow& row);
 
 }  // namespace slosh

@@ -1,4 +1,4 @@
-// A study of convergence as the tool prints it.
+// The text of a convergence study.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct ConvergenceStudy {
 
 std::string text_of(const ConvergenceStudy& study);
 
-// The units stand in the keys or beside the values; a number that does not exist is null.
+// The units stand in the keys or beside the values. A missing number is null.
 std::string json_of(const ConvergenceStudy& study);
 
 }  // namespace slosh

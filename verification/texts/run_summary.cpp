@@ -6,12 +6,14 @@
 #include <optional>
 
 #include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/series/spectrum.hpp"
 
 namespace slosh {
 namespace {
 
-// ", period 1.3 s (spectral peak)"; nothing where the series is too short or has no peak.
+// Returns ", period 1.3 s (spectral peak)", or an empty text if the series is too short or has no
+// peak.
 std::string period_text(const TimeSeries& series) try {
   const Spectrum spectrum = power_spectrum(series, {series.time.front(), series.time.back()});
   const std::vector<SpectralPeak> peaks = spectral_peaks(spectrum, 1);
@@ -38,19 +40,17 @@ std::string cost_text(const RunResult& result) {
   std::string text =
       fmt::format("cost: {:.3g} core-seconds in {:.3g} s of wall time, {:.0f} MiB",
                   cost.user_time + cost.system_time, cost.wall_time, cost.peak_memory / mebibyte);
+  const SolverKind* kind = find_solver_kind(result.solver);
   if (cost.elements > 0)
-    text += fmt::format("; {:.0f} {}", cost.elements,
-                        result.solver == "sph"         ? "particles"
-                        : result.solver == "interfoam" ? "cells"
-                                                       : "nodes");
+    text += fmt::format("; {:.0f} {}", cost.elements, kind ? kind->elements : "nodes");
   return text + "\n";
 }
 
-// The samples' share of the shortening, and what the flow itself adds.
+// Returns how far landing on the samples and the flow itself shorten the time steps.
 std::string steps_text(const RunResult& result, const CaseDefinition& definition,
                        const SphStep& step) {
   const double mean = definition.duration / result.cost.steps;
-  constexpr double told = 0.005;  // of the step, as the percentages are rounded
+  constexpr double told = 0.005;  // relative, as percentages are rounded
   const bool flow_shortens = mean < (1 - told) * step.between_samples;
   return fmt::format(
       "steps: {:.0f} of {}{}\n", result.cost.steps, step_text(step, definition.sample_interval),

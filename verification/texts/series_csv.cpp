@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <functional>
 
-#include "reports/model/csv_text.hpp"
+#include "reports/model/file_formats.hpp"
 
 namespace slosh {
 namespace {
 
-// Of all the series, each once.
+// Returns the times of all series, increasing, each once.
 std::vector<double> moments(const RunResult& result) {
   std::vector<double> all;
   for (const TimeSeries& series : result.series) {

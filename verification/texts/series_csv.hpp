@@ -1,4 +1,4 @@
-// The series of a result file as one table.
+// Writes the series of a result file as one table.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace slosh {
 
-// Comma-separated values: a line of heads, "time [s],elevation@right [m],...", then a line for each
-// moment at which any series has a value; empty where a series has none then. Each number reads as
-// the very one in the file. Throws ResultError for times that do not increase.
+// Returns comma-separated values: a header, "time [s],elevation@right [m],...", and a line for each
+// time at which any series has a value. A cell is empty if its series has no value then. Every
+// number can be read back without loss. Throws ResultError for times that do not increase.
 std::string series_csv(const RunResult& result);
 
 }  // namespace slosh

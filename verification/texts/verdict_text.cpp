@@ -10,7 +10,7 @@
 namespace slosh {
 namespace {
 
-// What a line of a verdict may begin with, and its colour.
+// Returns the words with which a line of a verdict may begin, and their colours.
 std::vector<std::pair<std::string, const char*>> coloured_words() {
   return {
       {verdict_name(Verdict::pass), green},          {verdict_name(Verdict::violated), red},
@@ -32,10 +32,11 @@ std::string coloured(const std::string& line) {
 std::string broken(std::string line, std::size_t columns) {
   const std::string indent(std::min<std::size_t>(columns / 8, 4), ' ');
   std::string lines;
-  std::size_t begin = 0;  // of the words in the line
+  std::size_t begin = 0;  // of the first word in the line
   while (line.size() > columns) {
     std::size_t at = line.rfind(' ', columns);
-    if (at == std::string::npos || at <= begin) at = line.find(' ', begin);  // a word too long
+    if (at == std::string::npos || at <= begin)
+      at = line.find(' ', begin);  // a word longer than the line
     if (at == std::string::npos) break;
     lines += line.substr(0, at) + '\n';
     line = indent + line.substr(at + 1);

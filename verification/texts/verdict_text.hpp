@@ -1,4 +1,4 @@
-// Lines of verdicts as an output shows them.
+// Formats lines of verdicts for a terminal or a file.
 #pragma once
 
 #include <string>
@@ -7,10 +7,9 @@
 
 namespace slosh {
 
-// On a terminal: lines that are longer than it is wide break between words and go on indented, and
-// the verdict that a line begins with has its colour (green: it holds; red: it is violated or the
-// solver failed; yellow: nothing was decided) where colours may be. Elsewhere the text as it is, so
-// that each line remains one.
+// On a terminal, lines longer than its width are broken between words and indented, and the verdict
+// at the beginning of a line is coloured if colours are allowed (green: passed; red: violated or
+// solver failed; yellow: undecided). Elsewhere the text is unchanged.
 std::string as_shown(const std::string& text, const DisplayStyle& style);
 
 }  // namespace slosh

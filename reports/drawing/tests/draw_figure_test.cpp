@@ -13,10 +13,9 @@
 #include "reports/drawing/axes.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
 #include "reports/drawing/run_gnuplot.hpp"
-#include "reports/pages/figure_page.hpp"
+#include "reports/pages/report_documents.hpp"
 #include "reports/pages/write_report.hpp"
-#include "reports/tests/path_variable.hpp"
-#include "reports/tests/scratch_directory.hpp"
+#include "reports/tests/test_environment.hpp"
 
 namespace slosh::reports::draw_figure_test {
 namespace {
@@ -38,7 +37,7 @@ std::string drawn_markup(const Figure& figure) {
   return draw_figure(figure, scratch.path()).markup;
 }
 
-// The path data of the first curve; its first stroke is the legend's.
+// Returns the path data of the first curve, of which the first stroke is the legend's.
 std::string curve_path(const std::string& markup) {
   const auto curve = markup.find("gnuplot_plot_1");
   const auto start = markup.find(" d='", markup.find("#0069a8", curve)) + 4;
@@ -154,7 +153,7 @@ TEST(DrawnFigure, LabelsBothEndsOfALogarithmicAxis) {
   }
 }
 
-// Each bar of gnuplot's is a line and two ends, all of them horizontal or vertical strokes.
+// gnuplot draws an error bar as a line and two ends, all of them horizontal or vertical strokes.
 TEST(DrawnFigure, DrawsBarsInTheDirectionsThatItHasThemIn) {
   const auto strokes = [](std::vector<double> x_error, std::vector<double> y_error) {
     Figure figure = simple_figure("bars", {1, 4, 2});
@@ -259,7 +258,7 @@ TEST(DrawnFigure, OfEqualAxesIsASquareOfOneScale) {
   figure.curves[0].y_error = {0.1, 0.1};
   figure.curves[0].style = Curve::Style::points;
   figure.equal_axes = true;
-  // The frame's axes, as gnuplot writes them: left top, left bottom, right bottom.
+  // gnuplot writes the frame's axes as left top, left bottom, right bottom.
   const std::regex frame("M([0-9.]+),([0-9.]+) L([0-9.]+),([0-9.]+) L([0-9.]+),([0-9.]+) ");
   const std::string markup = drawn_markup(figure);
   double side = 0;

@@ -10,18 +10,17 @@
 
 #include "reports/fields/field_layout.hpp"
 #include "reports/pages/write_report.hpp"
-#include "reports/tests/path_variable.hpp"
 #include "reports/tests/picture_pixels.hpp"
 #include "reports/tests/sample_report.hpp"
-#include "reports/tests/scratch_directory.hpp"
+#include "reports/tests/test_environment.hpp"
 
 namespace slosh::reports::draw_field_test {
 namespace {
 
 constexpr Colour lowest{0x44, 0x01, 0x54}, highest{0xfd, 0xe7, 0x25};  // of the palette
 
-// A tank with a place of the lowest value and one of the highest, 0.4 m apart, beside three empty
-// ones: the picture is small.
+// A tank with one place of the lowest value and one of the highest, 0.4 m apart, and three empty
+// tanks, which keep the picture small.
 FieldFigure two_places(double angle, bool upright) {
   FieldPanel panel;
   panel.label = "panel";
@@ -60,7 +59,7 @@ struct Patch {
   int pixels = 0;
 };
 
-// Of one colour below the key, which holds the colour bar.
+// Finds the pixels of one colour below the key, which holds the colour bar.
 Patch patch(const PicturePixels& picture, const Colour& colour) {
   Patch found;
   for (int y = 0; y < picture.height - 100; ++y) {
@@ -76,7 +75,7 @@ Patch patch(const PicturePixels& picture, const Colour& colour) {
   return found;
 }
 
-// From the place of the lowest value to that of the highest, px.
+// Returns the vector [px] from the place of the lowest value to that of the highest.
 std::pair<double, double> lowest_to_highest(const FieldFigure& figure) {
   const ScratchDirectory scratch;
   const PicturePixels picture =
@@ -186,9 +185,11 @@ TEST(DrawnFieldPicture, ShowsArrowsInTheTanksDirections) {
       highest_row = std::max(highest_row, y);
     }
   }
-  const auto pixels_per_metre = lowest_to_highest(two_places(0, false)).first / 0.4;
-  EXPECT_NEAR(rightmost - leftmost, 0.2 * pixels_per_metre, 4);
-  EXPECT_NEAR(rightmost, canvas_margin + 0.5 * pixels_per_metre, 6);  // the tail
+  const FieldLayout layout = field_layout(moving);
+  const Pixel tail = layout.in_cell(moving.panels[0], 0.5, 0.25);
+  EXPECT_NEAR(rightmost - leftmost, 0.2 * layout.scale, 4);
+  EXPECT_NEAR(rightmost, layout.left + tail.x, 3);
+  EXPECT_NEAR(highest_row + lowest_row, 2 * (row_gap + tail.y), 6);
   EXPECT_LT(highest_row - lowest_row, 12);
 }
 

@@ -1,16 +1,17 @@
-// An animation in a page: where its frames stand, and what the page says and allows of it.
+// Tests the markup of an animation: the positions of its frames, its controls and its policy.
 #include "reports/fields/film_markup.hpp"
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "reports/fields/field_layout.hpp"
-#include "reports/model/base64.hpp"
-#include "reports/model/text_file.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/pages/check_report.hpp"
-#include "reports/pages/write_html.hpp"
+#include "reports/pages/report_documents.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/sample_report.hpp"
-#include "reports/tests/scratch_directory.hpp"
+#include "reports/tests/test_environment.hpp"
 
 namespace slosh::reports::film_markup_test {
 namespace {
@@ -40,29 +41,20 @@ int count(const std::string& text, const std::string& part) {
   return n;
 }
 
-TEST(Base64, IsThatOfRfc4648) {
-  // Its section 10.
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-}
-
-TEST(FilmFrames, HoldTheirPanelsAndDoNotOverlap) {
+TEST(FilmFrames, AreTheRowsOfThePicture) {
   const FieldFigure figure = film();
   const FieldLayout layout = field_layout(figure);
-  const FilmFrames frames = film_frames(figure, layout);
-  ASSERT_EQ(frames.tops.size(), 4u);
-  EXPECT_GE(frames.tops[0], key_height);
-  for (std::size_t row = 0; row < 4; ++row) {
-    const PlacedPanel& panel = layout.panels[3 * row];
-    EXPECT_LE(panel.height, 120);
-    const double top = layout.height - panel.bottom - panel.height;
-    EXPECT_LT(frames.tops[row], top);
-    EXPECT_LE(top + panel.height, frames.tops[row] + frames.height + 1e-9);
-    if (row > 0) {
-      EXPECT_GE(frames.tops[row], frames.tops[row - 1] + frames.height);
-    }
+  EXPECT_LE(layout.cell_height, 120);
+  const int frame_height = layout.row_height() - row_gap;
+  const std::string element = film_element(figure, {"", layout.width, layout.height});
+  const std::string shape =
+      "aspect-ratio: " + std::to_string(layout.width) + " / " + std::to_string(frame_height);
+  EXPECT_NE(element.find(shape), std::string::npos);
+  std::istringstream positions(element.substr(element.find("data-positions=\"") + 16));
+  for (int row = 0; row < 4; ++row) {
+    double position = 0;  // [%] of what the picture is taller than a frame
+    positions >> position;
+    EXPECT_NEAR(position / 100 * (layout.height - frame_height), layout.row_top(row), 0.01);
   }
 }
 

@@ -40,18 +40,20 @@ TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecord) {
 
 TEST(PressureFigure, SaysHowItWasSampledAndWhoIsWho) {
   const CaseAssessment assessment = assess(gauged_surge(), gauged_runs());
-  EXPECT_EQ(figure_of(assessment, "wall_pressure-B").caption,
-            "Time history: the references and the finest run of each scheme and solver. Above the "
-            "gas's pressure, the mean over a sensor of 4 mm along the wall. SPH: the kernel's mean "
-            "over three spacings, carried to the wall by its pressure gradient; interFoam: "
-            "interpolated between the wall's faces, less the gas's mean. Solvers and theory are "
-            "sampled every 0.02 s, at that instant, and not filtered. theory: linear potential "
-            "theory, 500 modes; particles: SPH, scheme recommended, 10 mm; fine_mesh: interFoam, "
-            "50 x 100 cells; measured: published record b.csv. Bars, or a ribbon, are a record's "
-            "95 % interval. none.");
-  EXPECT_NE(figure_of(assessment, "filtered_wall_pressure-B")
-                .caption.find("one low-pass filter for all: Gaussian, zero phase, -3 dB at 5 Hz."),
-            std::string::npos);
+  EXPECT_EQ(
+      figure_of(assessment, "wall_pressure-B").caption,
+      "Time series of the references and of the finest run of each scheme and solver. Pressure "
+      "above that of the gas, the mean over a sensor of 4 mm along the wall. SPH: kernel average "
+      "over three spacings, extrapolated to the wall by the pressure gradient; interFoam: "
+      "interpolated between the wall's faces, minus the mean gas pressure. Solvers and theory are "
+      "sampled every 0.02 s (instantaneous values), and not filtered. theory: linear potential "
+      "theory, 500 modes; particles: SPH, scheme recommended, 10 mm; fine_mesh: interFoam, 50 x "
+      "100 cells; measured: published record b.csv. Bars, or a ribbon, show the 95 % interval of a "
+      "record. none.");
+  EXPECT_NE(
+      figure_of(assessment, "filtered_wall_pressure-B")
+          .caption.find("the same low-pass filter for all: Gaussian, zero phase, -3 dB at 5 Hz."),
+      std::string::npos);
 }
 
 TEST(PressureFigure, OfTheFilteredSeriesShowsThose) {

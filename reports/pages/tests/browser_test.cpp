@@ -5,12 +5,12 @@
 #include <regex>
 #include <set>
 
-#include "reports/model/text_file.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/pages/print_pdf.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/headless_browser.hpp"
 #include "reports/tests/sample_report.hpp"
-#include "reports/tests/scratch_directory.hpp"
+#include "reports/tests/test_environment.hpp"
 
 namespace slosh::reports::browser_test {
 namespace {
@@ -58,7 +58,7 @@ TEST_F(Browser, ShowsEveryTableAndFigureLegiblyOnAPhoneAndADesk) {
 
 TEST_F(Browser, ShowsTheSameInTheDarkScheme) { expect_legible_report(scratch_, true); }
 
-// From a first level on, none left out on the way down.
+// Heading levels start at the first and skip none on the way down.
 bool in_order(const std::vector<int>& levels) {
   int last = 0;
   for (const int level : levels) {
@@ -68,7 +68,7 @@ bool in_order(const std::vector<int>& levels) {
   return !levels.empty() && levels[0] == 1 && std::count(levels.begin(), levels.end(), 1) == 1;
 }
 
-// "surge.html#row-3" of a directory: the file is there, and something in it has that id.
+// Whether a link such as "surge.html#row-3" works: the file exists and has an element of that id.
 bool leads_somewhere(const std::filesystem::path& directory, const std::string& address) {
   const std::size_t hash = address.find('#');
   const std::filesystem::path file = directory / address.substr(0, hash);
@@ -114,7 +114,7 @@ TEST_F(Browser, GoesFromEveryPageToTheOthersByLinksAndKeyboard) {
     EXPECT_TRUE(linked.contains(link)) << link;
 }
 
-// The pages that Chromium's own PDF says to have.
+// Returns the number of pages that Chromium's PDF states.
 int pages_of_pdf(const std::string& pdf) {
   const std::regex page(R"(/Type /Page[^s])");
   return static_cast<int>(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page), {}));
@@ -146,7 +146,7 @@ TEST_F(Browser, RunsTheScriptOfAFilmAndFitsItIntoThePage) {
   report.sections[1].fields = {film};
   write_report(report, scratch_ / "report");
   const BrowserRun run = open_in_browser(scratch_.path(), "report/index.html", false);
-  // A script that the page's policy does not allow is told of there.
+  // The log names a script that the page's policy does not allow.
   EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
   for (const nlohmann::json& page : {run.phone, run.desk}) {
     EXPECT_EQ(page.at("scripts"), 1);

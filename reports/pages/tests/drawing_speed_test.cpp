@@ -6,7 +6,7 @@
 #include "reports/fields/draw_field.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/sample_report.hpp"
-#include "reports/tests/scratch_directory.hpp"
+#include "reports/tests/test_environment.hpp"
 
 namespace slosh::reports::drawing_speed_test {
 namespace {
@@ -27,7 +27,7 @@ TEST(HeavyReport, IsDrawnInSecondsAndStaysSmall) {
 }
 
 TEST(FieldOfTwelvePanels, IsDrawnInSecondsAndStaysSmall) {
-  // 24 900, 6 200 and 11 100 places a moment.
+  // The panels of a moment have 24 900, 6 200 and 11 100 places.
   const FieldFigure field = sloshing_field("heavy", 4, 0.0017);
   const ScratchDirectory scratch;
   const auto start = std::chrono::steady_clock::now();

@@ -11,13 +11,12 @@
 #include <regex>
 #include <set>
 
-#include "reports/model/text_file.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/pages/print_pdf.hpp"
-#include "reports/pages/write_html.hpp"
-#include "reports/tests/path_variable.hpp"
+#include "reports/pages/report_documents.hpp"
 #include "reports/tests/sample_report.hpp"
-#include "reports/tests/scratch_directory.hpp"
+#include "reports/tests/test_environment.hpp"
 
 namespace slosh::reports::write_report_test {
 namespace {
@@ -241,7 +240,7 @@ TEST(WrittenReport, KeepsTheOldOneWhenGnuplotIsMissing) {
   EXPECT_EQ(entries(scratch.path()), 1u);
 }
 
-// Whether two gnuplots ran at the same time.
+// Tells whether two gnuplot processes ran at the same time.
 bool draws_together(int threads) {
   const ScratchDirectory scratch;
   fs::create_directory(scratch / "bin");

@@ -11,7 +11,7 @@
 
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/results_json.hpp"
-#include "verification/sensitivity/known_strengths.hpp"
+#include "verification/sensitivity/sensitivity_cache.hpp"
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -47,7 +47,7 @@ const CaseAssessment& not_comparable() {
 reports::Report report_of(const CampaignDefinition& campaign,
                           const std::vector<CaseAssessment>& cases) {
   static const TemporaryDirectory directory;
-  KnownStrengths known(directory.path() / "strengths.json", "this judge");
+  SensitivityCache known(directory.path() / "strengths.json", "this judge");
   const reports::Report report =
       campaign_report(campaign, false, "./slosh campaign surges", cases, {}, &known);
   known.write();

@@ -11,7 +11,7 @@
 #include <valijson/validator.hpp>
 
 #include "reports/summary/results_json.hpp"
-#include "verification/problems/problem.hpp"
+#include "verification/problems/problem_list.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::results_schema_test {

@@ -32,31 +32,31 @@ CaseAssessment with_gate(const std::vector<GateOutcome>& gate) {
   return assessment;
 }
 
-TEST(ToleranceShare, IsTheErrorOverWhatIsAllowedWithTheIntervalOfItsVerdict) {
-  const auto share = tolerance_share(outcome(Verdict::pass, -0.04, 0.005));
+TEST(ErrorOverTolerance, IsTheErrorOverWhatIsAllowedWithTheIntervalOfItsVerdict) {
+  const auto share = error_over_tolerance(outcome(Verdict::pass, -0.04, 0.005));
   ASSERT_TRUE(share);
   EXPECT_NEAR(share->value, 0.8, 1e-12);
   EXPECT_NEAR(share->half_width, 0.1, 1e-12);
 }
 
-TEST(ToleranceShare, OfARangeIsTheDistanceFromItsMiddle) {
+TEST(ErrorOverTolerance, OfARangeIsTheDistanceFromItsMiddle) {
   GateOutcome ranged = outcome(Verdict::violated, 0.62, 0.01);
   ranged.row.limit.reset();
   ranged.row.between = {0.5, 0.6};
-  const auto share = tolerance_share(ranged);
+  const auto share = error_over_tolerance(ranged);
   ASSERT_TRUE(share);
   EXPECT_NEAR(share->value, 1.4, 1e-12);
   EXPECT_NEAR(share->half_width, 0.2, 1e-12);
   ranged.value.value = 0.55;
-  EXPECT_NEAR(tolerance_share(ranged)->value, 0, 1e-12);
+  EXPECT_NEAR(error_over_tolerance(ranged)->value, 0, 1e-12);
 }
 
-TEST(ToleranceShare, IsNotThereWithoutANumberOrWithoutABound) {
-  EXPECT_FALSE(tolerance_share(outcome(Verdict::not_compared, nan)));
+TEST(ErrorOverTolerance, IsNotThereWithoutANumberOrWithoutABound) {
+  EXPECT_FALSE(error_over_tolerance(outcome(Verdict::not_compared, nan)));
   GateOutcome improving = outcome(Verdict::pass, 0.01);
   improving.row.limit.reset();
   improving.row.improves_on = "coarse";
-  EXPECT_FALSE(tolerance_share(improving));
+  EXPECT_FALSE(error_over_tolerance(improving));
 }
 
 ProblemGateOutcome order_of_value(double value, Verdict verdict) {
@@ -64,10 +64,10 @@ ProblemGateOutcome order_of_value(double value, Verdict verdict) {
   return {row, verdict, value, ""};
 }
 
-TEST(ToleranceShare, OfAnOrderThatIsToBeReachedIsTheLimitOverIt) {
-  EXPECT_NEAR(tolerance_share(order_of_value(3.8, Verdict::pass))->value, 0.5, 1e-12);
-  EXPECT_TRUE(std::isinf(tolerance_share(order_of_value(-0.2, Verdict::violated))->value));
-  EXPECT_FALSE(tolerance_share(order_of_value(nan, Verdict::violated)));
+TEST(ErrorOverTolerance, OfAnOrderThatIsToBeReachedIsTheLimitOverIt) {
+  EXPECT_NEAR(error_over_tolerance(order_of_value(3.8, Verdict::pass))->value, 0.5, 1e-12);
+  EXPECT_TRUE(std::isinf(error_over_tolerance(order_of_value(-0.2, Verdict::violated))->value));
+  EXPECT_FALSE(error_over_tolerance(order_of_value(nan, Verdict::violated)));
 }
 
 TEST(VerdictMatrix, ShowsTheWorstVerdictOfEachCellAndOfAlikeVerdictsTheOneNearestToItsBound) {
@@ -115,7 +115,7 @@ TEST(VerdictMatrix, ShowsARowThatCouldNotBeJudgedAndCountsWhatTheQuickFormLeaves
                    "M", "case");
   ASSERT_EQ(table.rows.size(), 1u);
   EXPECT_EQ(table.rows[0][3], "not compared");
-  EXPECT_NE(table.caption.find("Without 1 pairs"), std::string::npos);
+  EXPECT_NE(table.caption.find("1 pair without a selected row is left out."), std::string::npos);
 }
 
 TEST(WorstFirst, IsByVerdictAndThenByHowFarTheIntervalReaches) {

@@ -1,6 +1,4 @@
-// The table of choices, and what else shows a run that changes something of its scheme.
-#include "reports/tables/ablation_table.hpp"
-
+// The ablation table, and the other places that show runs with a change to their scheme.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,24 +7,26 @@
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/campaign_report.hpp"
 #include "reports/summary/results_json.hpp"
+#include "reports/tables/case_tables.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::ablation_table_test {
 namespace {
 
-struct Choice {
+struct Ablation {
   std::string name;
   SphRun sph;
   double scale;      // of theory's elevation: the error is this less one
   double user_time;  // [s]
 };
 
-CaseAssessment assess_choices(const std::vector<Choice>& choices) {
+CaseAssessment assess_ablations(const std::vector<Ablation>& ablations) {
   std::vector<ScaledRun> runs;
-  for (const Choice& choice : choices)
-    runs.push_back({choice.name, choice.sph, choice.scale,
+  for (const Ablation& ablation : ablations)
+    runs.push_back({ablation.name, ablation.sph, ablation.scale,
                     RunCost{.wall_time = 9,
-                            .user_time = choice.user_time,
+                            .user_time = ablation.user_time,
                             .system_time = 0.5,
                             .peak_memory = 2e5,
                             .steps = 1000,
@@ -62,38 +62,39 @@ TEST(ChangesOfARun, AreItsVariantAndItsNumbers) {
 }
 
 TEST(AblationTable, IsLeftOutWhereNothingIsChanged) {
-  EXPECT_FALSE(ablation_table(assess_choices({{"plain", changed(""), 1.1, 2}})));
+  EXPECT_FALSE(ablation_table(assess_ablations({{"plain", changed(""), 1.1, 2}})));
 }
 
-TEST(AblationTable, SetsEachChoiceBesideTheUnchangedRun) {
-  const auto table = ablation_table(assess_choices(
+TEST(AblationTable, ComparesEachChangeWithTheUnchangedRun) {
+  const auto table = ablation_table(assess_ablations(
       {{"plain", changed(""), 1.1, 1.5}, {"faster", with_courant_number(0.4), 1.2, 0.5}}));
   ASSERT_TRUE(table);
   ASSERT_EQ(table->rows.size(), 2u);
-  EXPECT_EQ(cell(*table, 0, "changed"), "as it is");
-  EXPECT_EQ(cell(*table, 0, "rms of unchanged"), "");
+  EXPECT_EQ(cell(*table, 0, "change"), "unchanged");
+  EXPECT_EQ(cell(*table, 0, "rms over unchanged"), "");
   EXPECT_EQ(cell(*table, 1, "run"), "faster");
   EXPECT_EQ(cell(*table, 1, "scheme"), "recommended");
   EXPECT_EQ(cell(*table, 1, "spacing [mm]"), "10");
-  EXPECT_EQ(cell(*table, 1, "changed"), "courant_number = 0.4");
+  EXPECT_EQ(cell(*table, 1, "change"), "courant_number = 0.4");
   EXPECT_EQ(cell(*table, 1, "reference"), "theory");
   // A fifth too high: the mean of the reference is not quite zero.
   EXPECT_NEAR(std::stod(cell(*table, 1, "normalised rms [%]")), 20, 0.1);
-  EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "2");
+  EXPECT_EQ(cell(*table, 1, "rms over unchanged"), "2");
   EXPECT_EQ(cell(*table, 1, "forced amplitude error [%]").find("+20 ±"), 0u);
-  EXPECT_EQ(cell(*table, 1, "CPU [s]"), "1.00");
-  EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "0.5");
+  EXPECT_EQ(cell(*table, 1, "CPU time [s]"), "1.00");
+  EXPECT_EQ(cell(*table, 1, "CPU time over unchanged"), "0.5");
   EXPECT_EQ(cell(*table, 1, "steps"), "1000");
-  EXPECT_EQ(cell(*table, 1, "CPU [us per particle and s]"), "500");  // 1 s, 100 particles, 20 s
+  EXPECT_EQ(cell(*table, 1, "CPU time [us per particle and simulated s]"),
+            "500");  // 1 s, 100 particles, 20 s
   EXPECT_EQ(cell(*table, 1, "peak memory [byte per particle]"), "2000");
 }
 
 TEST(AblationTable, NamesTheTermsThatAVariantAndANumberChange) {
-  CaseAssessment assessment = assess_choices({{"plain", changed(""), 1.1, 1.5},
-                                              {"kernel", changed("wendland_c2"), 1.2, 0.5},
-                                              {"inviscid", changed("no_viscosity"), 1.2, 0.5},
-                                              {"shifted", changed("shifting"), 1.2, 0.5},
-                                              {"faster", with_courant_number(0.4), 1.2, 0.5}});
+  CaseAssessment assessment = assess_ablations({{"plain", changed(""), 1.1, 1.5},
+                                                {"kernel", changed("wendland_c2"), 1.2, 0.5},
+                                                {"inviscid", changed("no_viscosity"), 1.2, 0.5},
+                                                {"shifted", changed("shifting"), 1.2, 0.5},
+                                                {"faster", with_courant_number(0.4), 1.2, 0.5}});
   auto& results = assessment.runs.results;
   results["plain"].active_terms = {"quintic kernel", "viscosity", "leapfrog"};
   results["kernel"].active_terms = {"Wendland kernel", "viscosity", "leapfrog"};
@@ -101,29 +102,29 @@ TEST(AblationTable, NamesTheTermsThatAVariantAndANumberChange) {
   results["shifted"].active_terms = {"quintic kernel", "viscosity", "shifting", "leapfrog"};
   results["faster"].active_terms = results["plain"].active_terms;
   const auto table = ablation_table(assessment);
-  EXPECT_EQ(cell(*table, 0, "which is"), "");
-  EXPECT_EQ(cell(*table, 1, "which is"), "Wendland kernel instead of quintic kernel");
-  EXPECT_EQ(cell(*table, 2, "which is"), "without viscosity");
-  EXPECT_EQ(cell(*table, 3, "which is"), "with shifting");
-  EXPECT_EQ(cell(*table, 4, "which is"), "time step: dt c0 / h");
+  EXPECT_EQ(cell(*table, 0, "affected terms"), "");
+  EXPECT_EQ(cell(*table, 1, "affected terms"), "Wendland kernel instead of quintic kernel");
+  EXPECT_EQ(cell(*table, 2, "affected terms"), "without viscosity");
+  EXPECT_EQ(cell(*table, 3, "affected terms"), "with shifting");
+  EXPECT_EQ(cell(*table, 4, "affected terms"), "time step: dt c0 / h");
 }
 
 TEST(AblationTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
-  const auto table = ablation_table(assess_choices(
+  const auto table = ablation_table(assess_ablations(
       {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("shifting"), 1.2, 0.5}}));
-  EXPECT_EQ(cell(*table, 1, "rms of unchanged"), "");
-  EXPECT_EQ(cell(*table, 1, "CPU of unchanged"), "");
+  EXPECT_EQ(cell(*table, 1, "rms over unchanged"), "");
+  EXPECT_EQ(cell(*table, 1, "CPU time over unchanged"), "");
 }
 
 TEST(AblationTable, TellsHowARunWithoutAResultEnded) {
-  CaseAssessment assessment = assess_choices(
+  CaseAssessment assessment = assess_ablations(
       {{"plain", changed(""), 1.1, 1.5}, {"broken", changed("no_diffusion"), 1.2, 0.5}});
   CaseRuns runs = assessment.runs;
   runs.results.erase("broken");
   runs.status["broken"] = {RunState::failed, "diverged"};
   const auto table = ablation_table(assess(assessment.definition, runs));
   EXPECT_EQ(cell(*table, 1, "reference"), "solver failed");
-  EXPECT_EQ(cell(*table, 1, "CPU [s]"), "");
+  EXPECT_EQ(cell(*table, 1, "CPU time [s]"), "");
 }
 
 reports::Figure cost_figure(const std::vector<reports::Figure>& figures) {
@@ -131,9 +132,9 @@ reports::Figure cost_figure(const std::vector<reports::Figure>& figures) {
 }
 
 TEST(CostFigure, ShowsEachChangeAsPointsOfItsOwn) {
-  const auto figures = case_figures(assess_choices({{"plain", changed(""), 1.1, 1.5},
-                                                    {"coarse", changed("", 0.02), 1.2, 0.5},
-                                                    {"other", changed("shifting"), 1.3, 1}}));
+  const auto figures = case_figures(assess_ablations({{"plain", changed(""), 1.1, 1.5},
+                                                      {"coarse", changed("", 0.02), 1.2, 0.5},
+                                                      {"other", changed("shifting"), 1.3, 1}}));
   const reports::Figure cost = cost_figure(figures);
   ASSERT_EQ(cost.curves.size(), 3u);
   EXPECT_EQ(cost.curves[1].label, "recommended against theory, slope -1.00");
@@ -141,25 +142,25 @@ TEST(CostFigure, ShowsEachChangeAsPointsOfItsOwn) {
   EXPECT_EQ(cost.curves[2].label, "recommended, shifting against theory");
   EXPECT_EQ(cost.curves[2].style, reports::Curve::Style::points);
   for (const reports::Curve& curve : figures.front().curves)
-    EXPECT_NE(curve.label, "other") << "the history shows the scheme as it is";
+    EXPECT_NE(curve.label, "other") << "the history shows the unchanged scheme";
 }
 
 TEST(CostFigure, GathersManyChangesUnderOneLabel) {
-  std::vector<Choice> choices{{"plain", changed(""), 1.1, 1.5}};
+  std::vector<Ablation> ablations{{"plain", changed(""), 1.1, 1.5}};
   for (int i = 0; i < 12; ++i) {
     const std::string name = "variant_" + std::to_string(i);
-    choices.push_back({name, changed(name), 1.2 + 0.01 * i, 1.0 + i});
+    ablations.push_back({name, changed(name), 1.2 + 0.01 * i, 1.0 + i});
   }
-  const auto figures = case_figures(assess_choices(choices));
+  const auto figures = case_figures(assess_ablations(ablations));
   const reports::Figure cost = cost_figure(figures);
   ASSERT_EQ(cost.curves.size(), 3u);
-  EXPECT_EQ(cost.curves[2].label, "recommended, one choice changed against theory");
+  EXPECT_EQ(cost.curves[2].label, "recommended, one term changed against theory");
   EXPECT_EQ(cost.curves[2].x.size(), 12u);
   EXPECT_EQ(cost.curves[0].label, "Pareto front");
 }
 
-TEST(ChoiceReport, IsAValidReportAndTellsTheChoicesInItsJson) {
-  const std::vector<CaseAssessment> cases{assess_choices(
+TEST(AblationReport, IsValidAndStatesTheChangesInItsJson) {
+  const std::vector<CaseAssessment> cases{assess_ablations(
       {{"plain", changed(""), 1.1, 1.5}, {"faster", with_courant_number(0.4), 1.2, 0.5}})};
   const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
   EXPECT_NO_THROW(

@@ -1,7 +1,5 @@
 // The table of impacts: the published row and the record on top, every run's numbers, and what is
 // said where there are none.
-#include "reports/tables/impact_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/campaign_report.hpp"
+#include "reports/tables/case_tables.hpp"
 #include "verification/tests/impact_runs.hpp"
 
 namespace slosh::impact_table_test {
@@ -41,7 +40,7 @@ TEST(ImpactTable, GivesTimesPeaksPercentilesAndPlateau) {
   EXPECT_EQ(table->rows[0],
             (Row{"published", "mean ± sd of the repeats", "2.375", "3710 ± 732", "4.073",
                  "4816 ± 1501", "5.718", "4691 ± 1706", "7.303", "4643 ± 1323", "670"}));
-  EXPECT_EQ(table->rows[1], (Row{"particles", "as it is", "2.387 (+0.012)", "4081 (60 %)",
+  EXPECT_EQ(table->rows[1], (Row{"particles", "unfiltered", "2.387 (+0.012)", "4081 (60 %)",
                                  "4.085 (+0.012)", "5298 (60 %)", "5.730 (+0.012)", "5160 (60 %)",
                                  "7.315 (+0.012)", "5107 (60 %)", "737 (+10 %)"}));
 }
@@ -65,12 +64,12 @@ TEST(ImpactTable, HasARowForTheFilteredPressureAndOneForTheRecordOnTop) {
   const auto rows = impact_table(assessment)->rows;
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[1][0], "measured");
-  EXPECT_EQ(rows[2][1], "as it is");
+  EXPECT_EQ(rows[2][1], "unfiltered");
   EXPECT_EQ(rows[3][1], "filtered");
   EXPECT_EQ(rows[3][3], "3339 (40 %)");
 }
 
-TEST(ImpactTable, TellsWhatDoesNotComeOrIsNoNumberOrHasNoResult) {
+TEST(ImpactTable, SaysWhatDoesNotOccurOrIsNaNOrHasNoResult) {
   CaseAssessment assessment = one_run(pressure_of({.impacts = 1}), impact_case());
   TimeSeries poisoned = pressure_of({});
   poisoned.value[2500] = std::numeric_limits<double>::quiet_NaN();
@@ -79,7 +78,7 @@ TEST(ImpactTable, TellsWhatDoesNotComeOrIsNoNumberOrHasNoResult) {
   const auto rows = impact_table(assessment)->rows;
   EXPECT_EQ(rows.at(1).at(4), "no impact");
   EXPECT_NE(rows.at(2).at(2).find("not finite"), std::string::npos) << rows[2][2];
-  EXPECT_EQ(rows[2].back(), "no number");
+  EXPECT_EQ(rows[2].back(), "NaN");
   EXPECT_EQ(rows.at(3).at(1), "solver failed");
   for (const Row& row : rows) EXPECT_EQ(row.size(), rows[0].size());
 }

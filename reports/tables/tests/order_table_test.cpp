@@ -1,10 +1,10 @@
-#include "reports/tables/order_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "reports/tables/case_tables.hpp"
+#include "verification/assessment/observed_order.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::order_table_test {

@@ -1,11 +1,11 @@
 // Runs that repeat one another: which they are, and their peaks' distribution beside the
 // experiment's.
-#include "reports/tables/repeat_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "reports/tables/case_tables.hpp"
+#include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/tests/impact_runs.hpp"
 
 namespace slosh::repeat_table_test {
@@ -81,7 +81,7 @@ TEST(RepeatTable, SaysWhatIsMissing) {
   EXPECT_EQ(rows.at(0).at(6), "not supplied");
   EXPECT_EQ(rows.at(1).at(3), "6 of 6");
   EXPECT_EQ(rows.at(3).at(3), "5 of 6");
-  EXPECT_EQ(rows.at(1).at(6), "needs 20");
+  EXPECT_EQ(rows.at(1).at(6), "fewer than 20 peaks");
   EXPECT_EQ(rows.at(1).at(7), "not supplied");
   EXPECT_TRUE(rows.at(1).at(9).starts_with("repeat_failed (solver failed); repeat_poisoned ("))
       << rows[1][9];

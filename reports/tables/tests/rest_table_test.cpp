@@ -1,9 +1,8 @@
-#include "reports/tables/rest_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "reports/tables/case_tables.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::rest_table_test {
@@ -38,8 +37,8 @@ TEST(RestTable, GivesTheLargestMagnitudesOfTheWholeRunAndOfTheWindow) {
   EXPECT_EQ(table->rows[0].at(2), "0.3");
 }
 
-TEST(RestTable, TellsAValueThatIsNoNumber) {
-  EXPECT_EQ(rest_table(recorded({0.5, NAN, 0.3}))->rows[0].at(1), "no number");
+TEST(RestTable, SaysWhereAValueIsNaN) {
+  EXPECT_EQ(rest_table(recorded({0.5, NAN, 0.3}))->rows[0].at(1), "NaN");
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/tables/ensemble_table.hpp"
+#include "reports/tables/case_tables.hpp"
 #include "verification/campaign/run_selection.hpp"
 #include "verification/case/ensemble.hpp"
-#include "verification/sensitivity/row_strength.hpp"
+#include "verification/sensitivity/gate_sensitivity.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::ensemble_assessment_test {
@@ -72,10 +72,10 @@ TEST(EnsembleAssessment, ComparesTheFirstMemberAloneForTheTables) {
 TEST(EnsembleAssessment, MakesEveryMemberWrongInTheSelfTest) {
   // One wrong member of three would move the mean by a third of what is tried.
   const CaseAssessment assessment = Repeated({0.009, 0.010, 0.011}, 0.05).assessed();
-  const auto strengths = row_strengths(assessment, 1);
-  ASSERT_TRUE(strengths.at(0).strength.passes_as_it_is);
-  EXPECT_EQ(detected_from(strengths[0].strength, MutationKind::louder), 0.05);
-  EXPECT_TRUE(broken_claims(strengths).empty());
+  const auto sensitivity = gate_sensitivity(assessment);
+  ASSERT_TRUE(sensitivity.at(0).trials.passes_as_it_is);
+  EXPECT_EQ(detected_from(sensitivity[0].trials, MutationKind::louder), 0.05);
+  EXPECT_TRUE(broken_claims(sensitivity).empty());
 }
 
 TEST(EnsembleAssessment, IsSelectedWhole) {
@@ -96,7 +96,7 @@ TEST(EnsembleAssessment, IsTabulatedWithItsSpread) {
   EXPECT_EQ(table->rows[0].at(1), "3 x 1");
   EXPECT_EQ(table->rows[0].at(2), "2 %");
   EXPECT_EQ(table->rows[0].at(4), "1 %");
-  EXPECT_EQ(table->rows[0].at(5), "of one");
+  EXPECT_EQ(table->rows[0].at(5), "single run");
   EXPECT_EQ(table->rows[0].at(7), "pass");
   EXPECT_FALSE(ensemble_table(assess(surge_case(), surge_runs())).has_value());
 }

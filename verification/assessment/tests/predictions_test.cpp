@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "reports/summary/bias_section.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::predictions_test {

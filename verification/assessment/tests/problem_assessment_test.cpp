@@ -13,7 +13,7 @@
 #include "reports/summary/campaign_report.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/case_file/campaign_parser.hpp"
-#include "verification/problems/problem.hpp"
+#include "verification/problems/problem_list.hpp"
 
 namespace slosh::problem_assessment_test {
 namespace {

@@ -115,7 +115,7 @@ TEST(RecordAssessment, IsInconclusiveWhereTheRecordDoesNotKnowItsOwnLimit) {
   definition.gate[0].kind = RowKind::validation;
   const GateOutcome outcome = assess(definition, dam_runs(front_series(0.01))).gate.at(0);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
-  EXPECT_NE(outcome.message.find("cannot be told from 0.003 m"), std::string::npos)
+  EXPECT_NE(outcome.message.find("cannot be distinguished from 0.003 m"), std::string::npos)
       << outcome.message;
 }
 

@@ -8,10 +8,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
-#include "reports/summary/work_precision_tables.hpp"
-#include "reports/tables/uncertainty_table.hpp"
-#include "verification/sensitivity/row_strength.hpp"
+#include "reports/tables/case_tables.hpp"
+#include "verification/sensitivity/gate_sensitivity.hpp"
 #include "verification/tests/figure_results.hpp"
 
 namespace slosh::work_points_test {
@@ -209,11 +209,11 @@ TEST(CostRow, IsReportedWithAllOthersAndAsksForTimingsWhereItIsInconclusive) {
 }
 
 TEST(CostRow, KeepsItsClaims) {
-  const auto strengths = row_strengths(judged({cost_row(0.0707, 30)}, five_timings()), 1);
-  ASSERT_EQ(strengths.size(), 1U);
-  EXPECT_TRUE(strengths[0].strength.passes_as_it_is);
-  EXPECT_TRUE(broken_claims(strengths).empty());
-  EXPECT_TRUE(detected_from(strengths[0].strength, MutationKind::not_a_number).has_value());
+  const auto sensitivity = gate_sensitivity(judged({cost_row(0.0707, 30)}, five_timings()));
+  ASSERT_EQ(sensitivity.size(), 1U);
+  EXPECT_TRUE(sensitivity[0].trials.passes_as_it_is);
+  EXPECT_TRUE(broken_claims(sensitivity).empty());
+  EXPECT_TRUE(detected_from(sensitivity[0].trials, MutationKind::not_a_number).has_value());
 }
 
 TEST(CostFigures, HaveBarsWhereRunsWereTimedAndSayWhereTheyWereNot) {
@@ -257,12 +257,12 @@ TEST(CostTable, TellsWhatEachErrorCostsAndWhereItIsNotReached) {
   EXPECT_EQ(row[5].find("8 s ("), 0U) << row[5];
   EXPECT_EQ(row[6].find("extrapolated: 6"), 0U) << row[6];
   EXPECT_EQ(row[7].find("not reached (5"), 0U) << row[7];
-  EXPECT_NE(table.caption.find("Measured on none; compiler none, flags not told"),
-            std::string::npos)
+  EXPECT_NE(table.caption.find("Measured on none; compiler none, flags unknown"), std::string::npos)
       << table.caption;
   const auto memory = work_precision_tables(three_resolutions());
   EXPECT_EQ(table_named(memory, "memory-to-reach").rows.at(0).at(5).find("32 MiB"), 0U);
-  EXPECT_EQ(table_named(memory, "memory-to-reach").rows[0][2], "beside other runs");
+  EXPECT_EQ(table_named(memory, "memory-to-reach").rows[0][2],
+            "once, while other runs were running");
 }
 
 TEST(SpeedTable, SetsEachMethodAgainstInterFoamAtTheMeshesError) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "verification/baseline/baseline_proposal.hpp"
+#include "verification/baseline/baseline_change.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::baseline_diff_test {
@@ -82,11 +82,22 @@ TEST(BaselineDiff, TellsALoosenedToleranceEvenWhereNothingMoved) {
   EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.04)).loosened);
 }
 
+using Range = std::pair<double, double>;
+
+bool is_loosened(Range before, std::optional<Range> after) {
+  GateOutcome moved = outcome(0, 0, 0);
+  moved.row.limit = std::nullopt;
+  moved.row.between = after;
+  return movements({{amplitude_row, {0, 0, before.first, before.second}}}, campaign(moved))
+      .at(0)
+      .loosened;
+}
+
 TEST(BaselineDiff, TellsARangeThatGrewAtOneEnd) {
-  EXPECT_TRUE(is_loosened({0, 0, 0.1, 0.2}, {0, 0, 0.1, 0.3}));
-  EXPECT_TRUE(is_loosened({0, 0, 0.1, 0.2}, {0, 0, 0.05, 0.2}));
-  EXPECT_FALSE(is_loosened({0, 0, 0.1, 0.2}, {0, 0, 0.12, 0.2}));
-  EXPECT_TRUE(is_loosened({0, 0, -0.1, 0.1}, {0, 0, {}, {}}));
+  EXPECT_TRUE(is_loosened({0.1, 0.2}, Range{0.1, 0.3}));
+  EXPECT_TRUE(is_loosened({0.1, 0.2}, Range{0.05, 0.2}));
+  EXPECT_FALSE(is_loosened({0.1, 0.2}, Range{0.12, 0.2}));
+  EXPECT_TRUE(is_loosened({-0.1, 0.1}, std::nullopt));
 }
 
 TEST(BaselineDiff, AValueThatIsNoNumberIsLostAndNotMoved) {

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "reports/model/text_file.hpp"
-#include "reports/tests/path_variable.hpp"
+#include "reports/model/report_files.hpp"
+#include "reports/tests/test_environment.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::known_drawings_test {

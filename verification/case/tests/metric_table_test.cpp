@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace slosh::metric_table_test {
@@ -13,12 +14,18 @@ const Modes fitted{"forced", "natural_1", "natural_2"};
 
 TEST(MetricTable, HasEveryMetricOnceUnderANameOfItsOwn) {
   std::set<Metric> metrics;
-  std::set<std::string> names;
+  std::set<std::string> names, descriptions;
   for (const MetricEntry& entry : metric_table()) {
     metrics.insert(entry.metric);
     names.insert(entry.name);
+    descriptions.insert(entry.description);
     EXPECT_EQ(metric_entry(std::string(entry.name)).metric, entry.metric);
+    EXPECT_EQ(metric_entry(entry.metric).name, std::string(entry.name));
+    EXPECT_STRNE(entry.widest.because, "") << entry.name;
+    EXPECT_EQ(entry.bound.form == BoundForm::any, entry.bound.because == std::string())
+        << entry.name;
   }
+  EXPECT_EQ(descriptions.size(), metric_table().size());
   EXPECT_EQ(metrics.size(), metric_table().size());
   EXPECT_EQ(names.size(), metric_table().size());
   EXPECT_THROW(metric_entry(std::string("amplitude")), std::logic_error);
@@ -38,13 +45,13 @@ TEST(MetricTable, AGivenFrequencyIsNotJudgedOnItself) {
   EXPECT_EQ(measured_modes(metric_entry(Metric::phase_lag), fitted, false), fitted);
 }
 
-TEST(MetricTable, OnlyWhatHasNoModesHasALagOfTheWholeWindow) {
+TEST(MetricTable, OnlyAFrontHasALagOfTheWholeWindow) {
   const MetricEntry& lag = metric_entry(Metric::time_lag);
   EXPECT_EQ(measured_modes(lag, fitted, false), Modes{});
   EXPECT_EQ(measured_modes(lag, {}, true), Modes{"whole"});
 }
 
-TEST(MetricTable, OnlyWhatSwingsHasCrestsAndASpectralPeak) {
+TEST(MetricTable, OnlyAnOscillationHasCrestsAndASpectralPeak) {
   for (const Metric metric :
        {Metric::crest_error, Metric::trough_error, Metric::spectral_peak_error}) {
     EXPECT_EQ(measured_modes(metric_entry(metric), fitted, false), Modes{"whole"});
@@ -52,6 +59,18 @@ TEST(MetricTable, OnlyWhatSwingsHasCrestsAndASpectralPeak) {
   }
   EXPECT_EQ(measured_modes(metric_entry(Metric::mean_offset), {}, true), Modes{"whole"});
   EXPECT_EQ(measured_modes(metric_entry(Metric::band_energy_error), fitted, false), fitted);
+}
+
+TEST(MetricTable, TakesTheForcedModeOrTheWholeWindowWhereALimitNamesNoMode) {
+  EXPECT_EQ(default_mode(metric_entry(Metric::phase_lag)), "forced");
+  EXPECT_EQ(default_mode(metric_entry(Metric::normalised_rms)), "whole");
+  EXPECT_EQ(default_mode(metric_entry(Metric::frequency_error)), std::nullopt);
+  for (const MetricEntry& entry : metric_table()) {
+    const bool is_front = entry.measured_on == MeasuredOn::front;
+    const Modes modes = measured_modes(entry, is_front ? Modes{} : fitted, is_front);
+    const std::optional<std::string> mode = default_mode(entry);
+    EXPECT_TRUE(!mode || std::find(modes.begin(), modes.end(), *mode) != modes.end()) << entry.name;
+  }
 }
 
 TEST(MetricTable, NoLimitIsSoWideThatNothingViolatesIt) {
@@ -62,7 +81,7 @@ TEST(MetricTable, NoLimitIsSoWideThatNothingViolatesIt) {
     EXPECT_TRUE(rule.holds(0.999 * widest)) << entry.name;
     for (const double wrong : {widest, 1e300, 0.0, -1.0})
       EXPECT_FALSE(rule.holds(wrong)) << entry.name << " " << wrong;
-    EXPECT_NE(rule.expected.find(entry.because), std::string::npos);
+    EXPECT_NE(rule.expected.find(entry.widest.because), std::string::npos);
   }
   EXPECT_EQ(widest_bound(metric_entry(Metric::time_lag), scales), 2);
   EXPECT_EQ(widest_bound(metric_entry(Metric::impact_time), scales), 0.5);

@@ -1,4 +1,4 @@
-// [animation] of a case file: its moments, and what is none.
+// [animation] of a case file: its times, and what is refused.
 #include <gtest/gtest.h>
 
 #include "verification/case/field_times.hpp"
@@ -46,13 +46,13 @@ TEST(AnimationSection, NeedsMultiplesOfTheSampleIntervalInsideTheCase) {
   EXPECT_TRUE(holds(complaint_about(animated("18", "20", "0.1") + "every = 2\n"), "every"));
 }
 
-TEST(AnimationSection, Is3To60Moments) {
+TEST(AnimationSection, Is3To60Times) {
   EXPECT_EQ(read(animated("1", "2.18", "0.02")).animation_times.size(), 60u);
   const std::string many = complaint_about(animated("1", "2.2", "0.02")),
                     few = complaint_about(animated("1", "1.5", "0.3")),
                     backwards = complaint_about(animated("2", "1", "0.1"));
   for (const std::string& text : {many, few, backwards})
-    EXPECT_TRUE(holds(text, "expected a number that makes 3 to 60 moments")) << text;
+    EXPECT_TRUE(holds(text, "expected a number that gives 3 to 60 times")) << text;
 }
 
 TEST(FieldTimes, AreSnapshotsAndMomentsEachOnce) {

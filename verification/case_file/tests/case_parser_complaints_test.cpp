@@ -1,8 +1,7 @@
-// A case file with several mistakes: all of them are told at once, and none of them in other words
-// a second time.
+// A case file with several mistakes: all of them are reported at once, and each of them only once.
 #include <gtest/gtest.h>
 
-#include "verification/input/complaints.hpp"
+#include "verification/input/case_file_error.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::case_parser_complaints_test {
@@ -66,14 +65,14 @@ TEST(CaseParserComplaints, AreOfEveryWrongValueOfATable) {
                       "trial.toml:60: gate.reason = \"\"", "trial.toml:61: gate.source = 4"}));
 }
 
-// A sample interval may not pass the duration, which is not known.
+// The sample interval is not checked against a duration that could not be read.
 TEST(CaseParserComplaints, AreNotOfAValueThatRestsOnAWrongOneOfItsTable) {
   EXPECT_EQ(mistakes_in(with_edits({{"duration_s = 20.0", "duration_s = 0"},
                                     {"sample_interval_s = 0.01", "sample_interval_s = 15"}})),
             Mistakes{"trial.toml:23: time.duration_s = 0"});
 }
 
-// The gauges, runs and gate rows rest on the tank; the time does not.
+// The gauges, runs and gate rows depend on the tank; the time does not.
 TEST(CaseParserComplaints, AreNotOfWhatRestsOnAnotherMistake) {
   EXPECT_EQ(mistakes_in(with_edits({{"length_m = 2", "length_m = -2"}, {"\"earth\"", "\"moon\""}})),
             (Mistakes{"trial.toml:8: tank.length_m = -2", "trial.toml:22: time.start = \"moon\""}));

@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:14: liquid.column_width_m = 0: expected a number > 0"},
         Mistake{"ModesOfABreakingDam",
                 {"viscosity_m2_s = 1e-6", "viscosity_m2_s = 1e-6\ncolumn_width_m = 0.5"},
-                "trial.toml:35: comparison.natural_modes = 2: expected 0 of a dam about to break"},
+                "trial.toml:35: comparison.natural_modes = 2: expected 0 for a dam about to break"},
         Mistake{"NegativeViscosity",
                 {"1e-6", "-1e-6"},
                 "trial.toml:13: liquid.kinematic_viscosity_m2_s = -1e-06: expected a number >= 0, "
@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:34: comparison.natural_modes = -1: expected an integer >= 0"}),
     [](const auto& info) { return info.param.name; });
 
-// Put before [comparison], line 31: the keys stand on lines 32 to 36.
+// The text is inserted before [comparison], line 31: the keys stand on lines 32 to 36.
 Edit obstacle(const std::string& name, const std::string& left, const std::string& right,
               const std::string& bottom, const std::string& top) {
   return {"[comparison]", "[[obstacle]]\nname = \"" + name + "\"\nleft_m = " + left +

@@ -1,5 +1,5 @@
-// The case parser on files that are right and on files that are not there; motions and pressure
-// gauges are in tests of their own, every other mistake in case_parser_refusal_test.cpp.
+// The case parser on valid and on absent files. Motions and pressure gauges have tests of their
+// own; case_parser_refusal_test.cpp has every other mistake.
 #include "verification/case_file/case_parser.hpp"
 
 #include <gtest/gtest.h>

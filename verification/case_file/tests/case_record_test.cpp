@@ -6,8 +6,8 @@
 namespace slosh::case_record_test {
 namespace {
 
-// A dam about to break, whose last run is a record of its front; lines as in `valid_text` plus one
-// for the column.
+// A dam about to break, whose last run is a record of its front. The lines are those of
+// `valid_text` with another one for the column.
 std::string dam_text(const std::string& record = "file = \"front.csv\"\n") {
   std::string text = valid_text.substr(0, valid_text.find("[[run]]"));
   const auto replace = [&](const std::string& from, const std::string& to) {

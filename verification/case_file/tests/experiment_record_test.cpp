@@ -1,5 +1,5 @@
-// Records that the user supplies: read from the directory that is named, read as not supplied where
-// they are not there, refused by their own line where they are not what the case says.
+// Records that the user supplies: they are read from the given directory, count as not supplied if
+// they are absent, and are refused with their line if they differ from what the case says.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,7 +150,7 @@ TEST(ExperimentRecord, HasKeysThatMakeSenseEvenWhereItIsNotSupplied) {
             std::string::npos);
 }
 
-// The records themselves, where they are: beside the source tree or where the user says.
+// The real records, if they are beside the source tree or in the directory that the user names.
 fs::path experiments() {
   const char* named = std::getenv("SLOSH_EXPERIMENTS");
   return named ? fs::path(named) : fs::path(SLOSH_SOURCE_DIR) / "../shared/experiments";

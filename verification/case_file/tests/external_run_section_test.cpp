@@ -1,5 +1,5 @@
-// [[run]] with solver = "external": what a case says of a program of the user's own, and what it
-// may not say.
+// [[run]] with solver = "external": what a case may say about a program of the user, and what is
+// refused.
 #include <gtest/gtest.h>
 
 #include "verification/tests/trial_case.hpp"
@@ -7,7 +7,7 @@
 namespace slosh::external_run_section_test {
 namespace {
 
-// Its keys stand from line 55 on.
+// The keys begin on line 55.
 const std::string command = "command = [\"./solve\", \"--case\", \"{case_file}\", \"\"]\n";
 const std::string series =
     "[[run.series]]\nquantity = \"elevation@right\"\nfile = \"out/swl.csv\"\n"

@@ -1,5 +1,5 @@
-// [impacts] of a case: read with the table of the repeats where it is supplied, and every mistake
-// refused by its line.
+// [impacts] of a case: it is read with the table of the repeats if that is supplied, and every
+// mistake is refused with its line.
 #include <gtest/gtest.h>
 
 #include "verification/tests/trial_case.hpp"
@@ -153,10 +153,9 @@ source = "a paper"
 )";
   EXPECT_EQ(read_text(text_with(five)).impacts->times.size(), 5u);
   const Workspace workspace;
-  EXPECT_TRUE(
-      complaint(workspace.write("trial.toml", text_with(five + "peak_table = \"p\"\n")))
-          .starts_with("trial.toml:45: impacts.peak_table = \"p\": expected no table, which "
-                       "holds 4 impacts, beside 5 times_s"));
+  EXPECT_TRUE(complaint(workspace.write("trial.toml", text_with(five + "peak_table = \"p\"\n")))
+                  .starts_with("trial.toml:45: impacts.peak_table = \"p\": expected no table for "
+                               "5 times_s: it holds 4 impacts"));
 }
 
 TEST(Impacts, NeedAPressureGauge) {

@@ -1,8 +1,7 @@
-// [initial_wave] of a case file: what it says, what goes with it, and every way in which it makes
-// no sense.
+// [initial_wave] of a case file: what it may say, and every mistake.
 #include <gtest/gtest.h>
 
-#include "verification/case/natural_modes.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::initial_wave_section_test {
@@ -10,12 +9,12 @@ namespace {
 
 const std::string third_mode = "[initial_wave]\nmode = 3\namplitude_m = -0.02\n";
 
-// The section takes lines 21 to 23, behind the motion.
+// The section stands on lines 21 to 23, after the motion.
 std::string with_wave(const std::string& section, std::string text = valid_text) {
   return text.insert(text.find("[time]"), section);
 }
 
-// In a tank that stands, of which linear theory has no modes to count.
+// In a still tank, where linear theory has no modes to sum.
 std::string still_with_wave(const std::string& section) {
   std::string text = with_wave(section, edited({sine_surge, "[motion]\nstill = true\n"}));
   text = text.substr(0, text.find("[[gate]]"));
@@ -102,12 +101,12 @@ TEST(InitialWaveSection, RefusesModesThatAStillTankDoesNotHave) {
   const std::string fitted = "natural_modes = 1", solver = "solver = \"linear\"\n";
   EXPECT_TRUE(first_error_line(
                   std::string(text).replace(text.find(fitted), fitted.size(), "natural_modes = 2"))
-                  .ends_with(": comparison.natural_modes = 2: expected 0 or 1: a tank that stands "
-                             "has the mode of its initial wave alone"));
+                  .ends_with(": comparison.natural_modes = 2: expected 0 or 1: a still tank has "
+                             "only the mode of its initial wave"));
   EXPECT_TRUE(first_error_line(std::string(text).replace(text.find(solver), solver.size(),
                                                          solver + "modes = 500\n"))
-                  .ends_with(": run.modes = 500: expected no such key of a tank that stands: its "
-                             "initial wave is one mode"));
+                  .ends_with(": run.modes = 500: expected no such key for a still tank: its "
+                             "initial wave is a single mode"));
 }
 
 TEST(InitialWaveSection, MayBeComparedWithAViscousWave) {

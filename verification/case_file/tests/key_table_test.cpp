@@ -1,5 +1,5 @@
-// The table of keys says of each key whether it is required, and the reference that is shipped is
-// made from it.
+// The table of keys is right about which keys are required, and the shipped reference is generated
+// from it.
 #include "verification/case_file/key_table.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ const KeyEntry& entry(const std::string& table_id, const std::string& key) {
   throw std::logic_error("no key " + key + " in " + table_id);
 }
 
-// The id of the table that a line of the trial case opens, "" of any other line.
+// Returns the id of the table that a line of the trial case opens, "" for any other line.
 std::string opened_table(const std::string& line) {
   const std::size_t begin = line.find_first_not_of('['), end = line.find(']');
   if (begin == 0 || end == std::string::npos) return "";
@@ -39,7 +39,7 @@ std::string with_line_after(const std::string& text, const std::string& line,
   return longer.insert(at + line.size() + 2, added);
 }
 
-// The trial case with keys that it could do without.
+// The trial case with some optional keys.
 const std::string full_text = [] {
   std::string text = with_line_after(valid_text, "amplitude_m = 0.02", "ramp_periods = 1\n");
   text = with_line_after(text, "modes = 500", "two_layer = true\n");
@@ -55,8 +55,8 @@ struct Line {
   int number;
 };
 
-// The lines "key = value" of the trial case, each with the id of its table; of a run, that of its
-// solver where the solver has the key.
+// Returns the lines "key = value" of the trial case, each with the id of its table; in a run, that
+// of its solver if the solver has the key.
 std::vector<Line> assignments() {
   std::vector<Line> lines;
   std::istringstream text(full_text);

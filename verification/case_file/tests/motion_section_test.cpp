@@ -1,5 +1,4 @@
-// [motion] of a case file: a surge, a roll, both, after a sine or a table, and every way in which
-// they make no sense.
+// [motion] of a case file: a surge, a roll or both, as a sine or a table, and every mistake.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -18,7 +17,7 @@ const std::string sine_roll =
 const std::string table_roll = "[motion.roll]\ntype = \"table\"\nfile = \"roll.csv\"\n" + axis;
 const std::string table_surge = "[motion.surge]\ntype = \"table\"\nfile = \"surge.csv\"\n";
 
-// The motion takes the place of the sine surge on lines 17 to 20; no gate row, since a table has no
+// The motion replaces the sine surge on lines 17 to 20. There is no gate row, since a table has no
 // forced mode.
 std::string moved_by(const std::string& motion) {
   const std::string text = edited({sine_surge, motion});
@@ -187,7 +186,7 @@ TEST(MotionSection, RefusesABadRollTableByItsOwnLine) {
        "roll.csv:4: time_s = 1: expected a number above the last row's 1, in s"},
       {head + "0,-0.0011\n1,0\n2,0\n20,0\n",
        "roll.csv:2: angle_deg = -0.0011: expected 0 to within 0.001 in the first row, in deg: the "
-       "liquid stands level"},
+       "tank starts level"},
       {head + "0,0\n1,0\n2,-360.5\n20,0\n",
        "roll.csv:4: angle_deg = -360.5: expected a number from -360 to 360, in deg"},
       {head + "0,0\n1,nan\n2,0\n20,0\n", "roll.csv:3: angle_deg = nan: expected a number, in deg"},
@@ -215,7 +214,7 @@ TEST(MotionSection, TakesADeclaredFrequencyOfATableAlone) {
   EXPECT_EQ(complaint_about(
                 {"natural_modes = 2", "natural_modes = 2\nforcing_angular_frequency_rad_s = 1.5"}),
             "trial.toml:35: comparison.forcing_angular_frequency_rad_s = 1.5: expected no such key "
-            "where no motion is a table: a sine has its own");
+            "without a motion table: a sine has its own frequency");
   EXPECT_EQ(complaint_about(
                 {"natural_modes = 2", "natural_modes = 2\nforcing_angular_frequency_rad_s = 0"}),
             "trial.toml:35: comparison.forcing_angular_frequency_rad_s = 0: expected a number > 0, "

@@ -1,4 +1,4 @@
-// Pressure gauges, snapshot times and what the case's runs are compared on.
+// Pressure gauges, snapshot times and the compared quantities.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,8 +69,8 @@ TEST(PressureGauge, IsRefusedWhereItMakesNoSense) {
        "trial.toml:34: pressure_gauge.position_m = 2.1: expected a number from 0 to the tank's "
        "length (2), in m from the left wall"},
       {left + "position_m = 0.005\nwidth_m = 0.011\n",
-       "trial.toml:35: pressure_gauge.width_m = 0.011: expected a number >= 0 and <= 0.01, in m: a "
-       "sensor that lies on the wall as a whole"},
+       "trial.toml:35: pressure_gauge.width_m = 0.011: expected a number >= 0 and <= 0.01, in m: "
+       "the whole sensor lies on the wall"},
       {left + "position_m = 0.999\nwidth_m = 0.01\n",
        "trial.toml:35: pressure_gauge.width_m = 0.01: expected a number >= 0 and <= 0.002"},
       {left + "position_m = 0.1\nwidth_m = -0.01\n",

@@ -1,4 +1,4 @@
-// [[refinement]] of a case file: runs that are alike but for one number, and what is none.
+// [[refinement]] of a case file: runs that differ in one number only, and what is refused.
 #include <gtest/gtest.h>
 
 #include "verification/tests/trial_case.hpp"
@@ -49,23 +49,23 @@ TEST(RefinementSection, ReadsAPathOfRunsThatAreAlikeButForTheirSpacing) {
 
 TEST(RefinementSection, RefusesRunsThatDifferInMoreThanTheNumber) {
   const std::string said = complaint_about("particle_spacing", "\"fine\", \"thick\"");
-  EXPECT_TRUE(holds(said, "fine and thick are not")) << said;
+  EXPECT_TRUE(holds(said, "fine and thick differ in others")) << said;
   const std::string other = complaint_about("courant_number", "\"fine\", \"finer\"");
-  EXPECT_TRUE(holds(other, "fine and finer are not")) << other;
+  EXPECT_TRUE(holds(other, "fine and finer differ in others")) << other;
 }
 
 TEST(RefinementSection, RefusesWhatIsNoRunOfTheSolver) {
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"mesh\""),
-                    "SPH runs of this case, which mesh is not"));
+                    "SPH runs of this case; mesh is not one"));
   EXPECT_TRUE(holds(complaint_about("mesh", "\"mesh\", \"fine\""),
-                    "interFoam runs of this case, which fine is not"));
+                    "interFoam runs of this case; fine is not one"));
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"nobody\""), "nobody is not"));
 }
 
 TEST(RefinementSection, RefusesAPathThatIsNone) {
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\""), "two runs or more"));
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"fine\""),
-                    "each run once, fine is there twice"));
+                    "each run once; fine is there twice"));
   EXPECT_TRUE(holds(complaint_about("particle_spacin", "\"fine\", \"finer\""),
                     "nearest: particle_spacing"));
 }

@@ -1,5 +1,5 @@
-// The keys that a [[run]] may have, by its solver: a key of another solver is refused, for every
-// solver and every key. The parser's own refusals tell which keys a solver has.
+// The keys that a [[run]] may have, by its solver: for every solver, each key of another solver is
+// refused. The refusals of the parser list the keys of a solver.
 #include <gtest/gtest.h>
 
 #include <algorithm>

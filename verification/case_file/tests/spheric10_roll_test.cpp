@@ -1,4 +1,4 @@
-// The roll of SPHERIC benchmark 10: the table against its formula, and the formula against the
+// The roll of SPHERIC benchmark 10: compares the table with its formula, and the formula with the
 // record.
 #include <gtest/gtest.h>
 

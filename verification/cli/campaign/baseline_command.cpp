@@ -1,12 +1,13 @@
-#include "verification/cli/campaign/baseline_command.hpp"
+// The subcommand baseline: what has moved since a campaign's baseline, a proposal to make the
+// present figures the new one, and its approval. Starts no solver.
 
 #include <fmt/format.h>
 
 #include <iostream>
 
 #include "verification/baseline/baseline_diff.hpp"
-#include "verification/baseline/baseline_proposal.hpp"
-#include "verification/cli/campaign/requested_campaign.hpp"
+#include "verification/baseline/baseline_ledger.hpp"
+#include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/provenance.hpp"
 
@@ -21,7 +22,7 @@ struct MovedRows {
   std::vector<RowMovement> moved;
 };
 
-// Before anything is judged.
+// Checks the ledger before anything is judged.
 fs::path checked_ledger(const CampaignOptions& options, const Installation& installation) {
   const fs::path ledger =
       ledger_of(options, requested(options, installation).definition, installation);
@@ -36,17 +37,15 @@ fs::path checked_ledger(const CampaignOptions& options, const Installation& inst
   return ledger;
 }
 
-MovedRows moved_rows(CampaignOptions options, const Installation& installation) {
-  options.solve = false;
+MovedRows moved_rows(const CampaignOptions& options, const Installation& installation) {
   const fs::path ledger = checked_ledger(options, installation);
-  const std::atomic<bool> never{false};
-  const AssessedCampaign assessed = assess_campaign(options, installation, never);
+  const AssessedCampaign assessed = assess_present(options, installation);
   return {assessed.definition.name + (options.selection.quick ? " (quick form)" : ""), ledger,
           assessed.output / "baseline_proposal.json",
           movements(baseline_of(read_ledger(ledger)), assessed.cases)};
 }
 
-// How many were told.
+// Prints the rows that have changed, and returns their number.
 std::size_t print_changes(const std::vector<RowMovement>& moved) {
   std::size_t count = 0;
   for (const RowMovement& movement : moved) {
@@ -57,8 +56,11 @@ std::size_t print_changes(const std::vector<RowMovement>& moved) {
   return count;
 }
 
-}  // namespace
+struct ApprovalOptions {
+  std::string who, reason;
+};
 
+// Prints what has changed. Returns exit_violated if anything has.
 int diff_baseline(const CampaignOptions& options, const Installation& installation) {
   const MovedRows now = moved_rows(options, installation);
   const std::size_t changed = print_changes(now.moved);
@@ -67,6 +69,7 @@ int diff_baseline(const CampaignOptions& options, const Installation& installati
   return changed == 0 ? exit_pass : exit_violated;
 }
 
+// Writes <output>/baseline_proposal.json, unless nothing has changed.
 int propose_baseline(const CampaignOptions& options, const Installation& installation) {
   const MovedRows now = moved_rows(options, installation);
   print_changes(now.moved);
@@ -80,6 +83,8 @@ int propose_baseline(const CampaignOptions& options, const Installation& install
   return exit_pass;
 }
 
+// Appends the proposal to the ledger. Throws LedgerError if there is no proposal, or if the results
+// have changed since it was made.
 int approve_baseline(const CampaignOptions& options, const ApprovalOptions& approval,
                      const Installation& installation) {
   const MovedRows now = moved_rows(options, installation);
@@ -95,6 +100,55 @@ int approve_baseline(const CampaignOptions& options, const ApprovalOptions& appr
   std::cout << fmt::format("{} changes approved: {}\n", proposal.changes.size(),
                            now.ledger.string());
   return exit_pass;
+}
+
+}  // namespace
+
+void add_baseline_commands(const CommandTree& tree) {
+  CLI::App& baseline = *tree.app.add_subcommand(
+      "baseline", "The earlier results of a campaign, and what has changed since");
+  baseline.require_subcommand(1);
+  const CommandTree below{baseline, tree.installation, tree.stop, tree.stop_on_signals,
+                          tree.action};
+  const std::string example = " verification -o wave --ledger wave.jsonl --new";
+  const Installation& installation = tree.installation;
+  const auto [diff, diff_options] =
+      add_command_on_campaign(below,
+                              {"diff",
+                               "Prints what has changed; exit status 1 if anything has",
+                               {"./slosh baseline diff" + example}},
+                              [&installation](const CampaignOptions& options) {
+                                return diff_baseline(options, installation);
+                              });
+  const auto [propose, propose_options] =
+      add_command_on_campaign(below,
+                              {"propose",
+                               "Writes a proposal to make the present results the baseline",
+                               {"./slosh baseline propose" + example}},
+                              [&installation](const CampaignOptions& options) {
+                                return propose_baseline(options, installation);
+                              });
+  auto approval = std::make_shared<ApprovalOptions>();
+  const auto [approve, approve_options] = add_command_on_campaign(
+      below,
+      {"approve",
+       "Adds the proposal to the ledger",
+       {"./slosh baseline approve" + example + " --who 'A. Name' --reason 'The first figures.'"}},
+      [&installation, approval](const CampaignOptions& options) {
+        return approve_baseline(options, *approval, installation);
+      });
+  add_ledger_option(*diff, *diff_options);
+  add_ledger_option(*propose, *propose_options);
+  add_ledger_option(*approve, *approve_options);
+  add_new_ledger_option(*diff, *diff_options);
+  add_new_ledger_option(*propose, *propose_options);
+  add_new_ledger_option(*approve, *approve_options);
+  const CLI::Validator not_empty(
+      [](const std::string& text) { return text.empty() ? "expected a text" : std::string(); }, "");
+  approve->add_option("--who", approval->who, "Who approves it")->required()->check(not_empty);
+  approve->add_option("--reason", approval->reason, "Why the results may change")
+      ->required()
+      ->check(not_empty);
 }
 
 }  // namespace slosh

@@ -16,7 +16,7 @@ using nlohmann::json;
 
 constexpr const char* file_name = "standing.json";
 
-// Of a file as it is now, all of it read; null of one that is absent or cannot be read.
+// Returns the path and the hash of the file, or null if it is absent or cannot be read.
 json content_of(const fs::path& file) try {
   return {file.string(), content_hash(read_bytes(file))};
 } catch (const fs::filesystem_error&) {

@@ -1,5 +1,4 @@
-// What a campaign's last start ended with, so that one that would find nothing else to do says it
-// again at once.
+// The verdict of a campaign's last start. A start that finds nothing new prints it again at once.
 #pragma once
 
 #include <filesystem>
@@ -13,26 +12,26 @@
 namespace slosh {
 
 struct CachedVerdict {
-  std::string fingerprint;  // of all that the verdict and the report were made from
+  std::string fingerprint;  // hash of everything that determines the verdict and the report
   int status;               // the exit status
-  std::string out;          // what was told of it
+  std::string out;          // what was printed
 };
 
-// What judges beside the results: the content of the tool and of the ledger of baselines. It is to
-// be asked for before a campaign, which takes hours in which either may be replaced.
+// Returns the hashes of the tool and of the ledger of baselines, which determine the verdict beside
+// the results. Called before a campaign, during whose hours either may be replaced.
 std::string judges_of(const CampaignSettings& settings, const std::filesystem::path& ledger);
 
-// Hashes the campaign's and the cases' files, the judges, and the whole content of each result, of
-// its timings and of the cases' tables of peaks: a size and a time stamp tell nothing of what a
-// file holds. Nothing where a result is missing, so that something is left to do.
+// Returns a hash of the campaign's and the cases' files, the judges, and the whole content of each
+// result, of its timings and of the cases' tables of peaks; sizes and time stamps do not identify a
+// content. Returns nullopt if a result is missing, so that there is something to do.
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
                                           const CampaignSettings& settings,
                                           const std::string& judges);
 
-// <output>/standing.json. Nothing where it is absent, nor, which is told, where it is no such file.
+// Reads <output>/standing.json. Returns nullopt if it is absent or, with a message, unusable.
 std::optional<CachedVerdict> read_cached_verdict(const std::filesystem::path& output);
-// To be called before the report is replaced: what is said again must be of the report that stands.
+// Called before the report is replaced: a cached verdict must belong to the existing report.
 void forget_cached_verdict(const std::filesystem::path& output);
 void write_cached_verdict(const CachedVerdict& cached, const std::filesystem::path& output);
 

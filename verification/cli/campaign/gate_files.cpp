@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "reports/summary/campaign_report.hpp"
-#include "reports/tables/uncertainty_table.hpp"
+#include "reports/tables/case_tables.hpp"
 #include "verification/assessment/row_kinds.hpp"
-#include "verification/case/row_kind.hpp"
-#include "verification/case_file/problem_table.hpp"
+#include "verification/case/campaign_definition.hpp"
+#include "verification/case/case_definition.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
@@ -42,7 +42,8 @@ std::string relative_to(const fs::path& source, const fs::path& file) {
   return relative.empty() || *relative.begin() == ".." ? file.string() : relative.string();
 }
 
-// What rows of cases and of problems tell alike: all but the name, the value and what has moved.
+// Fills in what rows of cases and of problems have in common: all but the name, the value and the
+// change since the baseline.
 template <class Outcome>
 reports::GateEntry entry_in(const std::string& group, const Outcome& outcome,
                             const fs::path& source) {
@@ -109,6 +110,13 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
     for (const ProblemGateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, source));
   return document;
+}
+
+void leave_table(const AssessedCampaign& assessed, const std::vector<RowMovement>& moved,
+                 const CampaignOptions& options, const fs::path& source) {
+  if (options.csv.empty()) return;
+  replace_file(options.csv, reports::gate_csv(gate_document(assessed, moved, source)),
+               Durability::process_crash);
 }
 
 void write_gate_files(const reports::GateDocument& document, const fs::path& directory) {

@@ -1,4 +1,4 @@
-// What the gate leaves for the machines and people that decide on a change.
+// The files by which the gate reports to continuous integration and to reviewers.
 #pragma once
 
 #include <filesystem>
@@ -6,17 +6,21 @@
 
 #include "reports/gate_documents/gate_document.hpp"
 #include "verification/baseline/baseline_diff.hpp"
-#include "verification/cli/campaign/campaign_command.hpp"
+#include "verification/cli/campaign/assessed_campaign.hpp"
 
 namespace slosh {
 
-// The rows with what has moved since the baseline (movements() of the cases). Places in files below
-// `source` are told relative to it, as a forge that shows the change wants them.
+// Returns the gate rows with their changes since the baseline (movements() of the cases). The paths
+// of files below `source` are relative to it, as code forges require.
 reports::GateDocument gate_document(const AssessedCampaign& assessed,
                                     const std::vector<RowMovement>& movements,
                                     const std::filesystem::path& source);
 
-// <directory>/junit.xml, gate.md, gate.sarif, each replaced as a whole. Throws
+// Writes the verdicts as a table to the file of --csv, if the options name one.
+void leave_table(const AssessedCampaign& assessed, const std::vector<RowMovement>& moved,
+                 const CampaignOptions& options, const std::filesystem::path& source);
+
+// Writes <directory>/junit.xml, gate.md and gate.sarif, each atomically. Throws
 // std::filesystem::filesystem_error.
 void write_gate_files(const reports::GateDocument& document,
                       const std::filesystem::path& directory);

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
+#include "verification/baseline/baseline_ledger.hpp"
+#include "verification/case/campaign_definition.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/problem_table.hpp"
 #include "verification/case_file/sweep.hpp"
-#include "verification/cli/named_paths.hpp"
 #include "verification/evidence/case_evidence.hpp"
-#include "verification/input/complaints.hpp"
-#include "verification/problems/problem.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/problems/problem_list.hpp"
 #include "verification/runs/run_case.hpp"
 
 namespace slosh {
@@ -60,8 +60,8 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
   return cases;
 }
 
-// All else that a campaign's cases get wrong is found before anything runs. It takes seconds: the
-// start of every SPH run is set up.
+// Finds the remaining mistakes of the cases before anything runs. This takes seconds, as it sets up
+// the start of every SPH run.
 void require_runnable(const std::vector<CaseDefinition>& cases) {
   Complaints complaints;
   for (const CaseDefinition& definition : cases) {
@@ -122,6 +122,18 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
     campaign.place /= "selected";
   }
   return campaign;
+}
+
+fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
+                   const Installation& installation) {
+  if (!options.ledger)
+    return installation.baselines / (campaign.name + form_of(options) + ".jsonl");
+  if (!options.new_ledger && !holds_approvals(*options.ledger))
+    throw CaseFileError(
+        fmt::format("--ledger: '{}' holds no approval; expected the path of a ledger, or `slosh "
+                    "baseline approve --new` to begin one there",
+                    options.ledger->string()));
+  return *options.ledger;
 }
 
 }  // namespace slosh

@@ -1,11 +1,11 @@
-// A campaign as its options ask for it: files read and checked, places settled.
+// A campaign as the options request it, with its files read and checked.
 #pragma once
 
 #include <vector>
 
 #include "verification/campaign/campaign_settings.hpp"
 #include "verification/case/campaign_definition.hpp"
-#include "verification/cli/campaign/campaign_command.hpp"
+#include "verification/cli/campaign/campaign_options.hpp"
 
 namespace slosh {
 
@@ -13,15 +13,20 @@ struct RequestedCampaign {
   CampaignDefinition definition;
   std::vector<CaseDefinition> cases;  // with the runs of the campaign's sweeps
   CampaignSettings settings;
-  // Of the report and the gate's files: the settings' output, of a selection its folder selected/,
-  // so that a part is never taken for the whole.
+  // The directory of the report and the gate's files: the settings' output, or for a selection its
+  // folder selected/, so that a part is never mistaken for the whole.
   std::filesystem::path place;
 };
 
-// Throws CaseFileError for all that the campaign and its cases get wrong, before anything runs.
+// Throws CaseFileError with all mistakes of the campaign and its cases, before anything runs.
 RequestedCampaign requested(const CampaignOptions& options, const Installation& installation);
 
-// "-quick" or nothing: after the name in the places of a campaign's form.
+// Returns "-quick" or an empty text: the suffix of the campaign's name in paths.
 std::string form_of(const CampaignOptions& options);
+
+// Returns the file of the campaign's baselines. Throws CaseFileError for a ledger that the user
+// names and that holds no approval, unless a new one is to be begun.
+std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
+                                const Installation& installation);
 
 }  // namespace slosh

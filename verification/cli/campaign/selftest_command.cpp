@@ -1,4 +1,5 @@
-#include "verification/cli/campaign/selftest_command.hpp"
+// The subcommand selftest: tests on a campaign's own results whether its gate rows detect what they
+// claim to. Starts no solver.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,15 +7,16 @@
 #include <algorithm>
 #include <iostream>
 
+#include "reports/model/side_by_side.hpp"
+#include "reports/summary/sensitivity_tables.hpp"
+#include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/sensitivity/case_coverage.hpp"
-#include "verification/sensitivity/row_strength.hpp"
 #include "verification/sensitivity/selftest_record.hpp"
 
 namespace slosh {
 namespace {
 
-// A row of the table in a line: its name, then each figure under its heading.
+// Returns a row of the table as a line: its name, then each value after its heading.
 std::string line_of(const reports::Table& table, const std::vector<std::string>& row) {
   std::vector<std::string> parts;
   for (std::size_t i = 1; i < row.size(); ++i)
@@ -40,18 +42,21 @@ struct Found {
 Found test(const AssessedCampaign& assessed, int at_once) {
   Found found;
   for (const CaseAssessment& one : assessed.cases) {
-    const std::vector<RowStrength> strengths = row_strengths(one, at_once);
+    const std::vector<RowSensitivity> sensitivity =
+        gate_sensitivity(one, nullptr, [at_once](std::size_t count, const auto& work) {
+          reports::side_by_side(count, at_once, work);
+        });
     std::cout << one.definition.name << ":\n";
-    print(strength_table(one, strengths));
-    for (const RowStrength& row : strengths) found.tried += row.strength.outcomes.size();
-    for (const std::string& claim : broken_claims(strengths))
+    print(sensitivity_table(one, sensitivity));
+    for (const RowSensitivity& row : sensitivity) found.tried += row.trials.outcomes.size();
+    for (const std::string& claim : broken_claims(sensitivity))
       found.broken.push_back(one.definition.name + ": " + claim);
-    found.cases.push_back(case_coverage(one, strengths));
+    found.cases.push_back(case_coverage(one, sensitivity));
   }
   return found;
 }
 
-// Of what the user selected, what could be judged at all.
+// Returns the cases with selected runs.
 std::vector<CaseCoverage> selected(const AssessedCampaign& assessed,
                                    std::vector<CaseCoverage> cases) {
   std::vector<CaseCoverage> kept;
@@ -60,17 +65,23 @@ std::vector<CaseCoverage> selected(const AssessedCampaign& assessed,
   return kept;
 }
 
-}  // namespace
+struct SelftestOptions {
+  CampaignOptions campaign;
+  bool record = false;  // write the findings beside the baselines (selftest_record.hpp)
+};
 
+// Prints what each row detects, and what the rows of each case detect together. Returns
+// exit_violated if a row misses what it must detect or detects nothing, or if the rows of a case
+// together miss what every case must detect (with --only or --tag the latter is printed but does
+// not count), and exit_not_compared if no row could be tried. Throws CaseFileError if a part of a
+// campaign is to be recorded.
 int selftest_campaign(const SelftestOptions& given, const Installation& installation) {
-  CampaignOptions options = given.campaign;
+  const CampaignOptions& options = given.campaign;
   const RunSelection& selection = options.selection;
   const bool is_whole = selection.only.empty() && selection.tags.empty();
   if (given.record && !is_whole)
     throw CaseFileError("--record: expected a whole campaign, without --only and --tag");
-  options.solve = false;
-  const std::atomic<bool> never{false};
-  const AssessedCampaign assessed = assess_campaign(options, installation, never);
+  const AssessedCampaign assessed = assess_present(options, installation);
   Found found = test(assessed, options.at_once);
   found.cases = selected(assessed, std::move(found.cases));
   std::cout << "Together:\n";
@@ -90,6 +101,26 @@ int selftest_campaign(const SelftestOptions& given, const Installation& installa
       found.cases.size());
   if (found.tried == 0) return exit_not_compared;
   return holds ? exit_pass : exit_violated;
+}
+
+}  // namespace
+
+void add_selftest_command(const CommandTree& tree) {
+  const auto record = std::make_shared<bool>(false);
+  const auto [selftest, selftest_options] = add_command_on_campaign(
+      tree,
+      {"selftest",
+       "Tests on the existing results whether each gate row detects what it claims to, and whether "
+       "the rows of each case together detect what every case must detect",
+       {"./slosh selftest " + std::string(example_run)}},
+      [tree, record](const CampaignOptions& options) {
+        return selftest_campaign({options, *record}, tree.installation);
+      });
+  add_selection_options(*selftest, selftest_options->selection);
+  add_jobs_option(*selftest, selftest_options->at_once, "Rows tried side by side");
+  selftest->add_flag("--record", *record,
+                     "Write the findings to verification/baselines/NAME.selftest.json, with -quick "
+                     "after the NAME of a quick form");
 }
 
 }  // namespace slosh

@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<ValueAtStep>;
 
-// At steps 1, 1.5, 2.25, ...
+// The values at steps 1, 1.5, 2.25, ...
 Values at_steps(std::size_t count, const std::function<double(double)>& value, double noise = 0) {
   Values values;
   for (double h = 1; values.size() < count; h *= 1.5) values.push_back({h, value(h), noise});
@@ -162,7 +162,7 @@ TEST(DiscretisationUncertainty, RefusesWhatCannotBeRanked) {
   refuses(2, {2, 5, std::nan("")});
 }
 
-// Manufactured data sets with normal noise; how often the interval about the finest value, with
+// Manufactured data sets with normal noise show how often the interval about the finest value, with
 // that value's own noise added in quadrature, holds the limit.
 struct Coverage {
   int held = 0, tried = 0;
@@ -171,9 +171,9 @@ struct Coverage {
 
 enum class Family { power, first, second, mixed };
 
-// About the finest value, or that at the coarser step of the index. Steps a factor of 1.25 to 2
-// apart; errors of the finest value 0.3 to 1.3; the mixed expansion's
-// second term up to 0.3 of the first at the coarsest step, of either sign.
+// The interval is about the finest value, or about that at the coarser step of the index. The steps
+// are a factor of 1.25 to 2 apart, the errors of the finest value are 0.3 to 1.3, and the mixed
+// expansion's second term is up to 0.3 of the first at the coarsest step, of either sign.
 Coverage coverage_of(Family family, std::size_t count, double deviation, std::uint64_t seed,
                      std::size_t asked = 0) {
   std::mt19937_64 generator(seed);

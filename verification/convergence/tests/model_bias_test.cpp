@@ -68,8 +68,8 @@ TEST(ModelBias, FindsAgainWhatAManyComparisonsWereMadeWith) {
         {bias * (1 + of_model * normal(random)), 1 + of_reference * normal(random), of_reference});
   const auto found = model_bias(values);
   ASSERT_TRUE(found);
-  // Of 20000 values the mean holds to 0.05 % and the deviation to 0.5 % of itself; the logarithm's
-  // expansion errs by the square of the deviation, 0.4 %, of it.
+  // With 20000 values the mean has an error of 0.05 % and the deviation one of 0.5 %. The expansion
+  // of the logarithm adds a relative error of the deviation squared, 0.4 %.
   EXPECT_NEAR(found->bias, bias, 0.002);
   EXPECT_NEAR(found->relative_deviation, of_model, 0.001);
 }

@@ -1,4 +1,4 @@
-// Against power laws in closed form: error = a cost^s at doubled resolutions.
+// The tests use power laws in closed form: error = a cost^s at doubled resolutions.
 #include "verification/convergence/work_precision.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct Bars {
   double cost = 0, error = 0;  // relative
 };
 
-// Costs 1, 8, 64, ... and errors cost^slope.
+// Runs with costs 1, 8, 64, ... and errors cost^slope.
 std::vector<WorkPoint> power_law(double slope, int resolutions, Bars bars = {}) {
   std::vector<WorkPoint> points;
   for (int i = 0; i < resolutions; ++i) {
@@ -118,7 +118,7 @@ TEST(CostAtError, ThatTheCheapestRunUndercutsIsAtMostItsCost) {
 TEST(CostAtError, IsUncertainWhereTheCheapestRunsBarReachesAcross) {
   const CostAtError found = cost_at_error(power_law(-0.5, 3, {0, 0.2}), 1.1);
   EXPECT_NEAR(found.error_spread, (0.2 - std::log(1.1)) / 0.5, 1e-12);
-  // What a smaller error costs is not known from one run.
+  // One run does not tell the cost of a smaller error.
   EXPECT_TRUE(std::isnan(cost_at_error(power_law(-0.5, 1, {0, 0.2}), 1.1).error_spread));
 }
 
@@ -149,7 +149,7 @@ TEST(CostAtError, CarriesOnBothBars) {
   EXPECT_NEAR(at_second.error_spread, 0.4, 1e-12);
 }
 
-// The standard deviation over noisy samples against what the small bars of one predict.
+// Compares the standard deviation over noisy samples with the prediction from the bars of one.
 TEST(CostAtError, HasTheSpreadThatNoisyRunsGive) {
   constexpr double noise_of_cost = 0.02, noise_of_error = 0.01;
   std::mt19937 random(2);

@@ -113,7 +113,7 @@ TEST(MainHistory, HasARibbonAboutTheRunThatHasCoarserOnesAndShadesWhatIsNotCompa
   EXPECT_NEAR(curve.upper[500] - curve.y[500], half, 1e-9);
   EXPECT_NEAR(curve.y[500] - curve.lower[500], half, 1e-9);
   EXPECT_TRUE(figure.curves.at(0).lower.empty());
-  EXPECT_NE(figure.caption.find("Ribbons about solvers"), std::string::npos);
+  EXPECT_NE(figure.caption.find("Ribbons around solvers"), std::string::npos);
   ASSERT_EQ(figure.spans.size(), 1u);  // the window ends with the case
   EXPECT_EQ(figure.spans[0].begin, 0);
   EXPECT_EQ(figure.spans[0].end, 1);

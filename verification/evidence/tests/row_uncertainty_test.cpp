@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reports/tables/uncertainty_table.hpp"
+#include "reports/tables/case_tables.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/evidence/input_uncertainty.hpp"
@@ -258,7 +258,7 @@ TEST(RowUncertainty, OfInputsThatNobodyKnowsIsSaidToBeUnknown) {
   EXPECT_FALSE(row.contributions().input.half_width.has_value());
   EXPECT_EQ(row.judged().verdict, Verdict::pass);
   row.definition.gate[0].reference = "theory";
-  EXPECT_EQ(row.contributions().input.half_width.value(), 0);  // both sides are told the same
+  EXPECT_EQ(row.contributions().input.half_width.value(), 0);  // both sides have the same
 }
 
 TEST(RowUncertainty, OfTheMotionsAmplitudeIsItsShare) {

@@ -1,4 +1,4 @@
-// Results and saved states that were cut, altered, appended to or taken for one another.
+// Results and saved states that were truncated, altered, appended to or confused with one another.
 #include "verification/files/sealed_file.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ class SealedFile : public ::testing::TestWithParam<Kind> {
     return read_bytes(directory.path() / "a file.h5");
   }
 
-  // The message that reading these bytes ends with; empty where they are taken.
+  // The error message of reading these bytes; empty where they are accepted.
   std::string refusal(const std::string& content) {
     memory.replace(content);
     try {

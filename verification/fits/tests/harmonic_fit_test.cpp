@@ -104,8 +104,8 @@ TEST(HarmonicFit, DoesNotVouchForAModeFarFromTheRequest) {
 
 // The paper's resonant case, forced at 1.3 s beside a natural period of 1.265 s, with a candidate
 // whose forced mode is 10 % low and 0.1 period late and whose natural mode is 15 % low. One tone
-// fitted to 20 s of the beating signals cannot be told from the other; two tones fitted to a window
-// that tells them apart are both found.
+// fitted to 20 s of the beating signals also takes part of the other. Two tones fitted to a window
+// that resolves them are both found.
 TEST(HarmonicFit, RecoversLagAndAmplitudeOfABeatingSignalOnlyWithBothTones) {
   const double w = two_pi / 1.3, ratio = w / natural;
   const auto reference =
@@ -131,7 +131,7 @@ TEST(HarmonicFit, RecoversLagAndAmplitudeOfABeatingSignalOnlyWithBothTones) {
   EXPECT_EQ(alone.phase.half_width, pi);
 }
 
-// Share of 400 realisations whose 95 % interval holds the truth, of (forced amplitude, forced
+// The share of 400 realisations whose 95 % interval holds the truth, for (forced amplitude, forced
 // phase, natural amplitude, frequency, decay rate, phase at the middle).
 std::array<double, 6> coverage(double correlation) {
   constexpr int realisations = 400;
@@ -194,7 +194,7 @@ TEST(HarmonicFit, RefusesAWindowThatCannotResolveTheTones) {
       << message;
   EXPECT_NE(message.find("more than 47.1"), std::string::npos) << message;
   EXPECT_NE(error_of(series, {0, 4}, both),
-            "");  // less than one forced period: not told from the mean
+            "");  // less than one forced period: not resolved from the mean
   EXPECT_EQ(error_of(series, {0, 5}, both), "");
   EXPECT_NE(error_of(series, {0, 20}, {both[1], both[1]}), "");
   EXPECT_NE(error_of(series, {0, 20}, {{"forced", std::nan(""), false}}), "");

@@ -19,7 +19,7 @@ constexpr double span = 12, interval = 0.03;
 
 VectorXd times() { return VectorXd::LinSpaced(400, 0.5 * interval, 399.5 * interval); }
 
-// A mean, a trend and a tone, as the fits have beside what they search.
+// A mean, a trend and a tone, as the fits have them in addition to the searched tones.
 MatrixXd basis() {
   MatrixXd columns(times().size(), 4);
   columns.col(0).setOnes();
@@ -32,7 +32,7 @@ VectorXd tone(const ToneShape& shape, double phase) {
   return tone_columns(times(), shape) * Eigen::Vector2d(std::cos(phase), std::sin(phase));
 }
 
-// By least squares, one trial after the other.
+// The best tone by least squares, one trial after the other.
 double explained_by(const ToneShape& shape, const VectorXd& value) {
   MatrixXd columns(times().size(), basis().cols() + 2);
   columns << basis(), tone_columns(times(), shape);

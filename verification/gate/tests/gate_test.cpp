@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "verification/gate/measured_value.hpp"
 #include "verification/series/windowed_series.hpp"
 
 namespace slosh::gate_test {
@@ -104,7 +105,7 @@ TEST(Gate, IsInconclusiveWhereTheIntervalReachesAcrossTheBound) {  // each +- 0.
   EXPECT_EQ(judge(amplitude_row, comparison_of(0.0511)).verdict, Verdict::violated);
   EXPECT_EQ(judge(amplitude_row, comparison_of(-0.0511)).verdict, Verdict::violated);
   EXPECT_EQ(judge(amplitude_row, comparison_of(0.05)).message,
-            "5 % +- 0.1 % cannot be told from 5 %");
+            "5 % +- 0.1 % cannot be distinguished from 5 %");
 }
 
 TEST(Gate, CountsWhatElseIsUncertainBesideTheInterval) {
@@ -142,7 +143,7 @@ TEST(Gate, DoesNotPassAValidationRowWhoseNumericalOrReferencesUncertaintyIsUnkno
         UncertaintyContributions{.discretisation = unknown}}) {
     const GateOutcome outcome = judge_with(amplitude_row, 0.01, found);
     EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
-    EXPECT_EQ(outcome.message, "1 % +- 0.1 % <= 5 %, as far as is known: nobody refined the mesh");
+    EXPECT_EQ(outcome.message, "1 % +- 0.1 % <= 5 %, as far as known: nobody refined the mesh");
     EXPECT_EQ(judge_with(amplitude_row, 0.08, found).verdict, Verdict::violated);
     GateRow regression = amplitude_row;
     regression.kind = RowKind::regression;
@@ -194,20 +195,45 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
   EXPECT_DOUBLE_EQ(value(Metric::mean_offset, "whole", "m"), 0.002);
 }
 
+TEST(Gate, HasAValueForEveryMetricOfTheTable) {
+  const Comparison comparison = comparison_of(0.01);
+  TimeSeries series{"elevation@right", "m", {}, {}};
+  for (int i = 0; i <= 1000; ++i) {
+    series.time.push_back(0.01 * i);
+    series.value.push_back(0.1 * std::sin(0.05 * i));
+  }
+  const FindSeries own = [&](const auto&, const auto&) { return series; };
+  const GateEvidence evidence{
+      .comparison = [&](const auto&, const auto&, const auto&) -> const Comparison& {
+        return comparison;
+      },
+      .series = own,
+      .impacts = [](const auto&, const GateRow&) { return 0.1; },
+      .cost = [](const GateRow&) { return CostAtError{Reach::between, 15, 0.1, 0.8, {}, {}}; },
+      .history = own};
+  for (const MetricEntry& metric : metric_table()) {
+    const std::string quantity_unit = is_of_impacts(metric.metric) ? "Pa" : "m";
+    const std::vector<std::string> modes =
+        measured_modes(metric, {"forced", "natural_1"}, metric.measured_on == MeasuredOn::front);
+    const GateRow row = row_of(metric.metric, modes.empty() ? "impact_1" : modes.front(),
+                               metric_unit(metric.metric, quantity_unit), 1);
+    EXPECT_TRUE(std::isfinite(measured(row, evidence).value)) << metric.name;
+  }
+}
+
 TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
   Comparison lost = comparison_of(0.01), lost_reference = lost;
   lost.modes[0].candidate.resolved = false;
   lost_reference.modes[0].reference.resolved = false;
   EXPECT_EQ(judge(amplitude_row, lost).verdict, Verdict::not_compared);
-  EXPECT_EQ(judge(amplitude_row, lost).message,
-            "the candidate's mode forced cannot be told from the rest");
+  EXPECT_EQ(judge(amplitude_row, lost).message, "the candidate's mode forced cannot be resolved");
   EXPECT_EQ(judge(amplitude_row, lost_reference).verdict, Verdict::not_compared);
   EXPECT_EQ(judge(row_of(Metric::normalised_rms, "whole", "1", 0.2), lost).verdict, Verdict::pass);
   Comparison beating = comparison_of(0.01);
   beating.modes[0].beside = 2 * std::numbers::pi * 0.25;
   EXPECT_EQ(judge(amplitude_row, beating).verdict, Verdict::not_compared);
   EXPECT_NE(judge(amplitude_row, beating)
-                .message.find("cannot tell the mode forced from something else at 0.25 Hz"),
+                .message.find("cannot separate the mode forced from a component at 0.25 Hz"),
             std::string::npos);
 }
 
@@ -459,7 +485,8 @@ TEST_F(GateOnEnsemble, JudgesTheMeanByTheSpreadOfTheRepeatsAlone) {
   EXPECT_NEAR(outcome.value.value, 0.03, 1e-12);
   EXPECT_NEAR(outcome.value.half_width, 4.30265 * std::sqrt(7e-4 / 3), 1e-6);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
-  EXPECT_EQ(outcome.message, "3 % +- 6.57 % cannot be told from 5 %; mean over 3 x 1 repeats");
+  EXPECT_EQ(outcome.message,
+            "3 % +- 6.57 % cannot be distinguished from 5 %; mean over 3 x 1 repeats");
   row.limit = 0.1;
   EXPECT_EQ(judged(scattered, finished()).verdict, Verdict::pass);
   row.limit = 0.005;

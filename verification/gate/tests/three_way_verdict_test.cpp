@@ -208,11 +208,5 @@ TEST_F(VerdictOnSeries, FailsATruncatedOneAndOneWithNaN) {
   }
 }
 
-TEST(ThreeWayVerdict, HasAName) {
-  EXPECT_EQ(three_way_name(ThreeWayVerdict::pass), "pass");
-  EXPECT_EQ(three_way_name(ThreeWayVerdict::fail), "fail");
-  EXPECT_EQ(three_way_name(ThreeWayVerdict::inconclusive), "inconclusive");
-}
-
 }  // namespace
 }  // namespace slosh::three_way_verdict_test

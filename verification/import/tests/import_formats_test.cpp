@@ -1,10 +1,15 @@
-// Each adapter on a file in the form of its program: imports/README.md says where they come from.
+// Each format is tried on a file of its program; tests/imports/README.md gives their origins.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <set>
 
 #include "verification/files/hdf5_handles.hpp"
+#include "verification/import/file_formats.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -16,7 +21,7 @@ namespace fs = std::filesystem;
 
 const fs::path samples = fs::path(SLOSH_SOURCE_DIR) / "verification/tests/imports";
 
-// The wave of the samples that no program itself wrote.
+// The wave of those samples that were made by hand.
 double wave(double time) { return 0.02 * std::sin(2 * std::numbers::pi * 0.8 * time); }
 
 void expect_wave(const TimeSeries& series, double factor, double mean, double tolerance) {
@@ -37,6 +42,24 @@ SeriesSource source(const std::string& quantity, const std::string& file, const 
 SeriesSource of_column(const std::string& column, SeriesSource source) {
   source.column = column;
   return source;
+}
+
+TEST(ImportFormats, HaveOneReaderAndOneNameEach) {
+  std::set<std::string> names;
+  for (const FileFormat& format : file_formats()) {
+    EXPECT_NE(format.read_head == nullptr, format.read_series == nullptr) << format.name;
+    EXPECT_TRUE(names.insert(format.name).second) << format.name << " is there twice";
+  }
+}
+
+TEST(ImportFormats, AreThoseOfTheDocuments) {
+  std::ifstream stream(SLOSH_SOURCE_DIR "/docs/other_solvers.md");
+  std::string page{std::istreambuf_iterator<char>(stream), {}};
+  std::erase(page, '`');
+  std::string table = "| format | files | columns |\n|---|---|---|\n";
+  for (const FileFormat& format : file_formats())
+    table += "| " + format.name + " | " + format.files + " | " + format.columns + " |\n";
+  EXPECT_NE(page.find(table + "\n"), page.npos) << table;
 }
 
 TEST(ImportFormats, ReadTheSurfaceThatAGaugeOfDualSPHysicsFound) {

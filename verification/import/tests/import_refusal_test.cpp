@@ -1,5 +1,4 @@
-// What the import of other programs' files reads of tables of any form, and what it refuses, with
-// the place and what was expected.
+// Which tables the import accepts and which it refuses, with the place and the expected text.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -28,7 +27,7 @@ TimeSeries read_csv(const std::string& text) {
   return import_series(csv(workspace.write("a.csv", text)));
 }
 
-// The message without the directory; after "unusable: " where the file's numbers are to blame.
+// The message without the directory; it begins with "unusable: " where the numbers cannot be used.
 template <class Change>
 std::string complaint_of(const std::string& text, Change change) {
   const Workspace workspace;

@@ -1,4 +1,5 @@
-// Tables of peaks: read in pascal, or refused by their line; the published one by its statistics.
+// Tables of peaks: read in pascal, or refused with their line. The published one is checked by its
+// statistics.
 #include "verification/input/peak_table.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ PeakTable table_of(const std::string& text) {
   return read_peak_table(file);
 }
 
-// What follows the table's directory in the message.
+// Returns the message without the table's directory.
 std::string complaint_about(const std::string& text) {
   try {
     table_of(text);
@@ -95,7 +96,7 @@ TEST(PeakTableOfSpheric10, HasThePublishedMeansAndDeviations) {
   }
 }
 
-// Of a directory every read fails, as on a disk that breaks down in the middle of a file.
+// Every read of a directory fails, as on a disk that breaks down in the middle of a file.
 TEST(Tables, ThatCannotBeReadToTheirEndAreNoShorterOnes) {
   const TemporaryDirectory directory;
   for (const std::function<void()>& read : std::vector<std::function<void()>>{

@@ -35,8 +35,8 @@ TEST(TomlLetters, AreRefusedByTheReaderWithTheirPlace) {
     FAIL() << "typographic quotation marks were read";
   } catch (const CaseFileError& error) {
     EXPECT_STREQ(error.what(),
-                 "trial.toml:1:8: not TOML: a letter beyond ASCII; expected such letters in "
-                 "strings and comments alone");
+                 "trial.toml:1:8: not TOML: a letter beyond ASCII; expected such letters only "
+                 "in strings and comments");
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "verification/metrics/cross_correlation.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
 namespace slosh::comparison_test {
@@ -106,7 +105,7 @@ TEST(Comparison, KeepsDriftAndOffsetOutOfTheModesButInTheResidual) {
   EXPECT_NEAR(result.maximum_residual, 0.003, 1e-12);
 }
 
-// What no fitted mode takes of either series.
+// A component that no fitted mode takes of either series.
 double higher_mode(double t) { return 0.002 * std::sin(9.1 * t + 0.3); }
 
 TEST(Comparison, IsNotMadeUncertainByWhatBothSeriesShowAlike) {

@@ -26,7 +26,7 @@ TEST(EnsembleMean, IsTheMeanOfAllPairsWithStudentsInterval) {
   const Estimate found = ensemble_mean(pairs_of({{1}, {2}, {6}}), SingleSide::exact);
   EXPECT_DOUBLE_EQ(found.value, 3);
   EXPECT_NEAR(found.half_width, 4.30265 * std::sqrt(7.0 / 3), 1e-4);
-  // Against one run of many the other side's spread counts once more.
+  // Against one run of many the other side's scatter counts once more.
   EXPECT_NEAR(ensemble_mean(pairs_of({{1}, {2}, {6}}), SingleSide::one_of_many).half_width,
               4.30265 * std::sqrt(7 * (1 + 1.0 / 3)), 1e-4);
   EXPECT_NEAR(ensemble_mean(pairs_of({{1, 2, 6}}), SingleSide::exact).half_width, found.half_width,
@@ -74,7 +74,7 @@ struct Scenario {
 
 class EnsembleCoverage : public ::testing::TestWithParam<Scenario> {};
 
-// Ratios of two amplitudes that scatter by a few percent, less 1: the truth is -0.05.
+// The ratios of two amplitudes that scatter by a few percent, less 1; the truth is -0.05.
 TEST_P(EnsembleCoverage, OfTheIntervalIs95Percent) {
   const Scenario& of = GetParam();
   std::mt19937_64 generator(14);

@@ -23,7 +23,7 @@ TimeSeries with(MutationKind kind, double strength) {
   return mutated(series, {kind, strength}, frame);
 }
 
-// Largest difference from a signal within the window.
+// The largest difference from a signal within the window.
 double departure(const TimeSeries& mutant, const std::function<double(double)>& signal) {
   double largest = 0;
   for (std::size_t i = 0; i < mutant.time.size(); ++i)
@@ -94,22 +94,28 @@ TEST(SeriesMutation, ChangesTheFrequencySlowly) {
             interpolated);
 }
 
+// A frame of two modes, fitted to the series.
+MutationFrame two_modes_of(const TimeSeries& fitted) {
+  MutationFrame two_modes = frame;
+  two_modes.modes.push_back({"natural_2", two_pi / 0.7, true});
+  two_modes.tones = fit_harmonics(fitted, two_modes.window, two_modes.modes).tones;
+  return two_modes;
+}
+
 TEST(SeriesMutation, DampsTheFittedPartOfOneModeAloneFromTheWindowsBeginOn) {
   const auto other = [](double t, double rate) {
     return 0.005 * std::exp(-rate * std::max(0.0, t - 4)) * std::cos(two_pi / 0.7 * t);
   };
   const TimeSeries both = sampled([&](double t) { return wave(t) + other(t, 0.1); }, 0, 20);
-  MutationFrame two_modes = frame;
-  two_modes.modes.push_back({"natural_2", two_pi / 0.7, true});
-  const TimeSeries damped = mutated(both, {MutationKind::mode_damped, 1, "natural_2"}, two_modes);
+  const TimeSeries damped =
+      mutated(both, {MutationKind::mode_damped, 1, "natural_2"}, two_modes_of(both));
   EXPECT_LT(departure(damped, [&](double t) { return wave(t) + other(t, 0.2); }), 1e-5);
 }
 
 TEST(SeriesMutation, GainsTheFittedPartOfOneModeAlone) {
   const auto other = [](double t) { return 0.005 * std::cos(two_pi / 0.7 * t); };
   const TimeSeries both = sampled([&](double t) { return wave(t) + other(t); }, 0, 20);
-  MutationFrame two_modes = frame;
-  two_modes.modes.push_back({"natural_2", two_pi / 0.7, true});
+  const MutationFrame two_modes = two_modes_of(both);
   const TimeSeries gained = mutated(both, {MutationKind::mode_gained, 0.2, "natural_2"}, two_modes);
   EXPECT_LT(departure(gained, [&](double t) { return wave(t) + 1.2 * other(t); }), 1e-5);
   EXPECT_THROW(mutated(both, {MutationKind::mode_gained, 0.2, "natural_3"}, two_modes),

@@ -29,7 +29,7 @@ TEST(SlidingFit, FollowsAnAmplitudeAndAPhaseThatDriftByKnownAmounts) {
   EXPECT_NEAR(fits.back().middle, 19.125, 1e-9);
   for (const FittedWindow& fit : fits) {
     ASSERT_EQ(fit.modes.size(), 1u);
-    // t cos(w t) has sin(w t) / (2 w) in it: either drift of 0.01 1/s is worth 0.001 at this w.
+    // t cos(w t) contains sin(w t) / (2 w): either drift of 0.01 1/s contributes 0.001 at this w.
     EXPECT_NEAR(1 + fit.modes[0].amplitude_error.value, ratio(fit.middle), 2e-3);
     EXPECT_NEAR(fit.modes[0].phase_lag_degrees.value, 360 / two_pi * lag(fit.middle), 0.12);
   }
@@ -46,7 +46,7 @@ TEST(SlidingFit, ShowsAnotherFrequencyAsALagThatDrifts) {
   const double slower = 0.99 * forcing;
   const TimeSeries late =
       sampled([&](double t) { return 0.02 * std::cos(slower * t + 0.7); }, 0, 21);
-  // Asked to refine the frequency, it holds it all the same.
+  // The frequency is held even where the request asks to refine it.
   const auto fits = sliding_fit(late, wave(), window, sliding, {{"natural_1", forcing, true}});
   const double drift =
       fits.back().modes[0].phase_lag_degrees.value - fits.front().modes[0].phase_lag_degrees.value;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "verification/papers/claim_evidence.hpp"
+#include "verification/papers/paper_claims.hpp"
 #include "verification/tests/impact_runs.hpp"
 
 namespace slosh::claims_test {
@@ -60,7 +61,7 @@ TEST(Claims, StandInATableWithTheirVerdictsInWords) {
 
 TEST(Within, CountsTheIntervalOnEitherSide) {
   const auto held = [](double value, double half_width) {
-    return within({"error", 100, "%"}, {value, half_width}, -0.02, 0.02).held;
+    return within({"error", 100, "%"}, {value, half_width}, within_range(-0.02, 0.02)).held;
   };
   EXPECT_EQ(held(0.015, 0.005), Held::yes);
   EXPECT_EQ(held(0.015, 0.006), Held::undecided);
@@ -71,22 +72,44 @@ TEST(Within, CountsTheIntervalOnEitherSide) {
 
 TEST(Within, NeverConfirmsNorRefutesByNaN) {
   for (const Estimate& estimate : {Estimate{nan, 0}, Estimate{0, nan}, Estimate{1, nan}}) {
-    const Finding found = within({"error", 100, "%"}, estimate, -0.02, 0.02);
+    const Finding found = within({"error", 100, "%"}, estimate, within_range(-0.02, 0.02));
     EXPECT_EQ(found.held, Held::undecided);
     EXPECT_TRUE(found.text.ends_with("no number")) << found.text;
   }
-  EXPECT_EQ(at_least(nan, 1, 1.1), Held::undecided);
+  EXPECT_EQ(compare(nan, at_least_between(1, 1.1)), Held::undecided);
 }
 
 TEST(Within, SaysNumberIntervalAndThreshold) {
-  EXPECT_EQ(within({"error", 100, "%"}, {0.0123, 0.001}, -0.02, 0.02).text,
+  EXPECT_EQ(within({"error", 100, "%"}, {0.0123, 0.001}, within_range(-0.02, 0.02)).text,
             "error +1.23 ± 0.1 % (-2 to 2)");
 }
 
 TEST(AtLeast, IsUndecidedBetweenItsTwoLevels) {
-  EXPECT_EQ(at_least(1.1, 1, 1.1), Held::yes);
-  EXPECT_EQ(at_least(1.05, 1, 1.1), Held::undecided);
-  EXPECT_EQ(at_least(1, 1, 1.1), Held::no);
+  EXPECT_EQ(compare(1.1, at_least_between(1, 1.1)), Held::yes);
+  EXPECT_EQ(compare(1.05, at_least_between(1, 1.1)), Held::undecided);
+  EXPECT_EQ(compare(1, at_least_between(1, 1.1)), Held::no);
+}
+
+TEST(Compare, KnowsTheOtherRelations) {
+  EXPECT_EQ(compare(1, at_most(1)), Held::yes);
+  EXPECT_EQ(compare(1.1, at_most(1)), Held::no);
+  EXPECT_EQ(compare(0.5, within_factor(2)), Held::yes);
+  EXPECT_EQ(compare(2, within_factor(2)), Held::yes);
+  EXPECT_EQ(compare(0.4, within_factor(2)), Held::no);
+  EXPECT_EQ(compare(-0.02, within_range(-0.02, 0.02)), Held::yes);
+  EXPECT_EQ(compare(0.03, within_range(-0.02, 0.02)), Held::no);
+}
+
+TEST(PaperClaims, HaveASourceAndFindingsWithThresholds) {
+  for (const PaperClaim& claim : paper_claims()) {
+    EXPECT_FALSE(claim.source.empty()) << claim.statement;
+    EXPECT_FALSE(claim.findings.empty()) << claim.statement;
+    for (const FindingRow& row : claim.findings) {
+      EXPECT_FALSE(row.cases.empty()) << claim.statement;
+      EXPECT_FALSE(row.runs.empty()) << claim.statement;
+      EXPECT_FALSE(row.thresholds.empty()) << claim.statement;
+    }
+  }
 }
 
 template <class Function>
@@ -106,10 +129,10 @@ double tone(double t) { return std::cos(omega * t); }
 TEST(HistoryDifference, IsThatOfAScaledOrRaisedHistory) {
   const TimeSeries other = series_of(tone);
   const auto scaled = difference(series_of([](double t) { return 1.2 * tone(t); }), other, whole);
-  EXPECT_NEAR(scaled.as_it_is, 0.2, 1e-3);
+  EXPECT_NEAR(scaled.with_means, 0.2, 1e-3);
   EXPECT_NEAR(scaled.without_means, 0.2, 1e-3);
   const auto raised = difference(series_of([](double t) { return tone(t) - 3; }), other, whole);
-  EXPECT_NEAR(raised.as_it_is, 3 * std::numbers::sqrt2, 1e-2);
+  EXPECT_NEAR(raised.with_means, 3 * std::numbers::sqrt2, 1e-2);
   EXPECT_NEAR(raised.without_means, 0, 1e-9);
   EXPECT_NEAR(raised.offset, 3, 1e-9);
 }

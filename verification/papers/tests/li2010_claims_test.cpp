@@ -1,7 +1,5 @@
 // The claims of Li et al. 2010 on results made by hand: confirmed where they are as claimed,
 // refuted where they are scaled or shifted, not decidable where they are missing.
-#include "verification/papers/li2010_claims.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +8,8 @@
 #include <numbers>
 
 #include "reports/pages/check_report.hpp"
-#include "verification/papers/li2010_paper.hpp"
+#include "verification/papers/paper_claims.hpp"
+#include "verification/papers/paper_sections.hpp"
 #include "verification/papers/surface_spectrum.hpp"
 #include "verification/tests/surge_results.hpp"
 
@@ -93,12 +92,12 @@ std::vector<CaseAssessment> good() {
 }
 
 DecidedClaim claim(std::size_t number, const std::vector<CaseAssessment>& cases) {
-  return decide(li2010_claims(cases).at(number - 1));
+  return decide(claims_of("li2010", cases).at(number - 1));
 }
 
 TEST(ClaimsOfLi2010, AreConfirmedByWhatIsAsClaimed) {
   const auto cases = good();
-  ASSERT_EQ(li2010_claims(cases).size(), 4u);
+  ASSERT_EQ(claims_of("li2010", cases).size(), 4u);
   for (std::size_t n = 1; n <= 4; ++n) {
     const DecidedClaim one = claim(n, cases);
     EXPECT_EQ(one.held, Held::yes) << n << ": " << one.found << " WHY " << one.why;

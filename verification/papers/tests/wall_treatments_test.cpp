@@ -1,6 +1,4 @@
-// Wall treatments side by side on results made by hand.
-#include "verification/papers/wall_treatments.hpp"
-
+// The comparison of wall treatments on results made by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <numbers>
 
 #include "reports/pages/check_report.hpp"
+#include "verification/papers/paper_sections.hpp"
 #include "verification/tests/impact_runs.hpp"
 
 namespace slosh::wall_treatments_test {
@@ -90,7 +89,7 @@ TEST(WallTreatments, HoldTheLiquidOnlyWhereNothingCrossedAWall) {
   EXPECT_EQ(verdict({}), "not decidable");
 }
 
-TEST(WallTreatments, SayWhatHasNoNumberOrNoResult) {
+TEST(WallTreatments, SayWhatIsNaNOrHasNoResult) {
   CaseAssessment assessment = tagged_case();
   for (TimeSeries& series : assessment.runs.results["mirror"].series) series.value[1900] = nan;
   add_absent_run(assessment, "repulsive_mirror", SphRun{"li2010", 0.01, 0.01}, RunState::failed);
@@ -98,7 +97,7 @@ TEST(WallTreatments, SayWhatHasNoNumberOrNoResult) {
   EXPECT_EQ(rows.at(0),
             (std::vector<std::string>{"still_tank", "repulsive_mirror", "", "", "", "",
                                       "not decidable", "", "solver failed: so it goes"}));
-  for (const std::size_t column : {2u, 3u, 4u}) EXPECT_EQ(rows.at(2).at(column), "no number");
+  for (const std::size_t column : {2u, 3u, 4u}) EXPECT_EQ(rows.at(2).at(column), "NaN");
   EXPECT_EQ(wall_treatment_section({assessment})->figures.at(0).curves.size(), 1u);
 }
 

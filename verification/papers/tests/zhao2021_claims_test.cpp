@@ -1,7 +1,5 @@
 // The claims of Zhao et al. 2021 on results made by hand: confirmed where they are as claimed,
 // refuted where they are scaled or shifted, not decidable where they are missing.
-#include "verification/papers/zhao2021_claims.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +8,8 @@
 #include <numbers>
 
 #include "reports/pages/check_report.hpp"
-#include "verification/papers/zhao2021_paper.hpp"
+#include "verification/papers/paper_claims.hpp"
+#include "verification/papers/paper_sections.hpp"
 #include "verification/tests/impact_runs.hpp"
 
 namespace slosh::zhao2021_claims_test {
@@ -110,7 +109,7 @@ CaseAssessment violent_roll(const Way& moving = {.spread = 2, .noise = 20, .cros
 using Cases = std::vector<CaseAssessment>;
 
 DecidedClaim claim(std::size_t number, const Cases& cases) {
-  return decide(zhao2021_claims(cases).at(number - 1));
+  return decide(claims_of("zhao2021", cases).at(number - 1));
 }
 
 void fail(CaseAssessment& assessment, const std::string& run) {
@@ -120,7 +119,7 @@ void fail(CaseAssessment& assessment, const std::string& run) {
 
 TEST(ClaimsOfZhao2021, AreConfirmedByWhatIsAsClaimed) {
   const Cases cases{mild_roll(), violent_roll()};
-  ASSERT_EQ(zhao2021_claims(cases).size(), 5u);
+  ASSERT_EQ(claims_of("zhao2021", cases).size(), 5u);
   for (std::size_t n = 1; n <= 5; ++n) {
     const DecidedClaim one = claim(n, cases);
     EXPECT_EQ(one.held, Held::yes) << n << ": " << one.found << " WHY " << one.why;

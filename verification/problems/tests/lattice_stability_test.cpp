@@ -1,4 +1,4 @@
-#include "verification/problems/lattice_stability.hpp"
+#include "verification/problems/stability/lattice_stability.hpp"
 
 #include <gtest/gtest.h>
 

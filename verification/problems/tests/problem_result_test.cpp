@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "verification/problems/problem_list.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/tests/temporary_directory.hpp"
 

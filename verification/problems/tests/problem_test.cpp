@@ -1,6 +1,4 @@
 // The list of problems, those that take no time, and the shipped campaigns over them.
-#include "verification/problems/problem.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "verification/assessment/problem_assessment.hpp"
 #include "verification/case_file/campaign_parser.hpp"
+#include "verification/problems/problem_list.hpp"
 
 namespace slosh::problem_test {
 namespace {

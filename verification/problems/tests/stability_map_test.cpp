@@ -1,4 +1,4 @@
-#include "verification/problems/stability_map.hpp"
+#include "verification/problems/stability/stability_map.hpp"
 
 #include <gtest/gtest.h>
 

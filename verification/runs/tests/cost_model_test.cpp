@@ -1,6 +1,6 @@
-// The model of what runs take, against what they took. A machine's speed is no part of the model:
-// for each set of figures and each solver it is one factor, the median's, as the tool learns it
-// (campaign/cost_records.hpp).
+// The modelled costs of runs against measured ones. The machine's speed is not part of the model:
+// it is one factor for each set of figures and each solver, the median, as the tool finds it
+// (runs/cost_records.hpp).
 #include "verification/runs/cost_model.hpp"
 
 #include <fmt/format.h>
@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/runs/run_case.hpp"
-#include "verification/solvers/solver_runs.hpp"
 
 namespace slosh::cost_model_test {
 namespace {

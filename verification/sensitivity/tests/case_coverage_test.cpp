@@ -23,7 +23,7 @@ CaseAssessment surge_with(const std::vector<GateRow>& gate) {
 
 CaseCoverage coverage_with(const std::vector<GateRow>& gate) {
   const CaseAssessment assessment = surge_with(gate);
-  return case_coverage(assessment, row_strengths(assessment, 2));
+  return case_coverage(assessment, gate_sensitivity(assessment));
 }
 
 Coverage of(const CaseCoverage& coverage, const std::string& name) {
@@ -72,7 +72,7 @@ TEST(CaseCoverage, CountsNoRowThatDoesNotPassAsItIs) {
   CaseDefinition definition = surge_case();
   definition.gate = {complete[0]};
   const CaseAssessment assessment = assess(definition, surge_runs_with("particles", high));
-  const CaseCoverage coverage = case_coverage(assessment, row_strengths(assessment, 1));
+  const CaseCoverage coverage = case_coverage(assessment, gate_sensitivity(assessment));
   EXPECT_EQ(of(coverage, "amplitude"), Coverage::missed);
   EXPECT_EQ(coverage.rows_judged, 1);
 }

@@ -9,7 +9,7 @@
 
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/problems/problem.hpp"
+#include "verification/problems/problem_list.hpp"
 #include "verification/sensitivity/selftest_record.hpp"
 
 namespace slosh::selftest_records_test {

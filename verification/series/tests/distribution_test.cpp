@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Distribution of(std::vector<double> values) { return {"peak 1", std::move(values)}; }
 
-// Peaks of 60 repeats, skewed as an impact's are.
+// The peaks of 60 repeats, with the skewness of an impact's peaks.
 std::vector<double> peaks(unsigned seed, double median = 4000) {
   std::mt19937_64 generator(seed);
   std::lognormal_distribution<double> peak(std::log(median), 0.3);
@@ -103,14 +103,15 @@ TEST(Distribution, ScalesAndShiftsWithItsValues) {
 TEST(AreaMetric, IsTheAreaBetweenTheStepsByHand) {
   // F1 - F2 is 1/2 on (0, 1), 0 on (1, 2), 1/2 on (2, 4).
   EXPECT_DOUBLE_EQ(area_metric(of({0, 2}), of({1, 4})), 1.5);
-  // Of unequal sizes: 1/3 - 0 on (1, 2), 2/3 - 1/2 on (2, 3), 2/3 - 1 on (3, 6).
+  // For samples of unequal sizes F1 - F2 is 1/3 - 0 on (1, 2), 2/3 - 1/2 on (2, 3), 2/3 - 1 on (3,
+  // 6).
   EXPECT_DOUBLE_EQ(area_metric(of({1, 2, 6}), of({2, 3})), 1.0 / 3 + 1.0 / 6 + 1);
 }
 
 TEST(AreaMetric, IsZeroForTheSameCdfOnly) {
   EXPECT_EQ(area_metric(of({3, 1, 2}), of({1, 2, 3})), 0);
   EXPECT_NEAR(area_metric(of({1, 2, 3}), of({1, 1, 2, 2, 3, 3})), 0, 1e-15);
-  // Mean and deviation the same, the third moments not.
+  // The means and deviations are equal, the third moments are not.
   EXPECT_DOUBLE_EQ(area_metric(of({0, 0, 3}), of({2, 2, -1})), 4.0 / 3);
 }
 
@@ -132,7 +133,7 @@ TEST(AreaMetric, IsSymmetricAndScalesAndShiftsWithTheData) {
 }
 
 TEST(AreaMetric, SeesATailThatWasCutOff) {
-  // 3 and 5 are cut to 2: by 1 and 3, over four values.
+  // The values 3 and 5 of four are cut to 2, by 1 and 3.
   EXPECT_DOUBLE_EQ(area_metric(of({1, 2, 3, 5}), of({1, 2, 2, 2})), 1);
   auto cut = peaks(1);
   std::sort(cut.begin(), cut.end());
@@ -140,7 +141,7 @@ TEST(AreaMetric, SeesATailThatWasCutOff) {
   const Distribution whole = of(peaks(1)), rest = of(cut);
   EXPECT_LT(rest.mean(), whole.mean());
   EXPECT_LT(rest.central_90_percent().high, whole.central_90_percent().high);
-  // The one cdf is nowhere below the other, so the area is the difference of the means.
+  // One cdf is nowhere below the other, so that the area is the difference of the means.
   EXPECT_NEAR(area_metric(whole, rest), whole.mean() - rest.mean(), 1e-9);
 }
 

@@ -20,7 +20,7 @@ struct Impact {
   double time, height;  // [s], [Pa]
 };
 
-// Impacts that rise within 10 ms and decay within some 50 ms, on a plateau that ebbs away.
+// The impacts rise within 10 ms and decay within some 50 ms, on a plateau that decays slowly.
 TimeSeries pressure_of(const std::vector<Impact>& impacts, double end = 9) {
   const auto pressure = [&](double t) {
     double sum = 0;
@@ -74,9 +74,9 @@ TEST(ImpactPeaks, ReportAnImpactThatDoesNotComeAsAbsent) {
   const auto peaks = impact_peaks(pressure_of({{2.375, 3710}, {4.073, 800}, {5.718, 4691}}),
                                   impact_windows(1.6, period, 4), 910);
   EXPECT_TRUE(peaks.at(0));
-  EXPECT_FALSE(peaks.at(1));  // came, but weaker than an impact
+  EXPECT_FALSE(peaks.at(1));  // a peak below the threshold
   EXPECT_TRUE(peaks.at(2));
-  EXPECT_FALSE(peaks.at(3));  // never came: what is left of the third one's plateau
+  EXPECT_FALSE(peaks.at(3));  // no peak: the rest of the third one's plateau
 }
 
 TEST(ImpactPeaks, AreNotWhatAWindowsEdgeCutsOff) {
@@ -84,7 +84,7 @@ TEST(ImpactPeaks, AreNotWhatAWindowsEdgeCutsOff) {
   EXPECT_FALSE(impact_peaks(pressure, {{2.38, 4}}, 910).at(0));   // the fall
   EXPECT_FALSE(impact_peaks(pressure, {{1, 2.374}}, 910).at(0));  // the rise
   EXPECT_TRUE(impact_peaks(pressure, {{1, 2.376}}, 910).at(0));
-  // A record that ends or begins in the rise or fall holds no peak either.
+  // A record that ends during the rise or begins during the fall has no peak either.
   EXPECT_FALSE(impact_peaks(pressure_of({{2.375, 3710}}, 2.37), {{1, 2.37}}, 910).at(0));
 }
 
@@ -101,7 +101,7 @@ TEST(ImpactPeaks, OfASaturatedSensorBeginWithTheFirstOfTheEqualSamples) {
   ASSERT_TRUE(peaks.at(0));
   EXPECT_EQ(peaks[0]->pressure, 2000);
   EXPECT_NEAR(peaks[0]->time, 2.371, 1e-9);
-  // A stair on the way up is no peak.
+  // A step during the rise is no peak.
   EXPECT_FALSE(
       impact_peaks(sampled([](double t) { return 1000 * std::floor(t); }, 0, 5), {{1, 4}}, 910)
           .at(0));

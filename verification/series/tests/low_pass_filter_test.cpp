@@ -14,7 +14,7 @@ constexpr double cutoff = 5;                                        // [Hz]
 constexpr double reach = 5 * 0.8325546111576977 / two_pi / cutoff;  // 5 sqrt(ln 2) / (2 pi f_c) [s]
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
-// Intervals of 4 to 6 ms, changing over a second.
+// The intervals vary from 4 to 6 ms over a second.
 std::vector<double> slowly_uneven_times() {
   std::vector<double> times{0};
   while (times.back() < 10)
@@ -22,7 +22,7 @@ std::vector<double> slowly_uneven_times() {
   return times;
 }
 
-// Intervals anywhere between 2.5 and 7.5 ms.
+// The intervals are random between 2.5 and 7.5 ms.
 std::vector<double> ragged_times() {
   std::mt19937_64 generator(3);
   std::uniform_real_distribution<double> interval(0.0025, 0.0075);
@@ -37,7 +37,7 @@ TimeSeries at_times(const std::vector<double>& times, const std::function<double
   return series;
 }
 
-// The largest difference further from either end than the filter reaches.
+// The largest difference at more than the filter's reach from either end.
 double largest_error_inside(const TimeSeries& filtered,
                             const std::function<double(double)>& expected) {
   double largest = 0;

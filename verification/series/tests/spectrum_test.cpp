@@ -18,7 +18,7 @@ TEST(PowerSpectrum, PeaksAtHalfTheSquaredAmplitudeWithMeanAndDriftRemoved) {
   EXPECT_NEAR(peaks[0].power, 0.02, 0.02 * 0.005);
 }
 
-// The same estimate without a window, by the definition of the transform.
+// The same estimate without a Hann window, by the definition of the transform.
 double peak_of_rectangular_window(const TimeSeries& series) {
   Spectrum spectrum{.frequency = {}, .power = {}, .resolution = 1.0 / 3};
   for (int k = 0; k < 40; ++k) {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double period = 1.3;
 
-// Steep crests and flat troughs about a level of 0.02: 0.1 cos + 0.03 cos of twice the frequency.
+// A wave with steep crests and flat troughs about a level of 0.02: 0.1 cos + 0.03 cos of twice the
+// frequency.
 double steep_wave(double t) {
   return 0.02 + 0.1 * std::cos(two_pi / period * t) + 0.03 * std::cos(2 * two_pi / period * t);
 }
@@ -25,7 +26,7 @@ TEST(WaveStatistics, GiveMeanDeviationCrestAndTroughOfAKnownWave) {
 }
 
 TEST(WaveStatistics, AverageTheCrestsOverThePeriods) {
-  // The k-th of ten periods is (1 + k / 10) as high.
+  // The k-th of ten periods is 1 + k / 10 times as high.
   const auto growing = [](double t) {
     return (1 + 0.1 * std::floor(t / period)) * std::sin(two_pi / period * t);
   };
@@ -55,12 +56,12 @@ TEST(NoiseShare, FindsWhiteNoiseOfAnyStrengthInASteepWave) {
 }
 
 TEST(NoiseShare, IsNoneOfSmoothDisturbances) {
-  // 0.3 s of correlation: a tenth of the deviation, and yet no white noise.
+  // A noise with a correlation time of 0.3 s has a tenth of the deviation and yet is not white.
   const auto clean = sampled(steep_wave, 0, 24);
   const auto disturbed =
       sampled([](double t) { return steep_wave(t) + 0.007 * std::sin(two_pi * t / 0.3); }, 0, 24);
   EXPECT_LT(noise_share(disturbed), 2e-3);
-  // A breaker that passes in a twentieth of the samples hides nothing and adds nothing.
+  // A breaker in a twentieth of the samples neither hides noise nor adds any.
   const auto breaking = sampled(
       [](double t) { return steep_wave(t) + (std::fmod(t, period) < 0.05 ? 0.05 : 0); }, 0, 24);
   EXPECT_LT(noise_share(breaking), 2e-3);

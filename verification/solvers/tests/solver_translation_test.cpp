@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "openfoam_cases/sloshing_tank.hpp"
+#include "openfoam_cases/run_case.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/sample_case.hpp"

@@ -1,11 +1,10 @@
-#include "verification/solvers/sph_step.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
 #include "verification/runs/run_case.hpp"
+#include "verification/solvers/sph_scene.hpp"
 #include "verification/tests/sample_case.hpp"
 
 namespace slosh::sph_step_test {

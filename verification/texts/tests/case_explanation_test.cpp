@@ -9,7 +9,7 @@
 namespace slosh::case_explanation_test {
 namespace {
 
-// However the lines are broken.
+// Compares the texts regardless of their line breaks.
 bool holds(const std::string& text, const std::string& part) {
   const std::regex spaces("\\s+");
   return std::regex_replace(text, spaces, " ").find(part) != std::string::npos;
@@ -67,7 +67,7 @@ TEST(CaseExplanation, TellsWhatARunAtTheEndOfAnInputIsFor) {
 }
 
 TEST(CaseExplanation, SaysThatACaseWithoutRowsGatesNothing) {
-  EXPECT_TRUE(holds(explanation(tank(), {}), "What gates nothing: the case is only shown"));
+  EXPECT_TRUE(holds(explanation(tank(), {}), "Gate rows none: the case is only shown"));
 }
 
 TEST(CaseExplanation, TellsEveryKindOfBound) {

@@ -1,0 +1,63 @@
+#include "openfoam_cases/geometry/liquid_edge.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <set>
+
+#include "openfoam_cases/geometry/gauge_columns.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+// Returns the place, in cells from the line's begin, where the line is half full for the last time;
+// nullopt where no cell is half full. `cells` holds the numbers of the free cells, ascending, and
+// `fractions` the liquid's volume fraction in each.
+std::optional<double> last_half_full(const std::vector<int>& cells,
+                                     const std::vector<double>& fractions) {
+  assert(fractions.size() == cells.size());
+  for (std::size_t i = cells.size(); i-- > 0;) {
+    const double share = fractions[i];
+    if (!(share >= 0.5)) continue;
+    const bool before_wall = i + 1 == cells.size() || cells[i + 1] != cells[i] + 1;
+    const double in_cell =
+        before_wall ? std::min(share, 1.0) : 0.5 + (share - 0.5) / (share - fractions[i + 1]);
+    return cells[i] + in_cell;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<int> bottom_columns(const TankMesh& mesh) {
+  std::vector<int> columns;
+  for (int column = 0; column < mesh.columns(); ++column) {
+    if (mesh.is_free({column, 0})) columns.push_back(column);
+  }
+  return columns;
+}
+
+double front_position(const TankMesh& mesh, const std::vector<double>& fractions) {
+  return last_half_full(bottom_columns(mesh), fractions).value_or(0) * mesh.cell_width();
+}
+
+std::vector<int> probed_columns(const SloshingTank& tank, const TankMesh& mesh) {
+  std::set<int> columns;
+  for (const Gauge& gauge : tank.gauges) columns.insert(nearest_column(mesh, gauge.x));
+  return {columns.begin(), columns.end()};
+}
+
+std::vector<int> free_rows(const TankMesh& mesh, int column) {
+  std::vector<int> rows;
+  for (int row = 0; row < mesh.rows(); ++row) {
+    if (mesh.is_free({column, row})) rows.push_back(row);
+  }
+  return rows;
+}
+
+double highest_surface(const TankMesh& mesh, int column, const std::vector<double>& fractions) {
+  const std::vector<int> rows = free_rows(mesh, column);
+  return last_half_full(rows, fractions).value_or(rows.front()) * mesh.cell_height();
+}
+
+}  // namespace slosh::openfoam

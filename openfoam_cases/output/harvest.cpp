@@ -1,0 +1,238 @@
+#include "openfoam_cases/output/harvest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/geometry/gauge_columns.hpp"
+#include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/geometry/liquid_edge.hpp"
+#include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/output/read_log.hpp"
+
+namespace slosh::openfoam {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The scheme conserves the volume to 1e-12 over 20 s, also in breaking waves; 1e-4 of the depth
+// would be a visible part of a small wave.
+constexpr double volume_tolerance = 1e-4;
+
+// Checks how many cells the function object averaged: a zone that contains no cell, or also those
+// of a neighbouring column, gives a wrong average without an error.
+void check_cell_count(const fs::path& file, int expected) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line) && line.starts_with('#');) {
+    if (!line.starts_with("# Cells")) continue;
+    const std::string count = line.substr(line.find(':') + 1);
+    if (numbers_in(count) == std::vector<double>{static_cast<double>(expected)}) return;
+    refuse(file, fmt::format("a column of{} cells, expected {}", count, expected));
+  }
+  refuse(file, "the number of cells is not given");
+}
+
+// Returns the height of the surface in a column of cells, from the start on.
+History column_level(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                     int column) {
+  const fs::path file = series_file(case_directory, column_name(column), "volFieldValue.dat");
+  const History filling = read_series(tank, file, 2);
+  const int cells = mesh.free_cells(column);
+  check_cell_count(file, cells);
+  History level{{0}, {surface_level(mesh, column, initial_depth(tank, mesh, column))}};
+  for (std::size_t i = 0; i < filling.time.size(); ++i) {
+    level.time.push_back(filling.time[i]);
+    level.value.push_back(
+        surface_level(mesh, column, filling.value[i] * cells * mesh.cell_height()));
+  }
+  return level;
+}
+
+History elevation(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                  const Gauge& gauge) {
+  const GaugeColumns columns = gauge_columns(mesh, gauge.x);
+  History history = column_level(tank, mesh, case_directory, columns.left);
+  const History right = column_level(tank, mesh, case_directory, columns.right);
+  for (std::size_t i = 0; i < history.time.size(); ++i) {
+    history.value[i] =
+        std::lerp(history.value[i], right.value[i], columns.right_weight) - tank.fill_depth;
+  }
+  return history;
+}
+
+// Returns the highest surface in each probed column by the column's index, from the start on.
+std::map<int, History> highest_surfaces(const SloshingTank& tank, const TankMesh& mesh,
+                                        const fs::path& case_directory) {
+  std::map<int, History> surfaces;
+  std::size_t cells = 0;
+  for (const int column : probed_columns(tank, mesh)) {
+    std::vector<double> at_start;
+    for (const int row : free_rows(mesh, column)) {
+      at_start.push_back(liquid_share(tank, {column, row}));
+    }
+    surfaces[column] = {{0}, {highest_surface(mesh, column, at_start)}};
+    cells += at_start.size();
+  }
+  if (surfaces.empty()) return surfaces;
+  const Rows rows =
+      read_rows(tank, series_file(case_directory, "gauge_cells", "alpha.liquid"), 1 + cells);
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    auto next = rows.values[i].begin();
+    for (auto& [column, history] : surfaces) {
+      const auto end = next + mesh.free_cells(column);
+      history.time.push_back(rows.time[i]);
+      history.value.push_back(highest_surface(mesh, column, {next, end}));
+      next = end;
+    }
+  }
+  return surfaces;
+}
+
+History above(double level, History heights) {
+  for (double& value : heights.value) value -= level;
+  return heights;
+}
+
+History front(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory) {
+  const Rows rows = read_rows(tank, series_file(case_directory, "bottom_row", "alpha.liquid"),
+                              1 + bottom_columns(mesh).size());
+  std::vector<double> at_start;
+  for (const int column : bottom_columns(mesh)) at_start.push_back(liquid_share(tank, {column, 0}));
+  History history{{0}, {front_position(mesh, at_start)}};
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    history.time.push_back(rows.time[i]);
+    history.value.push_back(front_position(mesh, rows.values[i]));
+  }
+  return history;
+}
+
+History liquid_volume(const SloshingTank& tank, const TankMesh& mesh,
+                      const fs::path& case_directory) {
+  const fs::path file = series_file(case_directory, "liquid_volume", "volFieldValue.dat");
+  History volume = read_series(tank, file, 2);
+  const double filled = initial_volume(tank, mesh);
+  for (std::size_t i = 0; i < volume.time.size(); ++i) {
+    const double change = volume.value[i] / filled - 1;
+    if (!(std::abs(change) <= volume_tolerance)) {
+      refuse(file, fmt::format("the liquid's volume has changed by {} of itself at {} s, expected "
+                               "at most {}",
+                               change, volume.time[i], volume_tolerance));
+    }
+  }
+  volume.time.insert(volume.time.begin(), 0);
+  volume.value.insert(volume.value.begin(), filled);
+  return volume;
+}
+
+// Returns one value of each row, times a factor.
+History column_of(const Rows& rows, std::size_t index, double factor) {
+  History history{rows.time, {}};
+  for (const std::vector<double>& row : rows.values) history.value.push_back(factor * row[index]);
+  return history;
+}
+
+// Drops the samples of the first three time steps. At the start fluid and tank are set in relative
+// motion at once, so that the pressure of the first steps is an impulse divided by the time step
+// and not that of the flow.
+Rows after_start(Rows rows, const LogReader& log) {
+  const auto kept = std::upper_bound(rows.time.begin(), rows.time.end(), log.third_step_time());
+  rows.values.erase(rows.values.begin(), rows.values.begin() + (kept - rows.time.begin()));
+  rows.time.erase(rows.time.begin(), kept);
+  return rows;
+}
+
+// Returns rows of three vectors: the total load and its pressure and viscous parts.
+Rows wall_loads(const SloshingTank& tank, const fs::path& case_directory, const char* name,
+                const LogReader& log) {
+  const fs::path file = series_file(case_directory, "wall_force", name);
+  return after_start(read_rows(tank, file, 1 + 3 * 3), log);
+}
+
+std::map<std::string, History> wall_pressures(const SloshingTank& tank, const TankMesh& mesh,
+                                              const fs::path& case_directory,
+                                              const LogReader& log) {
+  std::map<std::string, History> pressures;
+  if (tank.pressure_gauges.empty()) return pressures;
+  std::vector<std::vector<FaceShare>> shares;
+  std::size_t faces = 0;
+  for (const PressureGauge& gauge : tank.pressure_gauges) {
+    shares.push_back(face_shares(mesh, gauge));
+    faces += shares.back().size();
+  }
+  const fs::path gas_file = series_file(case_directory, "gas_pressure", "volFieldValue.dat");
+  const Rows gas = after_start(read_rows(tank, gas_file, 2), log);
+  check_cell_count(gas_file, mesh.free_cells());
+  const fs::path file = series_file(case_directory, "wall_pressure", "p");
+  const Rows rows = after_start(read_rows(tank, file, 1 + faces), log);
+  if (rows.time != gas.time) refuse(file, "not sampled at the times of " + gas_file.string());
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    auto face = rows.values[i].begin();
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      double pressure = -gas.values[i][0];
+      for (const FaceShare& share : shares[k]) pressure += share.weight * *face++;
+      History& history = pressures[tank.pressure_gauges[k].name];
+      history.time.push_back(rows.time[i]);
+      history.value.push_back(pressure);
+    }
+  }
+  return pressures;
+}
+
+// Sets the momentum in the earth's frame, that of the tank's motion plus that relative to the tank.
+void set_momentum(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
+                  Harvest& harvest) {
+  const fs::path file = series_file(case_directory, "liquid_momentum", "volFieldValue.dat");
+  const Rows rows = read_rows(tank, file, 1 + 3);
+  check_cell_count(file, mesh.free_cells());
+  harvest.momentum_x = column_of(rows, 0, tank.liquid.density);
+  harvest.momentum_z = column_of(rows, 2, tank.liquid.density);
+  const double mass = tank.liquid.density * initial_volume(tank, mesh);
+  for (std::size_t i = 0; i < rows.time.size(); ++i) {
+    harvest.momentum_x.value[i] += mass * tank.velocity(rows.time[i]);
+  }
+}
+
+}  // namespace
+
+Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
+  const fs::path log_file = case_directory / "log.interFoam";
+  const LogReader log = read_log(log_file);
+  if (const std::string failure = log.failure(); !failure.empty()) {
+    refuse(log_file, failure + "\n" + log.meaningful_lines());
+  }
+  const TankMesh mesh(tank);
+  Harvest harvest;
+  harvest.cells = mesh.free_cells();
+  const std::map<int, History> surfaces = highest_surfaces(tank, mesh, case_directory);
+  for (const Gauge& gauge : tank.gauges) {
+    harvest.elevation[gauge.name] = elevation(tank, mesh, case_directory, gauge);
+    harvest.highest_surface[gauge.name] =
+        above(tank.fill_depth, surfaces.at(nearest_column(mesh, gauge.x)));
+  }
+  harvest.wall_pressure = wall_pressures(tank, mesh, case_directory, log);
+  const Rows force = wall_loads(tank, case_directory, "force.dat", log);
+  harvest.force_x = column_of(force, 0, 1);
+  harvest.force_z = column_of(force, 2, 1);
+  if (tank.roll) {  // y points away from the viewer, so that a clockwise moment is positive
+    harvest.moment = column_of(wall_loads(tank, case_directory, "moment.dat", log), 1, -1);
+  } else {
+    set_momentum(tank, mesh, case_directory, harvest);
+  }
+  for (const double time : tank.snapshot_times) {
+    harvest.snapshots.push_back(read_snapshot(tank, mesh, case_directory, time));
+  }
+  if (tank.column_width) harvest.front_position = front(tank, mesh, case_directory);
+  harvest.liquid_volume = liquid_volume(tank, mesh, case_directory);
+  const std::vector<double>& volume = harvest.liquid_volume.value;
+  harvest.relative_mass_loss = (volume.front() - volume.back()) / volume.front();
+  harvest.steps = log.steps();
+  harvest.max_courant_number = log.max_courant_number();
+  harvest.mean_pressure_iterations = log.mean_pressure_iterations();
+  harvest.version = log.version();
+  return harvest;
+}
+
+}  // namespace slosh::openfoam

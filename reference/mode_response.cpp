@@ -1,0 +1,115 @@
+#include "reference/mode_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "reference/require.hpp"
+
+namespace slosh::reference {
+namespace {
+
+double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
+
+// Advances one mode's state over an interval of a given length.
+struct Propagator {
+  double natural_frequency;
+  double cosine, sine;   // of w s
+  double step_response;  // (1 - cos(w s))/w^2 [s2]
+  double ramp_response;  // (s - sin(w s)/w)/w^2 [s3]
+
+  Propagator(double w, double s)
+      : natural_frequency(w), cosine(std::cos(w * s)), sine(std::sin(w * s)) {
+    const double half = std::sin(w * s / 2);  // 1 - cos without cancellation
+    step_response = 2 * half * half / (w * w);
+    ramp_response = (s - sine / w) / (w * w);
+  }
+
+  double elevation(double value, double rate, double f0, double f1) const {
+    return value * cosine + rate / natural_frequency * sine + f0 * step_response +
+           f1 * ramp_response;
+  }
+  double rate(double value, double rate, double f0, double f1) const {
+    return -natural_frequency * value * sine + rate * cosine + f0 * sine / natural_frequency +
+           f1 * step_response;
+  }
+};
+
+}  // namespace
+
+ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
+  const double omega = motion.angular_frequency;
+  const double omega_n = mode.natural_frequency;
+  const double force = mode.coupling * motion.amplitude * omega * omega;
+  const double sigma = omega_n + omega;
+  const double forcing = std::sin(omega * t);
+  const double beat = omega * t * sinc((omega_n - omega) * t / 2);
+
+  const double elevation = mode.initial_rate / omega_n * std::sin(omega_n * t) +
+                           force / (omega_n * sigma) * (forcing - beat * std::cos(sigma * t / 2));
+  const double rate =
+      mode.initial_rate * std::cos(omega_n * t) + force / sigma * beat * std::sin(sigma * t / 2);
+  return {elevation, rate, force * forcing - omega_n * omega_n * elevation};
+}
+
+DuhamelModes::DuhamelModes(std::vector<TankMode> modes, const SampledMotion& motion)
+    : modes_(std::move(modes)), step_(motion.step) {
+  const std::string_view where = motion.solution;
+  require(motion.duration > 0 && std::isfinite(motion.duration), where, "duration", motion.duration,
+          "a time > 0 s");
+  require(motion.step > 0 && motion.step <= motion.duration, where, "step", motion.step,
+          "a time step > 0 s and up to the duration");
+  // Where the duration is a whole number of steps but for rounding, no tiny last interval is added.
+  const auto intervals = static_cast<std::size_t>(std::ceil(motion.duration / step_ - 1e-9));
+  for (std::size_t i = 0; i <= intervals; ++i) {
+    times_.push_back(i < intervals ? static_cast<double>(i) * step_ : motion.duration);
+    acceleration_.push_back(motion.acceleration(times_.back()));
+    require(std::isfinite(acceleration_.back()), where,
+            fmt::format("acceleration at {} s", times_.back()), acceleration_.back(),
+            "a finite acceleration");
+  }
+
+  nodes_.resize(times_.size() * modes_.size());
+  for (std::size_t n = 0; n < modes_.size(); ++n) {
+    const TankMode& mode = modes_[n];
+    const Propagator whole_step(mode.natural_frequency, step_);
+    const Propagator last_step(mode.natural_frequency, times_[intervals] - times_[intervals - 1]);
+    Node node{0, mode.initial_rate};
+    nodes_[n] = node;
+    for (std::size_t i = 0; i < intervals; ++i) {
+      const Propagator& carry = i + 1 < intervals ? whole_step : last_step;
+      const double f0 = -mode.coupling * acceleration_[i], f1 = -mode.coupling * slope(i);
+      node = {carry.elevation(node.elevation, node.rate, f0, f1),
+              carry.rate(node.elevation, node.rate, f0, f1)};
+      nodes_[(i + 1) * modes_.size() + n] = node;
+    }
+  }
+}
+
+std::size_t DuhamelModes::interval(double t) const {
+  return std::min(static_cast<std::size_t>(t / step_), times_.size() - 2);
+}
+
+double DuhamelModes::slope(std::size_t i) const {
+  return (acceleration_[i + 1] - acceleration_[i]) / (times_[i + 1] - times_[i]);
+}
+
+double DuhamelModes::acceleration(double t) const {
+  const std::size_t i = interval(t);
+  return acceleration_[i] + slope(i) * (t - times_[i]);
+}
+
+ModeState DuhamelModes::state(std::size_t n, double t) const {
+  const TankMode& mode = modes_[n];
+  const std::size_t i = interval(t);
+  const double s = t - times_[i];
+  const double f0 = -mode.coupling * acceleration_[i], f1 = -mode.coupling * slope(i);
+  const double w = mode.natural_frequency;
+  const Propagator carry(w, s);
+  const Node& start = nodes_[i * modes_.size() + n];
+  const double elevation = carry.elevation(start.elevation, start.rate, f0, f1);
+  return {elevation, carry.rate(start.elevation, start.rate, f0, f1),
+          f0 + f1 * s - w * w * elevation};
+}
+
+}  // namespace slosh::reference

@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "reports/tables/case_tables.hpp"
+#include "verification/assessment/across_runs/impact_samples.hpp"
+#include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
+#include "verification/gate/impact_metrics.hpp"
+#include "verification/series/low_pass_filter.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Table;
+using Row = std::vector<std::string>;
+using Repeats = std::vector<const RunDefinition*>;
+
+std::string pressure_word(const std::string& quantity) {
+  return quantity.ends_with("/filtered") ? "filtered" : "unfiltered";
+}
+
+Row published_row(const ImpactsDefinition& impacts) {
+  Row row{"published", "mean ± sd of the repeats"};
+  for (std::size_t n = 0; n < impacts.times.size(); ++n) {
+    row.push_back(fmt::format("{:.3f}", impacts.times[n]));
+    row.push_back(
+        fmt::format("{:.0f} ± {:.0f}", impacts.peak_means[n], impacts.peak_deviations[n]));
+  }
+  row.push_back(fmt::format("{:.0f}", impacts.plateau));
+  return row;
+}
+
+// Returns "NaN" where the series does not reach the plateau's end or the plateau is NaN.
+std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& definition) try {
+  const double error = plateau_error(pressure, definition);
+  return fmt::format("{:.0f} ({:+.0f} %)", (1 + error) * definition.impacts->plateau, 100 * error);
+} catch (const ComparisonError&) {
+  return "NaN";
+}
+
+// Returns " (-0.012)", the difference to the time that the gate expects; empty without such a time.
+std::string time_difference(double time, std::size_t n, const TimeSeries& pressure,
+                            const TimeSeries* record, const CaseDefinition& definition) try {
+  return fmt::format(" ({:+.3f})", time - expected_time(n, pressure, record, definition));
+} catch (const NotSuppliedError&) {
+  return "";
+}
+
+Row run_row(const CaseAssessment& assessment, const std::string& run, const TimeSeries& pressure) {
+  const CaseDefinition& definition = assessment.definition;
+  const ImpactsDefinition& impacts = definition.impacts.value();
+  const TimeSeries* record = series_of_record(assessment, pressure.name);
+  Row row{run, pressure_word(pressure.name)};
+  try {
+    const auto peaks = impacts_in(pressure, definition);
+    for (std::size_t n = 0; n < peaks.size(); ++n) {
+      if (!peaks[n]) {
+        row.insert(row.end(), {"no impact", ""});
+        continue;
+      }
+      row.push_back(fmt::format("{:.3f}", peaks[n]->time) +
+                    time_difference(peaks[n]->time, n, pressure, record, definition));
+      row.push_back(fmt::format("{:.0f} ({})", peaks[n]->pressure,
+                                place_among_repeats(definition, n, peaks[n]->pressure)));
+    }
+  } catch (const ComparisonError& error) {
+    row.push_back(error.what());
+    row.resize(2 + 2 * impacts.times.size());
+  }
+  row.push_back(plateau_cell(pressure, definition));
+  return row;
+}
+
+std::string caption(const CaseDefinition& definition) {
+  const ImpactsDefinition& impacts = definition.impacts.value();
+  std::string text = fmt::format(
+      "The highest pressure within a quarter of the period ({} s) of each published time. In "
+      "brackets after its time: the difference to the published time (for the filtered pressure, "
+      "to the time in the record with the same filter, if the record is supplied). In brackets "
+      "after the peak: ",
+      impacts.period);
+  text +=
+      impacts.repeats.empty()
+          ? "its distance from the mean of the experiment's repeats, in their standard deviations "
+            "(sd); the table of the repeats is not supplied, so there are no percentiles. "
+          : fmt::format("the percentage of the experiment's {} repeats that have a lower peak. ",
+                        impacts.repeats.front().size());
+  text += fmt::format("Plateau: the mean from {} to {} s. Published: {}.", impacts.plateau_begin,
+                      impacts.plateau_end, impacts.source);
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
+    if (gauge.name == impacts.gauge && gauge.filter_cutoff)
+      text += fmt::format(" Filter: {}; the published peaks are not filtered.",
+                          low_pass_name(*gauge.filter_cutoff));
+  return text;
+}
+
+// Returns the mean, the standard deviation and the central 90 % interval.
+Row moments(const Distribution& peaks) {
+  const std::size_t count = peaks.sorted().size();
+  Row row{
+      fmt::format("{:.0f}", peaks.mean()),
+      count < 2 ? std::string("single run") : fmt::format("{:.0f}", peaks.standard_deviation())};
+  try {
+    const Interval interval = peaks.central_90_percent();
+    row.push_back(fmt::format("{:.0f} to {:.0f}", interval.low, interval.high));
+  } catch (const ComparisonError&) {
+    row.push_back("fewer than 20 peaks");
+  }
+  return row;
+}
+
+Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
+  const ImpactsDefinition& impacts = definition.impacts.value();
+  Row row{"experiment", "as published", fmt::format("{}", impact + 1)};
+  if (impacts.repeats.empty()) {
+    row.insert(row.end(), {"", fmt::format("{:.0f}", impacts.peak_means[impact]),
+                           fmt::format("{:.0f}", impacts.peak_deviations[impact]), "not supplied"});
+  } else {
+    const Distribution peaks = repeated_peaks(definition, impact);
+    row.push_back(fmt::format("{0} of {0}", peaks.sorted().size()));
+    const Row rest = moments(peaks);
+    row.insert(row.end(), rest.begin(), rest.end());
+  }
+  row.insert(row.end(), {"", "", ""});
+  return row;
+}
+
+Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std::string& pressure,
+            std::size_t impact) {
+  const CaseDefinition& definition = assessment.definition;
+  const PeakSample sample = peak_sample(assessment, repeats, pressure, impact);
+  Row row{fmt::format("{} to {}", repeats.front()->name, repeats.back()->name),
+          pressure_word(pressure), fmt::format("{}", impact + 1),
+          fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
+  if (sample.peaks.empty()) {
+    row.insert(row.end(), 5, "");
+  } else {
+    const Distribution peaks("peaks of " + repeats.front()->name, sample.peaks);
+    const Row rest = moments(peaks);
+    row.insert(row.end(), rest.begin(), rest.end());
+    if (definition.impacts->repeats.empty()) {
+      row.insert(row.end(), {"not supplied", ""});
+    } else {
+      const Distribution experiment = repeated_peaks(definition, impact);
+      const double area = area_metric(peaks, experiment);
+      row.insert(row.end(), {fmt::format("{:.0f}", area),
+                             fmt::format("{:.0f}", 100 * area / experiment.mean())});
+    }
+  }
+  row.push_back(fmt::format("{}", fmt::join(sample.left_out, "; ")));
+  return row;
+}
+
+}  // namespace
+
+std::optional<Table> impact_table(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  if (!definition.impacts) return std::nullopt;
+  Table table{definition.name + "-impacts",
+              "Impacts",
+              caption(definition),
+              {"run", "pressure"},
+              {published_row(*definition.impacts)}};
+  for (std::size_t n = 1; n <= definition.impacts->times.size(); ++n)
+    table.header.insert(table.header.end(),
+                        {fmt::format("impact {} [s]", n), fmt::format("peak {} [Pa]", n)});
+  table.header.push_back("plateau [Pa]");
+  const auto add_runs = [&](bool records) {
+    for (const RunDefinition& run : definition.runs) {
+      if (is_record(run) != records) continue;
+      if (!assessment.runs.results.contains(run.name)) {
+        Row row{run.name, state_name(assessment.runs.status.at(run.name).state)};
+        row.resize(table.header.size());
+        table.rows.push_back(std::move(row));
+        continue;
+      }
+      for (const std::string& pressure : impact_pressures(definition))
+        if (has_series(assessment.runs, run.name, pressure))
+          table.rows.push_back(
+              run_row(assessment, run.name, assessment.runs.results.at(run.name).at(pressure)));
+    }
+  };
+  add_runs(true);
+  add_runs(false);
+  return table;
+}
+
+std::optional<Table> repeat_table(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const auto groups = repeated_runs(definition);
+  if (!definition.impacts || groups.empty()) return std::nullopt;
+  Table table{
+      definition.name + "-repeats",
+      "Distribution of peaks over repeated runs",
+      "Impact peaks of runs that differ only in the random seed of their perturbed initial state, "
+      "and those of the experiment's repeats. The area metric is the area between the two "
+      "cumulative distributions, also given in percent of the experiment's mean. Both samples are "
+      "small, so even two samples of one distribution have an area metric above zero.",
+      {"repeats", "pressure", "impact", "occurred in", "mean [Pa]", "sd [Pa]", "central 90 % [Pa]",
+       "area metric [Pa]", "area metric [% of mean]", "left out (reason)"},
+      {}};
+  for (std::size_t impact = 0; impact < definition.impacts->times.size(); ++impact) {
+    table.rows.push_back(experiment_row(definition, impact));
+    for (const Repeats& group : groups)
+      for (const std::string& pressure : impact_pressures(definition))
+        table.rows.push_back(run_row(assessment, group, pressure, impact));
+  }
+  return table;
+}
+
+}  // namespace slosh

@@ -1,0 +1,168 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "reports/tables/case_tables.hpp"
+#include "verification/assessment/work_points.hpp"
+#include "verification/case/ensemble.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Table;
+
+// Returns "10.4 ± 0.2 (5)": core-seconds, half width of the 95 % interval, number of timings.
+std::string timed_text(const MeasuredCost& cost) {
+  if (cost.timings == 0) return "";
+  const Estimate& time = cost.core_seconds;
+  return cost.has_interval()
+             ? fmt::format("{:.3g} ± {:.2g} ({})", time.value, time.half_width, cost.timings)
+             : fmt::format("{:.3g} (1)", time.value);
+}
+
+// Returns the largest magnitude within the window; "NaN" where a value is not finite.
+std::string largest(const TimeSeries& series, TimeWindow window) {
+  double largest = 0;
+  for (std::size_t i = 0; i < series.time.size(); ++i) {
+    if (series.time[i] < window.begin || series.time[i] > window.end) continue;
+    if (!std::isfinite(series.value[i])) return "NaN";
+    largest = std::max(largest, std::abs(series.value[i]));
+  }
+  return fmt::format("{:.2g}", largest);
+}
+
+}  // namespace
+
+std::optional<Table> rest_table(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const TimeWindow whole{0, definition.duration};
+  const TimeWindow late{definition.window_begin, definition.window_end};
+  Table table{
+      definition.name + "-rest",
+      "Deviation from rest",
+      fmt::format("Largest magnitudes over the whole run and from {} to {} s. Hydrostatic pressure "
+                  "error: rms difference from the hydrostatic pressure, over the hydrostatic "
+                  "pressure at the bottom. Wall gap: distance between a wall and the nearest "
+                  "particles, in spacings. The other two are ratios.",
+                  late.begin, late.end),
+      {"run"},
+      {}};
+  for (const std::string name : rest_quantities) {
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    table.header.push_back(words);
+    table.header.push_back(fmt::format("{}, from {} s", words, late.begin));
+  }
+  for (const RunDefinition& run : definition.runs) {
+    const auto result = assessment.runs.results.find(run.name);
+    if (is_later_member(run) || result == assessment.runs.results.end() ||
+        !has_series(assessment.runs, run.name, rest_quantities[0]))
+      continue;
+    std::vector<std::string> row{run.name};
+    for (const char* name : rest_quantities)
+      for (const TimeWindow window : {whole, late})
+        row.push_back(largest(result->second.at(name), window));
+    table.rows.push_back(std::move(row));
+  }
+  if (table.rows.empty()) return std::nullopt;
+  return table;
+}
+
+Table cost_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-cost-table",
+      "Cost of the runs",
+      "Times and peak memory as the operating system reports them for the run's process and its "
+      "children. Timed alone: user plus system time, averaged over repeated runs that had a core "
+      "to themselves, with its 95 % interval and the number of repeats.",
+      {"run", "state", "solver", "particles or cells", "steps", "user [s]", "system [s]",
+       "wall [s]", "peak memory [MiB]", "timed alone [core-s]", "remark"},
+      {}};
+  for (const RunDefinition& run : assessment.definition.runs) {
+    const RunStatus& status = assessment.runs.status.at(run.name);
+    std::vector<std::string> row{run.name, state_name(status.state)};
+    const auto result = assessment.runs.results.find(run.name);
+    if (result == assessment.runs.results.end()) {
+      row.insert(row.end(), 8, "");
+    } else {
+      const RunCost& cost = result->second.cost;
+      row.insert(
+          row.end(),
+          {result->second.solver, fmt::format("{}", cost.elements), fmt::format("{}", cost.steps),
+           fmt::format("{:.2f}", cost.user_time), fmt::format("{:.2f}", cost.system_time),
+           fmt::format("{:.2f}", cost.wall_time), fmt::format("{:.0f}", cost.peak_memory / 1048576),
+           timed_text(cost_of(assessment.runs, run.name))});
+    }
+    row.push_back(status.message);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::optional<Table> failure_table(const std::string& name,
+                                   const std::map<std::string, RunStatus>& runs) {
+  Table table{name + "-failures",
+              "Failures",
+              "How each run failed, followed by the messages of its program.",
+              {"run", "kind", "message", "log"},
+              {}};
+  for (const auto& [run, status] : runs) {
+    if (!status.failure) continue;
+    const RunFailure& failure = *status.failure;
+    table.rows.push_back({run, failure.kind, failure.message, failure.log});
+    std::istringstream lines(failure.details);
+    for (std::string line; std::getline(lines, line);) table.rows.push_back({"", "", line, ""});
+  }
+  if (table.rows.empty()) return std::nullopt;
+  return table;
+}
+
+Table terms_table(const CaseAssessment& assessment) {
+  Table table{assessment.definition.name + "-terms",
+              "Active terms and diagnostics",
+              "The terms of the model that were active, and the diagnostics that the run recorded.",
+              {"run", "active terms", "diagnostics"},
+              {}};
+  for (const RunDefinition& run : assessment.definition.runs) {
+    const auto found = assessment.runs.results.find(run.name);
+    if (is_later_member(run) || found == assessment.runs.results.end()) continue;
+    std::vector<std::string> diagnostics;
+    for (const auto& [name, value] : found->second.diagnostics)
+      diagnostics.push_back(fmt::format("{} = {:.4g}", name, value));
+    table.rows.push_back({run.name, fmt::format("{}", fmt::join(found->second.active_terms, "; ")),
+                          fmt::format("{}", fmt::join(diagnostics, "; "))});
+  }
+  return table;
+}
+
+Table provenance_table(const CaseAssessment& assessment) {
+  Table table{assessment.definition.name + "-provenance",
+              "Provenance",
+              "The full key is in the result file and in `results.json`.",
+              {"run", "software", "date and processor", "key", "command to repeat it"},
+              {}};
+  std::set<std::string> flags;
+  for (const RunDefinition& run : assessment.definition.runs) {
+    const auto found = assessment.runs.results.find(run.name);
+    if (found == assessment.runs.results.end()) continue;
+    const auto& origin = found->second.provenance;
+    if (const auto of = origin.find("compiler_flags"); of != origin.end()) flags.insert(of->second);
+    const auto openfoam = origin.find("openfoam_version");
+    table.rows.push_back(
+        {run.name,
+         fmt::format("Slosh {}, {}{}", origin.at("slosh_version"), origin.at("compiler"),
+                     openfoam == origin.end() ? "" : ", OpenFOAM " + openfoam->second),
+         fmt::format("{}, {}", origin.at("date_utc"), origin.at("processor")),
+         fmt::format("`{}`", found->second.key.substr(0, 8)),
+         fmt::format("`{}`", origin.at("command"))});
+  }
+  if (!flags.empty())
+    table.caption += fmt::format(" Compiler flags: `{}`.", fmt::join(flags, "`; `"));
+  return table;
+}
+
+}  // namespace slosh

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/tables/case_tables.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/evidence/case_evidence.hpp"
+#include "verification/evidence/refinement.hpp"
+#include "verification/gate/measured_value.hpp"
+
+namespace slosh {
+namespace {
+
+using reports::Table;
+
+void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Table& table) {
+  for (const RefinedMetric& path : paths) {
+    std::vector<std::string> values;
+    for (const ValueAtStep& one : path.values) values.push_back(in_unit(one.value, row.unit));
+    std::vector<std::string> line{
+        path.path,
+        fmt::format("{} {} of {}", row.mode, metric_name(row.metric), row.quantity),
+        fmt::format("{}", fmt::join(path.runs, ", ")),
+        fmt::format("{}", fmt::join(values, ", ")),
+        path.values.size() == 2 ? "two values" : behaviour_name(path.found.behaviour),
+        path.found.order ? fmt::format("{:.2f}", *path.found.order) : "",
+        in_unit(path.found.extrapolated, row.unit),
+        "± " + in_unit(path.found.uncertainty, row.unit)};
+    if (std::find(table.rows.begin(), table.rows.end(), line) == table.rows.end())
+      table.rows.push_back(std::move(line));
+  }
+}
+
+std::string half_width_text(const Contribution& contribution, const std::string& unit) {
+  return contribution.half_width ? "± " + in_unit(*contribution.half_width, unit) : "unknown";
+}
+
+std::string contributions_text(const ThreeWayOutcome& judged, const std::string& unit) {
+  const UncertaintyContributions& of = judged.contributions;
+  std::vector<std::string> parts;
+  const auto add = [&](const char* name, const Contribution& one) {
+    if (!one.half_width) parts.push_back(fmt::format("{} unknown", name));
+    if (one.known() != 0) parts.push_back(fmt::format("{} {}", name, in_unit(one.known(), unit)));
+  };
+  add("time series", of.statistics);
+  add("reference", of.reference);
+  add("discretisation", of.discretisation);
+  add("input", of.input);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string remedy_text(const ThreeWayOutcome& judged, Metric metric) {
+  std::vector<std::string> ways;
+  if (const auto repeats = longer_window(judged); repeats && is_cost(metric))
+    return fmt::format("{:.3g} times as many timings", repeats->factor);
+  if (const auto window = longer_window(judged))
+    ways.push_back(fmt::format("a window {:.3g} times as long, at {:.3g} times the cost",
+                               window->factor, window->cost_ratio));
+  if (const auto step = finer_step(judged, 1))
+    ways.push_back(fmt::format("steps {:.3g} times as fine, at {:.3g} times the cost (first order)",
+                               step->factor, step->cost_ratio));
+  if (const std::string missing = missing_for_validation(judged.contributions); !missing.empty())
+    ways.push_back(missing);
+  if (ways.empty())
+    return fmt::format("a better {}: no single finer or longer run is enough",
+                       dominant_contribution(judged.contributions));
+  return fmt::format("{}", fmt::join(ways, "; or "));
+}
+
+}  // namespace
+
+std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string& unit) {
+  const UncertaintyContributions& of = judged.contributions;
+  return fmt::format("u_num {}, u_input {}, u_reference {}",
+                     half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
+                     half_width_text(of.reference, unit));
+}
+
+std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-uncertainties",
+      "Uncertainties of the gate rows",
+      "Half widths of 95 % intervals after ASME V&V 20. u_num: discretisation of the candidate; "
+      "u_input: inputs taken from the experiment; u_reference: the reference; time series: finite "
+      "length of the series and scatter of repeats. Combined: root sum of squares of those that "
+      "are known.",
+      {"row", "kind", "result", "u_num", "u_input", "u_reference", "time series", "combined",
+       "basis of u_num", "basis of u_input", "basis of u_reference"},
+      {}};
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (!outcome.judgement) continue;
+    const std::string& unit = outcome.row.unit;
+    const UncertaintyContributions& of = outcome.judgement->contributions;
+    table.rows.push_back({row_name(outcome.row), kind_name(outcome.row.kind),
+                          in_unit(outcome.value.value, unit),
+                          half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
+                          half_width_text(of.reference, unit), half_width_text(of.statistics, unit),
+                          "± " + in_unit(outcome.judgement->uncertainty, unit),
+                          of.discretisation.basis, of.input.basis, of.reference.basis});
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+std::optional<Table> refinement_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-refinement",
+      "Numerical uncertainty",
+      "Metrics over runs that differ in one number only, coarse to fine. Behaviour, order, "
+      "extrapolated value and 95 % uncertainty after Celik et al. 2008 and Eca & Hoekstra 2014. "
+      "With two values only, the uncertainty is three times the error estimated from their "
+      "difference for first order.",
+      {"path", "metric", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
+      {}};
+  CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
+  const GateEvidence gate = evidence.gate_evidence();
+  const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (!std::isfinite(outcome.value.value) || is_cost(outcome.row.metric))
+      continue;  // the cost rests on all runs of a path together
+    for (const Role role : {Role::candidate, Role::reference})
+      add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role, measure),
+                outcome.row, table);
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+std::optional<Table> remedy_table(const CaseAssessment& assessment) {
+  Table table{
+      assessment.definition.name + "-remedies",
+      "What would make inconclusive rows conclusive",
+      "Half widths of 95 % intervals. The estimate assumes that the value itself stays the same; a "
+      "finer or longer run also moves the value, so plan for at least this effort.",
+      {"row", "result", "uncertainty from", "conclusive below", "what would reach it"},
+      {}};
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
+    const ThreeWayOutcome& judged = *outcome.judgement;
+    table.rows.push_back({row_name(outcome.row), outcome.message,
+                          contributions_text(judged, outcome.row.unit),
+                          "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit),
+                          remedy_text(judged, outcome.row.metric)});
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+}  // namespace slosh

@@ -1,0 +1,53 @@
+#include "reports/wording/case_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+namespace {
+
+std::string history_text(const SineMotion& sine, double si_per_unit, const char* unit) {
+  return fmt::format(
+      "{:.6g} {} sin({:.6g} rad/s t){}", sine.amplitude / si_per_unit, unit, sine.angular_frequency,
+      sine.ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine.ramp_periods) : "");
+}
+
+std::string history_text(const TableMotion& table, double, const char*) {
+  return "the table " + table.file.filename().string();
+}
+
+}  // namespace
+
+std::string motion_text(const CaseDefinition& definition) {
+  const auto& [surge, roll] = definition.motion;
+  const auto text = [](const MotionHistory& history, double si_per_unit, const char* unit) {
+    return std::visit([&](const auto& one) { return history_text(one, si_per_unit, unit); },
+                      history);
+  };
+  std::vector<std::string> parts;
+  if (surge) parts.push_back("surge X = " + text(*surge, 1, "m"));
+  if (roll)
+    parts.push_back(
+        fmt::format("roll = {} about the point {} m from the left wall and {} m above the bottom",
+                    text(roll->angle, radians_per_degree, "deg"), roll->axis_x, roll->axis_z));
+  return parts.empty() ? "at rest" : fmt::format("{}", fmt::join(parts, " and "));
+}
+
+std::string liquid_text(const CaseDefinition& definition) {
+  std::string text = fmt::format("{} m deep", definition.liquid.fill_depth);
+  if (definition.liquid.column_width)
+    text +=
+        fmt::format(" and {} m wide, released as a breaking dam", *definition.liquid.column_width);
+  if (const auto& wave = definition.initial_wave)
+    text += fmt::format(
+        ", released from rest with a surface wave of {} half wavelengths and {} m at the left wall",
+        wave->mode, wave->amplitude);
+  for (const ObstacleDefinition& one : definition.obstacles)
+    text += fmt::format(", obstacle {} from x = {} to {} m and from z = {} to {} m", one.name,
+                        one.left, one.right, one.bottom, one.top);
+  return text;
+}
+
+}  // namespace slosh

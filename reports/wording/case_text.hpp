@@ -1,0 +1,16 @@
+// A case in words, for reports and explanations.
+#pragma once
+
+#include <string>
+
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+
+// Returns "surge X = 0.02 m sin(1.48346 rad/s t)" or "at rest".
+std::string motion_text(const CaseDefinition& definition);
+
+// Returns "0.35 m deep", the initial state where it is not at rest, and the obstacles.
+std::string liquid_text(const CaseDefinition& definition);
+
+}  // namespace slosh

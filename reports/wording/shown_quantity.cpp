@@ -1,0 +1,117 @@
+#include "reports/wording/shown_quantity.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
+#include "verification/series/low_pass_filter.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr std::string_view filtered = "/filtered";
+
+template <class Gauge>
+const Gauge& gauge_named(const std::vector<Gauge>& gauges, const std::string& name) {
+  const auto found = std::find_if(gauges.begin(), gauges.end(),
+                                  [&](const Gauge& gauge) { return gauge.name == name; });
+  if (found == gauges.end()) throw std::invalid_argument("the case has no gauge " + name);
+  return *found;
+}
+
+std::string wall_text(const PressureGaugeDefinition& gauge) {
+  if (gauge.wall == Wall::bottom)
+    return fmt::format("on the bottom {:.3g} m from the left wall", gauge.position);
+  return fmt::format("on the {} wall {:.3g} m above the bottom", name_of(gauge.wall, wall_names),
+                     gauge.position);
+}
+
+std::string sampled(const CaseDefinition& definition) {
+  return fmt::format("Solvers and theory are sampled every {:.3g} s (instantaneous values)",
+                     definition.sample_interval);
+}
+
+std::string sensor_text(const PressureGaugeDefinition& gauge) {
+  return gauge.width > 0 ? fmt::format(", the mean over a sensor of {:.3g} mm along the wall.",
+                                       1000 * gauge.width)
+                         : ", at a point.";
+}
+
+void add_surface_place(const GaugeDefinition& gauge, ShownQuantity& shown) {
+  shown.title += fmt::format(" {:.3g} m from the left wall", gauge.x);
+}
+
+void add_sensor(const PressureGaugeDefinition& gauge, bool is_filtered, ShownQuantity& shown) {
+  shown.title += " " + wall_text(gauge);
+  if (gauge.filter_cutoff) shown.title += is_filtered ? ", filtered" : ", unfiltered";
+  shown.what += sensor_text(gauge);
+}
+
+std::string recorded_text(const CaseDefinition& definition, const PressureGaugeDefinition* filter) {
+  return sampled(definition) + (filter ? "; then the same low-pass filter for all: " +
+                                             low_pass_name(*filter->filter_cutoff) + "."
+                                       : ", and not filtered.");
+}
+
+}  // namespace
+
+ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string& quantity) {
+  const Quantity* known = find_quantity(quantity);
+  if (!known) throw std::invalid_argument("no figure shows " + quantity);
+  ShownQuantity shown{.title = known->title,
+                      .word = known->label,
+                      .unit = known->shown_unit,
+                      .scale = known->shown_per_si,
+                      .what = known->meaning,
+                      .sph = known->sph,
+                      .interfoam = known->interfoam,
+                      .theory = known->theory};
+  const bool is_filtered = quantity.ends_with(filtered);
+  const PressureGaugeDefinition* sensor = nullptr;
+  if (known->at != MeasuredAt::tank) {
+    std::string gauge = quantity.substr(quantity.find('@') + 1);
+    if (is_filtered) gauge.resize(gauge.size() - filtered.size());
+    if (known->at == MeasuredAt::pressure_gauge) {
+      sensor = &gauge_named(definition.pressure_gauges, gauge);
+      add_sensor(*sensor, is_filtered, shown);
+    } else {
+      add_surface_place(gauge_named(definition.gauges, gauge), shown);
+    }
+  }
+  if (known->tells_sampling)
+    shown.recorded = recorded_text(definition, is_filtered ? sensor : nullptr);
+  return shown;
+}
+
+std::string measured_how(const ShownQuantity& shown, const CaseDefinition& definition,
+                         const std::vector<std::string>& runs) {
+  const auto any = [&](auto is) {
+    return std::any_of(runs.begin(), runs.end(),
+                       [&](const std::string& run) { return is(run_named(definition, run)); });
+  };
+  std::vector<std::string> ways;
+  const auto add = [&](const char* who, const std::string& way, bool is_shown) {
+    if (is_shown && !way.empty()) ways.push_back(who + way);
+  };
+  add("SPH: ", shown.sph, any([](const auto& run) { return solver_kind(run).has_particles; }));
+  add("interFoam: ", shown.interfoam,
+      any([](const auto& run) { return std::holds_alternative<InterFoamRun>(run.solver); }));
+  add("theory: ", shown.theory, any(is_theory));
+  std::string text = shown.what.empty() ? "" : shown.what + " ";
+  if (!ways.empty()) text += fmt::format("{}. ", fmt::join(ways, "; "));
+  return text + (shown.recorded.empty() ? "" : shown.recorded + " ");
+}
+
+std::string id_of(const std::string& quantity) {
+  std::string id = quantity;
+  if (id.ends_with(filtered)) id = "filtered_" + id.substr(0, id.size() - filtered.size());
+  std::replace(id.begin(), id.end(), '@', '-');
+  return id;
+}
+
+}  // namespace slosh

@@ -1,0 +1,55 @@
+#include "sph/recording/free_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace slosh::sph {
+namespace {
+
+constexpr double window_width = 3;  // in lattice spacings
+
+// M4' has the support 2, the integral 1 and no second moment.
+double window(double s) {
+  const double a = std::abs(s), outer = std::max(0.0, 2 - a), inner = std::max(0.0, 1 - a);
+  return 0.5 * outer * outer * (1 - a) - inner * inner * (1 - 2 * a);
+}
+
+}  // namespace
+
+double surface_elevation(const Particles& p, double tank_length, double fill_depth, double x) {
+  double depth = 0;
+#pragma omp simd reduction(+ : depth)
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double from_left = p.x[i];
+    const double scale = 1.0 / (window_width * p.spacing_of(i));
+    depth += p.mass[i] / p.density[i] * scale *
+             (window((x - from_left) * scale) + window((x + from_left) * scale) +
+              window((x - 2 * tank_length + from_left) * scale));
+  }
+  return depth - fill_depth;
+}
+
+double highest_surface(const Particles& p, double fill_depth, double x) {
+  double highest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (std::abs(p.x[i] - x) <= p.spacing_of(i))
+      highest = std::max(highest, p.z[i] + 0.5 * p.spacing_of(i));
+  return highest - fill_depth;
+}
+
+double front_position(const Particles& p, double particle_spacing) {
+  std::vector<double> lowest;  // x from the left wall
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p.z[i] < 2 * particle_spacing) lowest.push_back(p.x[i]);
+  std::sort(lowest.begin(), lowest.end());
+  // The wall counts as a particle's edge, half a spacing from where the particle would be.
+  double last = -0.5 * particle_spacing;
+  for (const double x : lowest) {
+    if (x - last > 2 * particle_spacing) break;
+    last = x;
+  }
+  return last + 0.5 * particle_spacing;
+}
+
+}  // namespace slosh::sph

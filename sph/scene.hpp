@@ -1,0 +1,129 @@
+// What an SPH run solves: the tank, its motion, the liquid and what is recorded of it. In the tank,
+// x is measured from the left wall and z upward from the bottom.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slosh::sph {
+
+struct Gauge {
+  std::string name;
+  double x;  // [m] from the left wall; the gauge moves with the tank
+};
+
+enum class Wall { left, right, bottom };
+
+struct PressureGauge {
+  std::string name;
+  Wall wall;
+  double position;  // [m] above the bottom, or from the left wall on the bottom
+  double width;     // [m] of the sensor along the wall, centred at `position`; 0: a point
+};
+
+// The roll angle theta(t) about an axis that moves with the surge, positive counter-clockwise (x to
+// the right, z up).
+struct Roll {
+  std::function<double(double)> angle;         // [rad]
+  std::function<double(double)> rate;          // [rad/s]
+  std::function<double(double)> acceleration;  // [rad/s2]
+  double axis_x, axis_z;                       // [m] from the tank's bottom left corner
+};
+inline Roll no_roll() {
+  const auto zero = [](double) { return 0.0; };
+  return {zero, zero, zero, 0, 0};
+}
+
+// Whether the liquid is at rest in the frame of the earth, so that the tank is set off impulsively,
+// or moves with the tank.
+enum class Start { earth, tank };
+
+// The particles at one time: positions in the tank, from its bottom left corner, and velocities
+// relative to the earth, in components along the tank's axes.
+struct Snapshot {
+  double time;
+  std::vector<double> x, z, velocity_x, velocity_z, pressure, density;
+};
+
+// A rectangle in the tank, from its left wall and its bottom [m].
+struct Rectangle {
+  double left, right, bottom, top;
+};
+
+// The initial surface is amplitude cos(mode pi x / tank_length) above the still level; the liquid
+// under it is at rest.
+struct InitialWave {
+  int mode;          // half waves between the walls
+  double amplitude;  // [m]
+};
+
+// Numbers of the scheme that the run changes; an empty one keeps the scheme's value.
+struct SchemeNumbers {
+  std::optional<double> smoothing_length_ratio;  // h / particle spacing
+  std::optional<double> sound_speed_ratio;       // c0 / largest expected speed of the liquid
+  std::optional<double> courant_number;          // dt c0 / h
+  std::optional<double> artificial_viscosity;    // alpha
+  std::optional<double> density_diffusion;       // delta
+};
+
+// How the liquid is prepared (start/initial_state.hpp).
+enum class InitialState { lattice, settled, projected };
+
+struct SavedState;
+
+struct Scene {
+  double tank_length, tank_height, fill_depth;  // [m]
+  double gravity;                               // [m/s2], downward
+  double rest_density;                          // [kg/m3]
+  double kinematic_viscosity = 0;               // of the liquid [m2/s]
+  std::function<double(double)> displacement;   // X(t) of the tank [m]
+  std::function<double(double)> velocity;       // X'(t) [m/s]
+  std::function<double(double)> acceleration;   // X''(t) [m/s2]
+  std::optional<Roll> roll = {};
+  Start start = Start::earth;
+  double duration;                  // [s]
+  double sample_interval;           // [s]
+  double particle_spacing;          // [m]
+  double surface_particle_spacing;  // [m], equal to particle_spacing for a uniform lattice
+  // For a dam break, the liquid's extent from the left wall [m]; empty where the liquid fills the
+  // tank's length.
+  std::optional<double> column_width = {};
+  std::vector<Rectangle> obstacles = {};         // fixed in the tank
+  std::optional<InitialWave> initial_wave = {};  // excludes a dam and obstacles
+  std::string variant = {};                      // of the scheme; empty: none
+  SchemeNumbers numbers = {};
+  std::optional<InitialState> initial_state = {};  // empty: the scheme's own
+  // Every particle of the initial lattice is moved along x and z by up to this fraction of its
+  // spacing, at most 0.25, at random from the seed. This gives the members of an ensemble for flows
+  // that are sensitive to small disturbances.
+  double start_disorder = 0;
+  unsigned start_seed = 0;
+  std::vector<Gauge> gauges;
+  std::vector<PressureGauge> pressure_gauges = {};
+  bool record_still_water = false;    // the deviation from rest (recording/still_water.hpp)
+  bool record_energy_budget = false;  // the energy balance (recording/energy_budget.hpp)
+  double snapshot_interval = 0;       // [s], a multiple of sample_interval; 0: no snapshot
+  std::function<void(const Snapshot&)> record_snapshot;  // called every snapshot_interval
+  // `save_state` is called with a restart state (restart/saved_state.hpp) every state_interval [s],
+  // a multiple of sample_interval; 0: never. A run restarted from `resume` agrees bit for bit with
+  // the run that saved it if both save at the same times.
+  double state_interval = 0;
+  std::function<void(const SavedState&)> save_state = {};
+  const SavedState* resume = nullptr;
+  std::optional<int> threads = {};  // empty: chosen by threads_for (threads.hpp)
+  // Where false, the run ends after its start, which shows whether the scene is valid.
+  bool takes_steps = true;
+  // Called with the state at the last sample when the run fails after its first sample. The run can
+  // be restarted from that state. Where this is empty, no such state is kept.
+  std::function<void(const SavedState&)> save_last_good_state = {};
+};
+
+// Returns the scene's roll, or one that stands still.
+inline const Roll& roll_of(const Scene& scene) {
+  static const Roll none = no_roll();
+  return scene.roll ? *scene.roll : none;
+}
+
+}  // namespace slosh::sph

@@ -1,0 +1,113 @@
+#include "sph/start/initial_lattice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "sph/start/initial_surface.hpp"
+#include "sph/walls/solid_particles.hpp"
+
+namespace slosh::sph {
+namespace {
+
+int lattice_count(double length, double spacing, const char* what) {
+  const double count = std::max(1.0, std::round(length / spacing));
+  if (!(std::abs(length / (count * spacing) - 1) <= largest_stretch))
+    throw std::invalid_argument(
+        fmt::format("particle_spacing = {} m: expected a whole number of particles, to {:.0f} %, "
+                    "along the {} of {} m",
+                    spacing, 100 * largest_stretch, what, length));
+  return static_cast<int>(count);
+}
+
+using DensityAt = std::function<double(double)>;
+
+void lay_block(const Scene& scene, const DensityAt& density_at, double bottom, double top,
+               double spacing, Particles& p) {
+  const double length = scene.column_width.value_or(scene.tank_length);
+  const int columns =
+      lattice_count(length, spacing, scene.column_width ? "column's width" : "tank's length");
+  const int rows = lattice_count(top - bottom, spacing, "liquid's depth");
+  const double dx = length / columns, dz = (top - bottom) / rows;
+  const InitialSurface surface(scene);
+  const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, 0);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double stretch = surface.mean_height(column * dx, (column + 1) * dx) / scene.fill_depth;
+      const double z = stretch * (bottom + (row + 0.5) * dz);
+      const double x = (column + 0.5) * dx;
+      if (std::any_of(obstacles.begin(), obstacles.end(),
+                      [=](const Rectangle& obstacle) { return holds(obstacle, x, z); }))
+        continue;
+      const double density = density_at(surface.pressure(x, z));
+      p.x.push_back(x);
+      p.z.push_back(z);
+      p.velocity_x.push_back(0);
+      p.velocity_z.push_back(0);
+      p.density.push_back(density);
+      p.mass.push_back(density * dx * dz * stretch);
+      p.spacing.push_back(dx);
+    }
+}
+
+}  // namespace
+
+Particles initial_lattice(const Scene& scene, const DensityAt& density_at) {
+  Particles particles;
+  const double coarse = scene.particle_spacing, fine = scene.surface_particle_spacing;
+  if (fine == coarse) {
+    lay_block(scene, density_at, 0, scene.fill_depth, coarse, particles);
+    return particles;
+  }
+  // The coarse block has a whole number of coarse layers; the fine block fills the rest.
+  const double interface =
+      coarse * std::floor((scene.fill_depth - fine_layers * fine) / coarse + 1e-9);
+  if (!(fine > 0 && fine < coarse && interface > 0))
+    throw std::invalid_argument(
+        fmt::format("surface_particle_spacing = {} m: expected a value below the particle spacing "
+                    "{} m that leaves room for {} layers",
+                    fine, coarse, fine_layers));
+  lay_block(scene, density_at, 0, interface, coarse, particles);
+  lay_block(scene, density_at, interface, scene.fill_depth, fine, particles);
+  return particles;
+}
+
+void perturb_symmetrically(Particles& p, double middle, double distance) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double from_middle = p.x[i] - middle, side = from_middle < 0 ? -1 : 1;
+    // The displacement depends on the number of the lattice cell, which round-off does not change.
+    const double column = std::floor(std::abs(from_middle) / p.spacing_of(i) + 0.25),
+                 row = std::floor(p.z[i] / p.spacing_of(i) + 0.25);
+    const double a = 12.9898 * column + 78.233 * row, b = 39.425 * column + 11.135 * row;
+    p.x[i] += side * distance * std::sin(a * a);
+    p.z[i] += distance * std::sin(b * b);
+  }
+}
+
+void perturb_randomly(Particles& p, double share, unsigned seed) {
+  if (!(share >= 0 && share <= largest_disorder))
+    throw std::invalid_argument(
+        fmt::format("start_disorder = {}: expected a share of the particle spacing from 0 to {}",
+                    share, largest_disorder));
+  std::mt19937 random(seed);
+  // The distributions of the standard library give other numbers in other implementations.
+  const auto from_minus_one_to_one = [&] { return random() / 2147483647.5 - 1.0; };
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.x[i] += share * p.spacing_of(i) * from_minus_one_to_one();
+    p.z[i] += share * p.spacing_of(i) * from_minus_one_to_one();
+  }
+}
+
+double flattest_cell(const Scene& scene) {
+  const Particles lattice = initial_lattice(scene, [](double) { return 1.0; });
+  double ratio = 1;
+  for (std::size_t i = 0; i < lattice.size(); ++i)
+    ratio = std::min(ratio, lattice.mass[i] / (lattice.spacing[i] * lattice.spacing[i]));
+  return ratio;
+}
+
+}  // namespace slosh::sph

@@ -1,0 +1,65 @@
+#include "verification/assessment/across_runs/impact_samples.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/gate/impact_metrics.hpp"
+
+namespace slosh {
+namespace {
+
+using Repeats = std::vector<const RunDefinition*>;
+
+bool differ_in_seed_alone(const SphRun& one, const SphRun& other) {
+  SphRun alike = other;
+  alike.start_seed = one.start_seed;
+  return one == alike && one.start_seed != other.start_seed;
+}
+
+}  // namespace
+
+std::string place_among_repeats(const CaseDefinition& definition, std::size_t impact, double peak) {
+  const ImpactsDefinition& impacts = definition.impacts.value();
+  if (!impacts.repeats.empty())
+    return fmt::format("{:.0f} %", repeated_peaks(definition, impact).percentile(peak));
+  return fmt::format("{:+.1f} sd",
+                     (peak - impacts.peak_means[impact]) / impacts.peak_deviations[impact]);
+}
+
+std::vector<Repeats> repeated_runs(const CaseDefinition& definition) {
+  std::vector<Repeats> groups;
+  for (const RunDefinition& run : definition.runs) {
+    const SphRun* sph = std::get_if<SphRun>(&run.solver);
+    if (!sph) continue;
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const Repeats& one) {
+      return differ_in_seed_alone(std::get<SphRun>(one.front()->solver), *sph);
+    });
+    if (group == groups.end())
+      groups.push_back({&run});
+    else
+      group->push_back(&run);
+  }
+  std::erase_if(groups, [](const Repeats& group) { return group.size() < 2; });
+  return groups;
+}
+
+PeakSample peak_sample(const CaseAssessment& assessment, const Repeats& repeats,
+                       const std::string& pressure, std::size_t impact) {
+  PeakSample sample;
+  for (const RunDefinition* run : repeats) {
+    try {
+      const auto result = assessment.runs.results.find(run->name);
+      if (result == assessment.runs.results.end())
+        throw ResultError(state_name(assessment.runs.status.at(run->name).state));
+      const auto peaks = impacts_in(result->second.at(pressure), assessment.definition);
+      ++sample.usable;
+      if (peaks[impact]) sample.peaks.push_back(peaks[impact]->pressure);
+    } catch (const std::runtime_error& error) {  // ResultError and ComparisonError
+      sample.left_out.push_back(fmt::format("{} ({})", run->name, error.what()));
+    }
+  }
+  return sample;
+}
+
+}  // namespace slosh

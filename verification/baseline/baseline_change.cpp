@@ -1,0 +1,74 @@
+#include "verification/baseline/baseline_change.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+Json json_of(const std::optional<BaselineValue>& value) {
+  if (!value) return nullptr;
+  return {{"value", value->value},
+          {"half_width_95", value->half_width},
+          {"lower", json_of(value->lower)},
+          {"upper", json_of(value->upper)}};
+}
+
+std::optional<double> number_from(const Json& number) {
+  return number.is_null() ? std::optional<double>() : number.get<double>();
+}
+
+std::optional<BaselineValue> value_from(const Json& value) {
+  if (value.is_null()) return {};
+  return BaselineValue{value.at("value").get<double>(), value.at("half_width_95").get<double>(),
+                       number_from(value.at("lower")), number_from(value.at("upper"))};
+}
+
+}  // namespace
+
+Json json_of(const std::vector<BaselineChange>& changes) {
+  Json list = Json::array();
+  for (const BaselineChange& change : changes)
+    list.push_back(
+        {{"row", change.row}, {"old", json_of(change.before)}, {"new", json_of(change.after)}});
+  return list;
+}
+
+std::vector<BaselineChange> changes_from(const Json& changes) {
+  std::vector<BaselineChange> list;
+  for (const Json& change : changes)
+    list.push_back({change.at("row"), value_from(change.at("old")), value_from(change.at("new"))});
+  return list;
+}
+
+void write_proposal(const Proposal& proposal, const fs::path& file) {
+  const Json content{{"campaign", proposal.campaign}, {"changes", json_of(proposal.changes)}};
+  try {
+    replace_file(file, content.dump(2) + "\n", Durability::process_crash);
+  } catch (const fs::filesystem_error& error) {
+    throw LedgerError(error.what());
+  }
+}
+
+Proposal read_proposal(const fs::path& file) {
+  if (!fs::exists(file))
+    throw LedgerError(file.string() +
+                      ": there is no proposal; expected one by `slosh baseline propose`");
+  try {
+    const Json content = Json::parse(read_bytes(file));
+    return {content.at("campaign"), changes_from(content.at("changes"))};
+  } catch (const Json::exception& error) {
+    throw LedgerError(file.string() + ": not a proposal: " + error.what());
+  } catch (const fs::filesystem_error& error) {
+    throw LedgerError(error.what());
+  }
+}
+
+}  // namespace slosh

@@ -1,0 +1,56 @@
+// The baseline of a campaign, changes of it, and a proposal of such changes. A change reads in JSON
+//   {"row", "old", "new"}, with old and new {"value", "half_width_95", "lower", "upper"} or null,
+// in ledgers (baseline_ledger.hpp) and proposals alike. A proposal lies beside the results until
+// somebody approves it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace slosh {
+
+// A gate row's metric and its tolerance, in the row's unit.
+struct BaselineValue {
+  double value, half_width;            // half_width: of the 95 % interval, zero if unknown
+  std::optional<double> lower, upper;  // nullopt for a row that must improve on another run
+
+  bool operator==(const BaselineValue&) const = default;
+};
+
+// The key is the row's name (baseline_diff.hpp).
+using Baseline = std::map<std::string, BaselineValue>;
+
+struct BaselineChange {
+  std::string row;
+  std::optional<BaselineValue> before, after;
+
+  bool operator==(const BaselineChange&) const = default;
+};
+
+nlohmann::ordered_json json_of(const std::vector<BaselineChange>& changes);
+
+// Throws nlohmann::ordered_json::exception for anything that json_of() does not write.
+std::vector<BaselineChange> changes_from(const nlohmann::ordered_json& changes);
+
+// A ledger or proposal cannot be read or written, the lines of a ledger do not follow from one
+// another, or it differs from what its head records. what() begins with FILE:LINE, or FILE.
+struct LedgerError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The changes that would make a campaign's present values its baseline.
+struct Proposal {
+  std::string campaign;
+  std::vector<BaselineChange> changes;
+};
+
+// Both throw LedgerError.
+void write_proposal(const Proposal& proposal, const std::filesystem::path& file);
+Proposal read_proposal(const std::filesystem::path& file);
+
+}  // namespace slosh

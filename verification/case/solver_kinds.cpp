@@ -1,0 +1,265 @@
+#include "verification/case/solver_kinds.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace slosh {
+namespace {
+
+using nlohmann::json;
+
+// What a row says unless it says otherwise.
+struct CommonRow {
+  static bool sees_gas(const auto&) { return false; }
+  static std::string family(const RunDefinition& run) { return run.name; }
+  static double resolution(const auto&) { return 0; }
+};
+
+// The row of a kind of solver; a kind without one does not compile.
+template <class Run>
+struct Row;
+
+template <>
+struct Row<SphRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "sph",
+                                   .role = SolverRole::simulation,
+                                   .elements = "particles",
+                                   .solves_flow = true,
+                                   .has_particles = true,
+                                   .can_refer = false};
+  static std::string family(const RunDefinition& run) {
+    return std::get<SphRun>(run.solver).scheme;
+  }
+  static double resolution(const SphRun& sph) {
+    return 1 / (sph.particle_spacing * sph.surface_particle_spacing);
+  }
+  static std::string text(const SphRun& sph) {
+    const std::string changes = changes_of(sph);
+    std::string text =
+        fmt::format("SPH `{}`{}, spacing {:.4g} mm", sph.scheme,
+                    changes.empty() ? "" : " with " + changes, 1000 * sph.particle_spacing);
+    if (sph.surface_particle_spacing != sph.particle_spacing)
+      text += fmt::format(", {:.4g} mm at the surface", 1000 * sph.surface_particle_spacing);
+    return text;
+  }
+  static std::string caption(const SphRun& sph) {
+    const double inside = 1000 * sph.particle_spacing,
+                 surface = 1000 * sph.surface_particle_spacing;
+    std::string text = fmt::format("SPH, scheme {}, {:.4g} mm", sph.scheme, inside);
+    if (surface != inside) text += fmt::format(" and {:.4g} mm at the surface", surface);
+    if (const std::string changes = changes_of(sph); !changes.empty()) text += ", " + changes;
+    return text;
+  }
+  static json hashed(const SphRun& sph) {
+    json numbers = json::object();
+    for (const auto& [name, number] : sph_number_names)
+      numbers[name] = sph.numbers.*number ? json(*(sph.numbers.*number)) : json(nullptr);
+    json settings = {{"sph",
+                      {sph.scheme, sph.particle_spacing, sph.surface_particle_spacing, sph.variant,
+                       sph.initial_state, numbers}}};
+    if (sph.energy_budget) settings["energy_budget"] = true;
+    if (sph.start_disorder > 0) settings["start"] = {sph.start_disorder, sph.start_seed};
+    return settings;
+  }
+};
+
+template <>
+struct Row<InterFoamRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "interfoam",
+                                   .role = SolverRole::simulation,
+                                   .answered_with = AnsweredWith::openfoam,
+                                   .elements = "cells",
+                                   .solves_flow = true,
+                                   .takes_time_limit = true};
+  static bool sees_gas(const InterFoamRun&) { return true; }
+  static std::string family(const RunDefinition&) { return "interFoam"; }
+  static double resolution(const InterFoamRun& mesh) { return 1.0 * mesh.cells_x * mesh.cells_z; }
+  static std::string text(const InterFoamRun& mesh) {
+    return caption(mesh) +
+           (mesh.processes > 1 ? fmt::format(", {} processes", mesh.processes) : "");
+  }
+  static std::string caption(const InterFoamRun& mesh) {
+    return fmt::format("interFoam, {} x {} cells", mesh.cells_x, mesh.cells_z);
+  }
+  static json hashed(const InterFoamRun& mesh) {
+    json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
+    if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
+    return settings;
+  }
+};
+
+template <>
+struct Row<LinearRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "linear", .role = SolverRole::theory};
+  static bool sees_gas(const LinearRun& linear) { return linear.two_layer; }
+  static std::string modes(const LinearRun& linear) {
+    return linear.modes > 0 ? fmt::format(", {} modes", linear.modes) : "";
+  }
+  static std::string text(const LinearRun& linear) {
+    return fmt::format("linear potential flow{}{}, up to an elevation of {:g} fill depths",
+                       modes(linear), linear.two_layer ? ", gas in the dispersion relation" : "",
+                       linear.valid_elevation_over_depth);
+  }
+  static std::string caption(const LinearRun& linear) {
+    return fmt::format("linear potential theory{}{}", modes(linear),
+                       linear.two_layer ? ", with the gas" : "");
+  }
+  static json hashed(const LinearRun& linear) {
+    return {{"linear", {linear.modes, linear.two_layer}}};
+  }
+};
+
+template <>
+struct Row<ViscousWaveRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "viscous_wave", .role = SolverRole::theory};
+  static std::string text(const ViscousWaveRun& wave) {
+    return fmt::format("linear wave of a viscous liquid, up to an elevation of {:g} fill depths",
+                       wave.valid_elevation_over_depth);
+  }
+  static std::string caption(const ViscousWaveRun&) { return "linear theory of the viscous wave"; }
+  static json hashed(const ViscousWaveRun&) { return "viscous_wave"; }
+};
+
+template <>
+struct Row<PotentialRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "potential",
+                                   .role = SolverRole::theory,
+                                   .can_end_early = true,
+                                   .leaves_coarser = true};
+  static std::string text(const PotentialRun& potential) { return "fully " + caption(potential); }
+  static std::string caption(const PotentialRun& potential) {
+    return fmt::format("nonlinear potential flow, {} x {} nodes", potential.nodes_x,
+                       potential.nodes_z);
+  }
+  static json hashed(const PotentialRun& potential) {
+    return {{"potential", {potential.nodes_x, potential.nodes_z}}};
+  }
+};
+
+template <>
+struct Row<RecordRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "record",
+                                   .role = SolverRole::record,
+                                   .can_end_early = true,
+                                   .declares_quantities = true};
+  static std::string text(const RecordRun& record) {
+    return fmt::format("{} of {}{}",
+                       record.earlier_run ? "earlier run's record" : "published record",
+                       record.quantity, record.supplied ? "" : ", which you would have to supply");
+  }
+  static std::string caption(const RecordRun& record) {
+    return (record.earlier_run ? "earlier run's record " : "published record ") +
+           record.file.filename().string();
+  }
+  static json hashed(const RecordRun& record) {
+    const json uncertainty = record.uncertainty ? json(*record.uncertainty) : json(nullptr);
+    return {{"record", {record.quantity, record.unit, record.time, record.value, uncertainty}}};
+  }
+};
+
+template <>
+struct Row<ExternalRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "external",
+                                   .role = SolverRole::simulation,
+                                   .answered_with = AnsweredWith::user_program,
+                                   .can_refer = false,
+                                   .declares_quantities = true};
+  static std::string text(const ExternalRun& external) {
+    return "your program " + external.command.front();
+  }
+  static std::string caption(const ExternalRun& external) {
+    return "external program " +
+           std::filesystem::path(external.command.front()).filename().string();
+  }
+  static json hashed(const ExternalRun& external) {
+    json series = json::array();
+    for (const SeriesSource& one : external.series)
+      series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
+                        one.time_column, one.time_unit, one.scale, one.offset});
+    return {{"external", {external.command, external.directory.filename().string(), series}}};
+  }
+};
+
+template <class Run>
+Row<Run> row_of(const Run&) {
+  return {};
+}
+
+// The rows' kinds, in the order of the variant's alternatives.
+template <class... Runs>
+constexpr std::array<const SolverKind*, sizeof...(Runs)> kinds_of(const std::variant<Runs...>*) {
+  return {&Row<Runs>::kind...};
+}
+
+constexpr auto kinds = kinds_of(static_cast<const decltype(RunDefinition::solver)*>(nullptr));
+
+}  // namespace
+
+const SolverKind& solver_kind(const RunDefinition& run) { return *kinds.at(run.solver.index()); }
+
+const SolverKind* find_solver_kind(std::string_view name) {
+  for (const SolverKind* kind : kinds)
+    if (kind->name == name) return kind;
+  return nullptr;
+}
+
+std::set<std::string> solvers_answered_with(AnsweredWith what) {
+  std::set<std::string> names;
+  for (const SolverKind* kind : kinds)
+    if (kind->answered_with == what) names.insert(kind->name);
+  return names;
+}
+
+bool sees_gas(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).sees_gas(solver); }, run.solver);
+}
+
+std::string solver_text(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).text(solver); }, run.solver);
+}
+
+std::string caption_text(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).caption(solver); }, run.solver);
+}
+
+json hashed_settings(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).hashed(solver); }, run.solver);
+}
+
+std::string family(const RunDefinition& run) {
+  return std::visit([&](const auto& solver) { return row_of(solver).family(run); }, run.solver);
+}
+
+double resolution(const RunDefinition& run) {
+  return std::visit([](const auto& solver) -> double { return row_of(solver).resolution(solver); },
+                    run.solver);
+}
+
+std::string changes_of(const SphRun& run) {
+  std::vector<std::string> changes;
+  if (!run.variant.empty()) changes.push_back(run.variant);
+  if (!run.initial_state.empty()) changes.push_back("initial_state = " + run.initial_state);
+  for (const auto& [name, number] : sph_number_names)
+    if (const auto& value = run.numbers.*number)
+      changes.push_back(fmt::format("{} = {:g}", name, *value));
+  // The seed is no change: the repeats of a run have the same changes.
+  if (run.start_disorder > unseen_disorder)
+    changes.push_back(fmt::format("start_disorder = {:g}", run.start_disorder));
+  return fmt::format("{}", fmt::join(changes, ", "));
+}
+
+bool is_changed(const RunDefinition& run) {
+  const auto* sph = std::get_if<SphRun>(&run.solver);
+  return sph && !changes_of(*sph).empty();
+}
+
+std::string work_family(const RunDefinition& run) {
+  return is_changed(run) ? family(run) + ", " + changes_of(std::get<SphRun>(run.solver))
+                         : family(run);
+}
+
+}  // namespace slosh

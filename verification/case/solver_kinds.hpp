@@ -1,0 +1,89 @@
+// The kinds of solvers, one row each in solver_kinds.cpp: what a run of a kind is, as far as that
+// is known without running it. What runs it is chosen in verification/solvers/solver_runs.hpp.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+
+enum class SolverRole {
+  simulation,  // a candidate: SPH, interFoam, an external program
+  theory,      // an exact solution inside its range
+  record       // a published or earlier time series
+};
+
+// What determines a solver's answer beside its own code.
+enum class AnsweredWith { own_code, openfoam, user_program };
+
+// What holds for every run of a kind.
+struct SolverKind {
+  const char* name;  // in case files, results and the files of builds
+  SolverRole role;
+  AnsweredWith answered_with = AnsweredWith::own_code;
+  const char* elements = "nodes";    // what a result's cost counts
+  bool solves_flow = false;          // it leaves the fields of the whole flow in its result
+  bool has_particles = false;        // it can write snapshot files, and states to restart from
+  bool takes_time_limit = false;     // of wall time, from the command line
+  bool can_refer = true;             // another run can be compared with it
+  bool can_end_early = false;        // its series may end before the case's duration
+  bool leaves_coarser = false;       // each series also from fewer nodes, with the suffix `coarser`
+  bool declares_quantities = false;  // its keys name the quantities that it has
+};
+
+const SolverKind& solver_kind(const RunDefinition& run);
+
+// Returns nullptr where no kind has the name.
+const SolverKind* find_solver_kind(std::string_view name);
+
+// The names of all kinds whose answer is determined so.
+std::set<std::string> solvers_answered_with(AnsweredWith what);
+
+inline std::string solver_name(const RunDefinition& run) { return solver_kind(run).name; }
+inline bool is_simulation(const RunDefinition& run) {
+  return solver_kind(run).role == SolverRole::simulation;
+}
+inline bool is_theory(const RunDefinition& run) {
+  return solver_kind(run).role == SolverRole::theory;
+}
+inline bool is_record(const RunDefinition& run) {
+  return solver_kind(run).role == SolverRole::record;
+}
+
+// Whether the run counts the gas above the liquid: interFoam and two-layer linear theory.
+bool sees_gas(const RunDefinition& run);
+
+// The solver and its settings in words: for a report's list of runs, with `code` in backticks, and
+// for the caption of a figure.
+std::string solver_text(const RunDefinition& run);
+std::string caption_text(const RunDefinition& run);
+
+// The solver's settings that determine the result's numbers, for the hash in the run's key.
+nlohmann::json hashed_settings(const RunDefinition& run);
+
+// Runs of a family differ in resolution alone: SPH by its scheme, interFoam as such, any other run
+// by itself.
+std::string family(const RunDefinition& run);
+
+// Grows with the resolution; comparable within a family.
+double resolution(const RunDefinition& run);
+
+// [particle spacings] A start disorder up to this size only tells the repeats of a run apart; it
+// changes nothing of the scheme.
+inline constexpr double unseen_disorder = 1e-4;
+
+// What a run changes of its scheme: "", "shifting", "courant_number = 0.4", ...
+std::string changes_of(const SphRun& run);
+
+// Whether an SPH run has something of its scheme changed.
+bool is_changed(const RunDefinition& run);
+
+// The family, and what the run changes of its scheme: "recommended", "recommended, courant_number =
+// 0.4", "interFoam", ... Costs and biases are judged within it.
+std::string work_family(const RunDefinition& run);
+
+}  // namespace slosh

@@ -1,0 +1,61 @@
+#include "verification/case/solver_kinds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace slosh::solver_kinds_test {
+namespace {
+
+RunDefinition run_of(decltype(RunDefinition::solver) solver) {
+  return {.name = "one", .solver = std::move(solver), .where = {}};
+}
+
+const std::map<std::string, RunDefinition> runs{
+    {"sph", run_of(SphRun{"recommended", 0.01, 0.01})},
+    {"interfoam", run_of(InterFoamRun{50, 40, 2})},
+    {"linear", run_of(LinearRun{.modes = 5, .valid_elevation_over_depth = 1})},
+    {"viscous_wave", run_of(ViscousWaveRun{0.1})},
+    {"potential", run_of(PotentialRun{})},
+    {"record", run_of(RecordRun{"front.csv", "front_position", "m", {0.2}, {0.1}, {}})},
+    {"external", run_of(ExternalRun{{"bin/my_sph"}, {}, {}, {}, {}})}};
+
+TEST(SolverKinds, AreFoundByTheirNames) {
+  EXPECT_EQ(runs.size(), std::variant_size_v<decltype(RunDefinition::solver)>);
+  for (const auto& [name, run] : runs) {
+    EXPECT_EQ(solver_name(run), name);
+    EXPECT_EQ(find_solver_kind(name), &solver_kind(run));
+  }
+  EXPECT_EQ(find_solver_kind("problems"), nullptr);
+}
+
+TEST(SolverKinds, HaveTextsAndSettingsOfTheirOwn) {
+  std::set<std::string> texts, settings;
+  for (const auto& [name, run] : runs) {
+    texts.insert(solver_text(run));
+    texts.insert(caption_text(run));
+    settings.insert(hashed_settings(run).dump());
+  }
+  EXPECT_EQ(texts.size(), 2 * runs.size());
+  EXPECT_EQ(settings.size(), runs.size());
+}
+
+TEST(SolverKinds, TellTheoryOfTheLiquidFromThatWithTheGas) {
+  EXPECT_FALSE(sees_gas(runs.at("linear")));
+  EXPECT_TRUE(sees_gas(run_of(LinearRun{5, true, 1})));
+  EXPECT_TRUE(sees_gas(runs.at("interfoam")));
+  EXPECT_FALSE(sees_gas(runs.at("sph")));
+}
+
+TEST(SolverKinds, GroupRunsInFamiliesByResolution) {
+  EXPECT_EQ(family(runs.at("sph")), "recommended");
+  EXPECT_EQ(family(runs.at("interfoam")), "interFoam");
+  EXPECT_EQ(family(runs.at("linear")), "one");
+  EXPECT_DOUBLE_EQ(resolution(runs.at("sph")), 1e4);
+  EXPECT_DOUBLE_EQ(resolution(runs.at("interfoam")), 2000);
+  EXPECT_EQ(resolution(runs.at("record")), 0);
+}
+
+}  // namespace
+}  // namespace slosh::solver_kinds_test

@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/case/changed_input.hpp"
+#include "verification/case/ensemble.hpp"
+#include "verification/case/solver_kinds.hpp"
+#include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
+
+namespace slosh {
+namespace {
+
+constexpr EnumName<RefinedNumber> refined_number_names[] = {
+    {RefinedNumber::particle_spacing, "particle_spacing"},
+    {RefinedNumber::smoothing_length_ratio, "smoothing_length_ratio"},
+    {RefinedNumber::speed_of_sound, "speed_of_sound"},
+    {RefinedNumber::courant_number, "courant_number"},
+    {RefinedNumber::mesh, "mesh"}};
+
+// Returns the run without the refined number.
+SphRun without(SphRun run, RefinedNumber number) {
+  switch (number) {
+    case RefinedNumber::particle_spacing:
+      run.particle_spacing = run.surface_particle_spacing = 0;
+      break;
+    case RefinedNumber::smoothing_length_ratio:
+      run.numbers.smoothing_length_ratio.reset();
+      break;
+    case RefinedNumber::speed_of_sound:
+      run.numbers.sound_speed_ratio.reset();
+      break;
+    case RefinedNumber::courant_number:
+      run.numbers.courant_number.reset();
+      break;
+    case RefinedNumber::mesh:
+      break;
+  }
+  run.energy_budget = false;  // it only records
+  return run;
+}
+
+bool are_alike(const RunDefinition& one, const RunDefinition& other, RefinedNumber number) {
+  const auto* a = std::get_if<SphRun>(&one.solver);
+  const auto* b = std::get_if<SphRun>(&other.solver);
+  return a && b && without(*a, number) == without(*b, number);
+}
+
+std::vector<std::string> runs_of(const CaseDefinition& definition, bool of_mesh) {
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs)
+    if (!is_later_member(run) && (of_mesh ? std::holds_alternative<InterFoamRun>(run.solver)
+                                          : std::holds_alternative<SphRun>(run.solver)))
+      names.push_back(run.name);
+  return names;
+}
+
+Input read_name(const TomlTable& table, const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const auto& [input, name] : input_names) {
+    const bool of_motion = input == Input::period || input == Input::amplitude;
+    if (!of_motion || !definition.motion.still()) names.push_back(name);
+  }
+  return value_of(table.choice("name", "an input that this case has", names), input_names);
+}
+
+std::string read_coarse_run(const TomlTable& table, const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs)
+    if (solver_kind(run).solves_flow) names.push_back(run.name);
+  return table.choice("coarse_run", "an SPH or interFoam run of this case", names);
+}
+
+}  // namespace
+
+RefinementDefinition read_refinement(const TomlTable& refinement,
+                                     const CaseDefinition& definition) {
+  refinement.allow_only(keys_of("refinement"));
+  RefinementDefinition path;
+  path.name = refinement.get("name", file_safe_name());
+  path.number = refinement.choice("number", "what the runs refine", refined_number_names);
+  const bool of_mesh = path.number == RefinedNumber::mesh;
+  const std::vector<std::string> known = runs_of(definition, of_mesh);
+  for (const PlacedText& run : refinement.texts("runs", any_text())) {
+    if (std::find(known.begin(), known.end(), run.text) == known.end())
+      refinement.refuse("runs", fmt::format("{} runs of this case; {} is not one",
+                                            of_mesh ? "interFoam" : "SPH", run.text));
+    if (std::find(path.runs.begin(), path.runs.end(), run.text) != path.runs.end())
+      refinement.refuse("runs", fmt::format("each run once; {} is there twice", run.text));
+    if (!path.runs.empty() && !of_mesh &&
+        !are_alike(run_named(definition, path.runs.front()), run_named(definition, run.text),
+                   path.number))
+      refinement.refuse(
+          "runs",
+          fmt::format("runs that differ in the refined number only; {} and {} differ in others",
+                      path.runs.front(), run.text));
+    path.runs.push_back(run.text);
+  }
+  if (path.runs.size() < 2) refinement.refuse("runs", "two runs or more");
+  return path;
+}
+
+InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition) {
+  table.allow_only(keys_of("input"));
+  const Input input = read_name(table, definition);
+  if (input == Input::amplitude && definition.motion.surge && definition.motion.roll)
+    table.refuse("name", "an input of one motion: this tank surges and rolls");
+  const std::string unit = table.choice("unit", fmt::format("the unit of {}", input_name(input)),
+                                        {input_unit(input, definition.motion)});
+  for (const InputUncertainty& other : definition.inputs)
+    if (other.input == input) table.refuse("name", "each input once");
+  return {input, table.get("half_width", positive(unit)), table.get("source", any_text()),
+          table.has("coarse_run") ? read_coarse_run(table, definition) : ""};
+}
+
+}  // namespace slosh

@@ -1,0 +1,29 @@
+#include "verification/cli/installation.hpp"
+
+#include <cstdlib>
+
+#include "verification/files/shell_word.hpp"
+
+namespace slosh {
+
+namespace fs = std::filesystem;
+
+fs::path usual_store(const Installation& installation) {
+  const char* named = std::getenv(store_variable);
+  return named && *named ? whole(named) : installation.build / "store";
+}
+
+std::string name_or_path(const fs::path& file, const fs::path& shipped) {
+  if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();
+  return shell_word(fs::absolute(file).lexically_normal().string());
+}
+
+fs::path whole(const fs::path& path) {
+  return path.empty() ? path : fs::absolute(path).lexically_normal();
+}
+
+std::string experiments_option(const fs::path& experiments) {
+  return experiments.empty() ? "" : " --experiments " + shell_word(experiments.string());
+}
+
+}  // namespace slosh

@@ -1,0 +1,271 @@
+// The subcommand run, which executes one run of a case in this process, and the hidden subcommand
+// job, by which the engine of a campaign starts its jobs.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <limits>
+#include <memory>
+
+#include "verification/case/solver_kinds.hpp"
+#include "verification/case_file/campaign_parser.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/sweep.hpp"
+#include "verification/cli/command_tree.hpp"
+#include "verification/cli/installation.hpp"
+#include "verification/cli/stored_run.hpp"
+#include "verification/display/run_display.hpp"
+#include "verification/engine/run_job.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/problems/problem_list.hpp"
+#include "verification/results/progress_file.hpp"
+#include "verification/runs/expected_cost.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/runs/run_key.hpp"
+#include "verification/solvers/snapshots.hpp"
+#include "verification/solvers/state_file.hpp"
+#include "verification/texts/run_summary.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunOptions {
+  std::string case_name, run;
+  std::filesystem::path output, progress_file;
+  std::filesystem::path experiments;  // empty: none is named
+  std::filesystem::path campaign;     // name or path: its sweeps add runs; may be empty
+  // The result is kept only there, under its key. Empty: the result is written to the output, and a
+  // copy is kept in usual_store().
+  std::filesystem::path store;
+  bool timing = false;                                       // only measure, into the store
+  double longest = std::numeric_limits<double>::infinity();  // [s], of a run that is timed
+  double snapshot_interval = 0;                              // [s]
+  double state_interval = 0;                                 // [s]
+  double time_limit = 0;                                     // [s]; 0: none
+  std::filesystem::path resume;                              // empty: from the start
+};
+
+// The interval at which a run writes its progress; the parent process reads it as often.
+constexpr auto progress_interval = std::chrono::milliseconds(200);
+
+Progress progress_writer(const fs::path& file, double end_time) {
+  if (file.empty()) return [](double, double) {};
+  return [file, end_time, last = std::chrono::steady_clock::time_point{}](double time,
+                                                                          double steps) mutable {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last < progress_interval) return;
+    last = now;
+    try {
+      write_progress({time, end_time, steps}, file);
+    } catch (const fs::filesystem_error&) {  // a run does not fail because its progress cannot be
+                                             // written
+    }
+  };
+}
+
+const RunDefinition& requested_run(const CaseDefinition& definition, const std::string& name) {
+  std::string names;
+  for (const RunDefinition& one : definition.runs) {
+    if (one.name == name) return one;
+    names += (names.empty() ? "" : ", ") + one.name;
+  }
+  throw CaseFileError(
+      fmt::format("{}: run = {}: expected one of {}", definition.file.string(), name, names));
+}
+
+RunSettings settings_for(const RunOptions& options, const Installation& installation,
+                         const std::string& key, fs::path file) {
+  return {.work_directory = file.replace_extension(options.timing ? ".timing.work" : ".work"),
+          .openfoam_templates = installation.openfoam_templates,
+          .snapshot_interval = options.snapshot_interval,
+          .state_interval = options.state_interval,
+          .resume = options.resume,
+          .time_limit = options.time_limit,
+          .key = key,
+          .command = {}};
+}
+
+// Returns the command that repeats the run.
+std::string command_of(const RunOptions& options, const Installation& installation,
+                       const CaseDefinition& definition, const RunDefinition& run) {
+  const std::string campaign =
+      options.campaign.empty()
+          ? ""
+          : " --campaign " + name_or_path(find_campaign(options.campaign, installation.campaigns),
+                                          installation.campaigns);
+  return fmt::format("./slosh run {} {} --output {}.h5{}{}",
+                     name_or_path(definition.file, installation.cases), run.name, run.name,
+                     campaign,
+                     is_record(run) ? experiments_option(whole(options.experiments)) : "");
+}
+
+// Potential flow that leaves its range ends early, which is not a success.
+int told_end(const RunResult& result, const CaseDefinition& definition) {
+  const auto because = result.provenance.find("left_range_because");
+  if (because == result.provenance.end()) return exit_pass;
+  std::cerr << fmt::format("slosh: the run {} leaves its range at {:.4g} s of {:g} s: {}\n",
+                           result.run_name, result.diagnostics.at("valid_until_s"),
+                           definition.duration, because->second);
+  return exit_not_compared;
+}
+
+// Writes the result file, prints the files beside it and returns the exit status.
+int leave_result(const RunResult& result, const fs::path& file, const RunSettings& settings,
+                 const CaseDefinition& definition, const RunDefinition& run) {
+  write_result(result, file);
+  std::cout << run_summary(result, definition, run) << "result: " << file.string() << "\n";
+  if (settings.snapshot_interval != 0)
+    std::cout << "snapshots: " << snapshot_index(settings.work_directory, result.run_name).string()
+              << "\n";
+  if (settings.state_interval != 0)
+    std::cout << "state: " << state_file(settings.work_directory, result.run_name).string() << "\n";
+  return told_end(result, definition);
+}
+
+// Saving a state makes the solver rebuild its neighbour lists, so that the result is not bit for
+// bit that of a campaign.
+bool is_as_a_campaign_computes(const RunOptions& options) {
+  return options.state_interval == 0 && options.resume.empty();
+}
+
+int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
+  run_job(JobList::open(fs::current_path()), index, stop);
+  return exit_pass;  // the list records how it ended
+}
+
+int run_one(const RunOptions& options, const Installation& installation) {
+  const fs::path experiments = whole(options.experiments);
+  CaseDefinition definition =
+      read_case(find_case(options.case_name, installation.cases), experiments);
+  if (!options.campaign.empty())
+    add_swept_runs(read_campaign(find_campaign(options.campaign, installation.campaigns),
+                                 installation.cases, known_problems()),
+                   experiments, definition);
+  const RunDefinition& run = requested_run(definition, options.run);
+  const std::string key =
+      run_key(definition, run, installation.builds, installation.openfoam_templates);
+  const ResultStore store(options.store);
+  const fs::path file = !options.store.empty()   ? store.file(key, ".h5")
+                        : options.output.empty() ? fs::path(run.name + ".h5")
+                                                 : options.output;
+  RunSettings settings = settings_for(options, installation, key, file);
+  settings.command = command_of(options, installation, definition, run);
+  const ExpectedCost expected =
+      expected_cost(definition, run, key, ResultStore(usual_store(installation)));
+  const auto compute = [&] {
+    RunDisplay display(std::cerr, style_now_of(STDERR_FILENO), definition.name + "/" + run.name,
+                       expected.wall_time);
+    const Progress write = progress_writer(options.progress_file, definition.duration);
+    return execute(definition, run, settings, [&](double time, double steps) {
+      display.tell({time, definition.duration, steps});
+      write(time, steps);
+    });
+  };
+  // For a run in the store the campaign judges whether it reaches the end of the comparison window.
+  if (options.timing) {
+    time_run(store, key, options.longest, compute);
+    return exit_pass;
+  }
+  if (!options.store.empty()) {
+    keep_run(store, key, [&] {
+      RunResult result = compute();
+      learn_cost(result, definition, run, store);
+      return result;
+    });
+    return exit_pass;
+  }
+  const RunResult result = compute();
+  const int status = leave_result(result, file, settings, definition, run);
+  if (is_as_a_campaign_computes(options))
+    keep_copy(ResultStore(usual_store(installation)), key, result);
+  return status;
+}
+
+void add_state_options(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--snapshots", options.snapshot_interval,
+                  "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of "
+                  "the case's sample_interval_s")
+      ->type_name("SECONDS")
+      ->check(keeps(positive("s")));
+  command
+      .add_option("--states", options.state_interval,
+                  "Interval at which the state of an SPH run is saved beside its result [s]: a "
+                  "multiple of the case's sample_interval_s")
+      ->type_name("SECONDS")
+      ->check(keeps(positive("s")));
+  command
+      .add_option(
+          "--resume", options.resume,
+          "A saved state from which the run continues, bit for bit (with the same --states)")
+      ->type_name(file_type)
+      ->check(unnamed(CLI::ExistingFile));
+}
+
+}  // namespace
+
+void add_run_command(const CommandTree& tree) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App& command = add_command(
+      tree,
+      {"run",
+       "Executes one run of a case and writes its result file",
+       {"./slosh run li2010_small_amplitude recommended_25mm",
+        "./slosh run li2010_small_amplitude recommended_25mm --output shown.h5 --snapshots 5"}},
+      [options, &installation = tree.installation] { return run_one(*options, installation); });
+  command
+      .add_option("case", options->case_name, "A case of `slosh list`, or the path of a case file")
+      ->type_name(case_type)
+      ->required();
+  command.add_option("run", options->run, "The run's name in the case")
+      ->type_name(run_type)
+      ->required();
+  command.add_option("-o,--output", options->output, "Result file (default: RUN.h5)")
+      ->type_name(file_type);
+  add_state_options(command, *options);
+  command
+      .add_option("--time-limit", options->time_limit,
+                  "Wall time after which interFoam is stopped [s]")
+      ->type_name("SECONDS")
+      ->check(keeps(positive("s")));
+  add_experiments_option(command, options->experiments);
+  command
+      .add_option("--progress-file", options->progress_file,
+                  "The file to which the run writes its progress")
+      ->type_name(file_type);
+  command
+      .add_option("--campaign", options->campaign,
+                  "A campaign, by name or path, whose sweeps add runs to the case")
+      ->type_name(campaign_type);
+  CLI::Option* store = add_result_store_option(command, options->store);
+  command
+      .add_flag("--timing", options->timing,
+                "Repeat the run of the store and add the cost to its timings")
+      ->needs(store);
+  command
+      .add_option("--longest", options->longest,
+                  "Skip a run that took more processor time [s] (default: none)")
+      ->type_name("SECONDS")
+      ->needs("--timing");
+  for (const char* other : {"--output", "--snapshots", "--states", "--resume", "--time-limit"})
+    store->excludes(command.get_option(other));
+}
+
+// The engine of a campaign calls this command; it is hidden from users.
+void add_job_command(const CommandTree& tree) {
+  auto index = std::make_shared<std::size_t>(0);
+  CLI::App& command = add_command(
+      tree, {"job", "Runs one job of the list in the current directory", {}}, [index, tree] {
+        tree.stop_on_signals();
+        return run_listed_job(*index, tree.stop);
+      });
+  command.add_option("index", *index, "Its place in jobs.cbor, from 0")->required();
+  command.group("");
+}
+
+}  // namespace slosh

@@ -1,0 +1,50 @@
+// A model of the deterministic part of a harmonic fit's residual. Tones that no request names (a
+// beat, the sidebands of a modulation, a higher mode, a harmonic) must not count as noise, which
+// would widen every interval, and must not be ignored, which would bias the fitted tones. The
+// residual is fitted, to first order in the parameters' changes, by the Jacobian's columns and up
+// to three further tones, added one by one and all refined together. One or more of them are kept
+// where the energy in fourteen spectral bins about a requested tone, with the noise whitened, falls
+// by an amount that noise alone reaches in 1 of 100000 cases (F test; the level is this low
+// because in noise alone the search takes the best of some 100 places). The intervals include the
+// uncertainty of their parameters. A further tone that is too close to tell from a requested tone
+// (closer than a spectral bin plus its own line width g / pi) may be part of that tone: its
+// correction is added to the half widths, and above largest_shift the requested tone is unknown.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "verification/fits/local_noise.hpp"
+#include "verification/fits/tone_search.hpp"
+
+namespace slosh {
+
+// As a share of a tone's amplitude. An unnamed tone that shifts the requested one by less only
+// widens its interval by the shift. The value is a convention: the tolerances of amplitudes in use
+// are a twentieth.
+inline constexpr double largest_shift = 0.05;
+
+struct ResidualModel {
+  Eigen::VectorXd correction;     // of the parameters, one per column of the Jacobian
+  std::vector<LocalNoise> noise;  // about each requested tone
+  // For each requested tone, the frequency [rad/s] of an unnamed tone that the window cannot tell
+  // from it.
+  std::vector<std::optional<double>> beside;
+
+  ResidualModel without_corrections() const {
+    return {Eigen::VectorXd::Zero(correction.size()), noise, beside};
+  }
+};
+
+// Models the residual of a fit with this Jacobian at equally spaced times [s] of a window of length
+// `span` [s]. No further tone is taken close to a refined one, whose derivatives by frequency and
+// decay rate fill the bins about it already. `asked` restricts `noise` and `beside` to one of the
+// requested tones; without it they cover all.
+ResidualModel model_residual(const Eigen::VectorXd& elapsed, const Eigen::MatrixXd& jacobian,
+                             const Eigen::VectorXd& residual,
+                             const std::vector<ToneShape>& requested,
+                             const std::vector<ToneRange>& ranges, double span,
+                             std::optional<std::size_t> asked = {});
+
+}  // namespace slosh

@@ -1,0 +1,66 @@
+// What the gate's rows are judged by, as functions that the caller supplies: comparisons, series,
+// impacts, costs, ensembles and uncertainties.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verification/case/case_definition.hpp"
+#include "verification/convergence/work_precision.hpp"
+#include "verification/gate/three_way_verdict.hpp"
+#include "verification/metrics/comparison.hpp"
+
+namespace slosh {
+
+// Returns the comparison of two runs for a quantity. Throws ComparisonError or ResultError where
+// the two cannot be compared.
+using FindComparison = std::function<const Comparison&(
+    const std::string& candidate, const std::string& reference, const std::string& quantity)>;
+
+// Returns a run's series over the case's window, checked as cut_to_window() does: it is finite and
+// covers the window. Throws ComparisonError or ResultError where there is no such series.
+using FindSeries = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
+// Returns the whole of that series, as the run recorded it. Throws the same errors.
+using FindHistory = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
+
+// Returns the row's impact_metric() of a run. Throws what impact_metric() throws, and ResultError
+// where the run has no such series.
+using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
+
+// This form of the campaign leaves out something that a row needs; what() names it.
+struct NotSelectedError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Returns the cost at which the candidate's family reaches the row's error [s of one core];
+// `cost_spread` holds the interval of the costs. Throws ComparisonError where a run that it rests
+// on was not timed twice or more on a core of its own, ResultError and ComparisonError where the
+// candidate cannot be compared, and NotSelectedError where a run that is left out could have
+// reached the error.
+using MeasureCost = std::function<CostAtError(const GateRow& row)>;
+
+// Returns the uncertainties of a row's metric beside the metric's own interval, which the gate adds
+// to `statistics`.
+using FindUncertainty = std::function<UncertaintyContributions(const GateRow& row)>;
+
+// The runs that a run's name in a row stands for: the run itself, or all members of the ensemble
+// whose first member it is.
+struct EnsembleOfRun {
+  std::vector<std::string> members;
+  bool exact = false;  // theory or a record: repeats would not differ
+};
+using FindEnsemble = std::function<EnsembleOfRun(const std::string& run)>;
+
+struct GateEvidence {
+  FindComparison comparison;
+  FindSeries series;  // for the metrics of the candidate alone
+  MeasureImpacts impacts = {};
+  FindUncertainty uncertainty = {};  // empty: no uncertainty beside the metric's own interval
+  MeasureCost cost = {};
+  FindEnsemble ensemble = {};  // empty: each run stands for itself
+  FindHistory history = {};    // for the metrics of the start
+};
+
+}  // namespace slosh

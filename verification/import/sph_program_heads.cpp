@@ -1,0 +1,60 @@
+// Tables of other SPH programs.
+//
+// DualSPHysics 5: the gauges that the solver itself writes (JGaugeItem.cpp, JDsGaugeItem.cpp:
+// "time [s];swlx [m];swly [m];swlz [m];pos0x [m];..."), and the points of its MeasureTool, whose
+// positions come in lines before the names (" ;PosX [m]:;0.05", then "Part;Time [s];Press_0 [Pa]").
+// Both are separated by ';', or by ',' where the program was configured so.
+//
+// SPHinXsys: the files of observed and reduced quantities (io_observation.h, io_plt.cpp). Names are
+// in quotes with blanks between them, the first is "run_time" in s. A program that is restarted
+// writes its head again, which is refused at that line.
+#include "verification/import/table_head.hpp"
+
+namespace slosh {
+namespace {
+
+char semicolon_or_comma(std::string_view line) { return line.find(';') != line.npos ? ';' : ','; }
+
+}  // namespace
+
+TableHead read_dualsphysics_gauge_head(TableReader& reader, const SeriesSource&) {
+  const char separator = semicolon_or_comma(reader.line());
+  TableHead head{columns_of(reader.line(), separator), reader.line_number(), 0, separator};
+  if (head.columns.size() < 2 || head.columns[0].name != "time" || head.columns[0].unit != "s")
+    reader.refuse("head", reader.line(),
+                  "\"time [s]\" and more, as a gauge of DualSPHysics writes");
+  reader.next();
+  return head;
+}
+
+TableHead read_dualsphysics_points_head(TableReader& reader, const SeriesSource&) {
+  const auto is_position = [](std::string_view line) {
+    return trimmed(line).starts_with(';') || trimmed(line).starts_with(',') ||
+           line.starts_with("Pos");
+  };
+  while (is_position(reader.line()) && reader.next()) {
+  }
+  const char separator = semicolon_or_comma(reader.line());
+  TableHead head{columns_of(reader.line(), separator), reader.line_number(), 1, separator};
+  if (head.columns.size() < 3 || head.columns[0].name != "Part" || head.columns[1].name != "Time" ||
+      head.columns[1].unit != "s")
+    reader.refuse("head", reader.line(),
+                  "\"Part;Time [s];\" and more after the points' positions, as MeasureTool writes");
+  reader.next();
+  return head;
+}
+
+TableHead read_sphinxsys_head(TableReader& reader, const SeriesSource&) {
+  TableHead head;
+  for (std::string_view name : fields_of(reader.line(), ' ')) {
+    if (name.starts_with('"')) name.remove_prefix(1);
+    if (name.ends_with('"')) name.remove_suffix(1);
+    head.columns.push_back({std::string(name), head.columns.empty() ? "s" : ""});
+  }
+  if (head.columns.size() < 2 || head.columns[0].name != "run_time")
+    reader.refuse("head", reader.line(), "\"run_time\" and more, as SPHinXsys writes");
+  reader.next();
+  return head;
+}
+
+}  // namespace slosh

@@ -1,0 +1,97 @@
+// The sensitivity of a case's rows, which are judged with all their evidence.
+#include "verification/sensitivity/gate_sensitivity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "verification/tests/surge_results.hpp"
+
+namespace slosh::gate_sensitivity_test {
+namespace {
+
+CaseAssessment surge_with(const std::vector<GateRow>& gate) {
+  CaseDefinition definition = surge_case();
+  definition.gate = gate;
+  return assess(definition, surge_runs());
+}
+
+TEST(GateSensitivity, FindsTheSmallestChangeThatARowDetects) {
+  const CaseAssessment assessment =
+      surge_with({surge_row("forced", Metric::amplitude_error, "1", 0.04)});
+  const auto sensitivity = gate_sensitivity(assessment);
+  ASSERT_EQ(sensitivity.size(), 1U);
+  ASSERT_TRUE(sensitivity[0].trials.passes_as_it_is);
+  EXPECT_EQ(detected_from(sensitivity[0].trials, MutationKind::louder), 0.05);
+  EXPECT_TRUE(detected_from(sensitivity[0].trials, MutationKind::not_a_number).has_value());
+  EXPECT_TRUE(broken_claims(sensitivity).empty());
+}
+
+TEST(GateSensitivity, IsTheSameOnSeveralThreads) {
+  const CaseAssessment assessment =
+      surge_with({surge_row("forced", Metric::amplitude_error, "1", 0.04),
+                  surge_row("natural_1", Metric::frequency_error, "1", 0.015)});
+  const auto alone = gate_sensitivity(assessment);
+  const auto together = gate_sensitivity(
+      assessment, nullptr, [](std::size_t count, const std::function<void(std::size_t)>& work) {
+        std::vector<std::future<void>> threads;
+        for (std::size_t i = 0; i < count; ++i)
+          threads.push_back(std::async(std::launch::async, work, i));
+        for (std::future<void>& thread : threads) thread.get();
+      });
+  ASSERT_EQ(together.size(), alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    ASSERT_EQ(together[i].trials.outcomes.size(), alone[i].trials.outcomes.size());
+    for (std::size_t k = 0; k < alone[i].trials.outcomes.size(); ++k)
+      EXPECT_EQ(together[i].trials.outcomes[k].detected, alone[i].trials.outcomes[k].detected);
+  }
+}
+
+TEST(GateSensitivity, ShowsAWideLimitByWhatItLetsPass) {
+  const auto sensitivity =
+      gate_sensitivity(surge_with({surge_row("forced", Metric::amplitude_error, "1", 0.5)}));
+  EXPECT_FALSE(detected_from(sensitivity.at(0).trials, MutationKind::louder).has_value());
+}
+
+TEST(GateSensitivity, SaysOnlyThatARowDoesNotPassAsItIs) {
+  TimeSeries high = elevation_of({});
+  for (double& value : high.value) value *= 1.2;
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  const CaseAssessment assessment = assess(definition, surge_runs_with("particles", high));
+  const auto sensitivity = gate_sensitivity(assessment);
+  EXPECT_FALSE(sensitivity.at(0).trials.passes_as_it_is);
+  EXPECT_TRUE(sensitivity.at(0).trials.outcomes.empty());
+}
+
+TEST(GateSensitivity, FindsOutARowThatJudgesNothing) {
+  const auto sensitivity =
+      gate_sensitivity(surge_with({surge_row("forced", Metric::amplitude_error, "1", 1e300),
+                                   surge_row("forced", Metric::phase_lag, "deg", 5)}));
+  EXPECT_EQ(
+      broken_claims(sensitivity),
+      std::vector<std::string>{"particles, forced amplitude_error of elevation@right: detects "
+                               "no change of its candidate's values"});
+}
+
+TEST(GateSensitivity, MeasuresTheDatumByTheFillDepthAndItsPressure) {
+  const CaseDefinition definition = surge_case();
+  EXPECT_DOUBLE_EQ(datum_of(definition, "elevation@right"), 0.35);
+  EXPECT_DOUBLE_EQ(datum_of(definition, "wall_pressure@side"), 1000 * 9.81 * 0.35);
+  EXPECT_DOUBLE_EQ(datum_of(definition, "wall_pressure@side/filtered"), 1000 * 9.81 * 0.35);
+  EXPECT_EQ(datum_of(definition, "force_x"), 0);
+}
+
+TEST(GateSensitivity, FindsOutARowThatLetsPassWhatItMustDetect) {
+  RowSensitivity blind{
+      surge_row("forced", Metric::amplitude_error, "1", 0.05),
+      {true,
+       {{{MutationKind::louder, 0.2}, true, false}, {{MutationKind::quieter, 0.2}, true, true}}}};
+  ASSERT_EQ(broken_claims({blind}).size(), 1U);
+  EXPECT_EQ(broken_claims({blind})[0],
+            "particles, forced amplitude_error of elevation@right: louder 0.2 should be detected "
+            "and is not");
+}
+
+}  // namespace
+}  // namespace slosh::gate_sensitivity_test
