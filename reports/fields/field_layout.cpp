@@ -88,8 +88,9 @@ FieldLayout field_layout(const FieldFigure& figure) {
   const Extent extent = rolled_tanks(figure);
   const double width = extent.right - extent.left, height = extent.top - extent.bottom;
   const int highest_cell = figure.panel_height > 0 ? figure.panel_height : tallest_cell;
-  layout.scale = std::min((widest_canvas / layout.columns - smallest_gap - 2 * wall) / width,
-                          (highest_cell - 2 * wall) / height);
+  const int widest_cell = widest_canvas / layout.columns;
+  layout.scale =
+      std::min((widest_cell - smallest_gap - 2 * wall) / width, (highest_cell - 2 * wall) / height);
   layout.cell_width = static_cast<int>(std::ceil(layout.scale * width + 2 * wall));
   layout.cell_height = static_cast<int>(std::ceil(layout.scale * height + 2 * wall));
   layout.axis = {wall - layout.scale * extent.left, wall - layout.scale * extent.bottom};

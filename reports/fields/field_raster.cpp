@@ -37,9 +37,11 @@ struct PixelState {
 std::vector<int> field_raster(const FieldPanel& panel, const FieldLayout& layout,
                               const ColourRange& range) {
   const int width = layout.cell_width, height = layout.cell_height;
-  std::vector<PixelState> pixels(static_cast<std::size_t>(width * height));
+  std::vector<PixelState> pixels(static_cast<std::size_t>(width) *
+                                 static_cast<std::size_t>(height));
   const auto at = [&](int column, int row) -> PixelState& {
-    return pixels[static_cast<std::size_t>(row * width + column)];
+    const int place = row * width + column;
+    return pixels[static_cast<std::size_t>(place)];
   };
   const double cosine = std::cos(panel.angle), sine = std::sin(panel.angle);
   const double half_width = panel.point_width * layout.scale / 2,

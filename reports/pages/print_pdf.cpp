@@ -19,7 +19,7 @@ namespace process = boost::process;
 
 boost::filesystem::path browser() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-    if (const auto found = process::search_path(name); !found.empty()) return found;
+    if (auto found = process::search_path(name); !found.empty()) return found;
   return {};
 }
 

@@ -20,7 +20,7 @@ std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share);
 
 // Returns "11.2 s (8.1 to 15.5)".
 std::string with_range(double value, double spread, const std::string& unit) {
-  const std::string text = fmt::format("{:.3g} {}", value, unit);
+  std::string text = fmt::format("{:.3g} {}", value, unit);
   if (!(spread > 0)) return text;
   return fmt::format("{} ({:.3g} to {:.3g})", text, value * std::exp(-spread),
                      value * std::exp(spread));
@@ -37,7 +37,7 @@ const CostColumn time_column{by_core_seconds, 1, "s"};
 const CostColumn memory_column{by_memory, 1.0 / 1048576, "MiB"};
 
 std::string reached_text(const CostAtError& found, const CostColumn& column) {
-  const std::string text = with_range(column.scale * found.cost, known_spread(found), column.unit);
+  std::string text = with_range(column.scale * found.cost, known_spread(found), column.unit);
   switch (found.reach) {
     case Reach::between:
       return text;

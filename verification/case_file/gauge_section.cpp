@@ -24,7 +24,7 @@ std::vector<double> read_times(const TomlTable& impacts, double period, double d
       fmt::format("a number from {:.6g} to {:.6g}, in s: a quarter of the period inside the run",
                   margin, duration - margin),
       [=](double time) { return time >= margin && time <= duration - margin; }};
-  const std::vector<double> times = impacts.increasing_numbers("times_s", inside_the_run);
+  std::vector<double> times = impacts.increasing_numbers("times_s", inside_the_run);
   if (times.empty()) impacts.refuse("times_s", "an array of at least one number, in s");
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(times[i] - times[i - 1] >= 2 * margin))
@@ -47,8 +47,10 @@ void read_repeats(const TomlTable& impacts, const std::filesystem::path& experim
   if (!table) return;
   const std::size_t most = PeakTable{}.impacts.size();
   if (read.times.size() > most)
-    impacts.refuse("peak_table", fmt::format("no table for {} times_s: it holds {} impacts",
-                                             read.times.size(), most));
+    impacts.refuse("peak_table",
+                   fmt::format("at most {} times_s beside it, one for each impact of a "
+                               "row; here are {}",
+                               most, read.times.size()));
   const bool named = !experiments.empty();
   read.peak_table = (named ? experiments : "SLOSH_EXPERIMENTS") / std::filesystem::path(*table);
   if (!named || !std::filesystem::is_regular_file(read.peak_table)) return;

@@ -55,7 +55,7 @@ struct HistoryForm {
 };
 
 std::filesystem::path file_beside(const TomlTable& table, const std::filesystem::path& case_file) {
-  const std::filesystem::path file = case_file.parent_path() / table.get("file", any_text());
+  std::filesystem::path file = case_file.parent_path() / table.get("file", any_text());
   if (!std::filesystem::is_regular_file(file)) {
     table.refuse("file",
                  "a CSV file's path relative to the case file; there is no " + file.string());

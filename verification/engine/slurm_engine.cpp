@@ -44,7 +44,7 @@ class Arrays {
     replace_file(file, script, Durability::process_crash);
 
     for (const SlurmArray& array : slurm_arrays(list.jobs())) {
-      const std::string id =
+      std::string id =
           submit(array, file, settings.tool, array.alone ? ids_ : std::vector<std::string>{});
       for (const std::size_t job : array.jobs)
         tasks_[job].id = fmt::format("{}_{}", id, job - array.jobs.front());
@@ -86,7 +86,7 @@ class Arrays {
       throw EngineError("sbatch: " + answer.err);
     }
     // "ID" or "ID;CLUSTER"
-    const std::string id = answer.out.substr(0, answer.out.find_first_of(";\n"));
+    std::string id = answer.out.substr(0, answer.out.find_first_of(";\n"));
     ids_.push_back(id);
     replace_file(ids_file_, nlohmann::json(ids_).dump(), Durability::process_crash);
     return id;

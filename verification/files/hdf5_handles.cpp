@@ -57,7 +57,7 @@ void require_scalar(hid_t attribute, const std::string& name) {
 
 // Copies and frees a string that HDF5 allocated; a null pointer gives the empty string.
 std::string take(char* text) {
-  const std::string copy = text ? text : "";
+  std::string copy = text ? text : "";
   H5free_memory(text);
   return copy;
 }

@@ -40,7 +40,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
 std::string agreed_unit(const SeriesSource& source, const std::string& key, const std::string& told,
                         const std::string& in_file, const std::string& si_unit) {
   const std::vector<std::string> known = unit_names(si_unit);
-  const std::string unit = told.empty() ? in_file : told;
+  std::string unit = told.empty() ? in_file : told;
   const std::string expected =
       fmt::format("a unit of {}, {}", si_unit == "s" ? "time" : source.quantity, one_of(known));
   if (!is_one_of(unit, known)) refuse(source.file.string(), key, unit, expected);

@@ -1,5 +1,7 @@
 #include "verification/results/result_store.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
 
 namespace slosh {
@@ -71,7 +73,7 @@ std::vector<std::string> ResultStore::keys() const {
     for (const auto& entry : fs::directory_iterator(question)) {
       const std::string answer = answer_in(entry.path().filename().string());
       if (is_half(answer) && entry.path().filename() != answer + lock_extension)
-        found.insert(name + "-" + answer);
+        found.insert(fmt::format("{}-{}", name, answer));
     }
   }
   return {found.begin(), found.end()};
