@@ -16,7 +16,7 @@ using reports::Figure;
 
 // With more changes than colours a legend cannot be read.
 constexpr std::size_t most_changes_named = 6;
-const std::string many_changes = ", one term changed";
+const std::string many_changes = ", one change";
 
 // A kind of cost, and how a figure shows it.
 struct CostAxis {

@@ -87,8 +87,17 @@ std::optional<std::string> outside(const PotentialRun&, const CaseDefinition& de
                      because == result.provenance.end() ? "" : ": " + because->second);
 }
 
-template <class Other>
-std::optional<std::string> outside(const Other&, const CaseDefinition&, const RunResult&) {
+// Simulations, records and programs of the user's declare no range.
+std::optional<std::string> outside(const SphRun&, const CaseDefinition&, const RunResult&) {
+  return {};
+}
+std::optional<std::string> outside(const InterFoamRun&, const CaseDefinition&, const RunResult&) {
+  return {};
+}
+std::optional<std::string> outside(const RecordRun&, const CaseDefinition&, const RunResult&) {
+  return {};
+}
+std::optional<std::string> outside(const ExternalRun&, const CaseDefinition&, const RunResult&) {
   return {};
 }
 

@@ -23,8 +23,6 @@
 namespace slosh {
 namespace {
 
-namespace fs = std::filesystem;
-
 // Enters the result under the run's name. Throws ResultError where it cannot be used.
 void take_result(const PlannedRun& planned, const CampaignSettings& settings, CaseRuns& runs) {
   RunResult result = read_result(planned.file);

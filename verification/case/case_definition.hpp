@@ -162,7 +162,7 @@ struct InterFoamRun {
 // Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the
 // highest elevation that it predicts stays below valid_elevation_over_depth times the fill depth.
 struct LinearRun {
-  int modes;               // that the tank's motion excites; 0 of a tank that stands
+  int modes;               // that the tank's motion excites; 0 of a still tank
   bool two_layer = false;  // count the gas in the dispersion relation
   double valid_elevation_over_depth;
 };

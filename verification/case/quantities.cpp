@@ -156,11 +156,11 @@ std::vector<std::string> compared_quantities(const CaseDefinition& definition) {
 }
 
 std::vector<std::string> impact_pressures(const CaseDefinition& definition) {
+  const std::string& impacts_gauge = definition.impacts.value().gauge;
   std::vector<std::string> series;
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     for (const Quantity& quantity : quantity_table())
-      if (gauge.name == definition.impacts.value().gauge &&
-          quantity.at == MeasuredAt::pressure_gauge)
+      if (gauge.name == impacts_gauge && quantity.at == MeasuredAt::pressure_gauge)
         add_series(quantity, gauge, series);
   return series;
 }

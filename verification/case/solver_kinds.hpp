@@ -29,7 +29,7 @@ struct SolverKind {
   bool solves_flow = false;          // it leaves the fields of the whole flow in its result
   bool has_particles = false;        // it can write snapshot files, and states to restart from
   bool takes_time_limit = false;     // of wall time, from the command line
-  bool can_refer = true;             // another run can be compared with it
+  bool can_refer = true;             // `slosh converge` may take it as the reference
   bool can_end_early = false;        // its series may end before the case's duration
   bool leaves_coarser = false;       // each series also from fewer nodes, with the suffix `coarser`
   bool declares_quantities = false;  // its keys name the quantities that it has

@@ -44,7 +44,7 @@ Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
 }
 
 // Fewer show no motion; more make a page that takes long to load.
-constexpr long fewest_moments = 3, most_moments = 60;
+constexpr long fewest_times = 3, most_times = 60;
 
 }  // namespace
 
@@ -78,15 +78,15 @@ std::vector<double> read_animation(const TomlTable& animation, const CaseDefinit
   const Rule<double> rule = sampled(definition);
   const double begin = animation.get("begin_s", rule), end = animation.get("end_s", rule),
                interval = animation.get("interval_s", rule);
-  const long moments = std::lround(std::floor((end - begin) / interval + 1e-9)) + 1;
-  if (!(moments >= fewest_moments && moments <= most_moments))
+  const long count = std::lround(std::floor((end - begin) / interval + 1e-9)) + 1;
+  if (!(count >= fewest_times && count <= most_times))
     animation.refuse("interval_s",
                      fmt::format("a number that gives {} to {} times from begin_s to end_s, in s",
-                                 fewest_moments, most_moments));
+                                 fewest_times, most_times));
   std::vector<double> times;
   const double first = std::round(begin / definition.sample_interval),
                stride = std::round(interval / definition.sample_interval);
-  for (long i = 0; i < moments; ++i)
+  for (long i = 0; i < count; ++i)
     times.push_back((first + static_cast<double>(i) * stride) * definition.sample_interval);
   return times;
 }

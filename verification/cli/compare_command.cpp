@@ -118,12 +118,6 @@ TimeWindow window_of(const CompareOptions& options, const std::optional<CaseDefi
           std::min(candidate.time.back(), reference.time.back())};
 }
 
-std::string with_interval(const Estimate& estimate, const std::string& unit) {
-  const std::string value = in_unit(estimate.value, unit);
-  if (!(estimate.half_width > 0)) return value;  // e.g. a norm over the whole window without modes
-  return value + " +- " + in_unit(estimate.half_width, unit);
-}
-
 std::string peaks_text(const std::vector<SpectralPeak>& peaks) {
   std::vector<std::string> texts;
   for (const SpectralPeak& peak : peaks) texts.push_back(fmt::format("{:.4g} Hz", peak.frequency));
@@ -136,7 +130,7 @@ void print_modes(const Comparison& comparison) {
   for (const ModeComparison& mode : comparison.modes) {
     std::cout << fmt::format("mode {} ({:.4g} Hz){}\n", mode.mode,
                              mode.reference.angular_frequency.value / (2 * std::numbers::pi),
-                             mode.resolved() ? "" : ", cannot be told from the rest");
+                             mode.resolved() ? "" : ", cannot be resolved");
     std::cout << "  amplitude error: " << with_interval(mode.amplitude_error, "1") << "\n"
               << "  phase lag: " << with_interval(mode.phase_lag_degrees, "deg") << " ("
               << with_interval(mode.phase_lag, "s") << ")\n";

@@ -51,7 +51,8 @@ std::map<Input, InputBounds> predict_input_bounds(const CaseDefinition& definiti
       bounds[one.input] = {predicted(definition, *theory, one.input, -one.half_width),
                            predicted(definition, *theory, one.input, one.half_width)};
     } catch (const std::exception&) {
-      continue;  // the tank is impossible at that bound; the row then says that no theory holds
+      continue;  // the tank is impossible at that bound; the row then says that no theory predicts
+                 // it
     }
   }
   return bounds;
@@ -88,7 +89,8 @@ Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns&
     try {
       if (bounds == runs.input_bounds.end())
         throw ComparisonError(
-            "no theory of the case is inside its range, and the input names no coarse_run");
+            "no theory of the liquid alone predicts the case at both bounds, and no coarse_run was "
+            "computed at both");
       const auto value = [&](const RunResult& at_bound) {
         return measure_with(row, row.candidate, at_bound.at(row.quantity)).value;
       };

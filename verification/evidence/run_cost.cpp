@@ -109,7 +109,7 @@ std::vector<WorkPoint> by_memory(const WorkFamily& family) {
 CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,
                           const GateRow& row, const FindComparison& comparison) {
   const WorkFamily family = family_of_row(definition, runs, row, comparison);
-  const CostAtError found = cost_at_error(by_core_seconds(family), row.error.value());
+  CostAtError found = cost_at_error(by_core_seconds(family), row.error.value());
   if (found.reach == Reach::not_at_all) require_all_runs(definition, runs, family);
   require_timings(family, found);
   // The cost is then an upper bound, which is enough to pass where it is within the limit.

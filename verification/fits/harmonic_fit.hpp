@@ -18,11 +18,11 @@
 
 namespace slosh {
 
-// A fitted tone. It is not resolved where it cannot be told from noise (the interval of its
-// amplitude, with 3.64 in place of 1.96 standard errors, reaches zero), or where the search for a
-// refined tone ended at an end of its range. For a refined tone that is not resolved, the interval
-// of the amplitude reaches down to zero, and the half widths of frequency, decay rate and phase
-// are the whole range that was searched (phase: pi).
+// A fitted tone. It is not resolved where it cannot be distinguished from noise (the interval of
+// its amplitude, with 3.64 in place of 1.96 standard errors, reaches zero), or where the search for
+// a refined tone ended at an end of its range. For a refined tone that is not resolved, the
+// interval of the amplitude reaches down to zero, and the half widths of frequency, decay rate and
+// phase are the whole range that was searched (phase: pi).
 struct Tone {
   std::string name;
   bool resolved;

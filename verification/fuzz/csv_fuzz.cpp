@@ -10,14 +10,14 @@
 
 namespace {
 
-// The elevation from a table of this format: from the first of the columns that the format's row
-// gives as examples, or from one that the corpus has.
+// The elevation from a table of this format: from the column that its row gives as an example, or
+// from one that the corpus has.
 slosh::SeriesSource source_of(const slosh::FileFormat& format, const std::filesystem::path& file) {
   const bool is_named = format.time_column == slosh::TimeColumn::must_be_named;
   return {.quantity = "elevation@right",
           .file = file,
           .format = format.name,
-          .column = is_named ? "eta" : format.columns.substr(0, format.columns.find_first_of(",;")),
+          .column = is_named ? "eta" : format.example,
           .unit = "m",
           .time_column = is_named ? "t_s" : ""};
 }

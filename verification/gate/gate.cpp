@@ -17,12 +17,6 @@
 namespace slosh {
 namespace {
 
-std::string with_interval(const Estimate& estimate, const std::string& unit) {
-  std::string value = in_unit(estimate.value, unit);
-  if (!(estimate.half_width > 0)) return value;  // a whole-window metric has none
-  return value + " +- " + in_unit(estimate.half_width, unit);
-}
-
 // The estimate must be nearer to zero by more than both intervals together, or its interval must
 // hold zero and have a half width below the other's magnitude.
 bool improves(const Estimate& estimate, const Estimate& other) {
@@ -52,7 +46,7 @@ Verdict verdict_of_kind(const GateRow& row, Verdict verdict, const std::string& 
 }
 
 std::string with_missing(const std::string& text, const std::string& missing) {
-  return missing.empty() ? text : text + ", as far as known: " + missing;
+  return missing.empty() ? text : text + "; not included: " + missing;
 }
 
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
@@ -318,6 +312,12 @@ std::string row_name(const GateRow& row) {
 
 std::string in_unit(double value, const std::string& unit) {
   return unit == "1" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string with_interval(const Estimate& estimate, const std::string& unit) {
+  std::string value = in_unit(estimate.value, unit);
+  if (!(estimate.half_width > 0)) return value;  // a whole-window metric has none
+  return value + " +- " + in_unit(estimate.half_width, unit);
 }
 
 }  // namespace slosh

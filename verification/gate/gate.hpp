@@ -131,4 +131,7 @@ std::string row_name(const GateRow& row);
 // "1.5 %" for the unit "1"; "0.034 Pa" for any other
 std::string in_unit(double value, const std::string& unit);
 
+// "0.012 +- 0.003"; the value alone where the estimate has no interval.
+std::string with_interval(const Estimate& estimate, const std::string& unit);
+
 }  // namespace slosh

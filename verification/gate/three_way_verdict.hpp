@@ -1,12 +1,12 @@
-// A verdict that accounts for its uncertainty, after ASME V&V 20-2009. The comparison error is E =
-// S
-// - D (simulation less data; every metric of the gate is such an error), and its validation
-// uncertainty is
+// A verdict that accounts for its uncertainty, after ASME V&V 20-2009. The comparison error
+//   E = S - D
+// is simulation less data (every metric of the gate is such an error). Its validation uncertainty
+// is
 //   U_val = sqrt(U_discretisation^2 + U_statistics^2 + U_input^2 + U_reference^2)
 // The verdict is pass where the whole interval from E - U_val to E + U_val lies within the bound,
-// fail where all of it lies outside, and inconclusive where the interval holds the bound. For |E|
-// <= limit it is pass where |E| + U_val <= limit, and fail where |E| - U_val > limit. The first two
-// terms are the standard's numerical uncertainty; they are separate here because they have
+// fail where all of it lies outside, and inconclusive where the interval holds the bound. For a
+// bound on |E| it is pass where |E| + U_val <= limit, and fail where |E| - U_val > limit. The first
+// two terms are the standard's numerical uncertainty; they are separate here because they have
 // different remedies. All terms are expanded 95 % half widths. The standard adds standard
 // uncertainties and expands the sum, which is the same where all terms have one coverage factor. An
 // unknown contribution counts as zero in U_val; whether a row may then still pass depends on its

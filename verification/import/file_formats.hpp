@@ -22,7 +22,8 @@ enum class TimeColumn { known_by_format, must_be_named, may_be_named };
 struct FileFormat {
   std::string name;     // as in `--format` and in case files
   std::string files;    // which files have the format; shown by `import --help`
-  std::string columns;  // how their columns are named, an example first; shown there too
+  std::string columns;  // how their columns are named; shown there too
+  std::string example;  // a column that such a file has; empty where any name may stand
   TimeColumn time_column = TimeColumn::known_by_format;
   // Exactly one of these two is set. `read_head` reads the head of a text table: it gets a reader
   // on the file's first line and leaves it on the first row, or on the empty line after the end

@@ -8,11 +8,10 @@
 //
 // Alignment in time, for an advancing front whose time origin is uncertain (a dam's gate takes time
 // to open): the lag that minimises the normalised error,
-//   rms_t(c(t + l) - r(t)) / rms_t(r - mean r) -> min over |l| <= a quarter of the reference's
-//   span,
-// over the reference's times t at which the candidate has a value at t + l. The lag then measures
-// the origin, and the remaining error measures speed and shape. An oscillating quantity has one lag
-// per mode instead.
+//   rms_t(c(t + l) - r(t)) / rms_t(r - mean r) -> min,
+// for |l| up to a quarter of the reference's span and over the reference's times t at which the
+// candidate has a value at t + l. The lag then measures the origin, and the remaining error
+// measures speed and shape. An oscillating quantity has one lag per mode instead.
 #pragma once
 
 #include "verification/series/time_series.hpp"

@@ -66,6 +66,8 @@ Held both(Held one, Held other) {
 
 Finding within(const Shown& shown, const Estimate& estimate, const Threshold& range) {
   const auto [relation, lower, upper] = range;
+  if (relation != Relation::within)
+    throw std::logic_error(shown.name + " is compared with a range; the row has another relation");
   const double low = estimate.value - estimate.half_width,
                high = estimate.value + estimate.half_width;
   const auto in_unit = [&](double value) { return fmt::format("{:.3g}", shown.scale * value); };
@@ -78,8 +80,7 @@ Finding within(const Shown& shown, const Estimate& estimate, const Threshold& ra
                   unit, in_unit(lower), in_unit(upper));
   if (low >= lower && high <= upper) return {Held::yes, text};
   if (low > upper || high < lower) return {Held::no, text};
-  return {Held::undecided,
-          text + (std::isnan(low + high) ? ": no number" : ": within its interval")};
+  return {Held::undecided, text + (std::isnan(low + high) ? ": NaN" : ": within its interval")};
 }
 
 reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims) {

@@ -228,6 +228,7 @@ std::vector<Claim> claims_of(const string& paper, const std::vector<CaseAssessme
         claim.findings.push_back([each, &cases] { return each.evidence(cases, each); });
     claims.push_back(std::move(claim));
   }
+  if (claims.empty()) throw std::invalid_argument("no paper has the name " + paper);
   return claims;
 }
 

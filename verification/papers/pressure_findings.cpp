@@ -37,7 +37,7 @@ struct RecordedPressure {
 };
 
 RecordedPressure recorded_pressure(const Cases& cases, const FindingRow& row) {
-  const CaseAssessment& assessment = case_named(cases, row.cases[0]);
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const std::string& record_run = row.runs.at(1);
   const RunResult& measured = standing_result(assessment, record_run);
   const auto& definition = std::get<RecordRun>(run_named(assessment.definition, record_run).solver);
@@ -46,7 +46,8 @@ RecordedPressure recorded_pressure(const Cases& cases, const FindingRow& row) {
   window.begin = std::max(window.begin, record.time.front());
   window.end = std::min(window.end, record.time.back());
   return {assessment, record,
-          like_the_record(standing_result(assessment, row.runs[0]), definition.quantity), window};
+          like_the_record(standing_result(assessment, row.runs.at(0)), definition.quantity),
+          window};
 }
 
 // Returns any series of the run, through the filter of the case's pressure gauge.
@@ -57,10 +58,10 @@ TimeSeries filtered(const RunResult& result, const std::string& quantity, double
 
 const TimeSeries& impact_pressure(const Cases& cases, const FindingRow& row,
                                   const std::string& run) {
-  const CaseAssessment& assessment = case_named(cases, row.cases[0]);
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const RunResult& result = standing_result(assessment, run);
   if (!assessment.definition.impacts)
-    throw std::runtime_error("the case " + row.cases[0] + " says nothing of impacts");
+    throw std::runtime_error("the case " + row.cases.at(0) + " has no [impacts]");
   return result.at("wall_pressure@" + assessment.definition.impacts->gauge);
 }
 
@@ -69,8 +70,8 @@ bool is_among_repeats(const CaseDefinition& definition, std::size_t impact, doub
   const ImpactsDefinition& published = *definition.impacts;
   if (published.repeats.empty())
     return std::abs(peak - published.peak_means[impact]) <=
-           row.thresholds[1].upper * published.peak_deviations[impact];
-  return compare(repeated_peaks(definition, impact).percentile(peak), row.thresholds[0]) ==
+           row.thresholds.at(1).upper * published.peak_deviations[impact];
+  return compare(repeated_peaks(definition, impact).percentile(peak), row.thresholds.at(0)) ==
          Held::yes;
 }
 
@@ -101,7 +102,7 @@ struct StabilityOfWays {
 };
 
 StabilityOfWays stability(const Cases& cases, const FindingRow& row) {
-  const CaseAssessment& assessment = case_named(cases, row.cases[0]);
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   StabilityOfWays found;
   for (const std::string& study : row.runs) {
     std::array<bool, 2> done{};
@@ -134,7 +135,7 @@ double spread(const CaseAssessment& assessment, const std::string& way, const Fi
   const TimeSeries& best = standing_result(assessment, finest_run).at(quantity);
   double sum = 0;
   for (std::size_t i = 0; i + 1 < row.runs.size(); ++i)
-    sum += difference(standing_result(assessment, way + "_" + row.runs[i]).at(quantity), best,
+    sum += difference(standing_result(assessment, way + "_" + row.runs.at(i)).at(quantity), best,
                       comparison_window(assessment.definition))
                .with_means;
   return sum / static_cast<double>(row.runs.size() - 1);
@@ -148,8 +149,8 @@ Finding phase_against_record(const Cases& cases, const FindingRow& row) {
   const RecordedPressure found = recorded_pressure(cases, row);
   const ToneDifference tone = tone_difference(found.run, found.record, found.window,
                                               forcing_frequency(found.assessment.definition));
-  Finding finding = within({row.runs[0] + ": lag behind the record", 1, "deg"}, tone.lag_degrees,
-                           row.thresholds[0]);
+  Finding finding = within({row.runs.at(0) + ": lag behind the record", 1, "deg"}, tone.lag_degrees,
+                           row.thresholds.at(0));
   finding.text += fmt::format(", {:.2f} ± {:.2f} times its amplitude", tone.amplitude_ratio.value,
                               tone.amplitude_ratio.half_width);
   return finding;
@@ -158,36 +159,36 @@ Finding phase_against_record(const Cases& cases, const FindingRow& row) {
 Finding shape_against_record(const Cases& cases, const FindingRow& row) {
   const RecordedPressure found = recorded_pressure(cases, row);
   const HistoryDifference apart = difference(found.run, found.record, found.window);
-  Finding finding =
-      within({row.runs[0] + ": rms difference to the record, both freed of their means,", 100, "%"},
-             {apart.without_means, 0}, row.thresholds[0]);
+  Finding finding = within(
+      {row.runs.at(0) + ": rms difference to the record, both freed of their means,", 100, "%"},
+      {apart.without_means, 0}, row.thresholds.at(0));
   finding.text += fmt::format(", {:.0f} % as they are: the record lies {:+.0f} Pa off",
                               100 * apart.with_means, apart.offset);
   return finding;
 }
 
 Finding difference_of_runs(const Cases& cases, const FindingRow& row) {
-  const CaseAssessment& assessment = case_named(cases, row.cases[0]);
-  const RunResult& one = standing_result(assessment, row.runs[0]);
-  const RunResult& other = standing_result(assessment, row.runs[1]);
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
+  const RunResult& one = standing_result(assessment, row.runs.at(0));
+  const RunResult& other = standing_result(assessment, row.runs.at(1));
   const auto [pressure, cutoff] = filtered_gauge(assessment.definition);
   const bool of_pressure = row.quantity == "wall_pressure";
   const std::string quantity = of_pressure ? pressure : row.quantity;
   const HistoryDifference apart =
       difference(filtered(one, quantity, cutoff), filtered(other, quantity, cutoff),
                  comparison_window(assessment.definition));
-  return within({fmt::format("{} against {}: rms difference of {}", row.runs[0], row.runs[1],
+  return within({fmt::format("{} against {}: rms difference of {}", row.runs.at(0), row.runs.at(1),
                              of_pressure ? quantity : quantity + "/filtered"),
                  100, "%"},
-                {apart.with_means, 0}, row.thresholds[0]);
+                {apart.with_means, 0}, row.thresholds.at(0));
 }
 
 Finding impact_times(const Cases& cases, const FindingRow& row) {
-  const TimeSeries& pressure = impact_pressure(cases, row, row.runs[0]);
-  const CaseDefinition& definition = case_named(cases, row.cases[0]).definition;
+  const TimeSeries& pressure = impact_pressure(cases, row, row.runs.at(0));
+  const CaseDefinition& definition = case_named(cases, row.cases.at(0)).definition;
   const ImpactsDefinition& published = *definition.impacts;
   const auto peaks = impacts_in(pressure, definition);
-  const double allowed = row.thresholds[0].upper * published.period;
+  const double allowed = row.thresholds.at(0).upper * published.period;
   std::vector<std::string> texts;
   bool all = true;
   for (std::size_t n = 0; n < peaks.size(); ++n) {
@@ -196,19 +197,19 @@ Finding impact_times(const Cases& cases, const FindingRow& row) {
     all = all && std::abs(late) <= allowed;
   }
   return {all ? Held::yes : Held::no, fmt::format("{}: impacts late by {} s (at most {:.3f})",
-                                                  row.runs[0], fmt::join(texts, ", "), allowed)};
+                                                  row.runs.at(0), fmt::join(texts, ", "), allowed)};
 }
 
 Finding plateau_against_published(const Cases& cases, const FindingRow& row) {
-  const TimeSeries& pressure = impact_pressure(cases, row, row.runs[0]);
-  return within({row.runs[0] + ": plateau against the published one", 100, "%"},
-                {plateau_error(pressure, case_named(cases, row.cases[0]).definition), 0},
-                row.thresholds[0]);
+  const TimeSeries& pressure = impact_pressure(cases, row, row.runs.at(0));
+  return within({row.runs.at(0) + ": plateau against the published one", 100, "%"},
+                {plateau_error(pressure, case_named(cases, row.cases.at(0)).definition), 0},
+                row.thresholds.at(0));
 }
 
 Finding peaks_among_repeats(const Cases& cases, const FindingRow& row) {
-  const TimeSeries& pressure = impact_pressure(cases, row, row.runs[0]);
-  const CaseDefinition& definition = case_named(cases, row.cases[0]).definition;
+  const TimeSeries& pressure = impact_pressure(cases, row, row.runs.at(0));
+  const CaseDefinition& definition = case_named(cases, row.cases.at(0)).definition;
   const auto peaks = impacts_in(pressure, definition);
   std::vector<std::string> texts;
   int missed = 0;
@@ -216,11 +217,11 @@ Finding peaks_among_repeats(const Cases& cases, const FindingRow& row) {
     texts.push_back(peaks[n] ? place_among_repeats(definition, n, peaks[n]->pressure) : "none");
     missed += !(peaks[n] && is_among_repeats(definition, n, peaks[n]->pressure, row));
   }
-  const Threshold &percentiles = row.thresholds[0], &deviations = row.thresholds[1],
-                  &outside = row.thresholds[2];
+  const Threshold &percentiles = row.thresholds.at(0), &deviations = row.thresholds.at(1),
+                  &outside = row.thresholds.at(2);
   return {compare(missed, outside),
           fmt::format("{}: peaks at {} of the repeats ({} to {} % or within {} sd; all but {})",
-                      row.runs[0], fmt::join(texts, ", "), percentiles.lower, percentiles.upper,
+                      row.runs.at(0), fmt::join(texts, ", "), percentiles.lower, percentiles.upper,
                       deviations.upper, outside.upper)};
 }
 
@@ -236,8 +237,8 @@ Finding fixed_more_stable(const Cases& cases, const FindingRow& row) {
       failed(1) < failed(0)   ? Held::yes
       : failed(1) > failed(0) ? Held::no
                               : Held::undecided,
-      clearly_smaller(noise, 1, row.thresholds[0]),
-      clearly_smaller(found.crossings[1], found.crossings[0], row.thresholds[0])};
+      clearly_smaller(noise, 1, row.thresholds.at(0)),
+      clearly_smaller(found.crossings[1], found.crossings[0], row.thresholds.at(0))};
   const bool better = std::count(parts.begin(), parts.end(), Held::yes) > 0;
   const bool worse = std::count(parts.begin(), parts.end(), Held::no) > 0;
   std::string text = fmt::format(
@@ -252,15 +253,15 @@ Finding fixed_more_stable(const Cases& cases, const FindingRow& row) {
 }
 
 Finding fixed_converges_better(const Cases& cases, const FindingRow& row) {
-  const CaseAssessment& assessment = case_named(cases, row.cases[0]);
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const double moving = spread(assessment, "moving", row);
   const double fixed = spread(assessment, "fixed", row);
-  const Held held = clearly_smaller(fixed, moving, row.thresholds[0]);
+  const Held held = clearly_smaller(fixed, moving, row.thresholds.at(0));
   return {held,
           fmt::format("{}: rms difference of the filtered pressure to {} {:.0f} % fixed, "
                       "{:.0f} % moving (at most {} times as much){}",
-                      row.name, row.runs.back(), 100 * fixed, 100 * moving, row.thresholds[0].upper,
-                      held == Held::undecided ? ": alike or no number" : "")};
+                      row.name, row.runs.back(), 100 * fixed, 100 * moving,
+                      row.thresholds.at(0).upper, held == Held::undecided ? ": equal or NaN" : "")};
 }
 
 }  // namespace evidence

@@ -35,15 +35,15 @@ const ModeComparison& mode_named(const Comparison& comparison, const std::string
     if (mode.mode == name) {
       if (mode.resolved()) return mode;
       throw std::runtime_error(
-          fmt::format("{} of {} cannot be told from the rest", name, comparison.candidate));
+          fmt::format("{} of {} cannot be resolved", name, comparison.candidate));
     }
   throw std::runtime_error(name + " was not fitted");
 }
 
 Finding mode_error(const Cases& cases, const FindingRow& row, Estimate ModeComparison::*error) {
-  const Comparison& comparison = against_theory(case_named(cases, row.cases[0]), row);
-  return within({row.runs[0] + ": " + row.name, 100, "%"},
-                mode_named(comparison, row.quantity).*error, row.thresholds[0]);
+  const Comparison& comparison = against_theory(case_named(cases, row.cases.at(0)), row);
+  return within({row.runs.at(0) + ": " + row.name, 100, "%"},
+                mode_named(comparison, row.quantity).*error, row.thresholds.at(0));
 }
 
 struct BothSpectra {
@@ -53,8 +53,8 @@ struct BothSpectra {
 };
 
 BothSpectra both_spectra(const Cases& cases, const FindingRow& row) {
-  return {surface_spectrum(case_named(cases, row.cases[0]), row.runs[0]),
-          surface_spectrum(case_named(cases, row.cases[1]), row.runs[0])};
+  return {surface_spectrum(case_named(cases, row.cases.at(0)), row.runs.at(0)),
+          surface_spectrum(case_named(cases, row.cases.at(1)), row.runs.at(0))};
 }
 
 // A missing peak, of NaN, speaks against two peaks.
@@ -79,23 +79,23 @@ Finding amplitude_against_theory(const Cases& cases, const FindingRow& row) {
 }
 
 Finding flattened_crests(const Cases& cases, const FindingRow& row) {
-  const CaseAssessment& assessment = case_named(cases, row.cases[0]);
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   against_theory(assessment, row);
   const std::string quantity = at_first_gauge(assessment.definition, "elevation");
   const TimeWindow window = comparison_window(assessment.definition);
-  const double ours = skewness(standing_result(assessment, row.runs[0]).at(quantity), window);
-  const double theory = skewness(standing_result(assessment, row.runs[1]).at(quantity), window);
-  return {compare(theory - ours, row.thresholds[0]),
+  const double ours = skewness(standing_result(assessment, row.runs.at(0)).at(quantity), window);
+  const double theory = skewness(standing_result(assessment, row.runs.at(1)).at(quantity), window);
+  return {compare(theory - ours, row.thresholds.at(0)),
           fmt::format("{}: skewness of the elevation {:+.3f} against theory's {:+.3f} (at least "
                       "{:.2g} less)",
-                      row.runs[0], ours, theory, row.thresholds[0].upper)};
+                      row.runs.at(0), ours, theory, row.thresholds.at(0).upper)};
 }
 
 Finding violent_motion(const Cases& cases, const FindingRow& row) {
-  const CaseAssessment& assessment = case_named(cases, row.cases[0]);
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const CaseDefinition& definition = assessment.definition;
   const TimeSeries elevation = cut_to_window(
-      standing_result(assessment, row.runs[0]).at(at_first_gauge(definition, "elevation")),
+      standing_result(assessment, row.runs.at(0)).at(at_first_gauge(definition, "elevation")),
       comparison_window(definition));
   const auto [lowest, highest] =
       std::minmax_element(elevation.value.begin(), elevation.value.end());
@@ -103,16 +103,16 @@ Finding violent_motion(const Cases& cases, const FindingRow& row) {
   // A surface that never falls has no trough to compare with.
   const double ratio = *lowest < 0 ? *highest / -*lowest : not_a_number;
   return {
-      both(compare(over_depth, row.thresholds[0]), compare(ratio, row.thresholds[1])),
+      both(compare(over_depth, row.thresholds.at(0)), compare(ratio, row.thresholds.at(1))),
       fmt::format("{} of {}: highest elevation {:.2f} depths (at least {:.2g}), {:.2f} times as "
                   "high as the lowest is deep (at least {:.3g})",
-                  row.runs[0], definition.name, over_depth, row.thresholds[0].upper, ratio,
-                  row.thresholds[1].upper)};
+                  row.runs.at(0), definition.name, over_depth, row.thresholds.at(0).upper, ratio,
+                  row.thresholds.at(1).upper)};
 }
 
 Finding peaks_at_multiples(const Cases& cases, const FindingRow& row) {
   const BothSpectra found = both_spectra(cases, row);
-  const Threshold &at_frequency = row.thresholds[0], &grows = row.thresholds[1];
+  const Threshold &at_frequency = row.thresholds.at(0), &grows = row.thresholds.at(1);
   const bool placed =
       at_multiples(found.smaller, at_frequency) && at_multiples(found.larger, at_frequency);
   const auto text = [](const SurfaceSpectrum& one) {
@@ -123,22 +123,22 @@ Finding peaks_at_multiples(const Cases& cases, const FindingRow& row) {
   return {placed ? grown : Held::no,
           fmt::format("{}: peaks at {}, then {} (within {:.2g} % of {:.3f} and {:.3f} Hz); powers "
                       "grow {:.3g} and {:.3g} times (at least {})",
-                      row.runs[0], text(found.smaller), text(found.larger),
+                      row.runs.at(0), text(found.smaller), text(found.larger),
                       100 * at_frequency.upper, found.smaller.excitation,
                       2 * found.smaller.excitation, found.growth(0), found.growth(1), grows.upper)};
 }
 
 Finding growth_of_peak_ratio(const Cases& cases, const FindingRow& row) {
   const BothSpectra found = both_spectra(cases, row);
-  const Threshold &grows = row.thresholds[0], &near_printed = row.thresholds[1];
+  const Threshold &grows = row.thresholds.at(0), &near_printed = row.thresholds.at(1);
   const double smaller = found.smaller.ratio(), larger = found.larger.ratio();
-  return {
-      both(compare(larger / smaller, grows), both(compare(smaller / row.printed[0], near_printed),
-                                                  compare(larger / row.printed[1], near_printed))),
-      fmt::format("{}: first over second from {:.3g} to {:.3g} (printed: {:.2f} to {:.3f}; met "
-                  "within a factor of {})",
-                  row.runs[0], smaller, larger, row.printed[0], row.printed[1],
-                  near_printed.upper)};
+  return {both(compare(larger / smaller, grows),
+               both(compare(smaller / row.printed.at(0), near_printed),
+                    compare(larger / row.printed.at(1), near_printed))),
+          fmt::format("{}: first over second from {:.3g} to {:.3g} (printed: {:.2f} to {:.3f}; met "
+                      "within a factor of {})",
+                      row.runs.at(0), smaller, larger, row.printed.at(0), row.printed.at(1),
+                      near_printed.upper)};
 }
 
 }  // namespace evidence

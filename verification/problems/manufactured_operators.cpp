@@ -2,10 +2,9 @@
 // the mirror particles of free-slip walls continue (operator_errors.hpp has the fields). Source:
 // Quinlan, Basa & Lastiwka 2006, Int. J. Numer. Meth. Eng. 66:2064; Monaghan 2005, Rep. Prog. Phys.
 // 68:1703. The errors, with k the fields' wave number:
-//   lattice     The smoothing error is (k h)^2 times half the kernel's second moment. The
-//   quadrature
-//               error depends on h / dp alone: it is constant where that ratio is constant, and of
-//               second order in h where the ratio grows.
+//   lattice     The smoothing error is (k h)^2 times half the kernel's second moment. The error
+//               of the quadrature depends on h / dp alone: it is constant where that ratio is
+//               constant, and of second order in h where the ratio grows.
 //   scattered   sum_b V_b grad W_ab is no longer zero. An operator with the sum p_a + p_b or with a
 //               second derivative has an error of disorder / (k h), of order -1 at constant h / dp;
 //               one with the difference v_a - v_b has a constant relative error, of order 0. At

@@ -30,10 +30,9 @@ struct Measured : Choice {
 };
 
 struct Resolution {
-  int cells;     // along each side of the box
-  double ratio;  // h / dp
-  double
-      disorder;  // largest displacement of a particle from its lattice position, over the spacing
+  int cells;        // along each side of the box
+  double ratio;     // h / dp
+  double disorder;  // [spacings], the largest displacement of a particle from the lattice
 
   double spacing() const { return 1.0 / cells; }
   double smoothing_length() const { return ratio / cells; }

@@ -1,10 +1,9 @@
 // Problem: a circular drop that rotates as a rigid body under a central force -Omega^2 r.
 //   omega = Omega       The force keeps every particle on its circle and p = 0: the pair sums must
-//   add
-//                       nothing, and the path shows the integrator's order in the time step.
-//   omega = Omega / 2   The pressure p = rho / 2 (Omega^2 - omega^2) (R^2 - r^2) balances the rest
-//   of
-//                       the force; a viscous stress that is not symmetric would slow the rotation.
+//                       add nothing, and the path shows the integrator's order in the time step.
+//   omega = Omega / 2   The pressure p = rho / 2 (Omega^2 - omega^2) (R^2 - r^2) balances the
+//                       rest of the force; a viscous stress that is not symmetric would slow the
+//                       rotation.
 // The forces of a pair act along the line between its particles, so that the angular momentum is
 // conserved to round-off. Source: Monaghan 2005, Rep. Prog. Phys. 68:1703 (conservation).
 #include <algorithm>

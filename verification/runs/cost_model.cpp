@@ -75,10 +75,8 @@ double time_of(const ExternalRun& external, const RunEffort&, const CaseDefiniti
 }
 
 // A record or a formula takes no more than the start of its process.
-template <class Other>
-double time_of(const Other&, const RunEffort&, const CaseDefinition&) {
-  return 0;
-}
+double time_of(const RecordRun&, const RunEffort&, const CaseDefinition&) { return 0; }
+double time_of(const ViscousWaveRun&, const RunEffort&, const CaseDefinition&) { return 0; }
 
 }  // namespace
 

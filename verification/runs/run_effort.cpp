@@ -8,7 +8,7 @@
 #include "openfoam_cases/time_step.hpp"
 #include "sph/start/initial_lattice.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/solvers/sph_scene.hpp"
+#include "verification/runs/sph_step.hpp"
 
 namespace slosh {
 namespace {
@@ -73,11 +73,11 @@ RunEffort effort_of(const ViscousWaveRun&, const CaseDefinition& definition, con
   return {.steps = samples(definition), .elements = 1};
 }
 
-// A record is only read, and nothing is known of an external program.
-template <class Other>
-RunEffort effort_of(const Other&, const CaseDefinition&, const RunDefinition&) {
-  return {};
-}
+// A record is only read.
+RunEffort effort_of(const RecordRun&, const CaseDefinition&, const RunDefinition&) { return {}; }
+
+// Nothing is known of an external program.
+RunEffort effort_of(const ExternalRun&, const CaseDefinition&, const RunDefinition&) { return {}; }
 
 }  // namespace
 

@@ -20,8 +20,7 @@ namespace slosh {
 //     that are files (external_command.hpp)
 // The origin is
 //   - the content of the solver's file in `builds`, which changes with the code of that solver
-//   alone
-//     (solver_builds.cmake)
+//     alone (solver_builds.cmake)
 //   - for interFoam, its version and the templates' content; for an external run, its program's
 // Throws std::filesystem::filesystem_error where one of these files cannot be read.
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,

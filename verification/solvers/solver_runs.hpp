@@ -50,7 +50,7 @@ RunResult run_solver(const RunRequest& request);
 //
 // require_scene throws CaseFileError (file:line) unless the solver takes the case. SPH's scheme
 // must be one of sph/'s; linear theory knows the whole liquid of a tank without obstacles that
-// moves or has an initial wave, and the viscous wave's theory a tank that stands under such a wave;
+// moves or has an initial wave, and the viscous wave's theory a still tank under such a wave;
 // the series of an external program must be of known formats, and its placeholders known.
 //
 // run_solver returns the result's series, active terms, diagnostics, steps and elements, and what

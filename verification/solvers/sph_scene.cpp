@@ -79,15 +79,4 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
   return scene;
 }
 
-std::optional<SphStep> sph_step(const CaseDefinition& definition, const RunDefinition& run) try {
-  const auto* sph = std::get_if<SphRun>(&run.solver);
-  if (!sph) return {};
-  const CaseDefinition solved = definition_solved_by(run, definition);
-  const double stable = sph::stable_time_step(sph->scheme, sph_scene(solved, *sph)),
-               interval = solved.sample_interval;
-  return SphStep{stable, interval / std::max(std::ceil(interval / stable - 1e-9), 1.0)};
-} catch (const std::invalid_argument&) {  // the solver refuses the run when it starts
-  return {};
-}
-
 }  // namespace slosh

@@ -1,8 +1,6 @@
 // A case as the SPH solver sees it.
 #pragma once
 
-#include <optional>
-
 #include "verification/case/case_definition.hpp"
 
 namespace slosh::sph {
@@ -14,20 +12,5 @@ namespace slosh {
 // Returns the tank, its motion, the liquid and the gauges, with the choices of one run. The caller
 // adds what the run records over time: snapshots and states.
 sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph);
-
-// The length of an SPH run's steps before it runs: the scheme's stable step of liquid at rest, and
-// the equal steps from one sample to the next that run_scheme.hpp makes of it. Violent flow
-// shortens them further.
-struct SphStep {
-  double stable;           // [s]
-  double between_samples;  // [s], the sample interval over a whole number
-
-  // Returns the share of the stable step that landing on the samples costs, from 0 to 1.
-  double lost_to_samples() const { return 1 - between_samples / stable; }
-};
-
-// Returns nullopt for a run of another solver, or one that SPH does not take (require_runnable,
-// run_case.hpp).
-std::optional<SphStep> sph_step(const CaseDefinition& definition, const RunDefinition& run);
 
 }  // namespace slosh

@@ -19,7 +19,7 @@ void require_scene(const ViscousWaveRun&, const CaseDefinition& definition,
   if (!definition.initial_wave || !definition.motion.still())
     throw refused(run,
                   "the viscous wave is a free one, let go from rest: expected an [initial_wave] in "
-                  "a tank that stands");
+                  "a still tank");
   wave_of(definition);
 } catch (const std::invalid_argument& error) {
   throw refused(run, error.what());

@@ -1,6 +1,7 @@
 // What the rooms of the project may include. The table in docs/architecture.md states it; this test
 // holds these rules:
 // - a room includes exactly the rooms that the table names for it;
+// - the leaves include nothing of the harness, directly or indirectly;
 // - what judges includes nothing of what draws, directly or indirectly;
 // - no room and no unit (a header and its source) includes itself indirectly;
 // - a folder holds at most `most_files` source files.
@@ -27,6 +28,15 @@ namespace fs = std::filesystem;
 const fs::path source = SLOSH_SOURCE_DIR;
 constexpr int most_files = 22;
 
+// These rooms never include anything of verification/, whatever the table says.
+const std::set<std::string> leaves{"sph",
+                                   "reference",
+                                   "openfoam_cases",
+                                   "reports/model",
+                                   "reports/drawing",
+                                   "reports/fields",
+                                   "reports/pages",
+                                   "reports/gate_documents"};
 const std::set<std::string> judges{"verification/gate", "verification/evidence"};
 
 // "verification/gate/gate.hpp" -> "verification/gate", "sph/terms/viscosity.hpp" -> "sph"
@@ -145,6 +155,9 @@ std::string differences(const Includes& rooms, const Allowed& allowed) {
 // One line for each of the other rules that is broken.
 std::string broken_rules(const Project& project) {
   std::string broken;
+  for (const std::string& leaf : leaves)
+    for (const std::string& room : reached(project.rooms, leaf))
+      if (room.starts_with("verification")) broken += leaf + " reaches " + room + "\n";
   for (const std::string& judge : judges)
     for (const std::string& room : reached(project.rooms, judge))
       if (room.starts_with("reports")) broken += judge + " reaches " + room + "\n";
@@ -192,6 +205,11 @@ TEST(IncludeRules, FindWhatTheTableDoesNotAllowAndWhatItAllowsInVain) {
   wrong.erase("reports/pages");
   wrong.erase("verification/cli");
   EXPECT_EQ(found(wrong), "verification/cli is in the table alone\n");
+}
+
+TEST(IncludeRules, FindALeafThatKnowsTheHarness) {
+  EXPECT_EQ(broken_rules({.rooms = {{"sph", {{"verification/files", "sph/a.hpp"}}}}}),
+            "sph reaches verification/files\n");
 }
 
 TEST(IncludeRules, FindAJudgeThatKnowsReportsByWayOfAnotherRoom) {

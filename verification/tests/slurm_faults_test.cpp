@@ -8,8 +8,6 @@
 namespace slosh::slurm_faults_test {
 namespace {
 
-namespace fs = std::filesystem;
-
 TEST_F(SlurmCampaign, LosesAndRepeatsNothingWhereAJobTheToolAndTheControllerAreKilled) {
   auto child = start(SLOSH_TOOL, on_slurm(), environment());
   ASSERT_TRUE(comes_true([&] { return files_of_store(".h5").size() >= 5; }, patience));

@@ -10,8 +10,8 @@
 #include "verification/results/result_file.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/runs/sph_step.hpp"
 #include "verification/solvers/solver_runs.hpp"
-#include "verification/solvers/sph_scene.hpp"
 
 namespace slosh {
 

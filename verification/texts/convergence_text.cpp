@@ -20,7 +20,7 @@ std::string order_text(const ConvergedMetric& metric) {
   if (!order) return "no order";
   return fmt::format("order {:.2f} {}", *order,
                      metric.order_half_width ? fmt::format("± {:.2f}", *metric.order_half_width)
-                                             : "(of unknown interval)");
+                                             : "(its interval is unknown)");
 }
 
 std::string metric_text(const ConvergedMetric& metric) {

@@ -5,7 +5,7 @@
 
 #include "verification/case/case_definition.hpp"
 #include "verification/results/result_file.hpp"
-#include "verification/solvers/sph_scene.hpp"
+#include "verification/runs/sph_step.hpp"
 
 namespace slosh {
 

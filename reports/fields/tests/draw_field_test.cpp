@@ -127,6 +127,36 @@ TEST(DrawnFieldPicture, GivesEachPlaceItsRectangle) {
   }
 }
 
+// The places of one panel at a time in a grid of two by two, against the layout: gnuplot puts each
+// panel where the layout says.
+TEST(DrawnFieldPicture, HasEachPanelInItsRowAndColumn) {
+  const FieldFigure empty = [] {
+    FieldFigure figure = two_places(0, false);
+    figure.panels[0].x = figure.panels[0].z = figure.panels[0].value = {};
+    figure.columns = 2;
+    return figure;
+  }();
+  for (int panel = 0; panel < 4; ++panel) {
+    FieldFigure figure = empty;
+    FieldPanel& filled = figure.panels[static_cast<std::size_t>(panel)];
+    filled.x = {0.4};
+    filled.z = {0.1};
+    filled.value = {1};
+    const FieldLayout layout = field_layout(figure);
+    const ScratchDirectory scratch;
+    const Patch found =
+        patch(picture_pixels(draw_field(figure, scratch.path()).png, scratch.path()), highest);
+    const Pixel place = layout.in_cell(filled, 0.4, 0.1);
+    const int row = panel / 2, column = panel % 2;
+    EXPECT_NEAR(found.x, layout.left + column * (layout.cell_width + layout.column_gap) + place.x,
+                2)
+        << panel;
+    const int bottom_of_cell =
+        layout.height - layout.row_top(row) - layout.label_lines * label_line - layout.cell_height;
+    EXPECT_NEAR(found.y, bottom_of_cell + place.y, 2) << panel;
+  }
+}
+
 TEST(DrawnFieldPicture, ChangesWithItsValues) {
   FieldFigure figure = two_places(0.1, false);
   const std::string before = drawn(figure).png;

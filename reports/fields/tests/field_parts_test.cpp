@@ -129,7 +129,7 @@ TEST(Layout, KeepsEveryTurnedTankInsideItsCellAndTheCellsApart) {
         layout.left + layout.columns * (layout.cell_width + layout.column_gap) - layout.column_gap,
         layout.width);
     EXPECT_GE(layout.row_top(0), key_height);
-    EXPECT_GT(layout.row_height(), layout.cell_height + label_line);
+    EXPECT_EQ(layout.row_height(), layout.label_lines * label_line + layout.cell_height + row_gap);
     EXPECT_LE(layout.row_top(layout.rows), layout.height);
     EXPECT_GE(layout.columns * layout.rows, static_cast<int>(figure.panels.size()));
     for (const FieldPanel& panel : figure.panels) {

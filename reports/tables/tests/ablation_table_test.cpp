@@ -154,7 +154,7 @@ TEST(CostFigure, GathersManyChangesUnderOneLabel) {
   const auto figures = case_figures(assess_ablations(ablations));
   const reports::Figure cost = cost_figure(figures);
   ASSERT_EQ(cost.curves.size(), 3u);
-  EXPECT_EQ(cost.curves[2].label, "recommended, one term changed against theory");
+  EXPECT_EQ(cost.curves[2].label, "recommended, one change against theory");
   EXPECT_EQ(cost.curves[2].x.size(), 12u);
   EXPECT_EQ(cost.curves[0].label, "Pareto front");
 }

@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "verification/case/ensemble.hpp"
-#include "verification/case/spacing_study.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/spacing_study.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/tests/temporary_directory.hpp"

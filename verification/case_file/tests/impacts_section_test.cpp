@@ -154,8 +154,8 @@ source = "a paper"
   EXPECT_EQ(read_text(text_with(five)).impacts->times.size(), 5u);
   const Workspace workspace;
   EXPECT_TRUE(complaint(workspace.write("trial.toml", text_with(five + "peak_table = \"p\"\n")))
-                  .starts_with("trial.toml:45: impacts.peak_table = \"p\": expected no table for "
-                               "5 times_s: it holds 4 impacts"));
+                  .starts_with("trial.toml:45: impacts.peak_table = \"p\": expected at most 4 "
+                               "times_s beside it, one for each impact of a row; here are 5"));
 }
 
 TEST(Impacts, NeedAPressureGauge) {

@@ -143,7 +143,7 @@ TEST(Gate, DoesNotPassAValidationRowWhoseNumericalOrReferencesUncertaintyIsUnkno
         UncertaintyContributions{.discretisation = unknown}}) {
     const GateOutcome outcome = judge_with(amplitude_row, 0.01, found);
     EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
-    EXPECT_EQ(outcome.message, "1 % +- 0.1 % <= 5 %, as far as known: nobody refined the mesh");
+    EXPECT_EQ(outcome.message, "1 % +- 0.1 % <= 5 %; not included: nobody refined the mesh");
     EXPECT_EQ(judge_with(amplitude_row, 0.08, found).verdict, Verdict::violated);
     GateRow regression = amplitude_row;
     regression.kind = RowKind::regression;

@@ -1,4 +1,4 @@
-#include "verification/case/spacing_study.hpp"
+#include "verification/case_file/spacing_study.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,11 @@
+#include "verification/runs/sph_step.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
 #include "verification/runs/run_case.hpp"
-#include "verification/solvers/sph_scene.hpp"
 #include "verification/tests/sample_case.hpp"
 
 namespace slosh::sph_step_test {
