@@ -174,6 +174,10 @@ sed -i '$d' "$project/verification/tool.cpp"
 run 4 campaign
 expect_in "$calls" dpkg-query # a package may have been what the build lacked
 
+# A configuration that ended halfway, with a cache and without a build, is made again.
+rm "$project/build/release/build.ninja"
+run 4 campaign
+
 # Two starts at once build one after the other.
 touch "$project/verification/tool.cpp"
 "$project/slosh" one >"$work/one" 2>&1 </dev/null &
