@@ -55,7 +55,7 @@ std::string colour_bar(const FieldFigure& figure, const FieldLayout& layout,
   std::vector<std::string> colours;
   for (std::size_t i = 0; i < field_colours.size(); ++i)
     colours.push_back(fmt::format("{} '{}'", i, field_colours[i]));
-  const double room = 0.6 * range.step;  // beside the labels of the ends, which are wider
+  const BarTicks ticks = bar_ticks(range, bar_width * layout.width);
   return fmt::format(
       "set palette maxcolors {} defined ({})\nset cbrange [{}:{}]\n"
       "set colorbox user horizontal origin screen {},{:.5f} size screen {},{:.5f} noborder\n"
@@ -64,10 +64,9 @@ std::string colour_bar(const FieldFigure& figure, const FieldLayout& layout,
       "{})\n"
       "set cblabel {} offset 0,0.8 textcolor rgb '{}'\n",
       colour_levels, fmt::join(colours, ", "), range.lower, range.upper, bar_start,
-      1 - bar_bottom / layout.height, bar_width, bar_height / layout.height,
-      range.step * std::ceil((range.lower + room) / range.step), range.step, range.upper - room,
-      ink.light, quoted(range.lower_label), range.lower, quoted(range.upper_label), range.upper,
-      quoted(figure.value_label), ink.light);
+      1 - bar_bottom / layout.height, bar_width, bar_height / layout.height, ticks.first,
+      range.step, ticks.last + range.step / 4, ink.light, quoted(range.lower_label), range.lower,
+      quoted(range.upper_label), range.upper, quoted(figure.value_label), ink.light);
 }
 
 // A part of the key: an arrow of the given length [px] with words below it.

@@ -15,9 +15,18 @@ constexpr double largest_magnitude = 1e300;
 constexpr double robust_fraction = 0.01;  // of the values, left out at either end
 constexpr double smallest_width = 1e-9;   // of the values: more uniform fields get a wider range
 constexpr int fewest_steps = 5;           // between the ticks of a bar
+constexpr double letter_width = 7.6;      // [px], of gnuplot's 'sans,12'
+constexpr double label_gap = 10;          // [px], between the labels of two ticks
 
 std::string tick_label(double value) {
   return boost::replace_all_copy(fmt::format("{:.6g}", value), "-", "−");
+}
+
+// The characters of a text in UTF-8.
+std::size_t letters_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char one) {
+    return (static_cast<unsigned char>(one) & 0xc0) != 0x80;
+  }));
 }
 
 // The smallest range that holds both values and ends at multiples of its step.
@@ -54,6 +63,24 @@ double percentile(std::vector<double>& samples, double fraction) {
   const auto place = samples.begin() + rank;
   std::nth_element(samples.begin(), place, samples.end());
   return *place;
+}
+
+BarTicks bar_ticks(const ColourRange& range, double bar_length) {
+  const double value_of_pixel = (range.upper - range.lower) / bar_length;
+  // Half of both labels beside each other and a gap, as a difference of values.
+  const auto room = [&](const std::string& end, double neighbour) {
+    const std::size_t letters = letters_in(end) + letters_in(tick_label(neighbour));
+    return (letter_width * static_cast<double>(letters) / 2 + label_gap) * value_of_pixel;
+  };
+  const auto multiple = [&](double steps) { return range.step * steps; };
+  BarTicks ticks{multiple(std::floor(range.lower / range.step) + 1),
+                 multiple(std::ceil(range.upper / range.step) - 1)};
+  while (ticks.first - range.lower < room(range.lower_label, ticks.first) &&
+         ticks.first < range.upper)
+    ticks.first += range.step;
+  while (range.upper - ticks.last < room(range.upper_label, ticks.last) && ticks.last > range.lower)
+    ticks.last -= range.step;
+  return ticks;
 }
 
 ColourRange colour_range(const FieldFigure& figure) {

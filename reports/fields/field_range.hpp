@@ -25,6 +25,15 @@ struct ColourRange {
   std::string lower_label, upper_label;  // "≤" or "≥" marks an end beyond which values lie
 };
 
+// The ticks between the two ends of a colour bar: first, first + step, ... up to last.
+struct BarTicks {
+  double first, last;
+};
+
+// Returns the ticks whose labels stay clear of those of the ends, which are drawn too, on a bar of
+// this length [px].
+BarTicks bar_ticks(const ColourRange& range, double bar_length);
+
 // Returns the given value_range, or what holds the 1st to the 99th percentile of all panels'
 // values, rounded outwards to a tick: one particle in a jet does not bleach all others.
 ColourRange colour_range(const FieldFigure& figure);

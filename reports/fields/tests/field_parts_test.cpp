@@ -105,6 +105,21 @@ TEST(ColourRange, KeepsAGivenOneAndNamesItsEnds) {
   EXPECT_EQ(range.upper_label, "7");
 }
 
+TEST(ColourBar, HasTicksWhoseLabelsStayClearOfThoseOfTheEnds) {
+  const auto ticks = [](double lower, double upper, double step, const std::string& end) {
+    return bar_ticks({lower, upper, step, "≤ −500", end}, 500);
+  };
+  // 500 px for 5500 Pa: 45 px between ticks, where "4500" beside "≥ 5000" needs 48 px.
+  EXPECT_EQ(ticks(-500, 5000, 500, "≥ 5000").last, 4000);
+  EXPECT_EQ(ticks(-500, 5000, 500, "5000").last, 4500);
+  EXPECT_EQ(ticks(-500, 5000, 500, "5000").first, 0);
+  EXPECT_EQ(ticks(-500, 5000, 1000, "≥ 5000").first, 0);
+  EXPECT_EQ(ticks(-500, 5000, 1000, "≥ 5000").last, 4000);
+  // A bar without room for any label between its ends has no tick there.
+  const BarTicks none = bar_ticks({0, 1, 1, "0", "1"}, 500);
+  EXPECT_GT(none.first, none.last);
+}
+
 TEST(ColourRange, OfAnEvenFieldIsNotEmpty) {
   for (const double value : {0.0, 5.0, -1e-30, 1e299}) {
     const ColourRange range = colour_range(with_values({value, value}));
