@@ -146,8 +146,7 @@ std::string TomlTable::choice(std::string_view key, std::string_view expected,
                               const std::vector<std::string>& known) const {
   const std::string one_of = one_of_text(expected, known);
   if (known.empty()) refuse(key, one_of);
-  std::string value =
-      get<std::string>(key, {one_of, [](const std::string&) { return true; }});
+  std::string value = get<std::string>(key, {one_of, [](const std::string&) { return true; }});
   if (std::find(known.begin(), known.end(), value) != known.end()) return value;
   throw CaseFileErrors({refusal(key, one_of + nearest_text(value, known))});
 }

@@ -24,8 +24,7 @@ struct MovedRows {
 
 // Checks the ledger before anything is judged.
 fs::path checked_ledger(const CampaignOptions& options, const Installation& installation) {
-  fs::path ledger =
-      ledger_of(options, requested(options, installation).definition, installation);
+  fs::path ledger = ledger_of(options, requested(options, installation).definition, installation);
   if (options.new_ledger && holds_approvals(ledger))
     throw CaseFileError(
         fmt::format("--new: '{}' holds approvals; expected a ledger that is not there, or no --new",
