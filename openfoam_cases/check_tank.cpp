@@ -32,6 +32,10 @@ void check_numbers(const SloshingTank& tank) {
     require(fluid.kinematic_viscosity >= 0 && std::isfinite(fluid.kinematic_viscosity),
             "kinematic_viscosity", fluid.kinematic_viscosity, "m2/s, zero or above");
   }
+  require(tank.gap_friction >= 0 && std::isfinite(tank.gap_friction), "gap_friction",
+          tank.gap_friction, "1/s, zero or above");
+  require(tank.gap_friction == 0 || tank.liquid.kinematic_viscosity > 0, "gap_friction",
+          tank.gap_friction, "zero for a liquid without viscosity");
   require(std::isfinite(tank.initial_relative_velocity), "initial_relative_velocity",
           tank.initial_relative_velocity, "a finite velocity in m/s");
   require_positive("duration", tank.duration, "s");

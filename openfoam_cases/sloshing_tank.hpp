@@ -63,6 +63,9 @@ struct SloshingTank {
   std::optional<InitialWave> start_disturbance = {};
   double gravity;  // [m/s2], downward
   Fluid liquid, gas;
+  // Rate at which the front and the back wall of a narrow tank slow the liquid down [1/s]; 0: not
+  // at all. It needs a viscous liquid.
+  double gap_friction = 0;
   std::function<double(double)> velocity, acceleration;  // X'(t) [m/s], X''(t) [m/s2] of the surge,
                                                          // along the earth's horizontal
   double initial_relative_velocity;  // of liquid and gas relative to the tank [m/s]: -X'(0) for a

@@ -90,6 +90,15 @@ data column_boxes(const SloshingTank& tank, const TankMesh& mesh) {
   return columns;
 }
 
+// Returns a section with the Darcy coefficient d [1/m2] of a porous medium that slows the liquid
+// down at the rate nu d; false, which omits the section, without friction.
+data porous_medium(const SloshingTank& tank) {
+  if (tank.gap_friction == 0) return data(false);
+  data section;
+  section.set("darcy_coefficient", number(tank.gap_friction / tank.liquid.kinematic_viscosity));
+  return section;
+}
+
 data blocks(const std::vector<BlockMesh::Hexahedron>& hexahedra) {
   data list(data::type::list);
   for (const BlockMesh::Hexahedron& hexahedron : hexahedra) {
@@ -156,6 +165,8 @@ data template_values(const SloshingTank& tank) {
   const auto set = [&values](const char* name, double value) { values.set(name, number(value)); };
   set("roof_z", tank.height - mesh.origin_z());
   set("bottom_z", 0 - mesh.origin_z());
+  set("left_x", 0 - mesh.origin_x());
+  set("right_x", tank.length - mesh.origin_x());
   values.set("vertices", block_mesh.vertices);
   values.set("blocks", blocks(block_mesh.hexahedra));
   values.set("wall_faces", block_mesh.wall_faces);
@@ -166,6 +177,7 @@ data template_values(const SloshingTank& tank) {
   set("liquid_kinematic_viscosity", tank.liquid.kinematic_viscosity);
   set("gas_density", tank.gas.density);
   set("gas_kinematic_viscosity", tank.gas.kinematic_viscosity);
+  values.set("porous_medium", porous_medium(tank));
   values.set("initial_velocity", initial_field(tank, mesh));
   set("duration", tank.duration);
   set("sample_interval", tank.sample_interval);

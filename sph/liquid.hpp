@@ -9,12 +9,13 @@
 #include "sph/held_arrays.hpp"
 #include "sph/integrators.hpp"
 #include "sph/neighbours/density_gradient.hpp"
+#include "sph/neighbours/kernel_sum.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/pair_sums.hpp"
 #include "sph/neighbours/particles.hpp"
 #include "sph/scene.hpp"
+#include "sph/terms/gap_friction.hpp"
 #include "sph/terms/kernels.hpp"
-#include "sph/terms/particle_shifting.hpp"
 #include "sph/walls/wall_power.hpp"
 
 namespace slosh::sph {
@@ -43,9 +44,13 @@ class Liquid {
   // Makes the neighbour lists valid for a step of dt from now. Returns whether they were rebuilt.
   bool renew_neighbours(double dt) {
     const auto tank = tank_at(time);
-    exchanged_at_walls_ += scheme_.wall_contact.confine(particles, tank);
-    for (const Rectangle& obstacle : obstacles_) expel(particles, tank, obstacle);
+    const std::size_t exchanged = scheme_.wall_contact.confine(particles, tank);
+    exchanged_at_walls_ += exchanged;
+    std::size_t moved = exchanged;
+    for (const Rectangle& obstacle : obstacles_) moved += expel(particles, tank, obstacle);
+    if (moved > 0) of_sample_ = false;
     if (!neighbours_.stale(particles, tank, dt)) return false;
+    of_sample_ = false;
     if (!neighbours_.rebuild<typename Scheme::Mirror>(particles, tank, dt,
                                                       std::move(rates.density_rate)))
       throw_bad_particle(particles, neighbours_.stray(), time, "outside the tank");
@@ -54,9 +59,18 @@ class Liquid {
   }
 
   void accelerate(double t) {
+    if (std::exchange(of_sample_, false)) return;
     const auto tank = tank_at(t);
     accelerate(scheme_, tank, rates);
     if (keeps_wall_power_) wall_power_ = power_of_walls(rates, t);
+  }
+  // Evaluates the accelerations of the present state and time, which a sample records and which
+  // limit the next step. That step begins with them unless it first changes the state or the order
+  // of the particles.
+  void accelerate_for_sample() {
+    of_sample_ = false;
+    accelerate(time);
+    of_sample_ = true;
   }
   void compress(double t) { compress(scheme_, tank_at(t), rates); }
 
@@ -67,6 +81,21 @@ class Liquid {
     result.resize(particles.size());
     accelerate(scheme, tank, result);
     compress(scheme, tank, result);
+  }
+
+  // Returns the median over the particles of the kernel sum over liquid, images and solids
+  // (neighbours/kernel_sum.hpp). Overwrites the densities' rates, which every step computes before
+  // it reads them.
+  double median_kernel_sum() {
+    const auto tank = tank_at(time);
+    neighbours_.refresh_for_momentum(scheme_, particles, tank);
+    solids_.refresh_for_momentum(scheme_, neighbours_, tank, instructions_);
+    Array<double>& sums = rates.density_rate;
+    sum_kernel(scheme_, neighbours_.clusters(), neighbours_.sources(), particles, sums,
+               instructions_);
+    const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
+    std::nth_element(sums.begin(), middle, sums.end());
+    return *middle;
   }
 
   void kick(double dt) {
@@ -114,16 +143,6 @@ class Liquid {
     if constexpr (Scheme::Solids::has_density) solids_.set_density(saved_solid_density_);
   }
 
-  // Shifts the particles to a more even distribution, at the end of a step.
-  void shift() {
-    const auto tank = tank_at(time);
-    neighbours_.refresh_for_continuity(scheme_, particles, tank);
-    solids_.refresh_for_continuity(scheme_, neighbours_, tank, instructions_);
-    sum_shifts(scheme_, neighbours_, particles, tank, shifts_, instructions_);
-    add_scaled(particles.x, 1, shifts_.x);
-    add_scaled(particles.z, 1, shifts_.z);
-  }
-
   // Both call visit(name, value) for the state that the next step reads besides the time.
   template <class Visit>
   void for_each_number(const Visit& visit) {
@@ -142,7 +161,6 @@ class Liquid {
     held.add_all("saved state", saved_);
     held.add("saved state", "solid_density", saved_solid_density_);
     held.add_all("density gradient", gradient_);
-    held.add_all("shifting", shifts_);
     held.add_all("solids", solids_);
     held.add_all("neighbours", neighbours_);
   }
@@ -174,6 +192,10 @@ class Liquid {
     sum_momentum(scheme, tank, neighbours_.clusters(), neighbours_.sources(), particles, result,
                  instructions_);
     scheme.wall_contact.push(particles, tank, result);
+    // The friction is viscous stress, and so a part of what the energy budget leaves out.
+    if (const double rate = scheme.formulation.viscous_share * scheme.setting.gap_friction;
+        rate > 0)
+      add_gap_friction(rate, particles, tank, result);
   }
   void compress(const Scheme& scheme, const Tank<Scheme>& tank, Rates& result) {
     neighbours_.refresh_for_continuity(scheme, particles, tank);
@@ -204,10 +226,10 @@ class Liquid {
   typename Scheme::Solids solids_;
   std::vector<Rectangle> obstacles_;
   DensityGradient gradient_;
-  Shifts shifts_;
   Particles saved_;
   Array<double> saved_solid_density_;
   std::size_t exchanged_at_walls_ = 0;
+  bool of_sample_ = false;  // whether the accelerations are those of the present state
   bool keeps_wall_power_ = false;
   PowerAt wall_power_ = {};
   InstructionSet instructions_ = widest_instruction_set();

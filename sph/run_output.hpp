@@ -38,6 +38,10 @@ struct RunOutput {
   History potential_energy;                 // of the liquid [J/m], relative to the initial state
   std::vector<RecordedSeries> still_water;  // where the scene asks for it
   std::vector<RecordedSeries> energy;       // where the scene asks for it [J/m]
+  // Whether the liquid is sound (recording/soundness.hpp); the packing's drift [1] at every tenth
+  // sample only.
+  std::vector<RecordedSeries> soundness;
+  History packing_drift;
   double steps = 0;
   std::size_t particles = 0;                  // of the liquid
   std::size_t exchanged_at_walls = 0;         // how often a particle beyond a wall was put back
@@ -61,6 +65,8 @@ struct RunOutput {
     visit("potential_energy", output.potential_energy);
     visit("still_water", output.still_water);
     visit("energy", output.energy);
+    visit("soundness", output.soundness);
+    visit("packing_drift", output.packing_drift);
   }
 };
 

@@ -31,6 +31,12 @@ inline double largest_acceleration(const Rates& rates, double gravity) {
   return std::sqrt(largest2);
 }
 
+inline double largest_magnitude(const History& history) {
+  double largest = 0;
+  for (const double value : history.value) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 template <class Scheme>
 void check_fixed_step(const Scene& scene, const Scheme& scheme) {
   const double finest = std::min(scene.particle_spacing, scene.surface_particle_spacing);
@@ -59,6 +65,9 @@ inline int samples_per(const char* what, double interval, const Scene& scene) {
 template <class Choice>
 std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& scheme) {
   std::vector<std::string> terms = Scheme<Choice>::active_terms();
+  if (scene.gap_friction > 0)
+    terms.push_back(
+        fmt::format("friction of front and back wall at {:.4g} 1/s", scene.gap_friction));
   terms.push_back(start_name(chosen_state<Choice>(scene)));
   if constexpr (Choice::TimeStep::adapts)
     terms.push_back(fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));
@@ -87,7 +96,6 @@ void advance_to(double target, RunMemory<Choice>& run, const Scene& scene) {
     const double dt = left / count;
     integrator.advance(liquid, dt);
     liquid.time = count <= 1 ? target : liquid.time + dt;
-    if constexpr (Choice::Shifting::active) liquid.shift();
     check_state(liquid.particles, scene.rest_density, liquid.time);
     recorder.add_step(liquid);
     smallest_step = std::min(smallest_step, dt);
@@ -110,6 +118,8 @@ void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const 
           : 0;
   for (; sample <= samples; ++sample) {
     advance_to(sample * scene.sample_interval, run, scene);
+    // The step has left the accelerations of its start or its middle; a sample needs its own.
+    liquid.accelerate_for_sample();
     recorder.record(liquid);
     if (snapshot_stride != 0 && sample % snapshot_stride == 0) recorder.record_snapshot(liquid);
     if (state_stride != 0 && sample > 0 && sample % state_stride == 0) {
@@ -136,6 +146,9 @@ void add_diagnostics(RunMemory<Choice>& run, RunOutput& output) {
     output.diagnostics["courant_number"] = scheme.setting.courant_number;
   output.diagnostics["smallest_time_step_s"] = run.smallest_step;
   output.diagnostics["wall_crossings"] = static_cast<double>(output.exchanged_at_walls);
+  for (const RecordedSeries& series : output.soundness)
+    output.diagnostics["largest_" + series.name] = largest_magnitude(series.history);
+  output.diagnostics["largest_packing_drift"] = largest_magnitude(output.packing_drift);
 }
 
 template <class Choice>

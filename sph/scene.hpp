@@ -78,9 +78,11 @@ struct Scene {
   double gravity;                               // [m/s2], downward
   double rest_density;                          // [kg/m3]
   double kinematic_viscosity = 0;               // of the liquid [m2/s]
-  std::function<double(double)> displacement;   // X(t) of the tank [m]
-  std::function<double(double)> velocity;       // X'(t) [m/s]
-  std::function<double(double)> acceleration;   // X''(t) [m/s2]
+  // Rate of the friction of the front and the back wall [1/s] (terms/gap_friction.hpp); 0: none.
+  double gap_friction = 0;
+  std::function<double(double)> displacement;  // X(t) of the tank [m]
+  std::function<double(double)> velocity;      // X'(t) [m/s]
+  std::function<double(double)> acceleration;  // X''(t) [m/s2]
   std::optional<Roll> roll = {};
   Start start = Start::earth;
   double duration;                  // [s]

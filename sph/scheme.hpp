@@ -34,7 +34,7 @@ struct Scheme : Choice {
   // These combinations of policies are not implemented.
   static_assert(!Choice::Solids::has_density || Choice::Integrator::advances_solids);
   static_assert(!Choice::Solids::has_density || !Choice::DensityDiffusion::reads_gradient);
-  static_assert(!Choice::Shifting::active || Choice::Formulation::weighs_volumes);
+  static_assert(!Choice::Smoothing::reads_spacing || !Choice::DensityDiffusion::active);
   // All walls except dynamic boundary particles have to be parallel to the frame's axes.
   static constexpr bool rolls_in_frame =
       !std::is_base_of_v<TankWalls, typename Choice::Frame::Tank>;
@@ -66,8 +66,8 @@ struct Scheme : Choice {
     for (const char* name :
          {Choice::Kernel::name, Choice::Smoothing::name, Choice::Formulation::name,
           Choice::Viscosity::name, Choice::DensityDiffusion::name, Choice::EquationOfState::name,
-          Choice::Shifting::name, Choice::Mirror::name, Choice::Solids::name,
-          Choice::WallContact::name, Choice::Integrator::name, Choice::Frame::name})
+          Choice::Mirror::name, Choice::Solids::name, Choice::WallContact::name,
+          Choice::Integrator::name, Choice::Frame::name})
       if (*name) terms.push_back(name);
     return terms;
   }

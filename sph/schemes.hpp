@@ -10,7 +10,6 @@
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/terms/formulation.hpp"
 #include "sph/terms/kernels.hpp"
-#include "sph/terms/particle_shifting.hpp"
 #include "sph/terms/smoothing.hpp"
 #include "sph/terms/time_step.hpp"
 #include "sph/terms/viscosity.hpp"
@@ -31,7 +30,6 @@ struct Li2010 {
   using EquationOfState = Tait;
   using Viscosity = MonaghanViscosity;
   using DensityDiffusion = NoDensityDiffusion;
-  using Shifting = NoShifting;
   using Mirror = NoSlipMirror;
   using Solids = NoSolids;
   using WallContact = RepulsiveWall;
@@ -62,7 +60,6 @@ struct Recommended {
   using EquationOfState = Tait;
   using Viscosity = ImpactViscosity;
   using DensityDiffusion = DynamicDensityDiffusion;
-  using Shifting = NoShifting;
   using Mirror = FreeSlipMirror;
   using Solids = GhostSolids<Slip::free>;
   using WallContact = ReflectingWall;
@@ -78,7 +75,8 @@ struct Recommended {
 
 // delta-SPH as published (Antuono et al. 2010; Marrone et al. 2011): Wendland C2 at h = 2 dp, the
 // linear equation of state, alpha = 0.02, delta = 0.1 with renormalised gradients, and fixed ghost
-// particles with free slip.
+// particles with free slip. One thing differs: in the continuity equation a ghost particle has the
+// velocity of the wall instead of the liquid's mirrored normal velocity (docs/schemes.md).
 struct DeltaSph : Recommended {
   using Kernel = WendlandC2;
   using Viscosity = LinearViscosity;
@@ -112,7 +110,6 @@ struct Zhao2021Moving {
   using EquationOfState = Tait;
   using Viscosity = MonaghanViscosity;
   using DensityDiffusion = NoDensityDiffusion;
-  using Shifting = NoShifting;
   using Mirror = NoMirror;
   using Solids = DynamicSolids;
   using WallContact = ReflectingWall;
@@ -161,6 +158,10 @@ struct WithWendlandC4 : Recommended {
   static constexpr const char* variant = "wendland_c4";
   using Kernel = WendlandC4;
 };
+struct WithWendlandC6 : Recommended {
+  static constexpr const char* variant = "wendland_c6";
+  using Kernel = WendlandC6;
+};
 struct WithSymmetricPressure : Recommended {
   static constexpr const char* variant = "symmetric_pressure";
   using Formulation = MassWeighted;
@@ -208,13 +209,15 @@ struct WithAntuono : Recommended {
   static constexpr const char* variant = "antuono";
   using DensityDiffusion = AntuonoDiffusion;
 };
-struct WithShifting : Recommended {
-  static constexpr const char* variant = "shifting";
-  using Shifting = ParticleShifting;
-};
 struct WithStickingWalls : Recommended {
   static constexpr const char* variant = "no_slip_mirror";
   using Mirror = StickingMirror;
+};
+// Obstacles do not let slip either.
+struct WithStickingWallsAndLaminarViscosity : WithLaminarViscosity {
+  static constexpr const char* variant = "no_slip_laminar";
+  using Mirror = StickingMirror;
+  using Solids = GhostSolids<Slip::none>;
 };
 struct WithRepulsiveWalls : Recommended {
   static constexpr const char* variant = "repulsive_mirror";
@@ -239,15 +242,6 @@ struct WithFixedDynamicWalls : WithDynamicWalls {
   using Frame = TankFrame;
   static constexpr const char* variant = "fixed_dynamic_walls";
 };
-// The lattice near the surface is up to twice as fine. The Courant number refers to the coarse
-// spacing and is therefore half that of `recommended`.
-struct WithTwoSpacings : Recommended {
-  static constexpr const char* variant = "two_spacings";
-  using Smoothing = PairSmoothing;
-  using Solids = NoSolids;
-  static constexpr InitialState initial_state = InitialState::lattice;
-  static constexpr SchemeNumbers numbers = recommended_at(0.4);
-};
 struct WithPredictorCorrector : Recommended {
   static constexpr const char* variant = "predictor_corrector";
   using Integrator = PredictorCorrector;
@@ -266,12 +260,20 @@ struct WithVerlet : Recommended {
 
 template <class... Choices>
 struct ChoiceList {};
-using Variants = ChoiceList<
-    WithCubicSpline, WithWendlandC2, WithWendlandC4, WithSymmetricPressure, WithLinearState,
-    WithCubicState, WithQuinticState, WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
-    WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono, WithShifting,
-    WithStickingWalls, WithRepulsiveWalls, WithGhostWalls, WithStickingGhostWalls, WithDynamicWalls,
-    WithFixedDynamicWalls, WithTwoSpacings, WithPredictorCorrector, WithSymplectic, WithVerlet>;
+using Variants =
+    ChoiceList<WithCubicSpline, WithWendlandC2, WithWendlandC4, WithWendlandC6,
+               WithSymmetricPressure, WithLinearState, WithCubicState, WithQuinticState,
+               WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity, WithLaminarViscosity,
+               WithoutDiffusion, WithMolteniColagrossi, WithAntuono, WithStickingWalls,
+               WithStickingWallsAndLaminarViscosity, WithRepulsiveWalls, WithGhostWalls,
+               WithStickingGhostWalls, WithDynamicWalls, WithFixedDynamicWalls,
+               WithPredictorCorrector, WithSymplectic, WithVerlet>;
+
+// The variants that are also solved in the frame of a tank that rolls. The variants whose walls are
+// dynamic boundary particles roll as they are.
+using RollingVariants =
+    ChoiceList<WithWendlandC2, WithWendlandC4, WithWendlandC6, WithRepulsiveWalls,
+               WithStickingWalls, WithLaminarViscosity, WithStickingWallsAndLaminarViscosity>;
 
 // Runs a scheme of the list. run_scheme.hpp defines it; it is instantiated in sph/instantiations/,
 // one file for each kind of variant, so that the files compile in parallel.

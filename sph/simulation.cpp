@@ -17,18 +17,26 @@ namespace {
 struct Method {
   RunOutput (*run)(const Scene&, const Progress&);
   double (*stable_time_step)(const Scene&);
+  bool rolls;
 };
 using Methods = std::map<std::string, Method>;
 
 template <class Choice>
 Method method_of() {
   return {&run_scheme<Choice>,
-          [](const Scene& scene) { return Scheme<Choice>(scene).time_step(scene.gravity); }};
+          [](const Scene& scene) { return Scheme<Choice>(scene).time_step(scene.gravity); },
+          Choice::Frame::takes_roll};
 }
 
 template <class... Choices>
 Methods methods_of(ChoiceList<Choices...>) {
   return {{Choices::variant, method_of<Choices>()}...};
+}
+
+// The variants of `recommended` that can roll in the tank's frame, under their names.
+template <class... Choices>
+Methods in_tank(ChoiceList<Choices...>) {
+  return {{Choices::variant, method_of<InTank<Choices>>()}...};
 }
 
 std::vector<std::string> names_of(const Methods& table) {
@@ -49,11 +57,13 @@ const Methods& schemes() {
 // The schemes and variants whose walls cannot roll. Where the tank rolls, each is replaced by the
 // same choice in the tank's frame.
 const Methods& rolling() {
-  static const Methods table{
-      {"li2010", method_of<InTank<Li2010>>()},
-      {"delta_sph", method_of<InTank<DeltaSph>>()},
-      {"recommended", method_of<InTank<Recommended>>()},
-      {WithRepulsiveWalls::variant, method_of<InTank<WithRepulsiveWalls>>()}};
+  static const Methods table = [] {
+    Methods all = in_tank(RollingVariants{});
+    all.merge(Methods{{"li2010", method_of<InTank<Li2010>>()},
+                      {"delta_sph", method_of<InTank<DeltaSph>>()},
+                      {"recommended", method_of<InTank<Recommended>>()}});
+    return all;
+  }();
   return table;
 }
 
@@ -77,12 +87,23 @@ Method chosen(const std::string& scheme, const Scene& scene) {
   if (!scene.variant.empty() && scheme != "recommended")
     throw std::invalid_argument(fmt::format(
         "variant = \"{}\": expected none, only recommended has variants", scene.variant));
-  if (!uniform && scene.variant != WithTwoSpacings::variant && (scheme != "li2010" || scene.roll))
+  if (!uniform && (scheme != "li2010" || scene.roll))
     throw std::invalid_argument("scheme " + scheme +
                                 " takes one particle spacing: surface_particle_spacing differs");
-  if (!uniform && scheme == "li2010") return method_of<Li2010TwoSpacings>();
+  if (!uniform) return method_of<Li2010TwoSpacings>();
   if (scene.roll && turned != rolling().end()) return turned->second;
   return scene.variant.empty() ? method : named(variants(), "variant", scene.variant);
+}
+
+void require_roll(const Method& method) {
+  if (method.rolls) return;
+  std::vector<std::string> can_roll;
+  for (const auto& [name, variant] : variants())
+    if (variant.rolls || rolling().contains(name)) can_roll.push_back(name);
+  throw std::invalid_argument(
+      fmt::format("motion.roll: expected none with this variant of recommended; recommended can "
+                  "roll as it is and with {}",
+                  fmt::join(can_roll, ", ")));
 }
 
 std::size_t particles_in(const Scene& scene) {
@@ -103,6 +124,7 @@ double stable_time_step(const std::string& scheme, const Scene& scene) {
 
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress) {
   const Method method = chosen(scheme, scene);
+  if (scene.roll) require_roll(method);
   const ThreadScope threads(scene.threads.value_or(threads_for(particles_in(scene))));
   return method.run(scene, progress);
 }

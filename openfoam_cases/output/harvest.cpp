@@ -144,11 +144,13 @@ Rows after_start(Rows rows, const LogReader& log) {
   return rows;
 }
 
-// Returns rows of three vectors: the total load and its pressure and viscous parts.
+// Returns rows of vectors: the total load, its pressure and its viscous part, and that of the front
+// and the back wall where they cause friction.
 Rows wall_loads(const SloshingTank& tank, const fs::path& case_directory, const char* name,
                 const LogReader& log) {
   const fs::path file = series_file(case_directory, "wall_force", name);
-  return after_start(read_rows(tank, file, 1 + 3 * 3), log);
+  const int vectors = tank.gap_friction > 0 ? 4 : 3;
+  return after_start(read_rows(tank, file, 1 + 3 * vectors), log);
 }
 
 std::map<std::string, History> wall_pressures(const SloshingTank& tank, const TankMesh& mesh,

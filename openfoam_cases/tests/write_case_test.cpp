@@ -70,6 +70,22 @@ TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
   EXPECT_EQ(entry(file("constant/g"), "value"), "(0 0 -9.81)");
 }
 
+TEST_F(WrittenCase, SlowsTheLiquidDownInAPorousMediumWhereTheWallsCauseFriction) {
+  SloshingTank tank = small_tank();
+  tank.gap_friction = 0.3;
+  write(tank);
+  const double d = 0.3 / tank.liquid.kinematic_viscosity;
+  EXPECT_EQ(list_after(file("constant/fvOptions"), "DarcyForchheimer"), std::vector(3, d));
+  EXPECT_EQ(entry(file("constant/fvOptions"), "cellZone"), "tank");
+  EXPECT_NE(file("system/topoSetDict").find("box     (0 0 0) (1.1 1 1.3);"), std::string::npos);
+}
+
+TEST_F(WrittenCase, HasNoPorousMediumOtherwise) {
+  write(small_tank());
+  EXPECT_EQ(file("constant/fvOptions").find("porous"), std::string::npos);
+  EXPECT_EQ(file("system/topoSetDict").find("tank;"), std::string::npos);
+}
+
 TEST_F(WrittenCase, StartsWithTheExactVolumeForALevelInsideACell) {
   const SloshingTank tank = small_tank();  // the level is at 2.746 cells
   write(tank);
@@ -217,6 +233,12 @@ TEST_F(WrittenCase, RefusesATankThatCannotBe) {
             "OpenFOAM tank: fill_depth = 1.4: expected less than the height of 1.3 m");
   EXPECT_EQ(refused([](SloshingTank& t) { t.length = std::nan(""); }),
             "OpenFOAM tank: length = nan: expected a positive number of m");
+  EXPECT_NE(refused([](SloshingTank& t) { t.gap_friction = -1; }).find("gap_friction = -1"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) {
+              t.gap_friction = 1, t.liquid.kinematic_viscosity = 0;
+            }).find("gap_friction = 1: expected zero"),
+            std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].x = 1.2; }).find("gauge x"),
             std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].name = "left"; }).find("two gauges"),

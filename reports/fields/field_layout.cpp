@@ -38,8 +38,9 @@ Extent rolled_tanks(const FieldFigure& figure) {
   return extent;
 }
 
-// gnuplot does not break lines. A line ends after the last comma that fits, else before the last
-// word that does not; a single word that is too wide stays whole.
+// Breaks a text into lines of at most this width [px], as gnuplot does not. A line ends at the last
+// comma within the width or, where there is none, at the last blank within it. A word that is wider
+// has a line of its own.
 std::vector<std::string> wrapped(std::string rest, double width) {
   std::vector<std::string> lines;
   while (text_width(rest, label_character) > width) {
@@ -61,6 +62,8 @@ std::vector<std::string> wrapped(std::string rest, double width) {
 }
 
 }  // namespace
+
+int most_columns() { return widest_canvas / (smallest_gap + 2 * static_cast<int>(wall) + 1); }
 
 int FieldLayout::row_height() const { return label_lines * label_line + cell_height + row_gap; }
 

@@ -40,6 +40,10 @@ inline constexpr int key_height = 96;  // [px], at the top: colour bar, arrow an
 inline constexpr int label_line = 21;  // [px], of gnuplot's 'sans,12'
 inline constexpr int row_gap = 16;     // [px], below a cell
 
+// The number of panels in a row for which the widest canvas leaves each tank a pixel.
+int most_columns();
+
+// The figure has at most that many panels in a row.
 FieldLayout field_layout(const FieldFigure& figure);
 
 }  // namespace slosh::reports

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reports/drawing/axes.hpp"
+#include "reports/drawing/run_gnuplot.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -20,13 +21,6 @@ constexpr double label_gap = 10;          // [px], between the labels of two tic
 
 std::string tick_label(double value) {
   return boost::replace_all_copy(fmt::format("{:.6g}", value), "-", "−");
-}
-
-// The characters of a text in UTF-8.
-std::size_t letters_in(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char one) {
-    return (static_cast<unsigned char>(one) & 0xc0) != 0x80;
-  }));
 }
 
 // The smallest range that holds both values and ends at multiples of its step.
@@ -69,8 +63,8 @@ BarTicks bar_ticks(const ColourRange& range, double bar_length) {
   const double value_of_pixel = (range.upper - range.lower) / bar_length;
   // Half of both labels beside each other and a gap, as a difference of values.
   const auto room = [&](const std::string& end, double neighbour) {
-    const std::size_t letters = letters_in(end) + letters_in(tick_label(neighbour));
-    return (letter_width * static_cast<double>(letters) / 2 + label_gap) * value_of_pixel;
+    const double labels = text_width(end + tick_label(neighbour), letter_width);
+    return (labels / 2 + label_gap) * value_of_pixel;
   };
   const auto multiple = [&](double steps) { return range.step * steps; };
   BarTicks ticks{multiple(std::floor(range.lower / range.step) + 1),

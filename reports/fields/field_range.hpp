@@ -25,7 +25,7 @@ struct ColourRange {
   std::string lower_label, upper_label;  // "≤" or "≥" marks an end beyond which values lie
 };
 
-// The ticks between the two ends of a colour bar: first, first + step, ... up to last.
+// The ticks between the two ends of a colour bar are first, first + step, and so on up to last.
 struct BarTicks {
   double first, last;
 };

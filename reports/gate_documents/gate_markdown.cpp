@@ -62,7 +62,7 @@ std::string gate_markdown(const GateDocument& document) {
   }
   if (told > 0)
     text +=
-        "\n| verdict | kind | case | row | found | uncertainties | since the baseline |\n"
+        "\n| verdict | kind | case | row | result | uncertainties | since the baseline |\n"
         "|---|---|---|---|---|---|---|\n" +
         lines;
   const std::size_t rest = document.entries.size() - told;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "reports/fields/field_layout.hpp"
 #include "reports/fields/field_range.hpp"
 #include "reports/model/report_model.hpp"
 #include "reports/pages/page_links.hpp"
@@ -138,6 +139,12 @@ void check_field(const FieldFigure& figure) {
   if (figure.columns < 1) {
     throw ReportError(
         fmt::format("figure '{}': columns {}, expected 1 or more", figure.id, figure.columns));
+  }
+  const std::size_t in_a_row =
+      std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
+  if (in_a_row > static_cast<std::size_t>(most_columns())) {
+    throw ReportError(fmt::format("figure '{}': {} panels in a row, expected at most {}", figure.id,
+                                  in_a_row, most_columns()));
   }
   if (!figure.frames.empty() &&
       figure.frames.size() * static_cast<std::size_t>(figure.columns) != figure.panels.size()) {

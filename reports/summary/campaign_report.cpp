@@ -61,11 +61,11 @@ std::vector<reports::Section> summary_sections(const std::vector<CaseAssessment>
                                                const std::vector<ProblemAssessment>& problems,
                                                const std::string& how_to_repeat) {
   reports::Section gate{"gate", "Verdicts", {how_to_repeat}, {}, {}};
-  if (const VerdictMatrix matrix = verdict_matrix(cases); !matrix.rows.empty())
+  if (const VerdictMatrix matrix = verdict_matrix(shown_rows(cases)); !matrix.rows.empty())
     gate.tables.push_back(
         with_first_column_linked(matrix_table(matrix, "matrix", "Verdicts of the cases", "case"),
                                  [](const std::string& name) { return name + "-gate"; }));
-  if (const VerdictMatrix matrix = verdict_matrix(problems); !matrix.rows.empty())
+  if (const VerdictMatrix matrix = verdict_matrix(shown_rows(problems)); !matrix.rows.empty())
     gate.tables.push_back(with_first_column_linked(
         matrix_table(matrix, "problem-matrix", "Verdicts of the problems", "problem"),
         [](const std::string& name) { return "problem-" + name; }));
@@ -113,8 +113,9 @@ reports::Page page_of(const CaseAssessment& assessment) {
 
 // Adds the page of results across several cases, where there are any.
 void add_across_page(const CampaignDefinition& campaign, const std::vector<CaseAssessment>& cases,
-                     reports::Report& report) {
+                     const BasketAssessment& basket, reports::Report& report) {
   std::vector<Section> sections;
+  if (!basket.measures.empty()) sections.push_back(basket_section(basket));
   if (auto walls = wall_treatment_section(cases)) sections.push_back(std::move(*walls));
   if (campaign.paper == "li2010") sections.push_back(li2010_section(cases));
   if (campaign.paper == "zhao2021") sections.push_back(zhao2021_section(cases));
@@ -190,8 +191,9 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   for (const ProblemAssessment& one : problems)
     if (one.run.status.state != RunState::not_selected)
       report.sections.push_back(problem_section(one));
-  add_across_page(campaign, cases, report);
-  report.results_json = results_json(campaign.name, quick, cases, problems);
+  const BasketAssessment basket = assess(campaign.basket, cases);
+  add_across_page(campaign, cases, basket, report);
+  report.results_json = results_json(campaign.name, quick, cases, problems, basket);
   return report;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reports/model/report_model.hpp"
+#include "verification/assessment/across_runs/basket.hpp"
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/problem_assessment.hpp"
@@ -22,6 +23,9 @@ reports::Section case_section(const CaseAssessment& assessment, int threads,
 // The statement, the source, the exact solution, errors and observed orders over the resolutions,
 // the figures, and the limits with their reasons, on the page of the problems.
 reports::Section problem_section(const ProblemAssessment& assessment);
+
+// The choices of the campaign's basket, the best one first, and why a value is not available.
+reports::Section basket_section(const BasketAssessment& basket);
 
 // Bias and scatter of the models, after NIST's FDS validation guide: a table and, for each kind of
 // quantity, predicted values over the reference values and their ratios. Models with too few

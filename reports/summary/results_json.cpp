@@ -35,6 +35,14 @@ Json failure_entry(const RunFailure& failure) {
           {"log", failure.log}};
 }
 
+// What a run and a problem took, without its repeats and its size.
+Json cost_entry(const RunCost& cost) {
+  return {{"user_time_s", cost.user_time},
+          {"system_time_s", cost.system_time},
+          {"wall_time_s", cost.wall_time},
+          {"peak_memory_byte", cost.peak_memory}};
+}
+
 Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   const std::string& name = run.name;
   const RunStatus& status = runs.status.at(name);
@@ -45,13 +53,9 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   const auto found = runs.results.find(name);
   if (found == runs.results.end()) return entry;
   const RunResult& result = found->second;
-  entry.update({{"solver", result.solver},
-                {"key", result.key},
-                {"user_time_s", result.cost.user_time},
-                {"system_time_s", result.cost.system_time},
-                {"wall_time_s", result.cost.wall_time},
-                {"peak_memory_byte", result.cost.peak_memory},
-                {"timings", timings_json(runs, name)},
+  entry.update({{"solver", result.solver}, {"key", result.key}});
+  entry.update(cost_entry(result.cost));
+  entry.update({{"timings", timings_json(runs, name)},
                 {"steps", result.cost.steps},
                 {"elements", result.cost.elements},
                 {"active_terms", result.active_terms},
@@ -114,7 +118,7 @@ Json half_width(const Contribution& contribution) {
 Json uncertainty_entry(const ThreeWayOutcome& judged) {
   const UncertaintyContributions& of = judged.contributions;
   return {{"all", judged.uncertainty},
-          {"time_history", half_width(of.statistics)},
+          {"time_history", half_width(of.time_series)},
           {"reference", half_width(of.reference)},
           {"discretisation", half_width(of.discretisation)},
           {"input", half_width(of.input)},
@@ -186,12 +190,9 @@ Json problem_entry(const ProblemAssessment& one) {
              {"gate", Json::array()}};
   if (const auto& failure = one.run.status.failure) entry["failure"] = failure_entry(*failure);
   if (const auto& result = one.run.result) {
-    entry.update({{"key", result->key},
-                  {"user_time_s", result->cost.user_time},
-                  {"system_time_s", result->cost.system_time},
-                  {"wall_time_s", result->cost.wall_time},
-                  {"peak_memory_byte", result->cost.peak_memory},
-                  {"provenance", result->provenance}});
+    entry["key"] = result->key;
+    entry.update(cost_entry(result->cost));
+    entry["provenance"] = result->provenance;
     for (const MeasuredErrors& measure : result->outcome.measures)
       entry["measures"].push_back(measure_entry(measure));
   }
@@ -207,11 +208,11 @@ Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
                       {"candidate", row.candidate},
                       {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
                       {"metric", metric},
-                      {"verdict", verdict_name(cell.verdict)},
-                      {"value", cell.value},
-                      {"half_width_95", cell.half_width},
-                      {"unit", cell.unit},
-                      {"tolerance_share", share_entry(cell.share)},
+                      {"verdict", verdict_name(cell.worst.verdict)},
+                      {"value", cell.worst.value},
+                      {"half_width_95", cell.worst.half_width},
+                      {"unit", cell.worst.unit},
+                      {"tolerance_share", share_entry(cell.worst.share)},
                       {"rows", cell.rows}});
   return list;
 }
@@ -239,19 +240,53 @@ Json bias_entry(const PredictionSet& set) {
           {"comparisons", predictions}};
 }
 
+Json measure_entry(const BasketMeasure& measure) {
+  const GateRow& row = measure.row;
+  return {{"case", measure.case_name},
+          {"title", measure.title},
+          {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
+          {"quantity", row.quantity},
+          {"mode", row.mode},
+          {"metric", metric_name(row.metric)},
+          {"unit", row.unit},
+          {"goal", row.limit.value()}};
+}
+
+Json choice_entry(const BasketChoice& choice) {
+  Json values = Json::array();
+  for (const BasketValue& one : choice.values)
+    values.push_back({{"value", one.value.value},
+                      {"half_width_95", one.value.half_width},
+                      {"ratio", one.ratio},
+                      {"message", one.message}});
+  return {{"choice", choice.name},
+          {"values", values},
+          {"worst_ratio", choice.worst},
+          {"mean_ratio", choice.mean},
+          {"core_seconds_s", choice.core_seconds}};
+}
+
+Json basket_entry(const BasketAssessment& basket) {
+  Json entry{{"measures", Json::array()}, {"choices", Json::array()}};
+  for (const BasketMeasure& one : basket.measures) entry["measures"].push_back(measure_entry(one));
+  for (const BasketChoice& one : basket.choices) entry["choices"].push_back(choice_entry(one));
+  return entry;
+}
+
 }  // namespace
 
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
-                         const std::vector<ProblemAssessment>& problems) {
+                         const std::vector<ProblemAssessment>& problems,
+                         const BasketAssessment& basket) {
   Json document{{"$schema", "results.schema.json"},
                 {"schema", "slosh results"},
                 {"schema_version", 3},
                 {"campaign", campaign},
                 {"quick", quick},
                 {"exit_status", exit_status(cases, problems)},
-                {"verdict_matrix", matrix_entry(verdict_matrix(cases), "case")},
-                {"problem_matrix", matrix_entry(verdict_matrix(problems), "problem")},
+                {"verdict_matrix", matrix_entry(verdict_matrix(shown_rows(cases)), "case")},
+                {"problem_matrix", matrix_entry(verdict_matrix(shown_rows(problems)), "problem")},
                 {"model_bias", Json::array()},
                 {"cases", Json::array()},
                 {"problems", Json::array()}};
@@ -271,6 +306,7 @@ std::string results_json(const std::string& campaign, bool quick,
     document["cases"].push_back(std::move(entry));
   }
   for (const ProblemAssessment& one : problems) document["problems"].push_back(problem_entry(one));
+  if (!basket.measures.empty()) document["basket"] = basket_entry(basket);
   // nlohmann writes numbers that are not finite as null. A message may contain a solver's output in
   // any encoding.
   return document.dump(2, ' ', false, Json::error_handler_t::replace);

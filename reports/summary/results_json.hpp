@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "verification/assessment/across_runs/basket.hpp"
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/problem_assessment.hpp"
 
@@ -14,7 +15,8 @@ namespace slosh {
 
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
-                         const std::vector<ProblemAssessment>& problems = {});
+                         const std::vector<ProblemAssessment>& problems = {},
+                         const BasketAssessment& basket = {});
 
 // Its parts, each as in results.json.
 

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reports/tables/case_tables.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/series/time_series.hpp"
@@ -15,38 +16,8 @@ namespace slosh {
 namespace {
 
 // The cell of the higher rank is the worse one.
-std::pair<int, double> rank(const MatrixCell& cell) {
-  return {severity(cell.verdict), cell.share ? cell.share->value : -1};
-}
-
-// The contribution of one gate row to the matrix.
-struct Entry {
-  std::string name, candidate, reference, metric;
-  MatrixCell cell;
-};
-
-void add(Entry entry, VerdictMatrix& matrix) {
-  if (std::find(matrix.metrics.begin(), matrix.metrics.end(), entry.metric) == matrix.metrics.end())
-    matrix.metrics.push_back(entry.metric);
-  auto row = std::find_if(matrix.rows.begin(), matrix.rows.end(), [&](const MatrixRow& one) {
-    return std::tie(one.name, one.candidate, one.reference) ==
-           std::tie(entry.name, entry.candidate, entry.reference);
-  });
-  if (row == matrix.rows.end())
-    row = matrix.rows.insert(row, {entry.name, entry.candidate, entry.reference, {}});
-  MatrixCell& standing = row->cells[entry.metric];
-  const std::size_t rows = standing.rows + 1;
-  if (rows == 1 || rank(entry.cell) > rank(standing)) standing = std::move(entry.cell);
-  standing.rows = rows;
-}
-
-// Returns "-0.3 ± 0.6 %".
-std::string found_text(const GateRow& row, double value, double half_width) {
-  if (!std::isfinite(value)) return "";
-  const double scale = row.unit == "1" ? 100 : 1;
-  const std::string interval =
-      half_width > 0 ? fmt::format(" ± {:.2g}", scale * half_width) : std::string();
-  return fmt::format("{:.3g}{} {}", scale * value, interval, row.unit == "1" ? "%" : row.unit);
+std::pair<int, double> rank(const ShownRow& row) {
+  return {severity(row.verdict), row.share ? row.share->value : -1};
 }
 
 std::string found_text(const ProblemGateOutcome& outcome) {
@@ -56,14 +27,15 @@ std::string found_text(const ProblemGateOutcome& outcome) {
 }
 
 std::string cell_text(const MatrixCell& cell) {
-  std::string rest = cell.found;
+  std::string rest = cell.worst.found;
   if (cell.rows > 1) rest += fmt::format("{}worst of {}", rest.empty() ? "" : ", ", cell.rows);
-  return verdict_name(cell.verdict) + (rest.empty() ? "" : ": " + rest);
+  return verdict_name(cell.worst.verdict) + (rest.empty() ? "" : ": " + rest);
 }
 
 bool is_left_out(const MatrixRow& row) {
-  return std::all_of(row.cells.begin(), row.cells.end(),
-                     [](const auto& cell) { return cell.second.verdict == Verdict::not_selected; });
+  return std::all_of(row.cells.begin(), row.cells.end(), [](const auto& cell) {
+    return cell.second.worst.verdict == Verdict::not_selected;
+  });
 }
 
 std::string heading(std::string metric) {
@@ -73,50 +45,74 @@ std::string heading(std::string metric) {
 
 }  // namespace
 
-VerdictMatrix verdict_matrix(const std::vector<CaseAssessment>& cases) {
-  VerdictMatrix matrix;
+std::string value_text(double value, double half_width, const std::string& unit) {
+  if (!std::isfinite(value)) return "";
+  const double scale = unit == "1" ? 100 : 1;
+  const std::string interval =
+      half_width > 0 ? fmt::format(" ± {:.2g}", scale * half_width) : std::string();
+  return fmt::format("{:.3g}{} {}", scale * value, interval, unit == "1" ? "%" : unit);
+}
+
+std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases) {
+  std::vector<ShownRow> rows;
   for (const CaseAssessment& one : cases)
     for (std::size_t i = 0; i < one.gate.size(); ++i) {
       const GateOutcome& outcome = one.gate[i];
       const GateRow& row = outcome.row;
-      const double half_width =
-          outcome.judgement ? outcome.judgement->uncertainty : outcome.value.half_width;
-      add({one.definition.name,
-           row.candidate,
-           row.reference,
-           metric_name(row.metric),
-           {.rows = 1,
-            .verdict = outcome.verdict,
-            .value = outcome.value.value,
-            .half_width = half_width,
-            .unit = row.unit,
-            .found = found_text(row, outcome.value.value, half_width),
-            .row_id = case_row_id(one.definition.name, i),
-            .share = error_over_tolerance(outcome)}},
-          matrix);
+      const double half_width = half_width_of(outcome);
+      rows.push_back({.name = one.definition.name,
+                      .candidate = row.candidate,
+                      .reference = row.reference,
+                      .metric = metric_name(row.metric),
+                      .metric_text = metric_text(row),
+                      .verdict = outcome.verdict,
+                      .value = outcome.value.value,
+                      .half_width = half_width,
+                      .unit = row.unit,
+                      .found = value_text(outcome.value.value, half_width, row.unit),
+                      .message = outcome.message,
+                      .row_id = case_row_id(one.definition.name, i),
+                      .share = error_over_tolerance(outcome)});
     }
-  return matrix;
+  return rows;
 }
 
-VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems) {
-  VerdictMatrix matrix;
+std::vector<ShownRow> shown_rows(const std::vector<ProblemAssessment>& problems) {
+  std::vector<ShownRow> rows;
   for (const ProblemAssessment& one : problems)
     for (std::size_t i = 0; i < one.gate.size(); ++i) {
       const ProblemGateOutcome& outcome = one.gate[i];
-      add({one.definition.name,
-           outcome.row.measure,
-           "exact solution",
-           metric_name(outcome.row.metric),
-           {.rows = 1,
-            .verdict = outcome.verdict,
-            .value = outcome.value,
-            .half_width = not_a_number,
-            .unit = outcome.row.unit,
-            .found = found_text(outcome),
-            .row_id = problem_row_id(one.definition.name, i),
-            .share = error_over_tolerance(outcome)}},
-          matrix);
+      rows.push_back({.name = one.definition.name,
+                      .candidate = outcome.row.measure,
+                      .reference = "exact solution",
+                      .metric = metric_name(outcome.row.metric),
+                      .metric_text = metric_name(outcome.row.metric),
+                      .verdict = outcome.verdict,
+                      .value = outcome.value,
+                      .half_width = not_a_number,
+                      .unit = outcome.row.unit,
+                      .found = found_text(outcome),
+                      .message = outcome.message,
+                      .row_id = problem_row_id(one.definition.name, i),
+                      .share = error_over_tolerance(outcome)});
     }
+  return rows;
+}
+
+VerdictMatrix verdict_matrix(const std::vector<ShownRow>& rows) {
+  VerdictMatrix matrix;
+  for (const ShownRow& one : rows) {
+    if (std::find(matrix.metrics.begin(), matrix.metrics.end(), one.metric) == matrix.metrics.end())
+      matrix.metrics.push_back(one.metric);
+    auto row = std::find_if(matrix.rows.begin(), matrix.rows.end(), [&](const MatrixRow& other) {
+      return std::tie(other.name, other.candidate, other.reference) ==
+             std::tie(one.name, one.candidate, one.reference);
+    });
+    if (row == matrix.rows.end())
+      row = matrix.rows.insert(row, {one.name, one.candidate, one.reference, {}});
+    MatrixCell& cell = row->cells[one.metric];
+    if (++cell.rows == 1 || rank(one) > rank(cell.worst)) cell.worst = one;
+  }
   return matrix;
 }
 
@@ -143,7 +139,7 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
       const auto found = row.cells.find(metric);
       const bool is_there = found != row.cells.end();
       cells.push_back(is_there ? cell_text(found->second) : "");
-      links.push_back(is_there ? "row-" + found->second.row_id : "");
+      links.push_back(is_there ? "row-" + found->second.worst.row_id : "");
     }
     table.rows.push_back(std::move(cells));
     table.links.push_back(std::move(links));

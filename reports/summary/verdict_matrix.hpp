@@ -1,5 +1,5 @@
-// A campaign's verdicts at a glance: one row for each case and pair of candidate and reference, one
-// column for each metric; a cell shows the worst of its gate rows.
+// A campaign's gate rows, and its verdicts at a glance: one row for each case and pair of candidate
+// and reference, one column for each metric; a cell shows the worst of its gate rows.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,34 @@
 
 namespace slosh {
 
-struct MatrixCell {
-  std::size_t rows = 0;  // number of gate rows in this cell
-  // The worst row: by verdict, then by its error over the tolerance.
+// A gate row of a case or a problem, as tables of the whole campaign show it.
+struct ShownRow {
+  std::string name;                  // of the case, or of the problem
+  std::string candidate, reference;  // of a problem: its error measure and "exact solution"
+  std::string metric, metric_text;   // the name alone, and with the mode and the quantity
   Verdict verdict = Verdict::not_selected;
   double value = 0, half_width = 0;  // in the unit; NaN where there is none
   std::string unit;
-  std::string found;   // the value as text, "1.2 ± 0.3 %"; empty without one
-  std::string row_id;  // report_places.hpp
+  std::string found;    // the value as text, "1.2 ± 0.3 %"; empty without one
+  std::string message;  // of the gate
+  std::string row_id;   // report_places.hpp
   std::optional<ErrorOverTolerance> share = {};
 };
 
+// "-0.3 ± 0.6 %", in per cent for the unit "1"; empty for a value that is not finite.
+std::string value_text(double value, double half_width, const std::string& unit);
+
+// All rows, in the order of the cases or problems.
+std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases);
+std::vector<ShownRow> shown_rows(const std::vector<ProblemAssessment>& problems);
+
+struct MatrixCell {
+  std::size_t rows = 0;  // number of gate rows in this cell
+  ShownRow worst;        // by verdict, then by its error over the tolerance
+};
+
 struct MatrixRow {
-  std::string name;                         // of the case, or of the problem
-  std::string candidate, reference;         // of a problem: its error measure and "exact solution"
+  std::string name, candidate, reference;   // as of a ShownRow
   std::map<std::string, MatrixCell> cells;  // by metric
 };
 
@@ -38,8 +52,7 @@ struct VerdictMatrix {
   std::vector<MatrixRow> rows;       // likewise
 };
 
-VerdictMatrix verdict_matrix(const std::vector<CaseAssessment>& cases);
-VerdictMatrix verdict_matrix(const std::vector<ProblemAssessment>& problems);
+VerdictMatrix verdict_matrix(const std::vector<ShownRow>& rows);
 
 // Each cell links to its gate row; pairs without a selected row are only counted. `id` and `title`
 // are those of the table; `of` is the heading of its first column.

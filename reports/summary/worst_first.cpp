@@ -3,67 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
-#include "reports/tables/case_tables.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/summary/verdict_matrix.hpp"
 #include "verification/assessment/error_over_tolerance.hpp"
-#include "verification/case/campaign_definition.hpp"
 
 namespace slosh {
 namespace {
-
-struct Judged {
-  Verdict verdict;
-  std::optional<ErrorOverTolerance> share;
-  std::vector<std::string> cells;  // case, candidate, reference, metric, result
-  std::string row_id;
-};
 
 bool counts(Verdict verdict) {
   return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
 }
 
 // Returns the far end of the interval as a share of the tolerance.
-double reach(const Judged& row) {
+double reach(const ShownRow& row) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (row.share) return row.share->value + row.share->half_width;
   return row.verdict == Verdict::pass ? -1 : infinity;
 }
 
-bool is_worse(const Judged& one, const Judged& other) {
+bool is_worse(const ShownRow& one, const ShownRow& other) {
   if (one.verdict != other.verdict) return severity(one.verdict) > severity(other.verdict);
   return reach(one) > reach(other);
 }
 
 // Returns the judged rows, worst first.
-std::vector<Judged> judged_rows(const std::vector<CaseAssessment>& cases,
-                                const std::vector<ProblemAssessment>& problems) {
-  std::vector<Judged> rows;
-  for (const CaseAssessment& one : cases)
-    for (std::size_t i = 0; i < one.gate.size(); ++i) {
-      const GateOutcome& outcome = one.gate[i];
-      const GateRow& row = outcome.row;
-      if (counts(outcome.verdict))
-        rows.push_back(
-            {outcome.verdict,
-             error_over_tolerance(outcome),
-             {one.definition.name, row.candidate, row.reference.empty() ? "none" : row.reference,
-              metric_text(row), outcome.message},
-             case_row_id(one.definition.name, i)});
-    }
-  for (const ProblemAssessment& one : problems)
-    for (std::size_t i = 0; i < one.gate.size(); ++i) {
-      const ProblemGateOutcome& outcome = one.gate[i];
-      if (counts(outcome.verdict))
-        rows.push_back({outcome.verdict,
-                        error_over_tolerance(outcome),
-                        {one.definition.name, outcome.row.measure, "exact solution",
-                         metric_name(outcome.row.metric), outcome.message},
-                        problem_row_id(one.definition.name, i)});
-    }
+std::vector<ShownRow> judged_rows(const std::vector<CaseAssessment>& cases,
+                                  const std::vector<ProblemAssessment>& problems) {
+  std::vector<ShownRow> rows = shown_rows(cases);
+  std::ranges::move(shown_rows(problems), std::back_inserter(rows));
+  std::erase_if(rows, [](const ShownRow& row) { return !counts(row.verdict); });
   std::stable_sort(rows.begin(), rows.end(), is_worse);
   return rows;
 }
@@ -79,7 +50,7 @@ std::string share_text(const std::optional<ErrorOverTolerance>& share) {
 reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
                                  const std::vector<ProblemAssessment>& problems,
                                  std::size_t fewest) {
-  const std::vector<Judged> rows = judged_rows(cases, problems);
+  const std::vector<ShownRow> rows = judged_rows(cases, problems);
   reports::Table table{
       "worst",
       "Gate rows, worst first",
@@ -87,10 +58,11 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
       {"verdict", "error over tolerance [%]", "case", "candidate", "reference", "metric", "result"},
       {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Judged& row = rows[i];
+    const ShownRow& row = rows[i];
     if (row.verdict == Verdict::pass && i >= fewest) continue;
-    table.rows.push_back({verdict_name(row.verdict), share_text(row.share)});
-    table.rows.back().insert(table.rows.back().end(), row.cells.begin(), row.cells.end());
+    table.rows.push_back({verdict_name(row.verdict), share_text(row.share), row.name, row.candidate,
+                          row.reference.empty() ? "none" : row.reference, row.metric_text,
+                          row.message});
     table.links.push_back({"row-" + row.row_id, "", "", "", "", "", ""});
   }
   table.caption = fmt::format(
@@ -103,12 +75,13 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
 
 reports::Link deciding_row(const std::vector<CaseAssessment>& cases,
                            const std::vector<ProblemAssessment>& problems) {
-  const std::vector<Judged> rows = judged_rows(cases, problems);
+  const std::vector<ShownRow> rows = judged_rows(cases, problems);
   if (rows.empty() || rows.front().verdict == Verdict::pass ||
       exit_status_of({rows.front().verdict}) != exit_status(cases, problems))
     return {};
-  const std::vector<std::string>& cells = rows.front().cells;
-  return {fmt::format("{}: {}, {}", cells[0], cells[1], cells[3]), "row-" + rows.front().row_id};
+  const ShownRow& worst = rows.front();
+  return {fmt::format("{}: {}, {}", worst.name, worst.candidate, worst.metric_text),
+          "row-" + worst.row_id};
 }
 
 }  // namespace slosh

@@ -32,12 +32,12 @@ Row published_row(const ImpactsDefinition& impacts) {
   return row;
 }
 
-// Returns "NaN" where the series does not reach the plateau's end or the plateau is NaN.
+// Returns "not available" where the series does not reach the plateau's end or is not finite there.
 std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& definition) try {
   const double error = plateau_error(pressure, definition);
   return fmt::format("{:.0f} ({:+.0f} %)", (1 + error) * definition.impacts->plateau, 100 * error);
 } catch (const ComparisonError&) {
-  return "NaN";
+  return "not available";
 }
 
 // Returns " (-0.012)", the difference to the time that the gate expects; empty without such a time.

@@ -24,12 +24,12 @@ std::string timed_text(const MeasuredCost& cost) {
              : fmt::format("{:.3g} (1)", time.value);
 }
 
-// Returns the largest magnitude within the window; "NaN" where a value is not finite.
+// Returns the largest magnitude within the window; "not available" where a value is not finite.
 std::string largest(const TimeSeries& series, TimeWindow window) {
   double largest = 0;
   for (std::size_t i = 0; i < series.time.size(); ++i) {
     if (series.time[i] < window.begin || series.time[i] > window.end) continue;
-    if (!std::isfinite(series.value[i])) return "NaN";
+    if (!std::isfinite(series.value[i])) return "not available";
     largest = std::max(largest, std::abs(series.value[i]));
   }
   return fmt::format("{:.2g}", largest);
@@ -46,8 +46,10 @@ std::optional<Table> rest_table(const CaseAssessment& assessment) {
       "Deviation from rest",
       fmt::format("Largest magnitudes over the whole run and from {} to {} s. Hydrostatic pressure "
                   "error: rms difference from the hydrostatic pressure, over the hydrostatic "
-                  "pressure at the bottom. Wall gap: distance between a wall and the nearest "
-                  "particles, in spacings. The other two are ratios.",
+                  "pressure at the bottom. Kinetic over potential energy: kinetic energy, over the "
+                  "potential energy of the liquid at rest. Wall gap: distance between a wall and "
+                  "the nearest particles, in spacings. Volume drift: change of the liquid's "
+                  "volume, over its volume at the start.",
                   late.begin, late.end),
       {"run"},
       {}};

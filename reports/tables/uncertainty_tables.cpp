@@ -44,7 +44,7 @@ std::string contributions_text(const ThreeWayOutcome& judged, const std::string&
     if (!one.half_width) parts.push_back(fmt::format("{} unknown", name));
     if (one.known() != 0) parts.push_back(fmt::format("{} {}", name, in_unit(one.known(), unit)));
   };
-  add("time series", of.statistics);
+  add("time series", of.time_series);
   add("reference", of.reference);
   add("discretisation", of.discretisation);
   add("input", of.input);
@@ -93,12 +93,12 @@ std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
     if (!outcome.judgement) continue;
     const std::string& unit = outcome.row.unit;
     const UncertaintyContributions& of = outcome.judgement->contributions;
-    table.rows.push_back({row_name(outcome.row), kind_name(outcome.row.kind),
-                          in_unit(outcome.value.value, unit),
-                          half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
-                          half_width_text(of.reference, unit), half_width_text(of.statistics, unit),
-                          "± " + in_unit(outcome.judgement->uncertainty, unit),
-                          of.discretisation.basis, of.input.basis, of.reference.basis});
+    table.rows.push_back(
+        {row_name(outcome.row), kind_name(outcome.row.kind), in_unit(outcome.value.value, unit),
+         half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
+         half_width_text(of.reference, unit), half_width_text(of.time_series, unit),
+         "± " + in_unit(outcome.judgement->uncertainty, unit), of.discretisation.basis,
+         of.input.basis, of.reference.basis});
   }
   if (table.rows.empty()) return {};
   return table;
@@ -110,8 +110,9 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
       "Numerical uncertainty",
       "Metrics over runs that differ in one number only, coarse to fine. Behaviour, order, "
       "extrapolated value and 95 % uncertainty after Celik et al. 2008 and Eca & Hoekstra 2014. "
-      "With two values only, the uncertainty is three times the error estimated from their "
-      "difference for first order.",
+      "Two values have no order: the error is estimated from their difference as if it fell with "
+      "the first power of the step, and the uncertainty is three times that estimate, but at least "
+      "three times the difference.",
       {"path", "metric", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
       {}};
   CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);

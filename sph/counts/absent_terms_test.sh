@@ -44,7 +44,7 @@ check() {  # SCENE FUNCTIONS
 
 if [ "${3-}" = --must-fail ]; then
   called recommended >"$work/called"
-  for wrong in 'MomentumOfCluster | shifting' 'shift_of_cluster | recommended'; do
+  for wrong in 'MomentumOfCluster | antuono' 'sum_density_gradient | recommended'; do
     echo "$wrong" >"$work/wrong"
     if check recommended "$work/wrong"; then echo "FAILED: passed \"$wrong\""; exit 1; fi
   done
@@ -52,8 +52,8 @@ if [ "${3-}" = --must-fail ]; then
 fi
 
 status=0
-for scene in recommended still no_gauge antuono shifting ghost_walls baffle roll dam pressure_gauge energy_budget \
-  still_water snapshots saved_states li2010 zhao2021_moving+roll; do
+for scene in recommended still no_gauge antuono ghost_walls baffle roll dam narrow_tank pressure_gauge \
+  energy_budget still_water snapshots saved_states li2010 zhao2021_moving+roll; do
   called "$scene" >"$work/called"
   check "$scene" "$functions" || status=1
 done

@@ -33,6 +33,8 @@ void keep_still(Scene& scene) {
 
 using Change = void (*)(Scene&);
 const std::map<std::string, Change> changes{
+    {"two_spacings",
+     [](Scene& scene) { scene.surface_particle_spacing = 0.5 * scene.particle_spacing; }},
     {"still", keep_still},
     {"roll", [](Scene& scene) { scene.roll = rolling(); }},
     {"baffle",
@@ -40,6 +42,7 @@ const std::map<std::string, Change> changes{
        scene.obstacles = {{0.44, 0.56, 0, 0.16}};
      }},
     {"dam", [](Scene& scene) { scene.column_width = 0.5; }},
+    {"narrow_tank", [](Scene& scene) { scene.gap_friction = 0.5; }},
     {"no_gauge", [](Scene& scene) { scene.gauges.clear(); }},
     {"pressure_gauge",
      [](Scene& scene) {
@@ -66,8 +69,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 CountedScene counted_scene(const std::string& parts, double duration) {
-  const double particle_spacing = 0.02;
-  CountedScene counted{"recommended", surging_scene(particle_spacing, duration)};
+  CountedScene counted{"recommended", surging_scene(0.02, duration)};
   counted.scene.initial_state = InitialState::lattice;  // steps, and no projection
   std::istringstream names(parts);
   for (std::string name; std::getline(names, name, '+');) {
@@ -83,7 +85,6 @@ CountedScene counted_scene(const std::string& parts, double duration) {
           fmt::format("\"{}\": expected a scheme, a variant or a part of "
                       "sph/counts/counted_scenes.hpp",
                       name));
-    if (name == "two_spacings") counted.scene.surface_particle_spacing = 0.5 * particle_spacing;
   }
   return counted;
 }

@@ -1,8 +1,9 @@
 // The scenes whose instructions and memory are counted: the surging tank of Li et al. 2010, changed
-// by parts that are joined by "+", such as "shifting+baffle". The parts are
+// by parts that are joined by "+", such as "antuono+baffle". The parts are
 //   a scheme or a variant      the method; `recommended` where none is named
-//   two_spacings               a lattice twice as fine near the surface
-//   still, roll, baffle, dam   another scene
+//   two_spacings               a lattice twice as fine near the surface, for li2010
+//   still, roll, baffle, dam, narrow_tank
+//                              another scene
 //   no_gauge, pressure_gauge, energy_budget, still_water, snapshots, saved_states
 //                              what is recorded
 #pragma once

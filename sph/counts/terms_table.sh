@@ -11,8 +11,8 @@ set -eu
 program=$1
 shift
 if [ $# = 0 ]; then
-  set -- recommended still no_gauge no_viscosity no_diffusion antuono linear_state wendland_c2 shifting \
-    predictor_corrector verlet ghost_walls dynamic_walls baffle roll dam two_spacings pressure_gauge \
+  set -- recommended still no_gauge no_viscosity no_diffusion antuono linear_state wendland_c2 \
+    predictor_corrector verlet ghost_walls dynamic_walls baffle roll dam pressure_gauge \
     still_water energy_budget snapshots saved_states li2010 delta_sph zhao2021_moving+roll zhao2021_fixed+roll
 fi
 if ! command -v valgrind >/dev/null; then

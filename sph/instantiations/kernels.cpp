@@ -6,6 +6,7 @@ namespace slosh::sph {
 template RunOutput run_scheme<WithCubicSpline>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithWendlandC2>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithWendlandC4>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithWendlandC6>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithSymmetricPressure>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithLinearState>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithCubicState>(const Scene&, const Progress&);

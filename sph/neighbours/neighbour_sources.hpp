@@ -110,6 +110,18 @@ class NeighbourSources {
     }
     return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
   }
+  // Returns the largest speed relative to the tank [m/s].
+  template <class Tank>
+  static double fastest(const Particles& particles, const Tank& tank) {
+    double fastest2 = 0;
+#pragma omp parallel for simd reduction(max : fastest2)
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      const Vector2 wall = tank.wall_velocity(particles.x[i], particles.z[i]);
+      const double u = particles.velocity_x[i] - wall.x, w = particles.velocity_z[i] - wall.z;
+      fastest2 = std::max(fastest2, u * u + w * w);
+    }
+    return std::sqrt(fastest2);
+  }
   // Makes the lists stale.
   void forget() { built_x_.clear(); }
   // Returns how far a particle may move relative to the tank before the lists are stale [m].
@@ -215,19 +227,6 @@ class NeighbourSources {
     const Vector2 gravity = tank.apparent_gravity(scheme.setting.gravity, p.x[i], p.z[i],
                                                   p.velocity_x[i], p.velocity_z[i]);
     return p.density[i] * (gravity.x * (source.x - p.x[i]) + gravity.z * (source.z - p.z[i]));
-  }
-
-  // Returns the largest speed relative to the tank [m/s].
-  template <class Tank>
-  static double fastest(const Particles& particles, const Tank& tank) {
-    double fastest2 = 0;
-#pragma omp parallel for simd reduction(max : fastest2)
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      const Vector2 wall = tank.wall_velocity(particles.x[i], particles.z[i]);
-      const double u = particles.velocity_x[i] - wall.x, w = particles.velocity_z[i] - wall.z;
-      fastest2 = std::max(fastest2, u * u + w * w);
-    }
-    return std::sqrt(fastest2);
   }
 
   // Returns the slack for `steps_per_list` steps of this length, within the efficient bounds, but

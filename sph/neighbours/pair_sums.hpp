@@ -116,12 +116,10 @@ struct ContinuityOfCluster {
             const SourceGradient& of_b = gradient->of_sources[cluster->sources[k]];
             difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
           }
-          if constexpr (Scheme::Smoothing::reads_spacing)
-            difference = scheme->density_diffusion.pair(difference, 1.0 / inverse_h);
           diffusion += f * difference;
         }
       }
-      if constexpr (Diffusion::active && !Scheme::Smoothing::reads_spacing)
+      if constexpr (Diffusion::active)
         diffusion =
             scheme->density_diffusion.pair(diffusion, 1.0 / scheme->smoothing.inverse_length);
       store(&rates->density_rate[i],

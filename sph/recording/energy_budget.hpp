@@ -15,7 +15,6 @@
 // The residual consists of
 //   the power of images and ghost particles that is not due to the walls' motion
 //   the energy of particles that are put back at walls, and a repulsive wall's potential
-//   the work of shifting
 //   time errors: a staggered velocity's half step, and the dissipation between samples
 // Only the viscous part of the dissipation has a definite sign: a diffusion that does not act on
 // the hydrostatic density can give energy back.
@@ -25,6 +24,7 @@
 
 #include "sph/liquid.hpp"
 #include "sph/run_output.hpp"
+#include "sph/setting.hpp"
 
 namespace slosh::sph {
 

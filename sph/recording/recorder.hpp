@@ -9,6 +9,7 @@
 #include "sph/recording/energy_budget.hpp"
 #include "sph/recording/free_surface.hpp"
 #include "sph/recording/seen_from_tank.hpp"
+#include "sph/recording/soundness.hpp"
 #include "sph/recording/still_water.hpp"
 #include "sph/recording/wall_pressure_gauge.hpp"
 #include "sph/run_output.hpp"
@@ -36,6 +37,7 @@ class Recorder {
     if (energy_budget_) energy_budget_->add_step(liquid);
   }
 
+  // Records the liquid, whose accelerations must be those of its present state and time.
   void record(Liquid<Scheme>& liquid) {
     const Motion<Scheme> motion(scene_, liquid.time);
     see_from_tank(liquid, motion, seen_);
@@ -46,8 +48,8 @@ class Recorder {
       energy_budget_->record(
           liquid, output.kinetic_energy.value.back() + output.potential_energy.value.back(),
           output.energy);
-    // Before the first step there is no acceleration.
-    if (output.steps > 0) record_forces(liquid.time);
+    record_forces(liquid.time);
+    soundness_.record(liquid, output);
     check_energy(liquid.time, motion);
   }
 
@@ -71,6 +73,7 @@ class Recorder {
   void for_each_number(const Visit& visit) {
     visit("initial_potential_energy", initial_potential_);
     energy_bound_.for_each_number(visit);
+    soundness_.for_each_number(visit);
     if (still_water_) still_water_->for_each_number(visit);
     if (energy_budget_) energy_budget_->for_each_number(visit);
   }
@@ -148,18 +151,16 @@ class Recorder {
   void check_energy(double t, const Motion<Scheme>& motion) {
     const auto& kinetic = output.kinetic_energy.value;
     const double gained = kinetic.back() - kinetic.front() + output.potential_energy.value.back();
-    double power = 0;
-    if (!output.force_x.value.empty()) {
-      const Vector2 axis = motion.in_earth().along_tank(scene_.velocity(t), 0);
-      power = output.force_x.value.back() * axis.x + output.force_z.value.back() * axis.z;
-      if (scene_.roll) power += output.moment.value.back() * scene_.roll->rate(t);
-    }
+    const Vector2 axis = motion.in_earth().along_tank(scene_.velocity(t), 0);
+    double power = output.force_x.value.back() * axis.x + output.force_z.value.back() * axis.z;
+    if (scene_.roll) power += output.moment.value.back() * scene_.roll->rate(t);
     energy_bound_.check(t, gained, power, tank_speed(scene_, t), seen_.particles);
   }
 
   const Scene& scene_;
   SeenFromTank seen_;
   EnergyBound energy_bound_;
+  Soundness soundness_;
   double initial_potential_ = 0;
   std::optional<StillWater> still_water_;
   std::optional<EnergyBudget<Scheme>> energy_budget_;

@@ -118,6 +118,7 @@ class Projection {
   static Operators operators(const Scene& scene, double gravity) {
     Operators operators(scene);
     operators.setting.gravity = gravity;
+    operators.setting.gap_friction = 0;
     return operators;
   }
 
@@ -237,10 +238,6 @@ void require_initial_state(const Scene& scene) {
     throw std::invalid_argument(
         "initial_state = projected: expected lattice | settled, because this scheme has walls with "
         "a density of their own or two spacings");
-  if (!Choice::Frame::takes_roll && scene.roll)
-    throw std::invalid_argument(
-        "motion.roll: expected none, because the walls of this scheme cannot roll; those of "
-        "recommended, li2010, delta_sph, zhao2021_moving and zhao2021_fixed can");
   if (wanted == InitialState::settled && (scene.column_width || scene.initial_wave))
     throw std::invalid_argument(
         "initial_state = settled: expected lattice | projected, because a dam would break and a "

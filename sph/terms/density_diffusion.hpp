@@ -32,8 +32,8 @@ struct MolteniColagrossiDiffusion {
   Number diffused(Number, Number density, Number) const {
     return density;
   }
-  template <class Number, class Length>
-  Number pair(Number difference, Length h) const {
+  template <class Number>
+  Number pair(Number difference, double h) const {
     return strength * h * difference;
   }
 };

@@ -2,8 +2,9 @@
 //   dv_a/dt   = -A_a sum_b weight_b (strength_a + strength_b + viscous_ab) grad_a W_ab
 //   drho_a/dt =  C_a sum_b weight_b (v_a - v_b) . grad_a W_ab
 // A is the acceleration factor and C the continuity factor. In each formulation the two sums are
-// adjoint, so that pressure work and compression energy balance. A source's volume is approximately
-// volume_of_weight times its weight. Where viscous_share is 0, viscous_ab adds nothing.
+// adjoint, so that pressure work and compression energy balance. A source's volume is
+// volume(weight, density), and approximately volume_of_weight times its weight. Where viscous_share
+// is 0, viscous_ab adds nothing.
 #pragma once
 
 #include "sph/setting.hpp"
@@ -14,7 +15,6 @@ namespace slosh::sph {
 //   dv_a/dt   = -sum_b m_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad_a W_ab
 //   drho_a/dt =  sum_b m_b v_ab . grad_a W_ab
 struct MassWeighted {
-  static constexpr bool weighs_volumes = false;
   static constexpr const char* name =
       "momentum with p_a/rho_a^2 + p_b/rho_b^2, continuity with masses";
   double volume_of_weight;  // [m3/kg]
@@ -23,6 +23,7 @@ struct MassWeighted {
   explicit MassWeighted(const Setting& s) : volume_of_weight(1.0 / s.rest_density) {}
 
   double weight(double mass, double) const { return mass; }
+  double volume(double weight, double density) const { return weight / density; }
   template <class Number>
   Number strength(Number pressure, Number density) const {
     return pressure / (density * density);
@@ -46,7 +47,6 @@ struct MassWeighted {
 //   dv_a/dt   = -rho_0/rho_a sum_b V_b (p_a/rho_0 + p_b/rho_0 + Pi_ab) grad_a W_ab
 //   drho_a/dt =  rho_a sum_b V_b v_ab . grad_a W_ab
 struct VolumeWeighted {
-  static constexpr bool weighs_volumes = true;
   static constexpr const char* name = "momentum with p_a + p_b, continuity with volumes";
   static constexpr double volume_of_weight = 1.0;
   double rest_density, inverse_rest_density;
@@ -56,6 +56,7 @@ struct VolumeWeighted {
       : rest_density(s.rest_density), inverse_rest_density(1.0 / s.rest_density) {}
 
   double weight(double mass, double density) const { return mass / density; }
+  double volume(double weight, double) const { return weight; }
   template <class Number>
   Number strength(Number pressure, Number) const {
     return pressure * inverse_rest_density;

@@ -69,6 +69,23 @@ struct WendlandC4 {
   }
 };
 
+// Wendland C6 (Wendland 1995; Dehnen & Aly 2012, table 1).
+struct WendlandC6 {
+  static constexpr const char* name = "Wendland C6 kernel";
+  static constexpr double normalisation = 39.0 / (14.0 * std::numbers::pi);
+
+  template <class Number>
+  static Number shape(Number q) {
+    const Number u = 0.5 * q, s = at_least(0.0, 1.0 - u), s2 = s * s, s4 = s2 * s2;
+    return s4 * s4 * (1.0 + u * (8.0 + u * (25.0 + 32.0 * u)));
+  }
+  template <class Number>
+  static Number gradient_shape(Number q) {
+    const Number u = 0.5 * q, s = at_least(0.0, 1.0 - u), s2 = s * s, s4 = s2 * s2;
+    return -5.5 * s4 * s2 * s * (1.0 + u * (7.0 + 16.0 * u));
+  }
+};
+
 // Quintic B-spline (Morris, Fox & Zhu 1997, eq. 24), its three knot spans stretched over the
 // support 2 h: with s = 3 q / 2, W ~ (3 - s)^5 - 6 (2 - s)^5 + 15 (1 - s)^5.
 struct QuinticSpline {

@@ -1,13 +1,19 @@
 // The length of a time step.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <stdexcept>
 
 #include "sph/setting.hpp"
 
 namespace slosh::sph {
+
+// The most that the friction of the front and the back wall may take of a velocity in a step
+// (terms/gap_friction.hpp).
+inline constexpr double largest_friction_per_step = 0.1;
 
 // The 0.5 ms of Li et al. 2010, at every spacing.
 struct FixedStep {
@@ -17,7 +23,13 @@ struct FixedStep {
   // unchanged up to 1.1, noisy from 1.2 and divergent at 1.4; the limit keeps a margin.
   static constexpr double stable_courant_number = 0.65;
 
-  explicit FixedStep(const Setting&) {}
+  explicit FixedStep(const Setting& s) {
+    if (s.gap_friction * step > largest_friction_per_step)
+      throw std::invalid_argument(
+          fmt::format("friction of front and back wall at {:.4g} 1/s: expected at most {:.4g} 1/s "
+                      "with the scheme's fixed time step",
+                      s.gap_friction, largest_friction_per_step / step));
+  }
   double operator()(double) const { return step; }
 };
 
@@ -27,7 +39,7 @@ struct FixedStep {
 // h c0 / 8. The viscous number of Morris, Fox & Zhu is 0.125. On a square lattice the largest
 // eigenvalue of the pair sum is 23.1 nu / h^2 (quintic, h = 1.5 dp; 22.6 at 2 dp), with which an
 // explicit step is stable up to 0.087 h^2 / nu. The wave of Re = 50 at 10 mm was unstable at 0.107
-// together with a Courant number of 0.8.
+// together with a Courant number of 0.8. The friction of front and back wall limits the step too.
 struct AdaptiveStep {
   static constexpr bool adapts = true;
   static constexpr double viscous_number = 0.0625;  // nu dt / h^2
@@ -39,6 +51,8 @@ struct AdaptiveStep {
     const double nu =
         std::max(s.kinematic_viscosity, s.artificial_viscosity * h * s.speed_of_sound / 8);
     if (nu > 0) longest_step = std::min(longest_step, viscous_number * h * h / nu);
+    if (s.gap_friction > 0)
+      longest_step = std::min(longest_step, largest_friction_per_step / s.gap_friction);
   }
   double operator()(double largest_acceleration) const {
     return std::min(longest_step, 0.25 * std::sqrt(h / largest_acceleration));

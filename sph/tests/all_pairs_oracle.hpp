@@ -70,6 +70,15 @@ inline const KernelFormula wendland_c4_formula{[](double q) {
                                                  return 9 / (4 * std::numbers::pi) * -14.0 / 3 * q *
                                                         (1 + 2.5 * q) * power_of_rest(1, q / 2, 5);
                                                }};
+inline const KernelFormula wendland_c6_formula{
+    [](double q) {
+      return 78 / (28 * std::numbers::pi) * power_of_rest(1, q / 2, 8) *
+             (1 + 4 * q + 6.25 * q * q + 4 * q * q * q);
+    },
+    [](double q) {
+      return 78 / (28 * std::numbers::pi) * -5.5 * q * (1 + 3.5 * q + 4 * q * q) *
+             power_of_rest(1, q / 2, 7);
+    }};
 
 // Morris, Fox & Zhu 1997, eq. 24, whose smoothing length is a third of the support.
 inline const KernelFormula quintic_formula{

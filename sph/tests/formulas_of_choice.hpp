@@ -22,6 +22,8 @@ KernelFormula kernel_formula() {
     return wendland_c2_formula;
   else if constexpr (is<Kernel, WendlandC4>)
     return wendland_c4_formula;
+  else if constexpr (is<Kernel, WendlandC6>)
+    return wendland_c6_formula;
   else if constexpr (is<Kernel, QuinticSpline>)
     return quintic_formula;
   else

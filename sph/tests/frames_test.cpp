@@ -163,9 +163,25 @@ TEST(Zhao2021, GivesTheSameFlowWithMovingWallsAndInTheTanksFrame) {
   }
 }
 
+class MirrorScheme : public testing::TestWithParam<std::string> {
+ protected:
+  static Scene with_variant(Scene scene) {
+    scene.variant = GetParam();
+    scene.kinematic_viscosity = 1e-3;  // a Stokes layer as thick as a spacing
+    return scene;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Variant, MirrorScheme,
+                         testing::Values("", "laminar_viscosity", "no_slip_mirror",
+                                         "no_slip_laminar"),
+                         [](const auto& variant) {
+                           return variant.param.empty() ? "recommended" : variant.param;
+                         });
+
 // A mirror scheme has its surge in the frame of the earth, and in the tank's where that rolls too.
-TEST(Recommended, GivesTheSameSurgeInBothFrames) {
-  Scene scene = surging_scene(0.025, 0.5);
+// The walls move in the one and stand in the other, and the images' velocities with them.
+TEST_P(MirrorScheme, GivesTheSameSurgeInBothFrames) {
+  Scene scene = with_variant(surging_scene(0.025, 0.5));
   scene.pressure_gauges = {{"B", Wall::left, 0.1, 0}};
   const RunOutput earth = run("recommended", scene, {});
   scene.roll = no_roll();
@@ -175,6 +191,46 @@ TEST(Recommended, GivesTheSameSurgeInBothFrames) {
   EXPECT_LE(largest_difference(earth.wall_pressure.at("B"), tank.wall_pressure.at("B")),
             1e-2 * swing(earth.wall_pressure.at("B")));
   EXPECT_LE(largest_difference(earth.force_x, tank.force_x), 1e-2 * swing(earth.force_x));
+}
+
+TEST_P(MirrorScheme, Rolls) {
+  const Scene scene = with_variant(surging_and_rolling_scene(0.02, 0.1));
+  const RunOutput output = run("recommended", scene, {});
+  EXPECT_GT(swing(output.elevation.at("left")), 1e-4);
+}
+
+// Returns the largest acceleration by viscosity of the shear flow u = speed + rate z over a bottom
+// that moves at this speed, far from the side walls and the surface.
+template <class Choice>
+double viscous_acceleration_of_shear(double speed, double rate) {
+  Scene scene = carried_scene(0.025, 1, speed);
+  scene.kinematic_viscosity = 0.1;
+  const Scheme<Choice> scheme(scene);
+  Liquid<Scheme<Choice>> liquid(scene, scheme,
+                                initial_lattice(scene, [](double) { return 1000.0; }));
+  Particles& p = liquid.particles;
+  const auto accelerate = [&](double shear) {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p.velocity_x[i] = speed + shear * p.z[i];
+      p.velocity_z[i] = 0;
+    }
+    liquid.accelerate(0);
+    return liquid.rates.acceleration_x;
+  };
+  const Array<double> uniform = accelerate(0), sheared = accelerate(rate);
+  double largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (std::abs(p.x[i] - 0.5) < 0.3 && p.z[i] < 0.2)
+      largest = std::max(largest, std::abs(sheared[i] - uniform[i]));
+  return largest;
+}
+
+// Plane Couette flow has the same stress everywhere, up to a wall that does not let slip.
+TEST(NoSlipLaminar, LeavesPlaneCouetteFlowAsItIsInBothFrames) {
+  using NoSlipLaminar = WithStickingWallsAndLaminarViscosity;
+  EXPECT_LE(viscous_acceleration_of_shear<NoSlipLaminar>(0.3, 2), 1e-9);
+  EXPECT_LE(viscous_acceleration_of_shear<InTank<NoSlipLaminar>>(0, 2), 1e-9);
+  EXPECT_GE(viscous_acceleration_of_shear<InTank<WithLaminarViscosity>>(0, 2), 1);
 }
 
 TEST(Simulation, RefusesARollForWallsThatCannotTurn) {

@@ -10,7 +10,7 @@ namespace {
 
 template <class Kernel>
 class Kernels : public testing::Test {};
-using AllKernels = testing::Types<CubicSpline, WendlandC2, WendlandC4, QuinticSpline>;
+using AllKernels = testing::Types<CubicSpline, WendlandC2, WendlandC4, WendlandC6, QuinticSpline>;
 TYPED_TEST_SUITE(Kernels, AllKernels);
 
 // Midpoint rule for 2 pi q W dq over the support, in units of the smoothing length.

@@ -140,11 +140,11 @@ class PairSums : public testing::Test {
   }
 };
 
-// All but the variants whose difference is not in the sums: the integrators and the shifting.
+// All but the variants whose difference is not in the sums: the integrators.
 using Choices =
     testing::Types<Li2010, Li2010TwoSpacings, Recommended, DeltaSph, WithCubicSpline,
-                   WithWendlandC2, WithWendlandC4, WithSymmetricPressure, WithLinearState,
-                   WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
+                   WithWendlandC2, WithWendlandC4, WithWendlandC6, WithSymmetricPressure,
+                   WithLinearState, WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity,
                    WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono,
                    WithStickingWalls, WithRepulsiveWalls, WithGhostWalls, WithStickingGhostWalls,
                    WithDynamicWalls>;

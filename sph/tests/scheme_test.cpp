@@ -122,7 +122,6 @@ TEST(Scheme, ListsTheTermsThatItComputesAndNoOthers) {
   // Kernel, smoothing, formulation, viscosity, diffusion, state, mirror, solids, contact,
   // integrator.
   EXPECT_EQ(count(Scheme<Recommended>::active_terms()), 11);
-  EXPECT_EQ(count(Scheme<WithShifting>::active_terms()), 12);
   EXPECT_EQ(count(Scheme<WithoutViscosity>::active_terms()), 10);
   EXPECT_EQ(count(Scheme<WithoutDiffusion>::active_terms()), 10);
   EXPECT_EQ(count(Scheme<WithGhostWalls>::active_terms()), 10);
@@ -152,6 +151,26 @@ TEST(Simulation, RefusesAVariantOfASchemeThatHasNone) {
     const std::string what = refusal(scheme, "wendland_c2");
     EXPECT_NE(what.find("variant = \"wendland_c2\": expected none"), std::string::npos) << what;
   }
+}
+
+TEST(Simulation, NamesTheVariantsThatRollWhereItRefusesAnother) {
+  Scene scene = still_scene(0.05, 0);
+  scene.roll = no_roll();
+  const auto refusal_of = [&](const std::string& variant) -> std::string {
+    scene.variant = variant;
+    try {
+      run("recommended", scene, {});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string what = refusal_of("verlet");
+  EXPECT_TRUE(what.starts_with("motion.roll: expected none with this variant")) << what;
+  const std::string names = what.substr(what.rfind(" with "));
+  for (const std::string& variant : variant_names())
+    EXPECT_EQ(names.find(" " + variant) == std::string::npos, !refusal_of(variant).empty())
+        << variant;
 }
 
 TEST(Simulation, HasTwentyFiveVariantsOfTheRecommendedScheme) {

@@ -56,17 +56,21 @@ void move_with_tank(Particles& p, std::size_t i, const Tank& tank, Vector2 place
 }
 
 // Moves particles that have entered the obstacle back out through its nearest face and reverses
-// their normal velocity in the tank's frame, as ReflectingWall does at the tank's walls.
+// their normal velocity in the tank's frame, as ReflectingWall does at the tank's walls. Returns
+// how many it has moved.
 template <class Tank>
-void expel(Particles& p, const Tank& tank, const Rectangle& obstacle) {
-#pragma omp parallel for schedule(static)
+std::size_t expel(Particles& p, const Tank& tank, const Rectangle& obstacle) {
+  std::size_t expelled = 0;
+#pragma omp parallel for schedule(static) reduction(+ : expelled)
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector2 at = tank.in_tank(p.x[i], p.z[i]);
     if (!holds(obstacle, at.x, at.z)) continue;
+    ++expelled;
     const SolidPlace out =
         behind_nearest_face(at.x, at.z, obstacle, tank.length(), tank.tank_height());
     move_with_tank(p, i, tank, {out.node_x, out.node_z}, out.turns_x, out.turns_z);
   }
+  return expelled;
 }
 
 }  // namespace slosh::sph

@@ -22,6 +22,10 @@ ErrorOverTolerance ratio_in_range(double value, std::pair<double, double> range,
 
 }  // namespace
 
+double half_width_of(const GateOutcome& outcome) {
+  return outcome.judgement ? outcome.judgement->uncertainty : outcome.value.half_width;
+}
+
 std::optional<ErrorOverTolerance> error_over_tolerance(const GateOutcome& outcome) {
   const double value = outcome.value.value;
   if (!std::isfinite(value)) return {};

@@ -15,6 +15,10 @@ struct ErrorOverTolerance {
   double half_width;  // of the verdict's 95 % interval, over the tolerance; zero without one
 };
 
+// Returns the half width of the 95 % interval that the verdict rests on, or else of the metric
+// itself, in the row's unit.
+double half_width_of(const GateOutcome& outcome);
+
 // Returns nullopt where the metric is not finite, and for a row that demands an improvement on
 // another run.
 std::optional<ErrorOverTolerance> error_over_tolerance(const GateOutcome& outcome);

@@ -1,6 +1,5 @@
 #include "verification/assessment/observed_order.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 

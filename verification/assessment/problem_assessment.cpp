@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "verification/assessment/observed_order.hpp"
@@ -71,14 +70,9 @@ std::optional<double> order_of(const std::vector<ErrorAtStep>& errors) {
 }
 
 ProblemGateOutcome evaluate(const ProblemGateRow& row, const ProblemRun& run) {
-  if (run.status.state == RunState::failed)
-    return {row, Verdict::solver_failed, not_a_number, "the problem failed: " + run.status.message};
-  if (run.status.state == RunState::not_selected)
-    return {row, Verdict::not_selected, not_a_number, "the problem is not selected"};
-  if (!run.result)
-    return {row, Verdict::not_compared, not_a_number,
-            "the problem has no result: " + run.status.message};
-  const std::vector<MeasuredErrors>& measures = run.result->outcome.measures;
+  if (const auto found = obstacle_of("the problem", run.status))
+    return {row, found->first, not_a_number, found->second};
+  const std::vector<MeasuredErrors>& measures = run.result.value().outcome.measures;
   const auto found = std::find_if(measures.begin(), measures.end(), [&](const MeasuredErrors& one) {
     return one.name == row.measure;
   });

@@ -31,10 +31,7 @@ PlannedRun planned_run(const CaseDefinition& definition, const RunDefinition& ru
     planned.file = standing.file;
     planned.status = {RunState::finished, standing.message};
   } catch (const ResultError& error) {
-    planned.status =
-        settings.solve
-            ? RunStatus{RunState::missing, error.what()}
-            : missing_status(error.what(), settings.store.file(planned.key, failure_extension));
+    planned.status = missing_status(error.what(), planned.key, settings);
   }
   return planned;
 }

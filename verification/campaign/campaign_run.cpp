@@ -43,11 +43,14 @@ struct StoredUnder {
   const char* extension;
 };
 
-// Says on standard error that a run is computed again, where its stored result is damaged or
-// another build's.
-void tell_of_another(const StoredUnder& place, const RunStatus& status,
+// Says on standard error that a result is another build's, or that it is computed again because the
+// stored one is damaged or another build's.
+void tell_of_another(const std::string& name, const StoredUnder& place, const RunStatus& status,
                      const CampaignSettings& settings) {
-  if (settings.solve && settings.store.newest_file(place.key, place.extension))
+  if (status.state == RunState::finished && !status.message.empty())
+    std::cerr << name << " was " << status.message << '\n';
+  if (status.state == RunState::missing && settings.solve &&
+      settings.store.newest_file(place.key, place.extension))
     std::cerr << status.message << ": it is computed again\n";
 }
 
@@ -56,15 +59,13 @@ void take_stock(std::vector<PlannedRun>& plan, const CampaignSettings& settings,
                 std::map<const CaseDefinition*, CaseRuns*>& outcome) {
   for (PlannedRun& planned : plan) {
     CaseRuns& runs = *outcome.at(planned.definition);
-    const std::string name = planned.definition->name + "/" + planned.run->name;
     if (planned.status.state == RunState::finished) try {
         take_result(planned, settings, runs);
-        if (!planned.status.message.empty())
-          std::cerr << name << " was " << planned.status.message << '\n';
       } catch (const ResultError& error) {
         planned.status = {RunState::missing, error.what()};
       }
-    if (is_pending(planned)) tell_of_another({planned.key, ".h5"}, planned.status, settings);
+    tell_of_another(planned.definition->name + "/" + planned.run->name, {planned.key, ".h5"},
+                    planned.status, settings);
     runs.status[planned.run->name] = planned.status;
   }
 }
@@ -127,10 +128,8 @@ void take_timings(const std::vector<PlannedRun>& plan, const CampaignSettings& s
 void tell_of_problems(const std::vector<ProblemDefinition>& problems,
                       const std::vector<ProblemRun>& standing, const CampaignSettings& settings) {
   for (std::size_t i = 0; i < problems.size(); ++i)
-    if (standing[i].result && !standing[i].status.message.empty())
-      std::cerr << problems[i].name << " was " << standing[i].status.message << '\n';
-    else if (standing[i].status.state == RunState::missing)
-      tell_of_another({key_of(problems[i], settings), ".json"}, standing[i].status, settings);
+    tell_of_another(problems[i].name, {key_of(problems[i], settings), ".json"}, standing[i].status,
+                    settings);
 }
 
 std::vector<JobState> run_jobs(const std::vector<Pending>& pending,

@@ -45,10 +45,9 @@ std::string kind_of(JobPhase phase) {
       return "time limit";
     case JobPhase::interrupted:
       return "interrupted";
-    case JobPhase::not_started:
-      return "not started";
     case JobPhase::lost:
       return "lost";
+    case JobPhase::not_started:
     case JobPhase::exited:
     case JobPhase::waiting:
     case JobPhase::running:
@@ -69,6 +68,7 @@ std::string first_error_line(const std::filesystem::path& log) {
 }
 
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file) {
+  if (state.phase == JobPhase::not_started) return {RunState::missing, description(state)};
   if (state.phase == JobPhase::exited && state.status == exit_not_compared)
     return {RunState::missing, description(state) + ": " + first_error_line(state.job.log_file)};
   const bool has_told = state.phase == JobPhase::exited && state.status == exit_solver_failed;
@@ -83,9 +83,11 @@ RunStatus status_without_result(const JobState& state, const std::filesystem::pa
   return {RunState::failed, description(state) + ": " + failure->message, failure};
 }
 
-RunStatus missing_status(const std::string& message, const std::filesystem::path& failure_file) {
-  if (const auto failure = read_failure(failure_file))
-    return {RunState::failed, failure->kind + ": " + failure->message, failure};
+RunStatus missing_status(const std::string& message, const std::string& key,
+                         const CampaignSettings& settings) {
+  if (!settings.solve)
+    if (const auto failure = read_failure(settings.store.file(key, failure_extension)))
+      return {RunState::failed, failure->kind + ": " + failure->message, failure};
   return {RunState::missing, message};
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "verification/campaign/campaign_settings.hpp"
 #include "verification/engine/job.hpp"
 #include "verification/gate/gate.hpp"
 
@@ -13,13 +14,14 @@ namespace slosh {
 // Returns the first line of the tool's message in a job's log, or else the log's last line.
 std::string first_error_line(const std::filesystem::path& log);
 
-// Returns the status of a job that did not succeed. A result that could not be stored is missing. A
-// run whose solver failed has written the reason to `failure_file` (run_failure.hpp); for any other
-// end the reason is written there now, if possible.
+// Returns the status of a job that did not succeed. The result of a job that never started, or
+// whose result could not be stored, is missing. A run whose solver failed has written the reason to
+// `failure_file` (run_failure.hpp); for any other end the reason is written there now, if possible.
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file);
 
-// Returns the status of a run that is not to be computed: its last failure, or else that its result
-// is missing, with this message.
-RunStatus missing_status(const std::string& message, const std::filesystem::path& failure_file);
+// Returns the status of a run or a problem without a usable result: where it is not to be computed
+// the last failure under its key, or else that the result is missing, with this message.
+RunStatus missing_status(const std::string& message, const std::string& key,
+                         const CampaignSettings& settings);
 
 }  // namespace slosh

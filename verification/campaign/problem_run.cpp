@@ -14,15 +14,14 @@ std::string key_of(const ProblemDefinition& problem, const CampaignSettings& set
 
 ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings) {
   if (!names_problem(settings.selection, problem.name)) return {{RunState::not_selected, ""}, {}};
+  const std::string key = key_of(problem, settings);
   try {
-    const StandingResult standing = standing_result(key_of(problem, settings), ".json", settings);
+    const StandingResult standing = standing_result(key, ".json", settings);
     ProblemResult result = read_problem_result(standing.file);
     show_result(standing.file, settings.output / "problems" / (problem.name + ".json"));
     return {{RunState::finished, standing.message}, std::move(result)};
   } catch (const ResultError& error) {
-    if (settings.solve) return {{RunState::missing, error.what()}, {}};
-    const std::string key = key_of(problem, settings);
-    return {missing_status(error.what(), settings.store.file(key, failure_extension)), {}};
+    return {missing_status(error.what(), key, settings), {}};
   }
 }
 

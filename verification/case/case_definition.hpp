@@ -23,6 +23,9 @@ inline constexpr double radians_per_degree = std::numbers::pi / 180;
 struct TankDefinition {
   double length;  // [m], along x
   double height;  // [m], roof above bottom
+  // [m] From front wall to back wall. Given, it makes SPH and interFoam count the friction of these
+  // walls (gap_friction.hpp), which they do not see otherwise.
+  std::optional<double> breadth = {};
 };
 
 struct LiquidDefinition {

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 namespace slosh {
 namespace {

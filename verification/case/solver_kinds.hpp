@@ -76,7 +76,7 @@ double resolution(const RunDefinition& run);
 // changes nothing of the scheme.
 inline constexpr double unseen_disorder = 1e-4;
 
-// What a run changes of its scheme: "", "shifting", "courant_number = 0.4", ...
+// What a run changes of its scheme: "", "antuono", "courant_number = 0.4", ...
 std::string changes_of(const SphRun& run);
 
 // Whether an SPH run has something of its scheme changed.

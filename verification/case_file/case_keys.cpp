@@ -35,7 +35,11 @@ const std::vector<KeyTable>& case_key_tables() {
        "yes",
        "A rectangular tank, seen from the side.",
        {{"length_m", "number > 0, m", "yes", "The inner length."},
-        {"height_m", "number > 0, m", "yes", "The inner height, to the roof."}}},
+        {"height_m", "number > 0, m", "yes", "The inner height, to the roof."},
+        {"breadth_m", "number > 0, m", "no",
+         "The inner breadth of a narrow tank, from the front to the back wall. With it, SPH and "
+         "interFoam count the friction of these two walls, which they do not see otherwise; the "
+         "theories, which have no friction there, are refused. Default: no friction."}}},
       {"liquid",
        "[liquid]",
        "yes",
@@ -197,8 +201,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"particle_spacing_m", "number > 0 and <= the fill depth, m", "yes",
          "The spacing dp of the particles."},
         {"surface_particle_spacing_m", "number > 0 and <= particle_spacing_m, m", "no",
-         "A finer spacing at the surface, for the variant of two spacings, or for li2010 in a tank "
-         "that does not roll. Default: particle_spacing_m."},
+         "A finer spacing at the surface, for li2010 in a tank that does not roll. Default: "
+         "particle_spacing_m."},
         {"variant", "text", "no", "One part of `recommended` that is exchanged or left out."},
         {"initial_state", "\"lattice\", \"settled\" or \"projected\"", "no",
          "How the particles start: on a lattice, after they have settled, or with the impulsive "

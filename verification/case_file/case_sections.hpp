@@ -77,6 +77,10 @@ InputUncertainty read_input(const TomlTable& table, const CaseDefinition& defini
 // Reads [[gate]]. The definition's motion, gauges, comparison and runs must have been read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
 
+// Reads what [[basket]] measures in the case: a row without a candidate, whose limit is the goal.
+// The definition must be complete, with the runs of the sweeps.
+GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definition);
+
 // Reads the key `kind` of a gate row of a case or a problem.
 RowKind read_row_kind(const TomlTable& row);
 

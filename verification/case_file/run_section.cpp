@@ -106,7 +106,16 @@ double read_valid_elevation(const TomlTable& run) {
   return run.get("valid_elevation_over_depth", positive("fill depths"));
 }
 
+// Throws for a theory of a tank whose front and back wall cause friction.
+void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
+  if (definition.tank.breadth)
+    run.refuse("solver",
+               "a solver that counts the friction of the front and the back wall, sph or "
+               "interfoam, where [tank] has breadth_m");
+}
+
 LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
+  refuse_breadth(run, definition);
   const bool wave_alone = definition.motion.still() && definition.initial_wave;
   if (wave_alone && run.has("modes"))
     run.refuse("modes", "no such key for a still tank: its initial wave is a single mode");
@@ -115,11 +124,13 @@ LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
           .valid_elevation_over_depth = read_valid_elevation(run)};
 }
 
-ViscousWaveRun read_viscous_wave(const TomlTable& run) {
+ViscousWaveRun read_viscous_wave(const TomlTable& run, const CaseDefinition& definition) {
+  refuse_breadth(run, definition);
   return {.valid_elevation_over_depth = read_valid_elevation(run)};
 }
 
-PotentialRun read_potential(const TomlTable& run) {
+PotentialRun read_potential(const TomlTable& run, const CaseDefinition& definition) {
+  refuse_breadth(run, definition);
   PotentialRun potential;
   const Rule<int> enough_nodes{"an integer from 16 to 128",
                                [](int nodes) { return nodes >= 16 && nodes <= 128; }, 16};
@@ -197,9 +208,10 @@ const std::vector<SolverSection> solver_sections{
                      const auto&) { return read_interfoam(run, definition); }},
     {"linear", [](const auto& run, const auto& definition,
                   const auto&) { return read_linear(run, definition); }},
-    {"viscous_wave",
-     [](const auto& run, const auto&, const auto&) { return read_viscous_wave(run); }},
-    {"potential", [](const auto& run, const auto&, const auto&) { return read_potential(run); }},
+    {"viscous_wave", [](const auto& run, const auto& definition,
+                        const auto&) { return read_viscous_wave(run, definition); }},
+    {"potential", [](const auto& run, const auto& definition,
+                     const auto&) { return read_potential(run, definition); }},
     {"record", [](const auto& run, const auto& definition,
                   const auto&) { return read_shipped_record(run, definition); }},
     {"record",

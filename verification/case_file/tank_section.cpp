@@ -66,7 +66,8 @@ Rule<double> inside_tank(const TankDefinition& tank, double fill_depth) {
 TankDefinition read_tank(const TomlTable& tank) {
   tank.allow_only(keys_of("tank"));
   return {.length = tank.get("length_m", positive("m")),
-          .height = tank.get("height_m", positive("m"))};
+          .height = tank.get("height_m", positive("m")),
+          .breadth = tank.find("breadth_m", positive("m"))};
 }
 
 LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank) {

@@ -47,24 +47,25 @@ Result computed(const std::function<Result()>& compute, const fs::path& failure_
   }
 }
 
+template <class Result, class Read, class Write>
+void keep(const ResultStore& store, const std::string& key, const char* extension, Read read,
+          Write write, const std::function<Result()>& compute) {
+  const StoreLock lock(store, key);
+  const fs::path file = store.file(key, extension);
+  if (!stands(file, read)) write(computed(compute, store.file(key, failure_extension)), file);
+  std::cout << "result: " << file.string() << "\n";
+}
+
 }  // namespace
 
 void keep_run(const ResultStore& store, const std::string& key,
               const std::function<RunResult()>& compute) {
-  const StoreLock lock(store, key);
-  const fs::path file = store.file(key, ".h5");
-  if (!stands(file, read_result))
-    write_result(computed(compute, store.file(key, failure_extension)), file);
-  std::cout << "result: " << file.string() << "\n";
+  keep(store, key, ".h5", read_result, write_result, compute);
 }
 
 void keep_problem(const ResultStore& store, const std::string& key,
                   const std::function<ProblemResult()>& compute) {
-  const StoreLock lock(store, key);
-  const fs::path file = store.file(key, ".json");
-  if (!stands(file, read_problem_result))
-    write_problem_result(computed(compute, store.file(key, failure_extension)), file);
-  std::cout << "result: " << file.string() << "\n";
+  keep(store, key, ".json", read_problem_result, write_problem_result, compute);
 }
 
 void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result) {

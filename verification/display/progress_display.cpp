@@ -103,6 +103,8 @@ void ProgressDisplay::show_end(const JobState& state, JobPhase before, const Sum
                            clock_time(state.wall_time));
   else if (before == JobPhase::waiting && state.phase == JobPhase::interrupted)
     stream_ << fmt::format("{} {}: not started", paint(red, "skipped "), state.job.name);
+  else if (state.phase == JobPhase::not_started)  // it has no log
+    stream_ << fmt::format("{} {}: {}", paint(red, "skipped "), state.job.name, description(state));
   else
     stream_ << fmt::format("{} {}: {} (log: {})", paint(red, "failed  "), state.job.name,
                            description(state), state.job.log_file.string());

@@ -32,7 +32,7 @@ enum class JobPhase {
   signalled,  // status: the signal that ended it
   timed_out,
   interrupted,  // ended by the interrupt, or never started because of it
-  not_started,  // message: why
+  not_started,  // it could not start, or its engine ended before it; message: why
   lost          // no record of its end (killed, or its machine failed); message: what is known
 };
 

@@ -14,8 +14,8 @@
 namespace slosh {
 
 // Runs the jobs of a written list as launch() does. A job that has left the queue without a record
-// of its end is lost; a controller that does not answer is asked again. The ids of the arrays are
-// written to slurm.json in the settings' directory.
+// of its end is lost, or not started where it has not begun; a controller that does not answer is
+// asked again. The ids of the arrays are written to slurm.json in the settings' directory.
 std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe);
 

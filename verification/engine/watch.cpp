@@ -15,7 +15,8 @@ void Watch::look() {
 }
 
 void Watch::lose(std::size_t index, const std::string& what_is_known) {
-  states_[index].phase = JobPhase::lost;
+  JobPhase& phase = states_[index].phase;
+  phase = phase == JobPhase::waiting ? JobPhase::not_started : JobPhase::lost;
   states_[index].message = what_is_known;
 }
 

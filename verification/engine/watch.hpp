@@ -20,11 +20,12 @@ class Watch {
 
   const std::vector<JobState>& states() const { return states_; }
 
-  // Marks a job as lost: the engine no longer knows it, and the list has no record of its end.
+  // Marks a job that the engine no longer knows and of whose end the list has no record: as lost,
+  // or as not started where the list has no record of its start either.
   void lose(std::size_t index, const std::string& what_is_known);
 
   // Is called once the engine has ended. A job without a record of its end is marked as interrupted
-  // where `stopped`, else as lost.
+  // where `stopped`, else as lose() does.
   std::vector<JobState> finish(bool stopped, const std::string& what_is_known);
 
  private:

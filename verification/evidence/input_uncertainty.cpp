@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verification/case/changed_input.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/runs/run_case.hpp"
 
@@ -17,11 +18,9 @@ namespace {
 // where there is none.
 const RunDefinition* theory_in_range(const CaseDefinition& definition, const CaseRuns& runs) {
   for (const RunDefinition& run : definition.runs) {
-    const auto* linear = std::get_if<LinearRun>(&run.solver);
-    const bool is_theory =
-        (linear && !linear->two_layer) || std::holds_alternative<PotentialRun>(run.solver);
     const auto status = runs.status.find(run.name);
-    if (is_theory && status != runs.status.end() && status->second.state == RunState::finished)
+    if (is_theory(run) && !sees_gas(run) && status != runs.status.end() &&
+        status->second.state == RunState::finished)
       return &run;
   }
   return nullptr;

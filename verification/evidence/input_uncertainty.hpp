@@ -3,11 +3,11 @@
 //   u_input^2 = sum over inputs of ((m(x + u) - m(x - u)) / 2)^2
 // u is the half width that the case declares for the input x, and m is the row's metric, measured
 // with a prediction for the tank with that input in the place of the candidate. The prediction
-// comes from the case's linear theory or potential flow where one of them is inside its range,
-// otherwise from the input's coarse run, repeated at both bounds. The difference of two coarse runs
-// includes their scatter: where the flow is chaotic it is too large rather than too small. Without
-// either, the row's u_input is unknown. Against theory or another method both sides have the same
-// inputs, and u_input is zero.
+// comes from the case's first theory of the liquid alone that is inside its range, otherwise from
+// the input's coarse run, repeated at both bounds. The difference of two coarse runs includes their
+// scatter: where the flow is chaotic it is too large rather than too small. Without either, the
+// row's u_input is unknown. Against theory or another method both sides have the same inputs, and
+// u_input is zero.
 #pragma once
 
 #include "verification/case/case_definition.hpp"

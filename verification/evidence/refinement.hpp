@@ -9,7 +9,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +19,7 @@
 
 namespace slosh {
 
-// Returns a row's metric with the interval that its time histories give it.
+// Returns a row's metric with the interval that its time series give it.
 using MeasureRow = std::function<Estimate(const GateRow& row)>;
 
 // The step of a run on a refinement path, in an arbitrary unit. Throws ComparisonError where its

@@ -111,7 +111,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
                                          const GateRow& row, const RowMeasures& measures) {
   UncertaintyContributions found;
   if (is_cost(row.metric)) return found;
-  found.statistics = repeat_spread(definition, runs, row, measures.measure);
+  found.time_series = repeat_spread(definition, runs, row, measures.measure);
   found.reference = of_reference(definition, runs, row, measures);
   found.discretisation =
       rests_on_experiment(definition, row)

@@ -6,7 +6,7 @@
 //   discretisation  Against an experiment this is the candidate's numerical uncertainty, which is
 //                   unknown for a run on no refinement path. Against theory or another method it is
 //                   zero: the candidate's discretisation error is what the row measures.
-//   statistics      A flow that is sensitive to small disturbances has the spread of its repeats.
+//   time_series     A flow that is sensitive to small disturbances has the spread of its repeats.
 //   input           Against an experiment this is the effect of its uncertain inputs. Against
 //                   theory or another method it is zero: both sides have the same inputs.
 // A cost has the interval of its timings alone.

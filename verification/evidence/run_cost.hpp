@@ -37,7 +37,7 @@ struct WorkRun {
 WorkRun work_run(const RunDefinition& run, const CaseRuns& runs, const Estimate& error);
 
 struct WorkFamily {
-  std::string name;           // "recommended", "recommended, shifting", "interFoam"
+  std::string name;           // "recommended", "recommended, antuono", "interFoam"
   std::string reference;      // of the errors
   bool changed;               // an SPH scheme with something changed
   std::vector<WorkRun> runs;  // coarse to fine

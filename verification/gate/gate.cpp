@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -128,8 +126,8 @@ std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
 
 GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
   UncertaintyContributions contributions = contributions_to(row, evidence);
-  contributions.statistics.half_width =
-      std::hypot(contributions.statistics.known(), value.half_width);
+  contributions.time_series.half_width =
+      std::hypot(contributions.time_series.known(), value.half_width);
   const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
   const std::string missing = missing_for_validation(contributions);
   return {row, verdict_of_kind(row, verdict_of(judged.verdict), missing), value,
@@ -157,35 +155,32 @@ std::vector<RoleInRow> runs_of(const GateRow& row, const GateEvidence& evidence)
   return runs;
 }
 
-// The most important reason why a row cannot be evaluated. Returns nullopt where it can.
-std::optional<std::pair<Verdict, std::string>> obstacle(
+// Why a run in a state has no series to judge, the most important reason first.
+struct Obstacle {
+  RunState state;
+  Verdict verdict;
+  const char* text;
+};
+constexpr std::array<Obstacle, 5> obstacles{{
+    {RunState::not_selected, Verdict::not_selected, "is not selected"},
+    {RunState::not_supplied, Verdict::not_supplied, "is not supplied"},
+    {RunState::failed, Verdict::solver_failed, "failed"},
+    {RunState::missing, Verdict::not_compared, "has no result"},
+    {RunState::out_of_range, Verdict::not_compared, "is outside its declared range"},
+}};
+
+std::optional<std::pair<Verdict, std::string>> obstacle_to(
     const GateRow& row, const std::map<std::string, RunStatus>& runs,
     const GateEvidence& evidence) {
-  struct Obstacle {
-    RunState state;
-    Verdict verdict;
-    const char* text;
-  };
-  constexpr std::array<Obstacle, 5> obstacles{{
-      {RunState::not_selected, Verdict::not_selected, "is not selected"},
-      {RunState::not_supplied, Verdict::not_supplied, "is not supplied"},
-      {RunState::failed, Verdict::solver_failed, "failed"},
-      {RunState::missing, Verdict::not_compared, "has no result"},
-      {RunState::out_of_range, Verdict::not_compared, "is outside its declared range"},
-  }};
   const std::vector<RoleInRow> needed = runs_of(row, evidence);
   for (const auto& [role, run] : needed) {
     if (!runs.contains(run))
       return {{Verdict::not_compared, fmt::format("the {} {} is missing", role, run)}};
   }
-  for (const Obstacle& one : obstacles) {
-    for (const auto& [role, run] : needed) {
-      const RunStatus& status = runs.at(run);
-      if (status.state != one.state) continue;
-      const std::string detail = status.message.empty() ? "" : ": " + status.message;
-      return {{one.verdict, fmt::format("the {} {} {}{}", role, run, one.text, detail)}};
-    }
-  }
+  for (const Obstacle& one : obstacles)
+    for (const auto& [role, run] : needed)
+      if (runs.at(run).state == one.state)
+        return obstacle_of(fmt::format("the {} {}", role, run), runs.at(run));
   return std::nullopt;
 }
 
@@ -207,9 +202,18 @@ std::optional<AllowedRange> tolerance_of(const CaseDefinition& definition,
   return std::nullopt;
 }
 
+std::optional<std::pair<Verdict, std::string>> obstacle_of(const std::string& subject,
+                                                           const RunStatus& status) {
+  for (const Obstacle& one : obstacles)
+    if (status.state == one.state)
+      return {{one.verdict, fmt::format("{} {}{}{}", subject, one.text,
+                                        status.message.empty() ? "" : ": ", status.message)}};
+  return std::nullopt;
+}
+
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence) {
-  if (const auto found = obstacle(row, runs, evidence))
+  if (const auto found = obstacle_to(row, runs, evidence))
     return {row, found->first, no_value, found->second};
   try {
     const Estimate value = measured(row, evidence);

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
@@ -101,6 +102,11 @@ AllowedRange allowed_by(const GateRow& row);
 std::optional<AllowedRange> tolerance_of(const CaseDefinition& definition,
                                          const Comparison& comparison, const std::string& mode,
                                          Metric metric);
+
+// The verdict, and the message about `subject`, on all rows that need a run or a problem in this
+// state. Returns nullopt where it has finished.
+std::optional<std::pair<Verdict, std::string>> obstacle_of(const std::string& subject,
+                                                           const RunStatus& status);
 
 // A limit or a range passes where the whole 95 % interval about the metric lies within it, is
 // violated where all of it lies outside, and is inconclusive otherwise. An improvement on another

@@ -42,7 +42,7 @@ struct NotSelectedError : std::runtime_error {
 using MeasureCost = std::function<CostAtError(const GateRow& row)>;
 
 // Returns the uncertainties of a row's metric beside the metric's own interval, which the gate adds
-// to `statistics`.
+// to `time_series`.
 using FindUncertainty = std::function<UncertaintyContributions(const GateRow& row)>;
 
 // The runs that a run's name in a row stands for: the run itself, or all members of the ensemble

@@ -49,7 +49,7 @@ Contribution Contribution::unknown(std::string missing) {
 
 double validation_uncertainty(const UncertaintyContributions& contributions) {
   double squares = 0;
-  for (const double one : {contributions.discretisation.known(), contributions.statistics.known(),
+  for (const double one : {contributions.discretisation.known(), contributions.time_series.known(),
                            contributions.input.known(), contributions.reference.known()}) {
     if (!(one >= 0)) return not_a_number;
     squares += one * one;
@@ -66,7 +66,7 @@ std::string missing_for_validation(const UncertaintyContributions& contributions
 
 std::string dominant_contribution(const UncertaintyContributions& contributions) {
   const auto named = {std::pair{contributions.discretisation.known(), "discretisation"},
-                      std::pair{contributions.statistics.known(), "statistics"},
+                      std::pair{contributions.time_series.known(), "time series"},
                       std::pair{contributions.input.known(), "input"},
                       std::pair{contributions.reference.known(), "reference"}};
   return std::max_element(named.begin(), named.end(),
@@ -89,9 +89,9 @@ std::optional<Remedy> finer_step(const ThreeWayOutcome& outcome, double order) {
 }
 
 std::optional<Remedy> longer_window(const ThreeWayOutcome& outcome) {
-  const auto left = left_beside(outcome, &UncertaintyContributions::statistics);
+  const auto left = left_beside(outcome, &UncertaintyContributions::time_series);
   if (!left) return std::nullopt;
-  const double ratio = std::pow(outcome.contributions.statistics.known() / *left, 2);
+  const double ratio = std::pow(outcome.contributions.time_series.known() / *left, 2);
   return Remedy{*left, ratio, ratio};
 }
 

@@ -2,7 +2,7 @@
 //   E = S - D
 // is simulation less data (every metric of the gate is such an error). Its validation uncertainty
 // is
-//   U_val = sqrt(U_discretisation^2 + U_statistics^2 + U_input^2 + U_reference^2)
+//   U_val = sqrt(U_discretisation^2 + U_series^2 + U_input^2 + U_reference^2)
 // The verdict is pass where the whole interval from E - U_val to E + U_val lies within the bound,
 // fail where all of it lies outside, and inconclusive where the interval holds the bound. For a
 // bound on |E| it is pass where |E| + U_val <= limit, and fail where |E| - U_val > limit. The first
@@ -36,7 +36,7 @@ struct Contribution {
 // The contributions are independent of one another.
 struct UncertaintyContributions {
   Contribution discretisation = {};  // time step and spacing (discretisation_uncertainty.hpp)
-  Contribution statistics = {};      // a finite time history: the metric's confidence interval
+  Contribution time_series = {};     // their finite length: the metric's confidence interval
   Contribution input = {};      // the simulation's inputs: motion, fill depth, liquid properties
   Contribution reference = {};  // the experiment's data, or another method's own uncertainty
 };
@@ -50,7 +50,7 @@ double validation_uncertainty(const UncertaintyContributions& contributions);
 // provide it.
 std::string missing_for_validation(const UncertaintyContributions& contributions);
 
-// "discretisation", "statistics", "input" or "reference": the largest.
+// "discretisation", "time series", "input" or "reference": the largest.
 std::string dominant_contribution(const UncertaintyContributions& contributions);
 
 // The range that the error may have: {-limit, limit} for |E| <= limit. An unbounded side is
@@ -89,8 +89,7 @@ struct Remedy {
 // is already conclusive, and where the order is not above zero.
 std::optional<Remedy> finer_step(const ThreeWayOutcome& outcome, double order);
 
-// U_statistics ~ 1 / sqrt(window); the cost grows as the window. Returns nullopt as finer_step()
-// does.
+// U_series ~ 1 / sqrt(window); the cost grows as the window. Returns nullopt as finer_step() does.
 std::optional<Remedy> longer_window(const ThreeWayOutcome& outcome);
 
 }  // namespace slosh

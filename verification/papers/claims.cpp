@@ -90,12 +90,13 @@ reports::Table claims_table(const std::string& id, const std::vector<Claim>& cla
       "Each claim in our own words; the range that a number must keep to is in brackets. The "
       "thresholds were set before any run was looked at. A claim cannot be confirmed where a run "
       "is absent or failed, a number is NaN, or an interval reaches over a threshold.",
-      {"claim", "in our words", "verdict", "result", "evidence against it, or what is missing"},
+      {"claim", "in our words", "source", "verdict", "result",
+       "evidence against it, or what is missing"},
       {}};
   for (const Claim& claim : claims) {
     const DecidedClaim decided = decide(claim);
     table.rows.push_back({fmt::format("({})", table.rows.size() + 1), decided.statement,
-                          verdict_of(decided.held), decided.found, decided.why});
+                          claim.source, verdict_of(decided.held), decided.found, decided.why});
   }
   return table;
 }

@@ -54,6 +54,7 @@ using Find = std::function<Finding()>;
 
 struct Claim {
   std::string statement;  // in our words
+  std::string source;     // where the paper makes it
   std::vector<Find> findings;
 };
 

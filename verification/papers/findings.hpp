@@ -16,9 +16,11 @@ using Evidence = Finding (*)(const std::vector<CaseAssessment>& cases, const Fin
 struct FindingRow {
   Evidence evidence;
   std::vector<std::string> cases;  // by name
-  std::vector<std::string> runs;   // by name; the one that the claim is about first
-  std::string name = {};           // of the quantity, in the finding's text
-  std::string quantity = {};       // a series or a fitted mode, where the function needs one
+  // The names that the function expects, in its order. The first run is the one that the claim is
+  // about.
+  std::vector<std::string> runs;
+  std::string name = {};      // of the quantity, in the finding's text
+  std::string quantity = {};  // a series or a fitted mode, where the function needs one
   std::vector<Threshold> thresholds;
   std::vector<double> printed = {};  // the paper's numbers, where the function compares with them
   // Whether the claim is about the flow, so that the finest interFoam run that the first case

@@ -222,7 +222,7 @@ std::vector<Claim> claims_of(const string& paper, const std::vector<CaseAssessme
   std::vector<Claim> claims;
   for (const PaperClaim& one : paper_claims()) {
     if (one.paper != paper) continue;
-    Claim claim{one.statement, {}};
+    Claim claim{one.statement, one.source, {}};
     for (const FindingRow& row : one.findings)
       for (const FindingRow& each : rows_to_evaluate(row, cases))
         claim.findings.push_back([each, &cases] { return each.evidence(cases, each); });

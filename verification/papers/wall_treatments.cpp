@@ -52,7 +52,7 @@ double nanoseconds(const RunCost& cost) {
 }
 
 std::string number(double value, const char* format) {
-  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "NaN";
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "not available";
 }
 
 struct Crossings {
@@ -63,7 +63,7 @@ struct Crossings {
 Crossings crossings_of(const RunResult& result) {
   const auto found = result.diagnostics.find("wall_crossings");
   if (found == result.diagnostics.end()) return {"not counted", "not decidable"};
-  if (!std::isfinite(found->second)) return {"NaN", "not decidable"};
+  if (!std::isfinite(found->second)) return {"not available", "not decidable"};
   return {fmt::format("{:.0f}", found->second), found->second == 0 ? "confirmed" : "refuted"};
 }
 

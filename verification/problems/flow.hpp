@@ -102,7 +102,6 @@ struct Flow {
   void step(double dt) {
     integrator.advance(liquid, dt);
     liquid.time += dt;
-    if constexpr (Choice::Shifting::active) liquid.shift();
     steps += 1;
   }
 

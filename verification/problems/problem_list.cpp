@@ -18,6 +18,7 @@ const std::vector<Problem>& all_problems() {
       wall_impulse_problem(),     mirror_symmetry_problem(),
       courant_map_problem(),      viscosity_map_problem(),
       gamma_map_problem(),        diffusion_map_problem(),
+      lattice_buckling_problem(), lattice_resistance_problem(),
       interval_coverage_problem()};
   return problems;
 }

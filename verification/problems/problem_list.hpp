@@ -31,6 +31,8 @@ Problem courant_map_problem();
 Problem viscosity_map_problem();
 Problem gamma_map_problem();
 Problem diffusion_map_problem();
+Problem lattice_buckling_problem();
+Problem lattice_resistance_problem();
 Problem interval_coverage_problem();
 
 }  // namespace slosh

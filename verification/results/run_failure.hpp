@@ -12,7 +12,7 @@ namespace slosh {
 inline constexpr const char* failure_extension = ".failure.json";
 
 struct RunFailure {
-  std::string kind;     // "solver failed", "killed", "time limit", "not started", "lost", ...
+  std::string kind;     // "solver failed", "killed", "time limit", "lost", ...
   std::string message;  // one line
   std::string details;  // the failed program's last output; empty where it left none
   std::string log;      // the file with its whole output; empty where there is none

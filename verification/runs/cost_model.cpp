@@ -27,7 +27,7 @@ struct SchemeWork {
 SchemeWork work_of(const SphRun& sph) {
   SchemeWork work{3, 1.5, 1, 1};
   const std::string& variant = sph.variant;
-  const bool wendland = variant == "wendland_c2" || variant == "wendland_c4";
+  const bool wendland = variant.starts_with("wendland_");
   if (sph.scheme == "li2010") work = {2, 1.5, 2, 1.4};
   if (sph.scheme == "delta_sph") work = {2, 2, 2, 2.3};
   if (sph.scheme.starts_with("zhao2021")) work = {2, 1.5, 2, 1.5};

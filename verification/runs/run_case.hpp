@@ -1,8 +1,9 @@
 // Executes one run of a case in this process: it translates the case for the solver, runs it, and
 // collects its output in a result. The series are
 //   of every solver        the case's quantities (quantities.hpp), as far as the solver has them
-//   SPH, also              "kinetic_energy" and "potential_energy" [J/m], and of still water those
-//                          of sph/recording/still_water.hpp
+//   SPH, also              "kinetic_energy" and "potential_energy" [J/m], those of
+//                          sph/recording/soundness.hpp, and of still water those of
+//                          sph/recording/still_water.hpp
 //   interFoam, also        "liquid_volume" [m2]
 //   potential flow, also   each series with the suffix `coarser`, from a run with fewer nodes
 //   a record               its own quantity alone

@@ -6,6 +6,7 @@
 #include "openfoam_cases/run_case.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/field_times.hpp"
+#include "verification/case/gap_friction.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/runs/run_case.hpp"
@@ -62,18 +63,21 @@ json physics(const CaseDefinition& definition) {
   json wave = nullptr;
   if (definition.initial_wave)
     wave = {definition.initial_wave->mode, definition.initial_wave->amplitude};
-  return {{"gravity", definition.gravity},
-          {"tank", {definition.tank.length, definition.tank.height}},
-          {"liquid", {liquid.fill_depth, liquid.density, liquid.kinematic_viscosity}},
-          {"column_width", number_or_null(liquid.column_width)},
-          {"obstacles", obstacles},
-          {"initial_wave", wave},
-          {"motion", description(definition.motion)},
-          {"start", definition.start == Start::earth ? "earth" : "tank"},
-          {"duration", definition.duration},
-          {"sample_interval", definition.sample_interval},
-          {"gauges", gauges},
-          {"pressure_gauges", pressure_gauges}};
+  json described{{"gravity", definition.gravity},
+                 {"tank", {definition.tank.length, definition.tank.height}},
+                 {"liquid", {liquid.fill_depth, liquid.density, liquid.kinematic_viscosity}},
+                 {"column_width", number_or_null(liquid.column_width)},
+                 {"obstacles", obstacles},
+                 {"initial_wave", wave},
+                 {"motion", description(definition.motion)},
+                 {"start", definition.start == Start::earth ? "earth" : "tank"},
+                 {"duration", definition.duration},
+                 {"sample_interval", definition.sample_interval},
+                 {"gauges", gauges},
+                 {"pressure_gauges", pressure_gauges}};
+  if (definition.tank.breadth)
+    described["breadth"] = {*definition.tank.breadth, gap_friction(definition)};
+  return described;
 }
 
 json contents(const std::vector<std::filesystem::path>& files) {

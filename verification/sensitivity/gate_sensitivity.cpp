@@ -1,11 +1,8 @@
 #include "verification/sensitivity/gate_sensitivity.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <map>
 #include <numbers>
 

@@ -8,6 +8,7 @@
 #include "openfoam_cases/sloshing_tank.hpp"
 #include "openfoam_cases/write_case.hpp"
 #include "verification/case/field_times.hpp"
+#include "verification/case/gap_friction.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/results/taken_series.hpp"
 #include "verification/solvers/solver_runs.hpp"
@@ -32,6 +33,7 @@ openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& de
       .gravity = definition.gravity,
       .liquid = {definition.liquid.density, definition.liquid.kinematic_viscosity},
       .gas = {definition.gas.density, definition.gas.kinematic_viscosity},
+      .gap_friction = gap_friction(definition),
       .velocity = motion.velocity,
       .acceleration = motion.acceleration,
       .initial_relative_velocity = definition.start == Start::earth ? -motion.velocity(0) : 0,
@@ -101,6 +103,8 @@ RunResult run_solver(const InterFoamRun& interfoam, const RunRequest& request) {
     result.snapshots.push_back(liquid_of(snapshot));
   result.active_terms = {"volume of fluid, liquid and gas", "laminar viscosity", "slip walls",
                          "acceleration in the tank's frame"};
+  if (tank.gap_friction > 0)
+    result.active_terms.push_back("friction of front and back wall, as of a porous medium");
   result.diagnostics = {{"max_courant_number", harvest.max_courant_number},
                         {"mean_pressure_iterations_per_step", harvest.mean_pressure_iterations},
                         {"relative_mass_loss", harvest.relative_mass_loss}};

@@ -135,8 +135,9 @@ RunResult run_solver(const SphRun& sph, const RunRequest& request) {
   take_common_series(output, result);
   take_series("kinetic_energy", "J/m", output.kinetic_energy, result);
   take_series("potential_energy", "J/m", output.potential_energy, result);
-  for (auto* list : {&output.still_water, &output.energy})
+  for (auto* list : {&output.still_water, &output.energy, &output.soundness})
     for (sph::RecordedSeries& one : *list) take_series(one.name, one.unit, one.history, result);
+  take_series("packing_drift", "1", output.packing_drift, result);
   result.active_terms = std::move(output.active_terms);
   result.diagnostics = std::move(output.diagnostics);
   result.cost.steps = output.steps;

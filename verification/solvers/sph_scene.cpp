@@ -7,6 +7,7 @@
 
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
+#include "verification/case/gap_friction.hpp"
 #include "verification/case/motion.hpp"
 
 namespace slosh {
@@ -45,6 +46,7 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
                    .gravity = definition.gravity,
                    .rest_density = definition.liquid.density,
                    .kinematic_viscosity = definition.liquid.kinematic_viscosity,
+                   .gap_friction = gap_friction(definition),
                    .displacement = motion.displacement,
                    .velocity = motion.velocity,
                    .acceleration = motion.acceleration,

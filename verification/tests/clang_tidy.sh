@@ -1,6 +1,6 @@
 #!/bin/sh
-# clang-tidy on all sources of the project but its tests, by the checks of .clang-tidy. Before, a source with a defect
-# shows that the checks find one. Exit status: 0 where nothing is found; 77 (skipped) where clang-tidy is not installed.
+# Runs the checks of .clang-tidy on all sources of the project but its tests. First it shows, on a source with a defect,
+# that the checks find one. Exit status: 0 where nothing is found; 77 (skipped) where clang-tidy is not installed.
 # Usage: clang_tidy.sh SOURCE_TREE DIRECTORY
 set -eu
 if ! command -v run-clang-tidy >/dev/null || ! command -v clang++ >/dev/null; then

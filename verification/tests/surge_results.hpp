@@ -109,6 +109,11 @@ inline CaseRuns surge_runs() {
   return runs;
 }
 
+inline TimeSeries scaled(TimeSeries series, double factor) {
+  for (double& value : series.value) value *= factor;
+  return series;
+}
+
 struct ScaledRun {
   std::string name;
   SphRun sph;
@@ -117,19 +122,17 @@ struct ScaledRun {
 };
 
 // The surge with these SPH runs instead of its own.
-inline CaseAssessment assess_scaled(const std::vector<ScaledRun>& scaled) {
+inline CaseAssessment assess_scaled(const std::vector<ScaledRun>& scaled_runs) {
   CaseDefinition definition = surge_case();
   definition.gate.clear();
   definition.runs = {definition.runs.at(0)};
   CaseRuns runs;
   runs.results["theory"] = surge_runs().results.at("theory");
   runs.status["theory"] = {RunState::finished, ""};
-  for (const ScaledRun& one : scaled) {
+  for (const ScaledRun& one : scaled_runs) {
     definition.runs.push_back(sample_run(one.sph));
     definition.runs.back().name = one.name;
-    TimeSeries elevation = elevation_of({});
-    for (double& value : elevation.value) value *= one.scale;
-    runs.results[one.name] = result_of(one.name, elevation);
+    runs.results[one.name] = result_of(one.name, scaled(elevation_of({}), one.scale));
     runs.results[one.name].cost = one.cost;
     runs.status[one.name] = {RunState::finished, ""};
   }

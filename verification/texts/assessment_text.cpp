@@ -19,7 +19,11 @@ std::string words_of(const RunStatus& status) {
   return text;
 }
 
+// Returns "" for a run or a problem of which nothing is missing.
 std::string complaint(const std::string& name, const RunStatus& status) {
+  if (status.state != RunState::failed && status.state != RunState::missing &&
+      status.state != RunState::not_supplied)
+    return "";
   return fmt::format("{}: {}: {}\n{}", name, state_name(status.state), status.message,
                      words_of(status));
 }
@@ -31,12 +35,9 @@ std::string complaints(const std::vector<CaseAssessment>& cases,
   std::string text;
   for (const CaseAssessment& one : cases)
     for (const auto& [run, status] : one.runs.status)
-      if (status.state == RunState::failed || status.state == RunState::missing ||
-          status.state == RunState::not_supplied)
-        text += complaint(one.definition.name + "/" + run, status);
+      text += complaint(one.definition.name + "/" + run, status);
   for (const ProblemAssessment& one : problems)
-    if (!one.run.result && one.run.status.state != RunState::not_selected)
-      text += complaint(one.definition.name, one.run.status);
+    text += complaint(one.definition.name, one.run.status);
   return text;
 }
 

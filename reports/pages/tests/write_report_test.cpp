@@ -327,6 +327,11 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
   spoilt_field("a figure's id", [](FieldFigure& f) { f.id = "cost"; });
   spoilt_field("no panels", [](FieldFigure& f) { f.panels.clear(); });
   spoilt_field("no columns", [](FieldFigure& f) { f.columns = 0; });
+  spoilt_field("more panels in a row than fit", [](FieldFigure& f) {
+    f.columns = 35;
+    f.panels.resize(35, f.panels[0]);
+    f.frames.clear();
+  });
   spoilt_field("turned colours", [](FieldFigure& f) { f.value_range = {1, 0}; });
   spoilt_field("undefined colours", [&](FieldFigure& f) { f.value_range = {nan, nan}; });
   spoilt_field("colours that are one", [](FieldFigure& f) { f.value_range = {1000, 1000 + 1e-9}; });

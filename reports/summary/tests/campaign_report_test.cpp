@@ -60,8 +60,7 @@ TEST(VerdictSentence, CountsTheRowsThatHold) {
 }
 
 TEST(VerdictSentence, NamesEveryKindOfTrouble) {
-  TimeSeries high = elevation_of({});
-  for (double& value : high.value) value *= 1.1;
+  const TimeSeries high = scaled(elevation_of({}), 1.1);
   EXPECT_EQ(verdict_sentence({assess(surge_case(), surge_runs_with("particles", high))}),
             "2 of 3 gate rows hold, 1 violated.");
   EXPECT_EQ(verdict_sentence({good(), not_comparable()}),

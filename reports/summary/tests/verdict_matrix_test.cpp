@@ -21,7 +21,7 @@ GateOutcome outcome(Verdict verdict, double value, double uncertainty = 0) {
                   "",
                   {}};
   if (std::isfinite(value))
-    one.judgement = judge_error(value, {.statistics = uncertainty}, {-0.05, 0.05});
+    one.judgement = judge_error(value, {.time_series = uncertainty}, {-0.05, 0.05});
   return one;
 }
 
@@ -80,17 +80,17 @@ TEST(VerdictMatrix, ShowsTheWorstVerdictOfEachCellAndOfAlikeVerdictsTheOneNeares
   GateOutcome other_lag = lag;
   other_lag.verdict = Verdict::pass;
   other_lag.value = {1.99, 0};
-  const VerdictMatrix matrix =
-      verdict_matrix({with_gate({outcome(Verdict::pass, 0.01), natural, other_lag, lag})});
+  const VerdictMatrix matrix = verdict_matrix(
+      shown_rows({with_gate({outcome(Verdict::pass, 0.01), natural, other_lag, lag})}));
   EXPECT_EQ(matrix.metrics, (std::vector<std::string>{"amplitude_error", "phase_lag"}));
   ASSERT_EQ(matrix.rows.size(), 1u);
   const MatrixCell& amplitude = matrix.rows[0].cells.at("amplitude_error");
   EXPECT_EQ(amplitude.rows, 2u);
-  EXPECT_EQ(amplitude.value, 0.045);
-  EXPECT_EQ(amplitude.row_id, "small_surge-2");
+  EXPECT_EQ(amplitude.worst.value, 0.045);
+  EXPECT_EQ(amplitude.worst.row_id, "small_surge-2");
   const MatrixCell& worst_lag = matrix.rows[0].cells.at("phase_lag");
-  EXPECT_EQ(worst_lag.verdict, Verdict::violated);
-  EXPECT_EQ(worst_lag.row_id, "small_surge-4");
+  EXPECT_EQ(worst_lag.worst.verdict, Verdict::violated);
+  EXPECT_EQ(worst_lag.worst.row_id, "small_surge-4");
 }
 
 TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
@@ -98,7 +98,8 @@ TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
   mesh.row.candidate = "fine_mesh";
   mesh.row.metric = Metric::frequency_error;
   const reports::Table table = matrix_table(
-      verdict_matrix({with_gate({outcome(Verdict::pass, 0.0123, 0.004), mesh})}), "m", "M", "case");
+      verdict_matrix(shown_rows({with_gate({outcome(Verdict::pass, 0.0123, 0.004), mesh})})), "m",
+      "M", "case");
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[0], (std::vector<std::string>{"small_surge", "particles", "theory",
                                                      "pass: 1.23 ± 0.4 %", ""}));
@@ -110,9 +111,9 @@ TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
 TEST(VerdictMatrix, ShowsARowThatCouldNotBeJudgedAndCountsWhatTheQuickFormLeavesOut) {
   GateOutcome skipped = outcome(Verdict::not_selected, nan);
   skipped.row.candidate = "fine_mesh";
-  const reports::Table table =
-      matrix_table(verdict_matrix({with_gate({outcome(Verdict::not_compared, nan), skipped})}), "m",
-                   "M", "case");
+  const reports::Table table = matrix_table(
+      verdict_matrix(shown_rows({with_gate({outcome(Verdict::not_compared, nan), skipped})})), "m",
+      "M", "case");
   ASSERT_EQ(table.rows.size(), 1u);
   EXPECT_EQ(table.rows[0][3], "not compared");
   EXPECT_NE(table.caption.find("1 pair without a selected row is left out."), std::string::npos);

@@ -54,11 +54,11 @@ std::string cell(const reports::Table& table, std::size_t row, const std::string
 
 TEST(ChangesOfARun, AreItsVariantAndItsNumbers) {
   EXPECT_EQ(changes_of(changed("")), "");
-  EXPECT_EQ(changes_of(changed("shifting")), "shifting");
+  EXPECT_EQ(changes_of(changed("antuono")), "antuono");
   SphRun run = with_courant_number(0.4);
-  run.variant = "shifting";
+  run.variant = "antuono";
   run.numbers.density_diffusion = 0;
-  EXPECT_EQ(changes_of(run), "shifting, courant_number = 0.4, density_diffusion = 0");
+  EXPECT_EQ(changes_of(run), "antuono, courant_number = 0.4, density_diffusion = 0");
 }
 
 TEST(AblationTable, IsLeftOutWhereNothingIsChanged) {
@@ -93,25 +93,25 @@ TEST(AblationTable, NamesTheTermsThatAVariantAndANumberChange) {
   CaseAssessment assessment = assess_ablations({{"plain", changed(""), 1.1, 1.5},
                                                 {"kernel", changed("wendland_c2"), 1.2, 0.5},
                                                 {"inviscid", changed("no_viscosity"), 1.2, 0.5},
-                                                {"shifted", changed("shifting"), 1.2, 0.5},
+                                                {"added", changed("antuono"), 1.2, 0.5},
                                                 {"faster", with_courant_number(0.4), 1.2, 0.5}});
   auto& results = assessment.runs.results;
   results["plain"].active_terms = {"quintic kernel", "viscosity", "leapfrog"};
   results["kernel"].active_terms = {"Wendland kernel", "viscosity", "leapfrog"};
   results["inviscid"].active_terms = {"quintic kernel", "leapfrog"};
-  results["shifted"].active_terms = {"quintic kernel", "viscosity", "shifting", "leapfrog"};
+  results["added"].active_terms = {"quintic kernel", "viscosity", "gradients", "leapfrog"};
   results["faster"].active_terms = results["plain"].active_terms;
   const auto table = ablation_table(assessment);
   EXPECT_EQ(cell(*table, 0, "affected terms"), "");
   EXPECT_EQ(cell(*table, 1, "affected terms"), "Wendland kernel instead of quintic kernel");
   EXPECT_EQ(cell(*table, 2, "affected terms"), "without viscosity");
-  EXPECT_EQ(cell(*table, 3, "affected terms"), "with shifting");
+  EXPECT_EQ(cell(*table, 3, "affected terms"), "with gradients");
   EXPECT_EQ(cell(*table, 4, "affected terms"), "time step: dt c0 / h");
 }
 
 TEST(AblationTable, TakesNoRunOfAnotherSpacingForTheUnchangedOne) {
   const auto table = ablation_table(assess_ablations(
-      {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("shifting"), 1.2, 0.5}}));
+      {{"coarse", changed("", 0.02), 1.1, 1.5}, {"other", changed("antuono"), 1.2, 0.5}}));
   EXPECT_EQ(cell(*table, 1, "rms over unchanged"), "");
   EXPECT_EQ(cell(*table, 1, "CPU time over unchanged"), "");
 }
@@ -134,12 +134,12 @@ reports::Figure cost_figure(const std::vector<reports::Figure>& figures) {
 TEST(CostFigure, ShowsEachChangeAsPointsOfItsOwn) {
   const auto figures = case_figures(assess_ablations({{"plain", changed(""), 1.1, 1.5},
                                                       {"coarse", changed("", 0.02), 1.2, 0.5},
-                                                      {"other", changed("shifting"), 1.3, 1}}));
+                                                      {"other", changed("antuono"), 1.3, 1}}));
   const reports::Figure cost = cost_figure(figures);
   ASSERT_EQ(cost.curves.size(), 3u);
   EXPECT_EQ(cost.curves[1].label, "recommended against theory, slope -1.00");
   EXPECT_EQ(cost.curves[1].x, (std::vector<double>{1.0, 2.0}));  // coarse first
-  EXPECT_EQ(cost.curves[2].label, "recommended, shifting against theory");
+  EXPECT_EQ(cost.curves[2].label, "recommended, antuono against theory");
   EXPECT_EQ(cost.curves[2].style, reports::Curve::Style::points);
   for (const reports::Curve& curve : figures.front().curves)
     EXPECT_NE(curve.label, "other") << "the history shows the unchanged scheme";

@@ -78,7 +78,7 @@ TEST(ImpactTable, SaysWhatDoesNotOccurOrIsNaNOrHasNoResult) {
   const auto rows = impact_table(assessment)->rows;
   EXPECT_EQ(rows.at(1).at(4), "no impact");
   EXPECT_NE(rows.at(2).at(2).find("not finite"), std::string::npos) << rows[2][2];
-  EXPECT_EQ(rows[2].back(), "NaN");
+  EXPECT_EQ(rows[2].back(), "not available");
   EXPECT_EQ(rows.at(3).at(1), "solver failed");
   for (const Row& row : rows) EXPECT_EQ(row.size(), rows[0].size());
 }

@@ -66,7 +66,7 @@ TEST(OrderTable, NeedsThreeSpacings) { EXPECT_FALSE(order_table(assess_spacings(
 
 TEST(OrderTable, LeavesOutARunThatChangesItsScheme) {
   CaseAssessment assessment = assess_spacings({0.01, 0.02, 0.04});
-  std::get<SphRun>(assessment.definition.runs.back().solver).variant = "shifting";
+  std::get<SphRun>(assessment.definition.runs.back().solver).variant = "antuono";
   EXPECT_FALSE(order_table(assess(assessment.definition, assessment.runs)));
 }
 

@@ -37,8 +37,9 @@ TEST(RestTable, GivesTheLargestMagnitudesOfTheWholeRunAndOfTheWindow) {
   EXPECT_EQ(table->rows[0].at(2), "0.3");
 }
 
-TEST(RestTable, SaysWhereAValueIsNaN) {
-  EXPECT_EQ(rest_table(recorded({0.5, NAN, 0.3}))->rows[0].at(1), "NaN");
+TEST(RestTable, SaysWhereAValueIsNotFinite) {
+  for (const double broken : {NAN, INFINITY})
+    EXPECT_EQ(rest_table(recorded({0.5, broken, 0.3}))->rows[0].at(1), "not available");
 }
 
 }  // namespace

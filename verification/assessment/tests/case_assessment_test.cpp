@@ -31,11 +31,6 @@ CaseAssessment assess_candidate(const TimeSeries& elevation) {
   return assess(surge_case(), surge_runs_with("particles", elevation));
 }
 
-TimeSeries scaled(TimeSeries series, double factor) {
-  for (double& value : series.value) value *= factor;
-  return series;
-}
-
 TEST(CaseAssessment, PassesACandidateThatIsItsReference) {
   const CaseAssessment assessment = assess(surge_case(), surge_runs());
   EXPECT_EQ(verdicts(assessment), std::set{Verdict::pass});

@@ -14,11 +14,6 @@
 namespace slosh::ensemble_assessment_test {
 namespace {
 
-TimeSeries scaled(TimeSeries series, double factor) {
-  for (double& value : series.value) value *= factor;
-  return series;
-}
-
 // Three repeats of "particles", each too high by what is told, and one row on their amplitude.
 struct Repeated {
   CaseDefinition definition = surge_case();
@@ -46,7 +41,7 @@ TEST(EnsembleAssessment, JudgesTheMeanByTheSpreadOfTheRepeats) {
   EXPECT_NEAR(outcome.value.half_width, 4.30265 * 0.01 / std::sqrt(3.0), 2e-4);
   EXPECT_EQ(outcome.verdict, Verdict::pass);
   // Its contributions have the spread once: hand-written repeats add nothing to an ensemble.
-  EXPECT_NEAR(outcome.judgement.value().contributions.statistics.known(), outcome.value.half_width,
+  EXPECT_NEAR(outcome.judgement.value().contributions.time_series.known(), outcome.value.half_width,
               1e-12);
   EXPECT_EQ(Repeated({0.01, 0.02, 0.03}, 0.04).assessed().gate.at(0).verdict,
             Verdict::inconclusive);

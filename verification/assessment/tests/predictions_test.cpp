@@ -10,11 +10,7 @@
 namespace slosh::predictions_test {
 namespace {
 
-TimeSeries higher_by(double factor) {
-  TimeSeries series = elevation_of({});
-  for (double& value : series.value) value *= factor;
-  return series;
-}
+TimeSeries higher_by(double factor) { return scaled(elevation_of({}), factor); }
 
 // Cases whose particles are higher than theory by these factors, their meshes right.
 std::vector<CaseAssessment> cases_of(const std::vector<double>& factors) {

@@ -176,7 +176,7 @@ TEST(ProblemGate, CallsEachShippedRowOnAMeasuredLimitARegressionRow) {
         regressions += measured;
       }
   }
-  EXPECT_EQ(regressions, 26);
+  EXPECT_EQ(regressions, 22);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ RunCost cost(double core_seconds, double memory = 16 * mebibyte) {
 CaseAssessment three_resolutions() {
   SphRun coarse{"recommended", 0.02, 0.02}, medium{"recommended", 0.01, 0.01},
       fine{"recommended", 0.005, 0.005}, changed = medium;
-  changed.variant = "shifting";
+  changed.variant = "antuono";
   return assess_scaled({{"fine", fine, 1.05, cost(64, 64 * mebibyte)},
                         {"coarse", coarse, 1.2, cost(1)},
                         {"medium", medium, 1.1, cost(8, 32 * mebibyte)},
@@ -108,7 +108,7 @@ TEST(WorkFamilies, AreOfRunsThatDifferInResolutionAloneCoarseToFine) {
   ASSERT_EQ(families[0].runs.size(), 3U);
   EXPECT_EQ(families[0].runs.front().run, "coarse");
   EXPECT_EQ(families[0].runs.back().run, "fine");
-  EXPECT_EQ(families[1].name, "recommended, shifting");
+  EXPECT_EQ(families[1].name, "recommended, antuono");
 }
 
 TEST(WorkFamilies, ShowReferencesByWhatSetsThemApart) {
@@ -269,16 +269,14 @@ TEST(SpeedTable, SetsEachMethodAgainstInterFoamAtTheMeshesError) {
   CaseDefinition definition = surge_case();
   definition.gate.clear();
   CaseRuns runs = surge_runs();
-  const auto scaled = [](const Theory& theory, double factor) {
-    TimeSeries series = elevation_of(theory);
-    for (double& value : series.value) value *= factor;
-    return series;
+  const auto higher_by = [](double factor, const Theory& theory) {
+    return scaled(elevation_of(theory), factor);
   };
-  runs.results["particles"] = result_of("particles", scaled({}, 1.05));
+  runs.results["particles"] = result_of("particles", higher_by(1.05, {}));
   runs.results["particles"].cost = cost(10);
-  runs.results["coarse_mesh"] = result_of("coarse_mesh", scaled({.gas_density = 1.2}, 1.06));
+  runs.results["coarse_mesh"] = result_of("coarse_mesh", higher_by(1.06, {.gas_density = 1.2}));
   runs.results["coarse_mesh"].cost = cost(40);
-  runs.results["fine_mesh"] = result_of("fine_mesh", scaled({.gas_density = 1.2}, 1.04));
+  runs.results["fine_mesh"] = result_of("fine_mesh", higher_by(1.04, {.gas_density = 1.2}));
   runs.results["fine_mesh"].cost = cost(80);
   const auto tables = work_precision_tables(assess(definition, runs));
   const reports::Table& table = table_named(tables, "speed");

@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Misspelt",
                 {"length_m = 2", "lenght_m = 2"},
                 "trial.toml:8: tank.lenght_m = 2: expected only these keys here: length_m, "
-                "height_m; nearest known key: length_m"},
+                "height_m, breadth_m; nearest known key: length_m"},
         Mistake{"Unknown",
                 {"x_m = 1.95", "x_m = 1.95\ncolour = \"red\""},
                 "trial.toml:28: gauge.colour = \"red\": expected only these keys here: name, x_m; "
@@ -144,6 +144,17 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NegativeLength",
                 {"length_m = 2", "length_m = -2"},
                 "trial.toml:8: tank.length_m = -2: expected a number > 0, in m"},
+        Mistake{"NoBreadth",
+                {"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = 0.0\n"},
+                "trial.toml:10: tank.breadth_m = 0.0: expected a number > 0, in m"},
+        Mistake{"NegativeBreadth",
+                {"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = -0.06\n"},
+                "trial.toml:10: tank.breadth_m = -0.06: expected a number > 0, in m"},
+        Mistake{"BreadthForATheory",
+                {"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = 0.06\n"},
+                "trial.toml:38: run.solver = \"linear\": expected a solver that counts the "
+                "friction of the front and the back wall, sph or interfoam, where [tank] has "
+                "breadth_m"},
         Mistake{"FillAboveTank",
                 {"fill_depth_m = 0.5", "fill_depth_m = 1.5"},
                 "trial.toml:11: liquid.fill_depth_m = 1.5: expected a number > 0 and below the "

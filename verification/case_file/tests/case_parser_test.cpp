@@ -137,6 +137,14 @@ TEST(CaseParser, FillsInTheWholeDefinition) {
   EXPECT_EQ(row.where.line, 52);
 }
 
+TEST(CaseParser, ReadsTheBreadthOfANarrowTank) {
+  EXPECT_FALSE(read_text(valid_text).tank.breadth);
+  std::string text = edited({"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = 0.062\n"});
+  text = text.substr(0, text.find("[[gate]]"));
+  const std::size_t theory = text.find("[[run]]"), sph = text.find("[[run]]", theory + 1);
+  EXPECT_EQ(read_text(text.erase(theory, sph - theory)).tank.breadth, 0.062);
+}
+
 TEST(CaseParser, TakesTheInnerSpacingAtTheSurfaceUnlessTold) {
   const auto definition = read_text(edited({"surface_particle_spacing_m = 0.01\n", ""}));
   EXPECT_EQ(std::get<SphRun>(definition.runs.at(1).solver).surface_particle_spacing, 0.02);
@@ -144,11 +152,11 @@ TEST(CaseParser, TakesTheInnerSpacingAtTheSurfaceUnlessTold) {
 
 TEST(CaseParser, ReadsWhatARunChangesOfItsScheme) {
   const auto definition = read_text(edited({"quick = true",
-                                            "variant = \"shifting\"\nsmoothing_length_ratio = 2\n"
+                                            "variant = \"antuono\"\nsmoothing_length_ratio = 2\n"
                                             "sound_speed_ratio = 20.0\ncourant_number = 0.4\n"
                                             "artificial_viscosity = 0\ndensity_diffusion = 0.1"}));
   const auto& changed = std::get<SphRun>(definition.runs.at(1).solver);
-  EXPECT_EQ(changed.variant, "shifting");
+  EXPECT_EQ(changed.variant, "antuono");
   EXPECT_EQ(changed.numbers.smoothing_length_ratio, 2);
   EXPECT_EQ(changed.numbers.sound_speed_ratio, 20);
   EXPECT_EQ(changed.numbers.courant_number, 0.4);

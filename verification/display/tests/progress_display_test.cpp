@@ -63,6 +63,11 @@ TEST(ProgressDisplay, NamesTheCauseAndTheLogOfAFailure) {
   EXPECT_EQ(shown({failed, state_of("late", JobPhase::interrupted)}, plain),
             "[2/2] failed   vof: exit status 3 (log: vof.log)\n"
             "[2/2] skipped  late: not started\n");
+  JobState never = state_of("never", JobPhase::not_started);
+  never.message = "see ninja.log";
+  EXPECT_EQ(shown({failed, never}, plain),
+            "[2/2] failed   vof: exit status 3 (log: vof.log)\n"
+            "[2/2] skipped  never: not started: see ninja.log\n");
 }
 
 TEST(ProgressDisplay, DrawsALiveLineWithTimeSpeedAndRemainingTime) {

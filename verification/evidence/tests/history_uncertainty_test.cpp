@@ -13,11 +13,6 @@
 namespace slosh::history_uncertainty_test {
 namespace {
 
-TimeSeries scaled(TimeSeries series, double factor) {
-  for (double& value : series.value) value *= factor;
-  return series;
-}
-
 // "particles" at 10 mm, besides runs at other spacings, each too high by error(h).
 struct Spacings {
   CaseDefinition definition = surge_case();

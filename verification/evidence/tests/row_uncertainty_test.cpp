@@ -17,11 +17,6 @@
 namespace slosh::row_uncertainty_test {
 namespace {
 
-TimeSeries scaled(TimeSeries series, double factor) {
-  for (double& value : series.value) value *= factor;
-  return series;
-}
-
 // The forced amplitude of "particles" against the fine mesh, each mesh too high by what is told.
 struct OfMeshes {
   CaseDefinition definition = surge_case();
@@ -153,7 +148,7 @@ TEST(RowUncertainty, OfAFlowThatDisturbancesDecideIsWhatItsRepeatsSpread) {
   }
   const GateOutcome outcome = assess(definition, runs).gate.at(0);
   // Standard deviation 0.02, Student's t of two degrees of freedom 4.3027 (tables).
-  EXPECT_NEAR(outcome.judgement.value().contributions.statistics.known(),
+  EXPECT_NEAR(outcome.judgement.value().contributions.time_series.known(),
               4.3027 * 0.02 * std::sqrt(4.0 / 3), 1e-5);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
   definition.runs.pop_back();
@@ -280,6 +275,19 @@ TEST(RowUncertainty, OfTheInputsTogetherIsTheRootOfTheirSquares) {
   row.runs.status["theory"] = {RunState::out_of_range, "too high"};
   row.definition.runs.at(0).solver = SphRun{"recommended", 0.03, 0.03};  // no theory at all
   EXPECT_FALSE(row.contributions().input.half_width.has_value());
+}
+
+TEST(RowUncertainty, OfTheInputsOfAFreeWaveComesFromTheViscousWave) {
+  OfARecord row(Metric::frequency_error, "natural_1", "1", 0.05, 0);
+  row.definition.motion = {};
+  row.definition.initial_wave = InitialWaveDefinition{1, 0.01};
+  row.definition.liquid.kinematic_viscosity = 1e-3;
+  row.definition.inputs = {{Input::fill_depth, 0.002, "a ruler"}};
+  row.definition.runs.at(0).solver = ViscousWaveRun{0.1};
+  const auto bounds = predict_input_bounds(row.definition, row.runs);
+  ASSERT_TRUE(bounds.contains(Input::fill_depth));
+  EXPECT_NE(bounds.at(Input::fill_depth).lower.at(surge_quantity).value,
+            bounds.at(Input::fill_depth).upper.at(surge_quantity).value);
 }
 
 // Where no theory holds: the coarse run of the case, with waves that are higher by the same share

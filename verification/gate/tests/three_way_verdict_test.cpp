@@ -23,12 +23,12 @@ TEST(ValidationUncertainty, AddsItsContributionsInQuadrature) {
   EXPECT_DOUBLE_EQ(validation_uncertainty({0.02, 0.04, 0.05, 0.06}), 0.09);
   EXPECT_EQ(validation_uncertainty({}), 0);
   EXPECT_TRUE(std::isnan(validation_uncertainty({.input = -0.01})));
-  EXPECT_TRUE(std::isnan(validation_uncertainty({.statistics = nan})));
+  EXPECT_TRUE(std::isnan(validation_uncertainty({.time_series = nan})));
 }
 
 TEST(ValidationUncertainty, NamesItsDominantContribution) {
   EXPECT_EQ(dominant_contribution({0.4, 0.1, 0.2, 0.3}), "discretisation");
-  EXPECT_EQ(dominant_contribution({0.1, 0.4, 0.2, 0.3}), "statistics");
+  EXPECT_EQ(dominant_contribution({0.1, 0.4, 0.2, 0.3}), "time series");
   EXPECT_EQ(dominant_contribution({0.1, 0.2, 0.4, 0.3}), "input");
   EXPECT_EQ(dominant_contribution({0.1, 0.2, 0.3, 0.4}), "reference");
 }
@@ -103,7 +103,7 @@ TEST(ThreeWayVerdict, TellsTheUncertaintyThatWouldBeConclusive) {
 
 // E = 0.01 and |E| <= 0.06 leave 0.05; beside 0.03 of input that is 0.04 for one more.
 const UncertaintyContributions coarse{.discretisation = 0.16, .input = 0.03};
-const UncertaintyContributions brief{.statistics = 0.16, .input = 0.03};
+const UncertaintyContributions brief{.time_series = 0.16, .input = 0.03};
 constexpr AllowedRange within_6_percent{-0.06, 0.06};
 
 TEST(FinerStep, IsTheRatioThatLeavesTheUncertaintyItsRoomBesideTheOthers) {
@@ -146,7 +146,7 @@ TEST(Remedies, AreNoneWhereTheOtherContributionsLeaveNoRoom) {
 
 TEST(Remedies, AreNoneWhereNoneIsNeededOrNoOrderIsKnown) {
   EXPECT_FALSE(finer_step(judge_error(0.01, {0.01}, within_6_percent), 2));
-  EXPECT_FALSE(longer_window(judge_error(1, {.statistics = 0.01}, within_6_percent)));
+  EXPECT_FALSE(longer_window(judge_error(1, {.time_series = 0.01}, within_6_percent)));
   EXPECT_FALSE(finer_step(judge_error(nan, {0.01}, within_6_percent), 2));
   for (const double order : {0.0, -1.0, nan})
     EXPECT_FALSE(finer_step(judge_error(0.01, coarse, within_6_percent), order));

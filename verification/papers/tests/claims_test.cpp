@@ -28,7 +28,7 @@ Find missing(const std::string& text) {
 
 TEST(Claims, AreConfirmedByAllFindingsTogether) {
   const DecidedClaim claim =
-      decide({"water is wet", {finding(Held::yes, "a"), finding(Held::yes, "b")}});
+      decide({"water is wet", "", {finding(Held::yes, "a"), finding(Held::yes, "b")}});
   EXPECT_EQ(claim.held, Held::yes);
   EXPECT_EQ(claim.found, "a; b");
   EXPECT_EQ(claim.why, "");
@@ -36,27 +36,29 @@ TEST(Claims, AreConfirmedByAllFindingsTogether) {
 
 TEST(Claims, AreRefutedByOneFindingWhateverElseIsMissing) {
   const DecidedClaim claim =
-      decide({"", {finding(Held::yes, "a"), missing("b"), finding(Held::no, "c")}});
+      decide({"", "", {finding(Held::yes, "a"), missing("b"), finding(Held::no, "c")}});
   EXPECT_EQ(claim.held, Held::no);
   EXPECT_EQ(claim.why, "c");
 }
 
 TEST(Claims, AreNotDecidableWhereAFindingIsMissingOrThereIsNone) {
-  const DecidedClaim claim = decide({"", {finding(Held::yes, "a"), missing("no run")}});
+  const DecidedClaim claim = decide({"", "", {finding(Held::yes, "a"), missing("no run")}});
   EXPECT_EQ(claim.held, Held::undecided);
   EXPECT_EQ(claim.why, "no run");
-  EXPECT_EQ(decide({"", {}}).held, Held::undecided);
+  EXPECT_EQ(decide({"", "", {}}).held, Held::undecided);
 }
 
 TEST(Claims, StandInATableWithTheirVerdictsInWords) {
-  const reports::Table table = claims_table("papers-claims", {{"one", {finding(Held::yes, "a")}},
-                                                              {"two", {finding(Held::no, "b")}},
-                                                              {"three", {missing("c")}}});
+  const reports::Table table =
+      claims_table("papers-claims", {{"one", "figure 1", {finding(Held::yes, "a")}},
+                                     {"two", "figure 2", {finding(Held::no, "b")}},
+                                     {"three", "figure 3", {missing("c")}}});
   ASSERT_EQ(table.rows.size(), 3u);
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"(1)", "one", "confirmed", "a", ""}));
-  EXPECT_EQ(table.rows[1][2], "refuted");
-  EXPECT_EQ(table.rows[2][2], "not decidable");
-  EXPECT_EQ(table.rows[2][4], "c");
+  EXPECT_EQ(table.rows[0],
+            (std::vector<std::string>{"(1)", "one", "figure 1", "confirmed", "a", ""}));
+  EXPECT_EQ(table.rows[1][3], "refuted");
+  EXPECT_EQ(table.rows[2][3], "not decidable");
+  EXPECT_EQ(table.rows[2][5], "c");
 }
 
 TEST(Within, CountsTheIntervalOnEitherSide) {

@@ -97,7 +97,7 @@ TEST(WallTreatments, SayWhatIsNaNOrHasNoResult) {
   EXPECT_EQ(rows.at(0),
             (std::vector<std::string>{"still_tank", "repulsive_mirror", "", "", "", "",
                                       "not decidable", "", "solver failed: so it goes"}));
-  for (const std::size_t column : {2u, 3u, 4u}) EXPECT_EQ(rows.at(2).at(column), "NaN");
+  for (const std::size_t column : {2u, 3u, 4u}) EXPECT_EQ(rows.at(2).at(column), "not available");
   EXPECT_EQ(wall_treatment_section({assessment})->figures.at(0).curves.size(), 1u);
 }
 

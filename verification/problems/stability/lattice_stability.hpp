@@ -8,7 +8,8 @@
 // with nu = alpha / 8 for an artificial viscosity, and a step of length C becomes
 //   u <- (1 - C N) u + C G rho,   rho <- (1 - C d) rho - C G.u
 // (with the density's phase shifted by a quarter period). The step is stable where no eigenvalue of
-// this map exceeds 1 in magnitude.
+// this map exceeds 1 in magnitude. The pressure at rest is left out: lattice_buckling.hpp tells
+// whether the lattice holds under it.
 #pragma once
 
 #include "sph/terms/kernels.hpp"

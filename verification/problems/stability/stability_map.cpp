@@ -41,24 +41,30 @@ double limit_of(const StabilityMap& map, double up, const std::vector<Probe>& ro
 
 }  // namespace
 
-sph::Scene wave_scene(const sph::SchemeNumbers& numbers, int steps) {
+sph::Scene still_tank(double water_depth, double particle_spacing) {
   const auto zero = [](double) { return 0.0; };
+  return {.tank_length = 1,
+          .tank_height = 2 * water_depth,
+          .fill_depth = water_depth,
+          .gravity = gravity,
+          .rest_density = 1000,
+          .displacement = zero,
+          .velocity = zero,
+          .acceleration = zero,
+          .duration = 0,
+          .sample_interval = 0,
+          .particle_spacing = particle_spacing,
+          .surface_particle_spacing = particle_spacing,
+          .gauges = {},
+          .record_snapshot = {}};
+}
+
+sph::Scene wave_scene(const sph::SchemeNumbers& numbers, int steps) {
   const double sound = numbers.sound_speed_ratio.value() * std::sqrt(gravity * depth),
                step = numbers.courant_number.value() * smoothing_length / sound;
-  sph::Scene scene{.tank_length = 1,
-                   .tank_height = 2 * depth,
-                   .fill_depth = depth,
-                   .gravity = gravity,
-                   .rest_density = 1000,
-                   .displacement = zero,
-                   .velocity = zero,
-                   .acceleration = zero,
-                   .duration = steps * step,
-                   .sample_interval = 20 * step,
-                   .particle_spacing = spacing,
-                   .surface_particle_spacing = spacing,
-                   .gauges = {},
-                   .record_snapshot = {}};
+  sph::Scene scene = still_tank(depth, spacing);
+  scene.duration = steps * step;
+  scene.sample_interval = 20 * step;
   scene.initial_wave = sph::InitialWave{1, amplitude};
   scene.numbers = numbers;
   return scene;

@@ -33,6 +33,10 @@ Probe probe_of_wave(const sph::Scene& scene);
 
 inline constexpr int steps_of_probe = 4000;
 
+// Returns water at rest in a tank 1 m long and twice as high as the water, whose depth is given
+// [m]. The caller sets the duration and the sample interval.
+sph::Scene still_tank(double depth, double spacing);
+
 // Returns one long wave in 1 m of water 0.4 m deep, with particles of 0.04 m, for `steps` steps of
 // the Courant number, of which a sample has twenty.
 sph::Scene wave_scene(const sph::SchemeNumbers& numbers, int steps);

@@ -44,6 +44,7 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       [](auto& c) { c.gravity = 9.0; },
       [](auto& c) { c.tank.length = 1.01; },
       [](auto& c) { c.tank.height = 0.9; },
+      [](auto& c) { c.tank.breadth = 0.06; },
       [](auto& c) { c.liquid.fill_depth = 0.36; },
       [](auto& c) { c.liquid.density = 999; },
       [](auto& c) { c.liquid.column_width = 0.3; },

@@ -83,14 +83,17 @@ TEST(GateSensitivity, MeasuresTheDatumByTheFillDepthAndItsPressure) {
 }
 
 TEST(GateSensitivity, FindsOutARowThatLetsPassWhatItMustDetect) {
-  RowSensitivity blind{
-      surge_row("forced", Metric::amplitude_error, "1", 0.05),
-      {true,
-       {{{MutationKind::louder, 0.2}, true, false}, {{MutationKind::quieter, 0.2}, true, true}}}};
-  ASSERT_EQ(broken_claims({blind}).size(), 1U);
-  EXPECT_EQ(broken_claims({blind})[0],
-            "particles, forced amplitude_error of elevation@right: louder 0.2 should be detected "
-            "and is not");
+  RowSensitivity blind{surge_row("forced", Metric::amplitude_error, "1", 0.05),
+                       {true,
+                        {{{MutationKind::louder, 0.2}, true, false},
+                         {{MutationKind::quieter, 0.2}, true, true},
+                         {{MutationKind::mode_gained, 0.1, "natural_1"}, true, false},
+                         {{MutationKind::mode_damped, 0.5, "natural_1"}, true, false}}}};
+  const std::string row = "particles, forced amplitude_error of elevation@right: ";
+  EXPECT_EQ(broken_claims({blind}),
+            (std::vector<std::string>{row + "louder 0.2 should be detected and is not",
+                                      row + "natural_1 gained 0.1 should be detected and is not",
+                                      row + "natural_1 damped 0.5 should be detected and is not"}));
 }
 
 }  // namespace

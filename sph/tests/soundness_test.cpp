@@ -1,0 +1,144 @@
+#include "sph/recording/soundness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "sph/scheme.hpp"
+#include "sph/schemes.hpp"
+#include "sph/simulation.hpp"
+#include "sph/tests/surging_scene.hpp"
+
+namespace slosh::sph::soundness_test {
+namespace {
+
+constexpr double dp = 0.01, rho = 1000;
+// How many particles wide and high a tank is in which most of them have a wall within their kernel,
+// and one in which most have none.
+constexpr int narrow = 10, wide = 40;
+
+// A tank that moves along at 0.5 m/s.
+Scene full_tank(int cells) {
+  Scene scene = carried_scene(dp, 0.1, 0.5);
+  scene.tank_length = scene.tank_height = scene.fill_depth = cells * dp;
+  scene.gauges.clear();
+  return scene;
+}
+
+// Fills the tank with a liquid of the rest density that moves with it.
+Particles lattice(int cells) {
+  Particles p;
+  for (int row = 0; row < cells; ++row)
+    for (int column = 0; column < cells; ++column) {
+      p.x.push_back((column + 0.5) * dp);
+      p.z.push_back((row + 0.5) * dp);
+      p.velocity_x.push_back(0.5);
+      p.velocity_z.push_back(0);
+      p.density.push_back(rho);
+      p.mass.push_back(rho * dp * dp);
+      p.spacing.push_back(dp);
+    }
+  return p;
+}
+
+template <class Choice>
+class SoundnessSeries : public testing::Test {
+ protected:
+  const Scene scene = full_tank(narrow);
+  const Scheme<Choice> scheme{scene};
+  Liquid<Scheme<Choice>> liquid{scene, scheme, lattice(narrow)};
+
+  // The value at the start of a run that starts from the liquid's present state.
+  double value(const std::string& name) {
+    RunOutput output;
+    Soundness().record(liquid, output);
+    for (const RecordedSeries& one : output.soundness)
+      if (one.name == name) return one.history.value.back();
+    ADD_FAILURE() << "no series " << name;
+    return std::nan("");
+  }
+};
+// Walls of mirror, ghost and dynamic particles, and weights of volumes and of masses.
+using Choices = testing::Types<Recommended, WithGhostWalls, DeltaSph, Li2010, Li2010TwoSpacings,
+                               Zhao2021Moving>;
+TYPED_TEST_SUITE(SoundnessSeries, Choices);
+
+TYPED_TEST(SoundnessSeries, AreZeroOfALatticeThatMovesWithItsTank) {
+  for (const char* name : {"mach_number", "density_error", "tension_share"})
+    EXPECT_NEAR(this->value(name), 0, 1e-12) << name;
+}
+
+TYPED_TEST(SoundnessSeries, KnowTheSpeedOfABlockThatMovesThroughItsTank) {
+  for (double& u : this->liquid.particles.velocity_x) u += 0.03;
+  for (double& w : this->liquid.particles.velocity_z) w = -0.04;
+  EXPECT_NEAR(this->value("mach_number"), 0.05 / this->scheme.setting.speed_of_sound, 1e-12);
+}
+
+TYPED_TEST(SoundnessSeries, KnowTheLargestErrorOfTheDensityAndTheParticlesInTension) {
+  Array<double>& density = this->liquid.particles.density;
+  for (std::size_t i = 0; i < density.size(); i += 4) density[i] = 0.99 * rho;
+  density[2] = 1.02 * rho;
+  EXPECT_NEAR(this->value("density_error"), 0.02, 1e-12);
+  EXPECT_NEAR(this->value("tension_share"), 0.25, 1e-12);
+}
+
+// The walls complete the sums: at a bare edge they would be half as large.
+TYPED_TEST(SoundnessSeries, StandOnAKernelSumOfOne) {
+  EXPECT_NEAR(this->liquid.median_kernel_sum(), 1, 0.01);
+}
+
+// The particles draw together towards a corner and keep their masses and densities, so that the sum
+// of their volumes m / rho does not change. The packing is measured at every tenth sample.
+TYPED_TEST(SoundnessSeries, SeeParticlesThatComeCloserThanTheirVolumesAllow) {
+  const Scene scene = full_tank(wide);
+  Liquid<Scheme<TypeParam>> liquid(scene, Scheme<TypeParam>(scene), lattice(wide));
+  Soundness soundness;
+  RunOutput output;
+  for (int sample = 0; sample < 10; ++sample) soundness.record(liquid, output);
+  EXPECT_EQ(output.packing_drift.value, std::vector<double>{0});
+  constexpr double scale = 0.97;
+  for (double& x : liquid.particles.x) x *= scale;
+  for (double& z : liquid.particles.z) z *= scale;
+  liquid.forget_neighbours();
+  liquid.renew_neighbours(0);
+  soundness.record(liquid, output);
+  ASSERT_EQ(output.packing_drift.value.size(), 2);
+  EXPECT_NEAR(output.packing_drift.value[1], 1 / (scale * scale) - 1, 0.003);
+}
+
+TYPED_TEST(SoundnessSeries, LeaveTheNextStepAsItIs) {
+  Liquid<Scheme<TypeParam>> other(this->scene, this->scheme, lattice(narrow));
+  this->value("mach_number");
+  for (auto* liquid : {&this->liquid, &other})
+    typename TypeParam::Integrator().advance(*liquid, 1e-4);
+  EXPECT_EQ(this->liquid.particles.velocity_z, other.particles.velocity_z);
+  EXPECT_EQ(this->liquid.particles.z, other.particles.z);
+  EXPECT_EQ(this->liquid.particles.density, other.particles.density);
+}
+
+TEST(SoundnessOfARun, IsRecordedAtItsSamplesAndItsLargestValuesAreDiagnostics) {
+  const RunOutput output = run("recommended", surging_scene(0.025, 0.2), {});
+  const auto largest = [&](const History& history) {
+    double result = 0;
+    for (const double value : history.value) result = std::max(result, std::abs(value));
+    return result;
+  };
+  std::vector<std::string> names;
+  for (const RecordedSeries& one : output.soundness) {
+    names.push_back(one.name);
+    EXPECT_EQ(one.unit, "1");
+    EXPECT_EQ(one.history.time, output.kinetic_energy.time) << one.name;
+    EXPECT_EQ(output.diagnostics.at("largest_" + one.name), largest(one.history));
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"mach_number", "density_error", "tension_share"}));
+  EXPECT_EQ(output.packing_drift.time, (std::vector<double>{0, 10 * 0.01, 20 * 0.01}));
+  EXPECT_EQ(output.diagnostics.at("largest_packing_drift"), largest(output.packing_drift));
+  EXPECT_GT(largest(output.soundness[0].history), 0);
+  EXPECT_GT(largest(output.packing_drift), 0);
+}
+
+}  // namespace
+}  // namespace slosh::sph::soundness_test

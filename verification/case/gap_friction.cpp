@@ -1,0 +1,39 @@
+#include "verification/case/gap_friction.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "verification/case/motion.hpp"
+
+namespace slosh {
+namespace {
+
+// Returns the frequency with which the liquid oscillates [rad/s].
+double frequency_of(const CaseDefinition& definition) {
+  if (const double forced = forcing_frequency(definition); forced > 0) return forced;
+  const int mode = definition.initial_wave ? definition.initial_wave->mode : 1;
+  const double k = mode * std::numbers::pi / definition.tank.length;
+  return std::sqrt(definition.gravity * k * std::tanh(k * definition.liquid.fill_depth));
+}
+
+}  // namespace
+
+double friction_between_walls(double gap, double kinematic_viscosity, double angular_frequency) {
+  if (kinematic_viscosity == 0) return 0;
+  using Complex = std::complex<double>;
+  const Complex i_omega{0, angular_frequency};
+  const Complex kappa = 0.5 * gap * std::sqrt(i_omega / kinematic_viscosity);
+  // Below this the limit is exact to 1e-12, and the denominator would lose as many digits.
+  if (std::abs(kappa) < 1e-3) return 12 * kinematic_viscosity / (gap * gap);
+  return (i_omega / (1.0 - std::tanh(kappa) / kappa)).real();
+}
+
+double gap_friction(const CaseDefinition& definition) {
+  const std::optional<double> gap = definition.tank.breadth;
+  if (!gap) return 0;
+  return friction_between_walls(*gap, definition.liquid.kinematic_viscosity,
+                                frequency_of(definition));
+}
+
+}  // namespace slosh

@@ -1,0 +1,31 @@
+// The friction of a narrow tank's front and back wall, which solvers in two dimensions do not see.
+// Between two parallel walls the gap b apart, the mean velocity v over the gap of a laminar flow
+// that oscillates as exp(i omega t) follows from the force f per mass that drives it (Landau &
+// Lifshitz 1987, section 24, problem 6):
+//   f = i omega v / (1 - tanh(kappa) / kappa),   kappa = (b / 2) sqrt(i omega / nu)
+// The part in phase with the velocity is a friction f = ... + r v with the rate
+//   r = Re(i omega / (1 - tanh(kappa) / kappa))
+// Its limits, with the thickness delta = sqrt(2 nu / omega) of a Stokes layer, are
+//   r -> 12 nu / b^2                              for delta >> b, Poiseuille flow in a thin gap
+//   r -> (2 / b) sqrt(nu omega / 2) + 4 nu / b^2  for delta << b, two Stokes layers
+// so that no model needs to be chosen. The first term of the second limit alone is 15 % too low at
+// delta = b / 12.
+//
+// The part out of phase, an added mass, is left out: in two dimensions a solver would need it in
+// the inertia of the liquid. It is r / omega for thin layers and 1/5 in a thin gap, and lowers a
+// natural frequency by half of that.
+#pragma once
+
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+
+// Returns the rate r [1/s]; the limit of Poiseuille flow for the frequency 0.
+double friction_between_walls(double gap, double kinematic_viscosity, double angular_frequency);
+
+// Returns the rate r of the case's tank [1/s], or 0 where the case gives no breadth. The frequency
+// is that of the forcing. Where the forcing has no single one, it is the natural frequency of the
+// initial wave's mode, and without a wave that of the first mode.
+double gap_friction(const CaseDefinition& definition);
+
+}  // namespace slosh

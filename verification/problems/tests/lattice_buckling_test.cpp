@@ -1,0 +1,125 @@
+#include "verification/problems/stability/lattice_buckling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace slosh::lattice_buckling_test {
+namespace {
+
+constexpr double tank = 0.35 * std::numbers::pi;  // k depth of the first mode
+
+LatticeScheme quintic(double ratio) { return {&gradient_shape_of<sph::QuinticSpline>, ratio}; }
+
+TEST(LatticeBuckling, FindsTheWindowsOfTheQuinticOnTheSquareLattice) {
+  const auto windows = windows_that_hold(quintic(0), Lattice::square);
+  ASSERT_EQ(windows.size(), 2u);
+  EXPECT_NEAR(windows[0].low, 1.269, 2e-3);
+  EXPECT_NEAR(windows[0].high, 1.421, 2e-3);
+  EXPECT_NEAR(windows[1].low, 1.788, 2e-3);
+  EXPECT_NEAR(windows[1].high, 1.970, 2e-3);
+}
+
+TEST(LatticeBuckling, FindsOtherWindowsOnTheHexagonalLattice) {
+  const auto windows = windows_that_hold(quintic(0), Lattice::hexagonal);
+  ASSERT_EQ(windows.size(), 3u);
+  EXPECT_NEAR(windows[2].low, 1.58, 2e-3);
+  EXPECT_NEAR(windows[2].high, 1.838, 2e-3);
+  EXPECT_EQ(windows[0].low, searched_ratios.low) << "cut off by the search";
+}
+
+TEST(LatticeBuckling, FindsNoWindowOfWendlandC4OnTheSquareLattice) {
+  const LatticeScheme c4{&gradient_shape_of<sph::WendlandC4>, 0};
+  EXPECT_TRUE(windows_that_hold(c4, Lattice::square).empty());
+  EXPECT_EQ(windows_that_hold(c4, Lattice::hexagonal).size(), 3u);
+}
+
+TEST(LatticeBuckling, IntersectsWindows) {
+  const auto both = common_windows({{1, 2}, {3, 4}}, {{1.5, 3.5}, {5, 6}});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].low, 1.5);
+  EXPECT_EQ(both[0].high, 2);
+  EXPECT_EQ(both[1].low, 3);
+  EXPECT_EQ(both[1].high, 3.5);
+  EXPECT_TRUE(common_windows({{1, 2}}, {{2, 3}}).empty()) << "they only touch";
+}
+
+TEST(LatticeBuckling, GrowsWhereTheLatticeDoesNotHoldAndNowhereElse) {
+  for (const double ratio : {1.2, 1.3, 1.42, 1.5, 1.7, 1.8, 1.96, 2.1}) {
+    EXPECT_EQ(buckling_growth(quintic(ratio), Lattice::square) > 0,
+              !holds(quintic(ratio), Lattice::square))
+        << ratio;
+  }
+}
+
+// At h = 1.5 dp the fastest wave moves the rows against each other, (0, pi / dp), where the
+// gradient is 0: s^2 = -2 H_zz, here by hand.
+TEST(LatticeBuckling, HasTheGrowthOfColumnsThatMoveAlongEachOther) {
+  const double h = 1.5;
+  double hessian = 0;
+  for (int i = -3; i <= 3; ++i)
+    for (int j = -3; j <= 3; ++j) {
+      if (i % 2 == 0) continue;
+      const auto force = [&](double x, double z) {  // dW/dz
+        return z * gradient_shape_of<sph::QuinticSpline>(std::hypot(x, z) / h) / std::pow(h, 4);
+      };
+      hessian += 2 * (force(i, j + 1e-4) - force(i, j - 1e-4)) / 2e-4;
+    }
+  EXPECT_LT(hessian, 0);
+  EXPECT_NEAR(buckling_growth(quintic(h), Lattice::square), std::sqrt(-2 * hessian), 1e-5);
+}
+
+TEST(LatticeBuckling, IsSlowerInABoxAndTendsToThatOfTheEndlessLattice) {
+  const double endless = buckling_growth(quintic(1.5), Lattice::square),
+               small = buckling_growth_in_box(quintic(1.5), 10),
+               large = buckling_growth_in_box(quintic(1.5), 200);
+  EXPECT_LT(small, large);
+  EXPECT_LT(large, endless);
+  EXPECT_NEAR(large, endless, 0.02 * endless);
+  EXPECT_EQ(buckling_growth_in_box(quintic(1.42), 50), 0);
+}
+
+TEST(LatticeBuckling, IsSlowedByViscosity) {
+  LatticeScheme viscous = quintic(1.5);
+  viscous.viscosity = 0.01;
+  const double free = buckling_growth(quintic(1.5), Lattice::square),
+               slowed = buckling_growth(viscous, Lattice::square);
+  EXPECT_GT(slowed, 0);
+  EXPECT_LT(slowed, 0.7 * free);
+}
+
+// A kernel that covers very many particles sums as an integral does.
+TEST(FrequencyShiftOfLattice, VanishesForManyNeighbours) {
+  EXPECT_NEAR(frequency_shift_of_lattice(quintic(8), tank), 0, 5e-5);
+}
+
+TEST(FrequencyShiftOfLattice, IsLargeForWendlandC2AndSmallForTheQuintic) {
+  EXPECT_NEAR(frequency_shift_of_lattice({&gradient_shape_of<sph::WendlandC2>, 2}, tank), 0.0085,
+              1e-4);
+  EXPECT_NEAR(frequency_shift_of_lattice(quintic(1.42), tank), 0.0020, 1e-4);
+}
+
+TEST(FrequencyShiftOfSound, IsThatOfTheExactSolution) {
+  // A liquid with rho' = -rho g / c^2 at rest: phi'' - e phi' - (k^2 - w^2 / c^2) phi = 0 with
+  // e = g / c^2, phi' = 0 at the bottom and g phi' = w^2 phi at the surface; g = depth = 1.
+  const double k = tank, ratio = 30, c2 = ratio * ratio, e = 1 / c2;
+  const auto surface = [&](double w2) {
+    const double root = std::sqrt(0.25 * e * e + k * k - w2 / c2), a = 0.5 * e + root,
+                 b = 0.5 * e - root;
+    // phi = b exp(a z) - a exp(b z), which has no slope at z = 0.
+    return a * b * (std::exp(a) - std::exp(b)) - w2 * (b * std::exp(a) - a * std::exp(b));
+  };
+  const double linear = k * std::tanh(k);
+  double low = 0.9 * linear, high = 1.1 * linear;
+  ASSERT_LT(surface(low) * surface(high), 0);
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (surface(low) * surface(middle) > 0 ? low : high) = middle;
+  }
+  const double exact = std::sqrt(low / linear) - 1;
+  EXPECT_NEAR(frequency_shift_of_sound(ratio, tank) / exact, 1, 0.01);
+}
+
+}  // namespace
+}  // namespace slosh::lattice_buckling_test
