@@ -120,7 +120,7 @@ void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const 
     advance_to(sample * scene.sample_interval, run, scene);
     // The step has left the accelerations of its start or its middle; a sample needs its own.
     liquid.accelerate_for_sample();
-    recorder.record(liquid);
+    recorder.record(liquid, sample == samples);
     if (snapshot_stride != 0 && sample % snapshot_stride == 0) recorder.record_snapshot(liquid);
     if (state_stride != 0 && sample > 0 && sample % state_stride == 0) {
       scene.save_state(saved_state(run, scene));

@@ -37,8 +37,9 @@ class Recorder {
     if (energy_budget_) energy_budget_->add_step(liquid);
   }
 
-  // Records the liquid, whose accelerations must be those of its present state and time.
-  void record(Liquid<Scheme>& liquid) {
+  // Records the liquid, whose accelerations must be those of its present state and time. `is_last`:
+  // this is the run's last sample.
+  void record(Liquid<Scheme>& liquid, bool is_last) {
     const Motion<Scheme> motion(scene_, liquid.time);
     see_from_tank(liquid, motion, seen_);
     record_gauges(liquid, motion);
@@ -49,7 +50,7 @@ class Recorder {
           liquid, output.kinetic_energy.value.back() + output.potential_energy.value.back(),
           output.energy);
     record_forces(liquid.time);
-    soundness_.record(liquid, output);
+    soundness_.record(liquid, is_last, output);
     check_energy(liquid.time, motion);
   }
 

@@ -24,9 +24,10 @@ namespace slosh::sph {
 class Soundness {
  public:
   // Appends the values at the liquid's time to the output's series. The packing costs a pair sum,
-  // of which a step has two, and is measured at every tenth sample, the first included.
+  // of which a step has two, and is measured at every tenth sample, the first and the last
+  // included.
   template <class Scheme>
-  void record(Liquid<Scheme>& liquid, RunOutput& output) {
+  void record(Liquid<Scheme>& liquid, bool is_last, RunOutput& output) {
     const Particles& p = liquid.particles;
     const Setting& setting = liquid.scheme().setting;
     double density_error = 0, in_tension = 0;
@@ -42,7 +43,7 @@ class Soundness {
     std::vector<RecordedSeries>& series = output.soundness;
     if (series.empty())
       for (const auto& [name, value] : values) series.push_back({name, "1", {}});
-    const bool measures_packing = series[0].history.time.size() % packing_stride == 0;
+    const bool measures_packing = is_last || series[0].history.time.size() % packing_stride == 0;
     for (std::size_t i = 0; i < series.size(); ++i) {
       series[i].history.time.push_back(liquid.time);
       series[i].history.value.push_back(values[i].second);

@@ -54,7 +54,7 @@ class SoundnessSeries : public testing::Test {
   // The value at the start of a run that starts from the liquid's present state.
   double value(const std::string& name) {
     RunOutput output;
-    Soundness().record(liquid, output);
+    Soundness().record(liquid, false, output);
     for (const RecordedSeries& one : output.soundness)
       if (one.name == name) return one.history.value.back();
     ADD_FAILURE() << "no series " << name;
@@ -97,14 +97,14 @@ TYPED_TEST(SoundnessSeries, SeeParticlesThatComeCloserThanTheirVolumesAllow) {
   Liquid<Scheme<TypeParam>> liquid(scene, Scheme<TypeParam>(scene), lattice(wide));
   Soundness soundness;
   RunOutput output;
-  for (int sample = 0; sample < 10; ++sample) soundness.record(liquid, output);
+  for (int sample = 0; sample < 10; ++sample) soundness.record(liquid, false, output);
   EXPECT_EQ(output.packing_drift.value, std::vector<double>{0});
   constexpr double scale = 0.97;
   for (double& x : liquid.particles.x) x *= scale;
   for (double& z : liquid.particles.z) z *= scale;
   liquid.forget_neighbours();
   liquid.renew_neighbours(0);
-  soundness.record(liquid, output);
+  soundness.record(liquid, false, output);
   ASSERT_EQ(output.packing_drift.value.size(), 2);
   EXPECT_NEAR(output.packing_drift.value[1], 1 / (scale * scale) - 1, 0.003);
 }
@@ -138,6 +138,11 @@ TEST(SoundnessOfARun, IsRecordedAtItsSamplesAndItsLargestValuesAreDiagnostics) {
   EXPECT_EQ(output.diagnostics.at("largest_packing_drift"), largest(output.packing_drift));
   EXPECT_GT(largest(output.soundness[0].history), 0);
   EXPECT_GT(largest(output.packing_drift), 0);
+}
+
+TEST(SoundnessOfARun, HasThePackingOfItsLastSample) {
+  const RunOutput output = run("recommended", surging_scene(0.025, 0.13), {});
+  EXPECT_EQ(output.packing_drift.time, (std::vector<double>{0, 10 * 0.01, 13 * 0.01}));
 }
 
 }  // namespace

@@ -10,7 +10,10 @@ namespace {
 // The states of two jobs of which the first has begun, after their engine has ended.
 std::vector<JobState> after_the_engine(bool stopped) {
   const TemporaryDirectory directory;
-  const JobList list = JobList::create(directory.path(), {{.name = "begun"}, {.name = "waiting"}});
+  const auto job = [](const char* name) {
+    return Job{.name = name, .command = {}, .log_file = {}};
+  };
+  const JobList list = JobList::create(directory.path(), {job("begun"), job("waiting")});
   const ObserveJobs observe = [](const std::vector<JobState>&) {};
   Watch watch(list, observe);
   list.mark_started(0);
