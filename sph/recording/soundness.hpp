@@ -43,7 +43,10 @@ class Soundness {
     std::vector<RecordedSeries>& series = output.soundness;
     if (series.empty())
       for (const auto& [name, value] : values) series.push_back({name, "1", {}});
-    const bool measures_packing = is_last || series[0].history.time.size() % packing_stride == 0;
+    const std::size_t samples = series[0].history.time.size();
+    // A run that goes on from the end of a shorter one leaves that one's last packing out.
+    keep_every_tenth(output.packing_drift, samples);
+    const bool measures_packing = is_last || samples % packing_stride == 0;
     for (std::size_t i = 0; i < series.size(); ++i) {
       series[i].history.time.push_back(liquid.time);
       series[i].history.value.push_back(values[i].second);
@@ -66,6 +69,12 @@ class Soundness {
     if (drift.time.empty()) start_packing_ = packing;
     drift.time.push_back(liquid.time);
     drift.value.push_back(packing / start_packing_ - 1);
+  }
+
+  static void keep_every_tenth(History& drift, std::size_t samples) {
+    const std::size_t kept = (samples + packing_stride - 1) / packing_stride;
+    drift.time.resize(kept);
+    drift.value.resize(kept);
   }
 
   double start_packing_ = 0;
