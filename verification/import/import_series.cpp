@@ -79,6 +79,9 @@ RawSeries read_rows(TableReader& reader, const TableHead& head, std::size_t colu
       reader.refuse("row", reader.line(), fmt::format("{} values", head.columns.size()));
     if (reader.is_cut())
       reader.refuse("row", reader.line(), "an end of the line: the file may be cut short here");
+    for (const MarkOfNone& one : head.marks)
+      if (one.column == column && fields[column] == fields[one.mark])
+        reader.refuse(name, fields[column], one.expected);
     reader.add_time(time_name, fields[head.time], units.time, series.time);
     series.value.push_back(value_of(reader, name, fields[column], units.value));
   } while (reader.next());
@@ -166,7 +169,8 @@ const FileFormat& format_of(const SeriesSource& source) {
 void require_known_form(const SeriesSource& source) {
   const TimeColumn time = format_of(source).time_column;
   if (time == TimeColumn::must_be_named && source.time_column.empty())
-    refuse("", "time_column", "", "the name of the file's column of times");
+    refuse("", "time_column", "",
+           "the name of the file's column of times (--time, or time_column in a case file)");
   if (time == TimeColumn::known_by_format && !(source.time_column + source.time_unit).empty())
     refuse("", "time_column", source.time_column,
            fmt::format("no time column or unit: a {} file has its own", source.format));

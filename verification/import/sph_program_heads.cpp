@@ -8,12 +8,33 @@
 // SPHinXsys: the files of observed and reduced quantities (io_observation.h, io_plt.cpp). Names are
 // in quotes with blanks between them, the first is "run_time" in s. A program that is restarted
 // writes its head again, which is refused at that line.
+#include <algorithm>
+
 #include "verification/import/table_head.hpp"
 
 namespace slosh {
 namespace {
 
 char semicolon_or_comma(std::string_view line) { return line.find(';') != line.npos ? ';' : ','; }
+
+// A gauge of the surface searches along a line from pos0 to pos2. Where the surface is beyond the
+// line it writes pos2 as the surface, and where it finds no liquid it writes pos0.
+std::vector<MarkOfNone> marks_of_surface_gauge(const TableHead& head) {
+  const auto place = [&](const std::string& name) {
+    return static_cast<std::size_t>(
+        std::find_if(head.columns.begin(), head.columns.end(),
+                     [&](const ForeignColumn& column) { return column.name == name; }) -
+        head.columns.begin());
+  };
+  const std::size_t surface = place("swlz"), low = place("pos0z"), high = place("pos2z");
+  if (std::max({surface, low, high}) == head.columns.size()) return {};
+  return {{surface, high,
+           "a surface below the end of the gauge's line, which stands in pos2z: the surface is "
+           "beyond it, and the line has to be longer"},
+          {surface, low,
+           "a surface above the beginning of the gauge's line, which stands in pos0z: the gauge "
+           "found no liquid, and the line has to begin lower"}};
+}
 
 }  // namespace
 
@@ -23,6 +44,7 @@ TableHead read_dualsphysics_gauge_head(TableReader& reader, const SeriesSource&)
   if (head.columns.size() < 2 || head.columns[0].name != "time" || head.columns[0].unit != "s")
     reader.refuse("head", reader.line(),
                   "\"time [s]\" and more, as a gauge of DualSPHysics writes");
+  head.marks = marks_of_surface_gauge(head);
   reader.next();
   return head;
 }

@@ -15,11 +15,19 @@ struct ForeignColumn {
   std::string name, unit;  // the unit is empty where the file does not give it
 };
 
+// A program may write a mark in place of a value that it could not find: the value of another
+// column.
+struct MarkOfNone {
+  std::size_t column, mark;  // indices of the value's column and of the mark's
+  std::string expected;
+};
+
 struct TableHead {
   std::vector<ForeignColumn> columns;
   int line = 1;          // the line with the names
   std::size_t time = 0;  // index of the column of times
   char separator = ' ';  // ' ': any run of blanks, tabs and parentheses
+  std::vector<MarkOfNone> marks = {};
 };
 
 // A row's fields without the blanks and quotes around them. An empty last field, as after a

@@ -1,4 +1,5 @@
 // Which tables the import accepts and which it refuses, with the place and the expected text.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -191,6 +192,28 @@ TEST(ImportRefusal, ASeriesIsRefusedWhereItsProgramBeganAnewOrFoundNothing) {
                "a.csv:5: row = 0.1 (1 2) (3 4): expected values that are numbers or vectors");
   expect_start(complaint_of_form("openfoam_probes", "probe_2", probes + "0.1 1 2\n"),
                "a.csv:4: column = probe_2: expected one of the file's 3 columns; nearest: probe_0");
+}
+
+// A surface that leaves the gauge's line is written as the line's end.
+TEST(ImportRefusal, ASurfaceAtTheEndOfItsGaugesLineIsNoReading) {
+  const std::string head =
+      "time [s];swlx [m];swly [m];swlz [m];pos0x [m];pos0y [m];pos0z [m];pos2x [m];pos2y [m];"
+      "pos2z [m]\n";
+  const auto row = [](double time, const char* surface) {
+    return fmt::format("{};0.95;0;{};0.95;0;0.3;0.95;0;0.45\n", time, surface);
+  };
+  const auto complaint = [&](const std::string& text, const char* column = "swlz") {
+    return complaint_of_form("dualsphysics_gauge", column, text);
+  };
+  const std::string inside = head + row(0, "0.35") + row(0.1, "0.449999") + row(0.2, "0.36");
+  EXPECT_EQ(complaint(inside + row(0.3, "0.37")), "");
+  expect_start(complaint(inside + row(0.3, "0.45")),
+               "unusable: a.csv:5: swlz = 0.45: expected a surface below the end of the gauge's "
+               "line, which stands in pos2z");
+  expect_start(complaint(inside + row(0.3, "0.3")),
+               "unusable: a.csv:5: swlz = 0.3: expected a surface above the beginning of the "
+               "gauge's line, which stands in pos0z");
+  EXPECT_EQ(complaint(inside + row(0.3, "0.45"), "swlx"), "") << "another column has no mark";
 }
 
 }  // namespace
