@@ -196,7 +196,8 @@ struct RecordRun {
 };
 
 // Where a quantity stands in a file of another program (verification/import/), and how it becomes
-// ours: scale times the column's value in the quantity's unit, plus offset in that unit.
+// ours: scale times the column's value in the quantity's unit, plus offset in that unit, less the
+// first of these values where first_is_zero.
 struct SeriesSource {
   std::string quantity;  // of quantities.hpp
   std::filesystem::path file;
@@ -204,6 +205,7 @@ struct SeriesSource {
   std::string unit = {};                         // of the column; empty: as the file says
   std::string time_column = {}, time_unit = {};  // where the format does not fix them
   double scale = 1, offset = 0;
+  bool first_is_zero = false;
 };
 
 // A program of the user's own that is started for the case and leaves files of series. It is a

@@ -178,7 +178,7 @@ struct Row<ExternalRun> : CommonRow {
     json series = json::array();
     for (const SeriesSource& one : external.series)
       series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
-                        one.time_column, one.time_unit, one.scale, one.offset});
+                        one.time_column, one.time_unit, one.scale, one.offset, one.first_is_zero});
     return {{"external", {external.command, external.directory.filename().string(), series}}};
   }
 };

@@ -28,6 +28,12 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
     source.time_unit = series.choice("time_unit", "a unit of time", unit_names("s"));
   source.scale = series.find("scale", not_zero("1")).value_or(source.scale);
   source.offset = series.find("offset", any_number(unit)).value_or(source.offset);
+  if (series.has("datum")) {
+    series.choice("datum", "a datum", {"first"});
+    if (series.has("offset"))
+      series.refuse("datum", "no datum beside an offset, or no offset beside a datum");
+    source.first_is_zero = true;
+  }
   return source;
 }
 

@@ -28,6 +28,7 @@ struct ImportOptions {
   std::vector<std::string> series;  // "QUANTITY=COLUMN" each
   std::string unit, time_column, time_unit;
   double scale = 1, offset = 0;  // offset in the quantity's unit
+  std::string datum;
 };
 
 [[noreturn]] void refuse_series(const std::string& series, const std::string& expected) {
@@ -54,7 +55,8 @@ SeriesSource source_of(const std::string& series, const ImportOptions& options) 
                       .time_column = options.time_column,
                       .time_unit = options.time_unit,
                       .scale = options.scale,
-                      .offset = options.offset};
+                      .offset = options.offset,
+                      .first_is_zero = !options.datum.empty()};
   require_quantity(series, source.quantity);
   return source;
 }
@@ -82,6 +84,7 @@ std::string command_of(const ImportOptions& options) {
     if (!value->empty()) command += fmt::format(" {} {}", name, shell_word(*value));
   if (options.scale != 1) command += fmt::format(" --scale {}", options.scale);
   if (options.offset != 0) command += fmt::format(" --offset {}", options.offset);
+  if (!options.datum.empty()) command += " --datum " + options.datum;
   return command + " -o " + shell_word(options.output.string());
 }
 
@@ -102,9 +105,9 @@ int import_file(const ImportOptions& options) {
   result.provenance["source_format"] = options.format;
   write_result(result, options.output);
   for (const TimeSeries& series : result.series)
-    std::cout << fmt::format("{}: {} samples from {} to {} s [{}]\n", series.name,
-                             series.time.size(), series.time.front(), series.time.back(),
-                             series.unit);
+    std::cout << fmt::format("{}: {} samples from {} to {} s [{}], the first value is {:.4g}\n",
+                             series.name, series.time.size(), series.time.front(),
+                             series.time.back(), series.unit, series.value.front());
   std::cout << "result: " << options.output.string() << "\n";
   return exit_pass;
 }
@@ -143,11 +146,16 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
   command.add_option("--time-unit", options.time_unit, "Its unit, where the file does not say it");
   command.add_option("--scale", options.scale, "Multiplies the values, as 2 does for half a tank")
       ->check(keeps(not_zero("1")));
-  command
-      .add_option("--offset", options.offset,
-                  "Added to the values, in the quantity's SI unit: -0.35 for a surface's height "
-                  "above the bottom of a tank filled to 0.35 m")
-      ->check(keeps(any_number("the quantity's SI unit")));
+  CLI::Option* offset =
+      command
+          .add_option(
+              "--offset", options.offset,
+              "Added to the values, in the quantity's SI unit: -0.35 for a surface's height "
+              "above the bottom of a tank filled to 0.35 m")
+          ->check(keeps(any_number("the quantity's SI unit")));
+  command.add_option("--datum", options.datum, "first: the first value counts as zero")
+      ->check(one_of("a datum", {"first"}))
+      ->excludes(offset);
   command.add_option("-o,--output", options.output, "Result file")
       ->type_name(file_type)
       ->required();

@@ -125,11 +125,12 @@ TimeSeries in_own_unit(const SeriesSource& source, const Units& units, RawSeries
   const double time_scale = si_value(units.time, "s");
   const double scale = source.scale * si_value(units.value, unit);
   for (double& time : raw.time) time *= time_scale;
-  for (double& value : raw.value) value = scale * value + source.offset;
+  const double offset = source.first_is_zero ? -scale * raw.value.front() : source.offset;
+  for (double& value : raw.value) value = scale * value + offset;
   if (std::any_of(raw.value.begin(), raw.value.end(),
                   [](double value) { return !(std::abs(value) < largest_value); }))
     refuse(source.file.string(), source.column,
-           fmt::format("its values times {} plus {}", source.scale, source.offset),
+           fmt::format("its values times {} plus {}", source.scale, offset),
            fmt::format("a scale and an offset that leave values below {}", largest_value));
   return {source.quantity, unit, std::move(raw.time), std::move(raw.value)};
 }

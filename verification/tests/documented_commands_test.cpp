@@ -137,9 +137,9 @@ const std::vector<CommandRun> runs{
      {{"import", gauge_file, "--format", "dualsphysics_gauge", "--series", "elevation@right=swlz",
        "-o", "imported.h5"}}},
     {"import out/GaugesSWL_right.csv --format dualsphysics_gauge --series elevation@right=swlz "
-     "--offset -0.35 -o mine.h5",
+     "--datum first -o mine.h5",
      {{"import", gauge_file, "--format", "dualsphysics_gauge", "--series", "elevation@right=swlz",
-       "--offset", "-0.35", "-o", "mine.h5"}}},
+       "--datum", "first", "-o", "mine.h5"}}},
     {"show CASE [-o FILE.png\\|.svg\\|.html] [--quantity Q]",
      {{"show", "./small.toml", "-o", "small.png"},
       {"show", "./small.toml", "-o", "small.svg", "--quantity", "elevation@right"},

@@ -38,7 +38,7 @@ TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
       command + "time_limit_s = 60\ninputs = [\"numbers.txt\"]\n" + series +
       "unit = \"mm\"\ntime_column = \"t\"\ntime_unit = \"ms\"\nscale = -2\noffset = 0.5\n" +
       "[[run.series]]\nquantity = \"force_x\"\nfile = \"f.dat\"\nformat = \"sphinxsys\"\n"
-      "column = \"Force[0]\"\n");
+      "column = \"Force[0]\"\ndatum = \"first\"\n");
   EXPECT_EQ(run.command, (std::vector<std::string>{"./solve", "--case", "{case_file}", ""}));
   EXPECT_EQ(run.time_limit, 60);
   EXPECT_EQ(run.inputs, std::vector<std::filesystem::path>{"numbers.txt"});
@@ -56,6 +56,8 @@ TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
   EXPECT_EQ(first.offset, 0.5);
   EXPECT_EQ(run.series[1].scale, 1);
   EXPECT_EQ(run.series[1].offset, 0);
+  EXPECT_TRUE(run.series[1].first_is_zero);
+  EXPECT_FALSE(first.first_is_zero);
   EXPECT_TRUE(run.series[1].unit.empty());
 }
 
@@ -86,6 +88,10 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
        "trial.toml:61: run.series.scale = -inf: expected a number other than 0, without unit"},
       {command + series + "offset = nan\n",
        "trial.toml:61: run.series.offset = nan: expected a number, in m"},
+      {command + series + "datum = \"still\"\n",
+       "trial.toml:61: run.series.datum = \"still\": expected a datum, which is first"},
+      {command + series + "offset = 0.5\ndatum = \"first\"\n",
+       "trial.toml:62: run.series.datum = \"first\": expected no datum beside an offset"},
       {command + series + "time_unit = \"h\"\n",
        "trial.toml:61: run.series.time_unit = \"h\": expected a unit of time, one of s, ms, min"},
       {command + series + series,

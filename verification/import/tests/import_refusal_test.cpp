@@ -80,6 +80,18 @@ TEST(ImportRefusal, CsvIsReadWhateverPartsItsColumns) {
   EXPECT_EQ(read_csv(table).time, (std::vector<double>{0, 0.5, 1, 1.5}));
 }
 
+TEST(ImportRefusal, TheFirstValueIsZeroWhereItIsTheDatum) {
+  const Workspace workspace;
+  SeriesSource source =
+      csv(workspace.write("a.csv", "t [s];eta [mm]\n0;355\n1;357\n2;355\n3;350\n"));
+  source.scale = 2;
+  source.first_is_zero = true;
+  const TimeSeries series = import_series(source);
+  const std::vector<double> expected{0, 0.004, 0, -0.01};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(series.value[i], expected[i], 1e-15) << i;
+}
+
 TEST(ImportRefusal, UnitsAreTheFilesOrTheUsersAndThenTheSame) {
   const Workspace workspace;
   SeriesSource blanks = csv(workspace.write("a.txt", "t eta\n0 1\n60 2\n120 3\n180 4\n"));
