@@ -94,6 +94,8 @@ Json comparison_entry(const Comparison& pair) {
           {"window_begin_s", pair.window.begin},
           {"window_end_s", pair.window.end},
           {"normalised_rms", estimate_json(pair.normalised_rms)},
+          {"mean_offset", pair.candidate_wave.mean - pair.reference_wave.mean},
+          {"normalised_rms_without_offset", normalised_rms_without_offset(pair)},
           {"maximum_residual", pair.maximum_residual},
           {"cross_correlation_lag_s", pair.cross_correlation_lag},
           {"time_lag_s", pair.alignment.lag},

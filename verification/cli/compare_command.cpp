@@ -148,6 +148,11 @@ void print(const Comparison& comparison) {
                            comparison.candidate, comparison.reference, comparison.window.begin,
                            comparison.window.end);
   std::cout << "normalised rms: " << with_interval(comparison.normalised_rms, "1") << "\n"
+            << "mean offset: "
+            << in_unit(comparison.candidate_wave.mean - comparison.reference_wave.mean,
+                       comparison.unit)
+            << ", normalised rms without it: "
+            << in_unit(normalised_rms_without_offset(comparison), "1") << "\n"
             << "largest residual: " << in_unit(comparison.maximum_residual, comparison.unit) << "\n"
             << "Sprague and Geers: magnitude "
             << with_interval(comparison.sprague_geers_magnitude, "1") << ", phase "

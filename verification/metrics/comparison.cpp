@@ -200,4 +200,16 @@ Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, Tim
                  PreparedSeries("reference", reference, window, modes));
 }
 
+double normalised_rms_without_offset(const Comparison& comparison) {
+  const auto& [name, unit, time, value] = comparison.residual;
+  const auto mean_square_about = [&](double datum) {
+    std::vector<double> squares;
+    for (const double one : value) squares.push_back((one - datum) * (one - datum));
+    return mean_of(time, squares);
+  };
+  const double all = mean_square_about(0);
+  if (all == 0) return 0;
+  return comparison.normalised_rms.value * std::sqrt(mean_square_about(mean_of(time, value)) / all);
+}
+
 }  // namespace slosh

@@ -85,6 +85,10 @@ struct Comparison {
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;
 };
 
+// Returns the normalised rms that is left without the mean of the residual: what the difference
+// would be if the two had the same datum.
+double normalised_rms_without_offset(const Comparison& comparison);
+
 // Compares only the modes, in their order, of two series in one unit. Throws as fit_harmonics()
 // does.
 std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,

@@ -54,6 +54,18 @@ TEST(Comparison, ReportsALateCandidateAsAPositiveLagInEveryUnit) {
   EXPECT_NEAR(compare(reference, late, window, modes).modes[0].phase_lag.value, -lag, 1e-8);
 }
 
+TEST(Comparison, TellsTheDifferenceThatIsLeftWithoutAnOffset) {
+  const auto shifted = [](double error) {
+    return sampled([=](double t) { return (1 + error) * wave(t) + 0.01; }, 0, 20);
+  };
+  const double rest = normalised_rms_without_offset(compare(shifted(0), reference, window, modes));
+  EXPECT_NEAR(rest, 0, 1e-12);
+  const auto both = compare(shifted(0.05), reference, window, modes);
+  EXPECT_GT(both.normalised_rms.value, 1);
+  EXPECT_NEAR(normalised_rms_without_offset(both), 0.05, 1e-3);
+  EXPECT_EQ(normalised_rms_without_offset(compare(reference, reference, window, modes)), 0);
+}
+
 TEST(Comparison, ReportsAScaledCandidateAsAnAmplitudeErrorOfEveryMode) {
   const auto high = sampled([](double t) { return 1.05 * wave(t); }, 0, 20);
   const auto result = compare(high, reference, window, modes);
