@@ -115,8 +115,8 @@ TEST_F(ForeignResults, TwoAreComparedWithNoCase) {
                                "--window", "1", "9", "--json", "compared.json"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   for (const char* words :
-       {"elevation@right of a.csv.h5 against b.csv.h5, 1 to 9 s",
-        "normalised rms: ", "mean offset: ", "largest residual: ", "lag by cross-correlation: 0.0497",
+       {"elevation@right of a.csv.h5 against b.csv.h5, 1 to 9 s", "normalised rms: ",
+        "mean offset: ", "largest residual: ", "lag by cross-correlation: 0.0497",
         "mode forced (0.8 Hz)", "amplitude error: 5 %", "phase lag: 14.4 deg",
         "spectral peaks of the reference: 0.7999 Hz, 1.699 Hz", "Sprague and Geers"})
     EXPECT_NE(ended.out.find(words), std::string::npos) << words << "\n" << ended.out;
