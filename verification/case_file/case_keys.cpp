@@ -349,19 +349,37 @@ const std::vector<KeyTable>& case_key_tables() {
       {"gate",
        "[[gate]]",
        "no",
-       "One requirement. Exactly one of limit, lower with upper, and improves_on is given. No two "
-       "rows have the same candidate, reference, quantity, mode, metric, error and improves_on.",
-       {{"candidate", "run name", "yes", "The run that is judged. A record is never a candidate."},
+       "One requirement, or with candidates, modes and limits several: one for each run, mode and "
+       "metric that they list. Exactly one of limit, lower with upper, and improves_on is given "
+       "for "
+       "each metric. No two rows have the same candidate, reference, quantity, mode, metric, error "
+       "and improves_on.",
+       {{"candidate", "run name", "where candidates is absent",
+         "The run that is judged. A record is never a candidate."},
+        {"candidates", "list of run names or patterns", "no",
+         "In place of candidate: runs, or patterns such as recommended_*, each of which must match "
+         "a run. A pattern never means the reference."},
         {"reference", "run name",
          "yes, but refused with a metric of the candidate alone or of impacts",
-         "What the candidate is compared with."},
-        {"quantity", "quantity", "yes",
+         "What the candidate is compared with. Beside limits it is that of the metrics that take "
+         "one."},
+        {"quantity", "quantity", "no",
          "A compared quantity, below. A metric of the candidate alone takes any series, one of "
-         "impacts the pressure at their gauge, and a row against a record the record's quantity."},
-        {"mode", "text", "yes",
-         "forced, natural_1, ..., impact_1, ..., or whole, as the metric asks."},
-        {"metric", "text", "yes", "One of the metrics below."},
-        {"unit", "text", "yes", "The metric's unit."},
+         "impacts the pressure at their gauge, and a row against a record the record's quantity. "
+         "Default: the case's first, which is that of its first gauge but for a dam's front."},
+        {"mode", "text", "no",
+         "forced, natural_1, ..., impact_1, ..., or whole, as the metric asks. Of impacts one must "
+         "be named. Default: forced where the tank moves and the metric can be of it, else "
+         "natural_1; whole for the other metrics."},
+        {"modes", "list of texts", "no", "In place of mode: a row for each."},
+        {"metric", "text", "where limits is absent", "One of the metrics below."},
+        {"limits", "table of metrics", "no",
+         "In place of metric and its bound: each metric with its limit, as in "
+         "limits.phase_lag = 5, or with a table of the keys that differ from those of the group, "
+         "as in limits.phase_lag = { lower = 0, upper = 5, reason = \"...\" }."},
+        {"unit", "text", "no",
+         "The metric's unit, which a series that is not compared must name for a metric that has "
+         "the quantity's. Default: the unit that it must be."},
         {"limit", "number > 0", "one of the three",
          "The largest magnitude that passes. cost_to_reach takes only a limit."},
         {"lower", "number", "one of the three",
@@ -376,7 +394,9 @@ const std::vector<KeyTable>& case_key_tables() {
          "Where the limit comes from: theory, experiment, requirement; or earlier measurements. "
          "Default: validation."},
         {"reason", "text", "yes", "Why the row is there."},
-        {"source", "text", "yes", "Where its limit comes from."}}}};
+        {"source", "text", "yes, but for kind = \"regression\"",
+         "Where its limit comes from. Default of a regression: the measurement that the reason "
+         "names."}}}};
   return tables;
 }
 

@@ -235,12 +235,27 @@ class CaseReader {
     if (!runs_ && refused_runs_.empty()) refused_runs_.add_any();
   }
 
+  // Without the refused runs a pattern may match none.
+  bool can_judge_group(const TomlTable& group) const {
+    return refused_runs_.empty() || !group.has("candidates");
+  }
+
   bool can_judge_row(const TomlTable& row) const {
     for (const char* key : {"candidate", "reference", "improves_on"})
       if (refused_runs_.hold(row.written(key))) return false;
     const bool of_impacts = root_.has("impacts");
-    return comparison_ && (impacts_ || !of_impacts) &&
-           !refused_gauges_.measure(row.written("quantity"));
+    const bool gauge_is_read = row.has("quantity")
+                                   ? !refused_gauges_.measure(row.written("quantity"))
+                                   : refused_gauges_.empty();
+    return comparison_ && (impacts_ || !of_impacts) && gauge_is_read;
+  }
+
+  void read_row(const TomlTable& row) {
+    allow([&] {
+      if (can_judge_row(row))
+        definition_.gate.push_back(read_whole(
+            row, [&](const TomlTable& table) { return read_gate_row(table, definition_); }));
+    });
   }
 
   void read_what_names_runs() {
@@ -254,10 +269,9 @@ class CaseReader {
             input, [&](const TomlTable& table) { return read_input(table, definition_); }));
       });
     }
-    each("gate", [&](const TomlTable& row) {
-      if (can_judge_row(row))
-        definition_.gate.push_back(read_whole(
-            row, [&](const TomlTable& table) { return read_gate_row(table, definition_); }));
+    each("gate", [&](const TomlTable& group) {
+      if (can_judge_group(group))
+        for (const TomlTable& row : gate_rows(group, definition_)) read_row(row);
     });
     if (inputs) allow([&] { add_runs_at_ends(); });
   }

@@ -74,15 +74,21 @@ RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefi
 // Reads [[input]]. The definition's motion and the earlier inputs must have been read.
 InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition);
 
-// Reads [[gate]]. The definition's motion, gauges, comparison and runs must have been read.
+// Returns the rows of a [[gate]] (row_group.hpp). The definition's runs must have been read.
+std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& definition);
+
+// Reads a row of [[gate]]. The definition's motion, gauges, comparison and runs must have been
+// read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
 
 // Reads what [[basket]] measures in the case: a row without a candidate, whose limit is the goal.
 // The definition must be complete, with the runs of the sweeps.
 GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definition);
 
-// Reads the key `kind` of a gate row of a case or a problem.
+// Read the keys `kind` and `source` of a gate row of a case or a problem. A row of regression needs
+// no source: it rests on what was measured before.
 RowKind read_row_kind(const TomlTable& row);
+std::string read_row_source(const TomlTable& row, RowKind kind);
 
 // Reads [[problem]] of a campaign file. Refuses a problem that is one of `others`, and one without
 // a gate row, which could not fail.

@@ -12,6 +12,7 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/case_file/row_group.hpp"
 
 namespace slosh {
 namespace {
@@ -23,10 +24,14 @@ std::string names_of_costs() {
   return fmt::format("{}", fmt::join(names, " | "));
 }
 
-const MetricEntry& read_metric(const TomlTable& row) {
+std::vector<std::string> metric_names() {
   std::vector<std::string> names;
   for (const MetricEntry& entry : metric_table()) names.push_back(entry.name);
-  return metric_entry(row.choice("metric", "a metric", names));
+  return names;
+}
+
+const MetricEntry& read_metric(const TomlTable& row) {
+  return metric_entry(row.choice("metric", "a metric", metric_names()));
 }
 
 // A cost is of many runs, and of a percentile neither end is the better one.
@@ -166,6 +171,26 @@ void require_form_of_bound(const TomlTable& row, const MetricEntry& metric,
     row.refuse_table(name, fmt::format("lower with upper: {}", metric.bound.because));
 }
 
+// The first of the known texts is the default.
+std::string choice_or_first(const TomlTable& row, const char* key, const std::string& expected,
+                            const std::vector<std::string>& known) {
+  return row.has(key) || known.empty() ? row.choice(key, expected, known) : known.front();
+}
+
+// The default is the forced mode, where there is one, else the first natural mode. Of several
+// impacts one must be named.
+std::string read_mode(const TomlTable& row, const MetricEntry& metric, const std::string& quantity,
+                      const CaseDefinition& definition) {
+  const std::vector<std::string> modes = modes_of(metric, quantity, definition);
+  const std::string expected = measured_on_text(metric);
+  return metric.measured_on == MeasuredOn::impact ? row.choice("mode", expected, modes)
+                                                  : choice_or_first(row, "mode", expected, modes);
+}
+
+std::string read_unit(const TomlTable& row, const std::string& of, const std::string& unit) {
+  return choice_or_first(row, "unit", fmt::format("the unit of {}", of), {unit});
+}
+
 void refuse_reference(const TomlTable& row, const MetricEntry& metric, const char* measured_on) {
   if (row.has("reference"))
     row.refuse("reference",
@@ -178,15 +203,16 @@ void read_reference_and_quantity(const TomlTable& row, const CaseDefinition& def
                                   runs_besides({gate_row.candidate}, definition));
   const RecordRun* record = as_record(definition, gate_row.reference);
   gate_row.quantity =
-      record ? row.choice("quantity", "the record's quantity", {record->quantity})
-             : row.choice("quantity", "a compared quantity", compared_quantities(definition));
+      record ? choice_or_first(row, "quantity", "the record's quantity", {record->quantity})
+             : choice_or_first(row, "quantity", "a compared quantity",
+                               compared_quantities(definition));
 }
 
 void read_compared_series(const TomlTable& row, const MetricEntry& metric,
                           const CaseDefinition& definition, GateRow& gate_row) {
   read_reference_and_quantity(row, definition, gate_row);
-  const std::string unit = metric_unit(metric.metric, unit_of(gate_row.quantity));
-  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {unit});
+  gate_row.unit =
+      read_unit(row, metric.name, metric_unit(metric.metric, unit_of(gate_row.quantity)));
 }
 
 // Which series a solver records beside the compared quantities, and in which unit, is known only
@@ -194,15 +220,14 @@ void read_compared_series(const TomlTable& row, const MetricEntry& metric,
 void read_own_series(const TomlTable& row, const MetricEntry& metric,
                      const CaseDefinition& definition, GateRow& gate_row) {
   refuse_reference(row, metric, "the candidate alone");
-  gate_row.quantity = row.get("quantity", any_text());
   const auto compared = compared_quantities(definition);
+  gate_row.quantity = row.find("quantity", any_text()).value_or(compared.front());
   const bool known =
       std::find(compared.begin(), compared.end(), gate_row.quantity) != compared.end();
   if (*metric.unit) {
-    gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+    gate_row.unit = read_unit(row, metric.name, metric.unit);
   } else {
-    gate_row.unit = known ? row.choice("unit", fmt::format("the unit of {}", gate_row.quantity),
-                                       {unit_of(gate_row.quantity)})
+    gate_row.unit = known ? read_unit(row, gate_row.quantity, unit_of(gate_row.quantity))
                           : row.get("unit", any_text());
   }
 }
@@ -213,14 +238,21 @@ void read_impact_quantity(const TomlTable& row, const MetricEntry& metric,
   refuse_reference(row, metric, "the published impacts");
   if (!definition.impacts)
     row.refuse("metric", "a metric that needs no [impacts], which this case does not have");
-  gate_row.quantity = row.choice("quantity", "the pressure at the gauge of [impacts]",
-                                 impact_pressures(definition));
+  gate_row.quantity = choice_or_first(row, "quantity", "the pressure at the gauge of [impacts]",
+                                      impact_pressures(definition));
 }
 
 void read_impact_series(const TomlTable& row, const MetricEntry& metric,
                         const CaseDefinition& definition, GateRow& gate_row) {
   read_impact_quantity(row, metric, definition, gate_row);
-  gate_row.unit = row.choice("unit", fmt::format("the unit of {}", metric.name), {metric.unit});
+  gate_row.unit = read_unit(row, metric.name, metric.unit);
+}
+
+bool takes_reference(const TomlTable& row) {
+  for (const MetricEntry& entry : metric_table())
+    if (entry.name == row.written("metric"))
+      return !is_of_candidate_alone(entry.metric) && !is_of_impacts(entry.metric);
+  return true;
 }
 
 }  // namespace
@@ -230,8 +262,29 @@ RowKind read_row_kind(const TomlTable& row) {
   return row.choice("kind", "what the limit comes from", row_kind_names);
 }
 
+std::string read_row_source(const TomlTable& row, RowKind kind) {
+  const bool may_lack = kind == RowKind::regression && !row.has("source");
+  return may_lack ? "measured before: the reason names it" : row.get("source", any_text());
+}
+
+// A pattern never means the reference, which the row rule would refuse as a candidate. In a group
+// the reference is that of the metrics that take one.
+std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& definition) {
+  std::vector<std::string> names = candidates(definition);
+  std::erase(names, group.written("reference"));
+  std::vector<TomlTable> rows = rows_of_group(group, {.key = "candidate",
+                                                      .key_of_several = "candidates",
+                                                      .what = "a run",
+                                                      .names = std::move(names),
+                                                      .metrics = metric_names(),
+                                                      .table = "gate"});
+  if (std::any_of(rows.begin(), rows.end(), takes_reference))
+    for (TomlTable& row : rows)
+      if (!takes_reference(row)) row = row.without({"reference"});
+  return rows;
+}
+
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
-  row.allow_only(keys_of("gate"));
   GateRow gate_row{};
   gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);
@@ -243,8 +296,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   } else {
     read_compared_series(row, metric, definition, gate_row);
   }
-  gate_row.mode =
-      row.choice("mode", measured_on_text(metric), modes_of(metric, gate_row.quantity, definition));
+  gate_row.mode = read_mode(row, metric, gate_row.quantity, definition);
   read_bound(row, metric, definition, gate_row);
   read_error(row, metric, gate_row);
   require_form_of_bound(row, metric, gate_row);
@@ -253,7 +305,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   if (record && record->earlier_run && gate_row.kind != RowKind::regression)
     row.refuse("kind", "regression: the reference is an earlier run of this harness");
   gate_row.reason = row.get("reason", any_text());
-  gate_row.source = row.get("source", any_text());
+  gate_row.source = read_row_source(row, gate_row.kind);
   gate_row.where = row.where();
   refuse_second_bound(row, definition, gate_row);
   return gate_row;
@@ -266,7 +318,7 @@ GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definiti
   row.metric = metric.metric;
   if (metric.measured_on == MeasuredOn::own_series) {
     refuse_reference(measure, metric, "the candidate alone");
-    row.quantity = measure.get("quantity", any_text());
+    row.quantity = measure.find("quantity", any_text()).value_or(compared.front());
     if (row.quantity.find('@') != std::string::npos)  // at a gauge of the case
       measure.choice("quantity", "a compared quantity", compared);
   } else if (is_of_impacts(metric.metric)) {
@@ -277,8 +329,7 @@ GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definiti
   const bool is_compared =
       std::find(compared.begin(), compared.end(), row.quantity) != compared.end();
   row.unit = metric_unit(metric.metric, is_compared ? unit_of(row.quantity) : "1");
-  row.mode =
-      measure.choice("mode", measured_on_text(metric), modes_of(metric, row.quantity, definition));
+  row.mode = read_mode(measure, metric, row.quantity, definition);
   row.limit = measure.get("goal", positive(row.unit));
   row.where = measure.where();
   return row;

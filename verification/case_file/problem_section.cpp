@@ -5,6 +5,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/case_file/row_group.hpp"
 #include "verification/input/case_file_error.hpp"
 
 namespace slosh {
@@ -59,19 +60,19 @@ void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
 }
 
 ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
-  row.allow_only(keys_of("problem.gate"));
   ProblemGateRow gate_row{};
   gate_row.measure = row.choice("measure", fmt::format("a measure of {}", problem.name),
                                 names_of(problem.measures));
   gate_row.metric = row.choice("metric", "a metric", problem_metric_names);
   const std::string unit =
       is_order(gate_row.metric) ? "1" : named(problem.measures, gate_row.measure).unit;
-  gate_row.unit =
-      row.choice("unit", fmt::format("the unit of {}", metric_name(gate_row.metric)), {unit});
+  if (row.has("unit"))
+    row.choice("unit", fmt::format("the unit of {}", metric_name(gate_row.metric)), {unit});
+  gate_row.unit = unit;
   read_bounds(row, gate_row);
   gate_row.kind = read_row_kind(row);
   gate_row.reason = row.get("reason", any_text());
-  gate_row.source = row.get("source", any_text());
+  gate_row.source = read_row_source(row, gate_row.kind);
   gate_row.where = row.where();
   return gate_row;
 }
@@ -97,10 +98,18 @@ ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownPr
   for (const ProblemDefinition& other : others)
     if (other.name == problem.name) table.refuse("name", "each problem once");
   Complaints complaints;
-  for (const TomlTable& row : table.tables("gate"))
+  const KnownProblem& itself = named(known, problem.name);
+  const RowSubjects measures{.key = "measure",
+                             .key_of_several = "measures",
+                             .what = "a measure of " + problem.name,
+                             .names = names_of(itself.measures),
+                             .metrics = all_names(problem_metric_names),
+                             .table = "problem.gate"};
+  for (const TomlTable& group : table.tables("gate"))
     complaints.allow([&] {
-      row.read_all(
-          [&](const TomlTable& read) { add_row(read, named(known, problem.name), problem); });
+      for (const TomlTable& row : rows_of_group(group, measures))
+        complaints.allow(
+            [&] { row.read_all([&](const TomlTable& read) { add_row(read, itself, problem); }); });
     });
   complaints.tell();
   if (problem.gate.empty()) table.refuse("gate", "at least one gate row, [[problem.gate]]");

@@ -49,8 +49,9 @@ void add_run(const TomlTable& run, const TomlTable& sweep, const std::filesystem
                                          definition.name, read.name));
     definition.runs.push_back(read);
   }
-  for (const TomlTable& row : sweep.tables("gate"))
-    definition.gate.push_back(read_gate_row(row.with("candidate", name), definition));
+  for (const TomlTable& group : sweep.tables("gate"))
+    for (const TomlTable& row : gate_rows(group, definition))
+      definition.gate.push_back(read_gate_row(row.with("candidate", name), definition));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 //   [[sweep]]       cases: names or globs of the campaign's cases
 //                   name: of each run; "{key}" stands for the value at that key, with 'p' for '.'
 //                   the keys of a [[run]], any of which may hold an array of values
-//   [[sweep.gate]]  optional; as [[gate]] of a case, without candidate: a row for each
+//   [[sweep.gate]]  optional; as [[gate]] of a case, without candidate: its rows for each
 //                   of these runs
 #pragma once
 

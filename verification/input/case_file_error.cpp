@@ -3,19 +3,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace slosh {
 
 CaseFileErrors::CaseFileErrors(std::vector<std::string> all)
     : CaseFileError(fmt::format("{}", fmt::join(all, "\n"))), messages(std::move(all)) {}
+
+void Complaints::keep(const std::string& message) {
+  if (std::find(messages_.begin(), messages_.end(), message) == messages_.end())
+    messages_.push_back(message);
+}
 
 bool Complaints::allow(const std::function<void()>& read) {
   try {
     read();
     return true;
   } catch (const CaseFileErrors& errors) {
-    messages_.insert(messages_.end(), errors.messages.begin(), errors.messages.end());
+    for (const std::string& message : errors.messages) keep(message);
   } catch (const CaseFileError& error) {
-    messages_.push_back(error.what());
+    keep(error.what());
   }
   if (messages_.size() >= most) {
     messages_.resize(most);

@@ -27,7 +27,8 @@ struct CaseFileErrors : CaseFileError {
   std::vector<std::string> messages;
 };
 
-// Collects the mistakes of a file, so that they are reported together.
+// Collects the mistakes of a file, so that they are reported together. A mistake that shows in
+// several places, such as in every row of a group, is kept once.
 class Complaints {
  public:
   // Further mistakes are reported once these are corrected.
@@ -41,6 +42,8 @@ class Complaints {
   void tell() const;
 
  private:
+  void keep(const std::string& message);
+
   std::vector<std::string> messages_;
 };
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 #include <type_traits>
 
 #include "verification/input/case_file_error.hpp"
@@ -20,18 +22,23 @@ struct TomlTable::Content {
   const toml::table* table;
   std::string file;
   std::string path;  // "" for the root, "tank." inside [tank]
-  int line = 0;      // of a copy, whose nodes have no place
+  int line = 0;      // of a copy
   // The refusals of read_all() so far; null outside it.
   std::shared_ptr<std::vector<std::string>> kept = nullptr;
+  // Of the values of a copy, whose nodes have no place: "file:line: path" where they were written.
+  std::map<std::string, std::string, std::less<>> origins = {};
 
   SourceLocation where(const toml::node& node) const {
     const auto own = node.source().begin.line;
     return {file, own ? static_cast<int>(own) : line};
   }
-  std::shared_ptr<const Content> copy(toml::table changed) const {
+  // A changed copy, in which the values that stay keep their places.
+  Content copy(toml::table changed) const {
     const auto held = std::make_shared<const toml::table>(std::move(changed));
-    return std::make_shared<const Content>(
-        Content{held, held.get(), file, path, where(*table).line, kept});
+    Content copied{held, held.get(), file, path, where(*table).line, kept, origins};
+    for (const auto& [key, node] : *table)
+      copied.origins.try_emplace(std::string(key.str()), place_and_path(key.str()));
+    return copied;
   }
   // A table that this one holds.
   std::shared_ptr<const Content> part(const toml::node& node, std::string_view key) const {
@@ -40,6 +47,13 @@ struct TomlTable::Content {
   }
   std::string place(const toml::node& node) const {
     return fmt::format("{}:{}", file, where(node).line);
+  }
+  // Of the value at a key, or of the table where it is missing.
+  std::string place_and_path(std::string_view key) const {
+    const auto origin = origins.find(key);
+    if (origin != origins.end()) return origin->second;
+    const toml::node* node = table->get(key);
+    return fmt::format("{}: {}{}", place(node ? *node : *table), path, key);
   }
 };
 
@@ -224,16 +238,38 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   return tables;
 }
 
+TomlTable TomlTable::of(Content content) {
+  return TomlTable(std::make_shared<const Content>(std::move(content)));
+}
+
 TomlTable TomlTable::without(const std::vector<std::string>& keys) const {
   toml::table rest = *content_->table;
   for (const std::string& key : keys) rest.erase(key);
-  return TomlTable(content_->copy(std::move(rest)));
+  Content copied = content_->copy(std::move(rest));
+  for (const std::string& key : keys) copied.origins.erase(key);
+  return of(std::move(copied));
 }
 
 TomlTable TomlTable::with(std::string_view key, const std::string& text) const {
   toml::table more = *content_->table;
   more.insert_or_assign(key, text);
-  return TomlTable(content_->copy(std::move(more)));
+  return of(content_->copy(std::move(more)));
+}
+
+TomlTable TomlTable::with(std::string_view key, const TomlTable& other,
+                          std::string_view from) const {
+  toml::table more = *content_->table;
+  other.content_->table->get(from)->visit(
+      [&](const auto& value) { more.insert_or_assign(key, value); });
+  Content copied = content_->copy(std::move(more));
+  copied.origins.insert_or_assign(std::string(key), other.content_->place_and_path(from));
+  return of(std::move(copied));
+}
+
+TomlTable TomlTable::placed_at(const TomlTable& other, std::string_view key) const {
+  Content copied = content_->copy(*content_->table);
+  copied.line = other.content_->where(*other.content_->table->get(key)).line;
+  return of(std::move(copied));
 }
 
 std::vector<TomlTable> TomlTable::combinations() const {
@@ -252,8 +288,25 @@ std::vector<TomlTable> TomlTable::combinations() const {
     made = std::move(longer);
   }
   std::vector<TomlTable> tables;
-  for (toml::table& table : made) tables.push_back(TomlTable(content_->copy(std::move(table))));
+  for (toml::table& table : made) tables.push_back(of(content_->copy(std::move(table))));
   return tables;
+}
+
+bool TomlTable::has_table(std::string_view key) const {
+  const toml::node* node = content_->table->get(key);
+  return node && node->is_table();
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::tuple<toml::source_index, toml::source_index, std::string>> placed;
+  for (const auto& [key, node] : *content_->table) {
+    const toml::source_position& begin = key.source().begin;
+    placed.emplace_back(begin.line, begin.column, key.str());
+  }
+  std::sort(placed.begin(), placed.end());
+  std::vector<std::string> names;
+  for (const auto& one : placed) names.push_back(std::get<std::string>(one));
+  return names;
 }
 
 std::string TomlTable::written(std::string_view key) const {
@@ -281,11 +334,9 @@ void TomlTable::read_all(const std::function<void(const TomlTable&)>& read) cons
 
 std::string TomlTable::refusal(std::string_view key, std::string_view expected) const {
   const toml::node* node = content_->table->get(key);
-  if (!node)
-    return fmt::format("{}: {}{} is missing: expected {}", content_->place(*content_->table),
-                       content_->path, key, expected);
-  return fmt::format("{}: {}{} = {}: expected {}", content_->place(*node), content_->path, key,
-                     as_written(*node), expected);
+  const std::string place = content_->place_and_path(key);
+  return node ? fmt::format("{} = {}: expected {}", place, as_written(*node), expected)
+              : fmt::format("{} is missing: expected {}", place, expected);
 }
 
 void TomlTable::refuse(std::string_view key, std::string_view expected) const {

@@ -64,6 +64,11 @@ class TomlTable {
   TomlTable without(const std::vector<std::string>& keys) const;
   TomlTable with(std::string_view key, const std::string& text) const;
   std::vector<TomlTable> combinations() const;
+  // Returns a copy with the value that stands at `from` in another table of the file. A refusal of
+  // it tells where it stands there.
+  TomlTable with(std::string_view key, const TomlTable& other, std::string_view from) const;
+  // Returns a copy whose place in the file is that of a value of another table.
+  TomlTable placed_at(const TomlTable& other, std::string_view key) const;
 
   // Reads this table by `read` and throws CaseFileErrors with all its wrong values. A value whose
   // rule has a stand-in is refused only after the rest has been read. Any other refusal ends the
@@ -72,6 +77,8 @@ class TomlTable {
   void read_all(const std::function<void(const TomlTable&)>& read) const;
 
   bool has(std::string_view key) const;
+  bool has_table(std::string_view key) const;
+  std::vector<std::string> keys() const;            // in the order of the file
   std::string written(std::string_view key) const;  // a value's own text; "" when absent
   SourceLocation where() const;
   // Refuses the value at a key, which may be absent.
@@ -82,6 +89,7 @@ class TomlTable {
  private:
   struct Content;
   explicit TomlTable(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+  static TomlTable of(Content content);
   std::string refusal(std::string_view key, std::string_view expected) const;
   // Keeps the refusal and returns the rule's stand-in. Throws the refusal if the rule has none.
   template <class T>

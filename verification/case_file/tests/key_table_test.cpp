@@ -44,7 +44,7 @@ const std::string full_text = [] {
   std::string text = with_line_after(valid_text, "amplitude_m = 0.02", "ramp_periods = 1\n");
   text = with_line_after(text, "modes = 500", "two_layer = true\n");
   text = with_line_after(text, "cells_z = 40", "processes = 2\n");
-  text = with_line_after(text, "limit = 0.05", "kind = \"regression\"\n");
+  text = with_line_after(text, "limit = 0.05", "kind = \"validation\"\n");
   return with_line_after(text, "scheme = \"any\"",
                          "variant = \"any\"\ninitial_state = \"settled\"\n"
                          "artificial_viscosity = 0.1\nstart_disorder = 0.1\n");

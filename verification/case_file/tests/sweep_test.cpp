@@ -88,7 +88,7 @@ TEST_F(Sweep, GatesEachOfItsRunsAndSaysWhere) {
 
 TEST_F(Sweep, RefusesWhatARunOrARowOfACaseWouldWithItsOwnLine) {
   EXPECT_NE(refusal(with(sweep, "0.05, 0.025", "0.05, -1"))
-                .find("swept.toml:6: sweep.particle_spacing_m"),
+                .find("swept.toml:11: sweep.particle_spacing_m"),
             std::string::npos)
       << refusal(with(sweep, "0.05, 0.025", "0.05, -1"));
   EXPECT_NE(refusal(with(sweep, "courant_number", "courant")).find("nearest known key"),
