@@ -61,8 +61,7 @@ const std::vector<KeyTable>& campaign_key_tables() {
        "of [[run]]. A key that holds a list there is swept.",
        {{"cases", "list of texts", "yes", "Names or globs of the campaign's cases."},
         {"name", "text", "yes",
-         "A pattern of the table's keys, as in {scheme}_{particle_spacing_m}. A '.' is written "
-         "'p'."},
+         "A pattern of the table's keys, as in {scheme}_{particle_spacing_m}: see [[run]]."},
         {"gate", "[[sweep.gate]]", "no",
          "Rows as [[gate]], for each run, which is their candidate."}}},
       {"basket",

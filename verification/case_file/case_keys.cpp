@@ -187,11 +187,17 @@ const std::vector<KeyTable>& case_key_tables() {
       {"run",
        "[[run]]",
        "at least one",
-       "A solution of the case. These keys are common to all solvers; each solver adds its own.",
-       {{"name", "name", "yes", "The run's name in gate rows, reports and file names."},
+       "A solution of the case. These keys are common to all solvers; each solver adds its own. "
+       "Where the name is a pattern, a key may hold a list: there is a run for every combination "
+       "of the listed values.",
+       {{"name", "name, or a pattern of keys", "yes",
+         "The run's name in gate rows, reports and file names. In a pattern {key} stands for the "
+         "value at the key, with a 'p' for a '.'; {particle_spacing_mm} for that length in "
+         "millimetres; {start_seed:02} for a number of two digits."},
         {"solver", "text", "yes", "The solver: one of the tables below."},
-        {"quick", "true or false", "no",
-         "Whether the run belongs to the quick form of campaigns."}}},
+        {"quick", "true or false, or a list of names or patterns", "no",
+         "Whether the run belongs to the quick form of campaigns, or which of the runs of a "
+         "pattern."}}},
       {"run.sph",
        "[[run]] with solver = \"sph\"",
        "no",

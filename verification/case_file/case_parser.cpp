@@ -10,6 +10,7 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/case_file/run_group.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/toml_reader.hpp"
@@ -215,19 +216,25 @@ class CaseReader {
     return liquid_ && motion_ && wave_ && in_plain_tank && (gauges_ || !of_gauges);
   }
 
+  void read_run(const TomlTable& table) {
+    if (!can_judge_run(table)) return refused_runs_.add(table);
+    try {
+      const auto read = [&](const TomlTable& run) {
+        return slosh::read_runs(run, definition_, experiments_);
+      };
+      for (const RunDefinition& run : read_whole(table, read))
+        add_named(table, "run", run, definition_.runs);
+    } catch (const CaseFileError&) {
+      refused_runs_.add(table);
+      throw;
+    }
+  }
+
   void read_runs() {
-    runs_ = each("run", [&](const TomlTable& table) {
-      if (!can_judge_run(table)) return refused_runs_.add(table);
-      try {
-        const auto read = [&](const TomlTable& run) {
-          return slosh::read_runs(run, definition_, experiments_);
-        };
-        for (const RunDefinition& run : read_whole(table, read))
-          add_named(table, "run", run, definition_.runs);
-      } catch (const CaseFileError&) {
-        refused_runs_.add(table);
-        throw;
-      }
+    runs_ = each("run", [&](const TomlTable& group) {
+      std::vector<TomlTable> runs;
+      if (!allow([&] { runs = runs_of_group(group); })) refused_runs_.add_any();
+      for (const TomlTable& run : runs) allow([&] { read_run(run); });
     });
     runs_ &= refused_runs_.empty();
     if (runs_ && definition_.runs.empty())

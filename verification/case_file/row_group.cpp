@@ -1,11 +1,11 @@
 #include "verification/case_file/row_group.hpp"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 
 #include "verification/case_file/key_table.hpp"
+#include "verification/input/name_pattern.hpp"
 #include "verification/input/nearest_name.hpp"
 
 namespace slosh {
@@ -13,10 +13,6 @@ namespace {
 
 bool contains(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
-}
-
-bool matches(const std::string& pattern, const std::string& name) {
-  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
 // The keys at which a row takes its bound. In a group they stand in `limits`.
@@ -37,12 +33,12 @@ std::vector<std::string> listed_subjects(const TomlTable& group, const RowSubjec
       one_of_text(subjects.what + " or a pattern of them", subjects.names),
       [&](const std::string& pattern) {
         return std::any_of(subjects.names.begin(), subjects.names.end(),
-                           [&](const std::string& name) { return matches(pattern, name); });
+                           [&](const std::string& name) { return matches_pattern(pattern, name); });
       }};
   std::vector<std::string> listed;
   for (const PlacedText& pattern : group.texts(subjects.key_of_several, known))
     for (const std::string& name : subjects.names)
-      if (matches(pattern.text, name) && !contains(listed, name)) listed.push_back(name);
+      if (matches_pattern(pattern.text, name) && !contains(listed, name)) listed.push_back(name);
   if (listed.empty()) group.refuse(subjects.key_of_several, known.expected);
   return listed;
 }

@@ -8,8 +8,10 @@
 #include <set>
 #include <sstream>
 
+#include "verification/case_file/run_group.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
+#include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 namespace {
@@ -27,15 +29,13 @@ void require_spacings(const std::vector<double>& spacings) {
 }
 
 // Returns the table of the run in the file. Throws CaseFileError with the nearest names.
-toml::table run_table(const toml::array& runs, const char* role, const std::string& name,
+toml::table run_table(const std::vector<TomlTable>& runs, const char* role, const std::string& name,
                       const CaseDefinition& definition) {
   std::vector<std::string> known;
-  for (const toml::node& run : runs) {
-    known.push_back(run.as_table()->at("name").value_or(std::string()));
-    if (known.back() != name) continue;
-    toml::table found = *run.as_table();
-    found.erase("repeats");  // a study has single runs
-    return found;
+  for (const TomlTable& run : runs) {
+    known.push_back(run.written("name"));
+    if (known.back() == name)
+      return toml::parse(run.without({"repeats"}).as_toml());  // a study has single runs
   }
   constexpr std::size_t suggestions = 3;
   throw CaseFileError(fmt::format("{}: {} = {}: expected a run of the case; nearest: {}",
@@ -43,7 +43,14 @@ toml::table run_table(const toml::array& runs, const char* role, const std::stri
                                   fmt::join(nearest_names(name, known, suggestions), ", ")));
 }
 
-toml::table pattern_run(const toml::array& runs, const SpacingStudy& study,
+std::vector<TomlTable> declared_runs(const CaseDefinition& definition) {
+  std::vector<TomlTable> runs;
+  for (const TomlTable& group : TomlTable(definition.text, definition.file).tables("run"))
+    for (TomlTable& run : runs_of_group(group)) runs.push_back(std::move(run));
+  return runs;
+}
+
+toml::table pattern_run(const std::vector<TomlTable>& runs, const SpacingStudy& study,
                         const CaseDefinition& definition) {
   if (study.candidate.empty()) return toml::table{{"solver", "sph"}, {"scheme", study.family}};
   toml::table run = run_table(runs, "candidate", study.candidate, definition);
@@ -62,17 +69,14 @@ void name_whole_path(toml::table& table, const CaseDefinition& definition) {
 }  // namespace
 
 std::string study_run_name(const SpacingStudy& study, double spacing) {
-  std::string millimetres = fmt::format("{:g}", 1000 * spacing);
-  std::replace(millimetres.begin(), millimetres.end(), '.', 'p');
-  std::replace(millimetres.begin(), millimetres.end(), '+', '_');
   return fmt::format("{}_{}mm", study.candidate.empty() ? study.family : study.candidate + "_at",
-                     millimetres);
+                     millimetres_in_name(spacing));
 }
 
 std::string spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study) {
   require_spacings(study.spacings);
   toml::table root = toml::parse(definition.text);
-  const toml::array declared = *root["run"].as_array();
+  const std::vector<TomlTable> declared = declared_runs(definition);
   toml::table reference = run_table(declared, "reference", study.reference, definition);
   name_whole_path(reference, definition);
   toml::array runs{std::move(reference)}, names;

@@ -1,8 +1,7 @@
 // Runs that a campaign adds to its cases: one for every combination of the values in a [[sweep]].
 //
 //   [[sweep]]       cases: names or globs of the campaign's cases
-//                   name: of each run; "{key}" stands for the value at that key, with 'p' for '.'
-//                   the keys of a [[run]], any of which may hold an array of values
+//                   the keys of a [[run]] (run_group.hpp)
 //   [[sweep.gate]]  optional; as [[gate]] of a case, without candidate: its rows for each
 //                   of these runs
 #pragma once

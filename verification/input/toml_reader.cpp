@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 #include <tuple>
 #include <type_traits>
 
@@ -272,12 +273,20 @@ TomlTable TomlTable::placed_at(const TomlTable& other, std::string_view key) con
   return of(std::move(copied));
 }
 
-std::vector<TomlTable> TomlTable::combinations() const {
+TomlTable TomlTable::with_flag(std::string_view key, bool value) const {
+  toml::table more = *content_->table;
+  more.insert_or_assign(key, value);
+  return of(content_->copy(std::move(more)));
+}
+
+std::vector<TomlTable> TomlTable::combinations(const std::vector<std::string>& but_for) const {
   std::vector<toml::table> made{*content_->table};
   for (const auto& [key, node] : *content_->table) {
     const toml::array* axis = node.as_array();
     const std::string name(key.str());
-    if (!axis || node.is_array_of_tables()) continue;
+    if (!axis || node.is_array_of_tables() ||
+        std::find(but_for.begin(), but_for.end(), name) != but_for.end())
+      continue;
     if (axis->empty()) refuse(name, "a value, or an array of at least one");
     std::vector<toml::table> longer;
     for (const toml::table& table : made)
@@ -295,6 +304,17 @@ std::vector<TomlTable> TomlTable::combinations() const {
 bool TomlTable::has_table(std::string_view key) const {
   const toml::node* node = content_->table->get(key);
   return node && node->is_table();
+}
+
+bool TomlTable::has_list(std::string_view key) const {
+  const toml::node* node = content_->table->get(key);
+  return node && node->is_array();
+}
+
+std::string TomlTable::as_toml() const {
+  std::ostringstream text;
+  text << *content_->table << "\n";
+  return text.str();
 }
 
 std::vector<std::string> TomlTable::keys() const {

@@ -58,12 +58,13 @@ class TomlTable {
   TomlTable table(std::string_view key) const;
   std::vector<TomlTable> tables(std::string_view key) const;  // [[key]]; empty when absent
 
-  // Return copies of this table, with the same place in the file: without some keys, with a text at
-  // a key, and one copy for every combination of the elements of its arrays of values, where the
-  // last key varies fastest.
+  // Return copies of this table, with the same place in the file: without some keys, with a text or
+  // a flag at a key, and one copy for every combination of the elements of its arrays of values but
+  // for those at some keys, where the last key varies fastest.
   TomlTable without(const std::vector<std::string>& keys) const;
   TomlTable with(std::string_view key, const std::string& text) const;
-  std::vector<TomlTable> combinations() const;
+  TomlTable with_flag(std::string_view key, bool value) const;
+  std::vector<TomlTable> combinations(const std::vector<std::string>& but_for = {}) const;
   // Returns a copy with the value that stands at `from` in another table of the file. A refusal of
   // it tells where it stands there.
   TomlTable with(std::string_view key, const TomlTable& other, std::string_view from) const;
@@ -78,8 +79,10 @@ class TomlTable {
 
   bool has(std::string_view key) const;
   bool has_table(std::string_view key) const;
+  bool has_list(std::string_view key) const;
   std::vector<std::string> keys() const;            // in the order of the file
   std::string written(std::string_view key) const;  // a value's own text; "" when absent
+  std::string as_toml() const;                      // the text of a file with these keys alone
   SourceLocation where() const;
   // Refuses the value at a key, which may be absent.
   [[noreturn]] void refuse(std::string_view key, std::string_view expected) const;

@@ -1,0 +1,92 @@
+// Runs that are written as a group.
+#include "verification/case_file/run_group.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verification/case_file/spacing_study.hpp"
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh::run_group_test {
+namespace {
+
+const std::string group = R"([[run]]
+name = "ours_{particle_spacing_mm}mm"
+solver = "sph"
+scheme = "any"
+particle_spacing_m = [0.025, 0.0125]
+quick = ["*_25mm"]
+)";
+
+CaseDefinition with_group(const std::string& text) { return read_text(valid_text + text); }
+
+std::string refusal(const std::string& text) {
+  const Workspace workspace;
+  return complaint(workspace.write("trial.toml", valid_text + text));
+}
+
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = group;
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("no such text: " + from);
+  return text.replace(at, from.size(), to);
+}
+
+TEST(RunGroup, HasARunForEachListedValueWithTheKeysOfTheGroup) {
+  const CaseDefinition definition = with_group(group);
+  ASSERT_EQ(definition.runs.size(), 5u);
+  const RunDefinition &coarse = definition.runs[3], &fine = definition.runs[4];
+  EXPECT_EQ(coarse.name, "ours_25mm");
+  EXPECT_EQ(fine.name, "ours_12p5mm");
+  EXPECT_EQ(std::get<SphRun>(fine.solver).scheme, "any");
+  EXPECT_EQ(std::get<SphRun>(fine.solver).particle_spacing, 0.0125);
+  EXPECT_TRUE(coarse.quick);
+  EXPECT_FALSE(fine.quick);
+}
+
+TEST(RunGroup, NamesItsRunsByAnyKeyAndByNumbersOfAsManyDigitsAsTheFileSays) {
+  const CaseDefinition definition = with_group(
+      "[[run]]\nname = \"{scheme}_{start_seed:02}\"\nsolver = \"sph\"\nscheme = [\"a\", \"b\"]\n"
+      "particle_spacing_m = 0.02\nstart_disorder = 0.1\nstart_seed = [7, 12]\n");
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs) names.push_back(run.name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"theory", "coarse", "mesh", "a_07", "a_12", "b_07", "b_12"}));
+}
+
+TEST(RunGroup, HasMembersOfAnEnsembleForEachOfItsRuns) {
+  const CaseDefinition definition = with_group(group + "start_disorder = 0.1\nrepeats = 2\n");
+  EXPECT_EQ(definition.runs.size(), 7u);
+  EXPECT_EQ(definition.runs[4].ensemble, "ours_25mm");
+}
+
+TEST(RunGroup, IsRefusedWhereAListHasNoNameOfItsOwnOrAPatternMeansNothing) {
+  EXPECT_NE(
+      refusal(changed("{particle_spacing_mm}", "fine")).find("particle_spacing_m = (an array)"),
+      std::string::npos);
+  const std::string same = changed("ours_{particle_spacing_mm}mm", "{scheme}_25mm");
+  EXPECT_NE(refusal(same).find("expected a name that no other run has"), std::string::npos)
+      << refusal(same);
+  EXPECT_NE(refusal(changed("{particle_spacing_mm}", "{spacing}")).find("there is no spacing"),
+            std::string::npos);
+  EXPECT_NE(refusal(changed("{particle_spacing_mm}", "{scheme:3}")).find("{KEY:01} to {KEY:09}"),
+            std::string::npos);
+  EXPECT_NE(refusal(changed("*_25mm", "*_30mm"))
+                .find("run.quick = \"*_30mm\": expected a name or a pattern of a run"),
+            std::string::npos);
+  EXPECT_NE(refusal(changed("0.0125", "-1")).find(": run.particle_spacing_m = -1: expected"),
+            std::string::npos);
+}
+
+TEST(RunGroup, GivesARunToASpacingStudy) {
+  const CaseDefinition definition = with_group(group);
+  const std::string text = spacing_study_text(definition, {.candidate = "ours_25mm",
+                                                           .family = "",
+                                                           .spacings = {0.05, 0.04, 0.02},
+                                                           .reference = "theory"});
+  const CaseDefinition study = read_text(text);
+  EXPECT_EQ(study.runs.size(), 4u);
+  EXPECT_EQ(study.runs[1].name, "ours_25mm_at_50mm");
+}
+
+}  // namespace
+}  // namespace slosh::run_group_test
