@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "verification/case_file/key_table.hpp"
+#include "verification/case_file/usual_values.hpp"
 
 namespace slosh {
 
@@ -12,11 +15,12 @@ const std::vector<KeyTable>& case_key_tables() {
         {"name", "name", "yes", "The name of the case."},
         {"title", "text", "yes", "The title in reports."},
         {"source", "text", "yes", "Where the case comes from: paper, section, figure."},
-        {"tags", "list of texts", "yes", "Words by which `--tag` selects the case."},
-        {"gravity_m_s2", "number >= 0, m/s2", "yes", "It may be 0 only where the tank moves."},
+        {"tags", "list of texts", "no", "Words by which `--tag` selects the case."},
+        {"gravity_m_s2", "number >= 0, m/s2", "no",
+         fmt::format("It may be 0 only where the tank moves. Default: {}.", usual_gravity)},
         {"tank", "the table [tank]", "yes", ""},
         {"liquid", "the table [liquid]", "yes", ""},
-        {"gas", "the table [gas]", "yes", ""},
+        {"gas", "the table [gas]", "no", ""},
         {"obstacle", "the table [[obstacle]]", "no", ""},
         {"initial_wave", "the table [initial_wave]", "no", ""},
         {"motion", "the table [motion]", "yes", ""},
@@ -45,14 +49,21 @@ const std::vector<KeyTable>& case_key_tables() {
        "yes",
        "",
        {{"fill_depth_m", "number > 0 and below the tank's height, m", "yes", "The still depth."},
-        {"density_kg_m3", "number > 0, kg/m3", "yes", ""},
-        {"kinematic_viscosity_m2_s", "number >= 0, m2/s", "yes", ""},
+        {"density_kg_m3", "number > 0, kg/m3", "with kinematic_viscosity_m2_s",
+         fmt::format("Without both the liquid is water at 20 °C, rounded: {} kg/m3 and {:g} m2/s "
+                     "(IAPWS R6-95: 998.2; R12-08: 1.003e-6).",
+                     water_density, water_kinematic_viscosity)},
+        {"kinematic_viscosity_m2_s", "number >= 0, m2/s", "with density_kg_m3", ""},
         {"column_width_m", "number > 0 and below the tank's length, m", "no",
          "Makes the liquid a dam about to break: it stands from the left wall to here."}}},
       {"gas",
        "[gas]",
-       "yes",
-       "The gas above the liquid, for interFoam and the two-layer theory.",
+       "no",
+       fmt::format(
+           "The gas above the liquid, for interFoam and the two-layer theory. Without it the "
+           "gas is air at 20 °C, rounded: {} kg/m3 and {:g} m2/s (ISO 2533: 1.204 and "
+           "1.51e-5).",
+           air.density, air.kinematic_viscosity),
        {{"density_kg_m3", "number > 0 and below the liquid's density, kg/m3", "yes", ""},
         {"kinematic_viscosity_m2_s", "number >= 0, m2/s", "yes", ""}}},
       {"obstacle",
@@ -89,7 +100,10 @@ const std::vector<KeyTable>& case_key_tables() {
        "The tank's horizontal displacement.",
        {{"type", "\"sine\" or \"table\"", "yes", ""},
         {"amplitude_m", "number > 0, m", "with type = \"sine\"", ""},
-        {"angular_frequency_rad_s", "number > 0, rad/s", "with type = \"sine\"", ""},
+        {"angular_frequency_rad_s", "number > 0, rad/s", "one of the three with type = \"sine\"",
+         ""},
+        {"frequency_Hz", "number > 0, Hz", "one of the three with type = \"sine\"", ""},
+        {"period_s", "number > 0, s", "one of the three with type = \"sine\"", ""},
         {"ramp_periods", "number >= 0, periods", "no",
          "The time over which a sine grows to its amplitude; refused with a table. Default: 0."},
         {"file", "path, relative to the case file", "with type = \"table\"",
@@ -101,7 +115,10 @@ const std::vector<KeyTable>& case_key_tables() {
        "The tank's rotation about an axis, which moves with a surge and may lie outside the tank.",
        {{"type", "\"sine\" or \"table\"", "yes", ""},
         {"amplitude_deg", "number > 0 and <= 360, deg", "with type = \"sine\"", ""},
-        {"angular_frequency_rad_s", "number > 0, rad/s", "with type = \"sine\"", ""},
+        {"angular_frequency_rad_s", "number > 0, rad/s", "one of the three with type = \"sine\"",
+         ""},
+        {"frequency_Hz", "number > 0, Hz", "one of the three with type = \"sine\"", ""},
+        {"period_s", "number > 0, s", "one of the three with type = \"sine\"", ""},
         {"ramp_periods", "number >= 0, periods", "no", "The same as for a surge."},
         {"file", "path, relative to the case file", "with type = \"table\"",
          "A CSV file with the columns time_s,angle_deg, from the time and the angle 0 to "
@@ -177,13 +194,16 @@ const std::vector<KeyTable>& case_key_tables() {
        "yes",
        "The window in which histories are compared.",
        {{"window_begin_s", "number >= 0, s", "yes", ""},
-        {"window_end_s", "number above window_begin_s and <= duration_s, s", "yes", ""},
+        {"window_end_s", "number above window_begin_s and <= duration_s, s", "no",
+         "Default: duration_s."},
         {"natural_modes", "integer >= 0", "yes",
          "The number of natural modes that are fitted beside the forced one: 0 for a dam or "
          "without gravity, at most 1 for a still tank's initial wave."},
         {"forcing_angular_frequency_rad_s", "number > 0, rad/s", "no",
          "The forcing frequency of a motion table that is nearly a sine; refused where no motion "
-         "is a table."}}},
+         "is a table."},
+        {"forcing_frequency_Hz", "number > 0, Hz", "no", "The same in another unit."},
+        {"forcing_period_s", "number > 0, s", "no", "The same as a period."}}},
       {"run",
        "[[run]]",
        "at least one",

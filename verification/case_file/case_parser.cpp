@@ -11,6 +11,7 @@
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/case_file/run_group.hpp"
+#include "verification/case_file/usual_values.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/toml_reader.hpp"
@@ -118,12 +119,14 @@ class CaseReader {
     allow_at("name", [&] { definition_.name = root_.get("name", file_safe_name()); });
     allow_at("title", [&] { definition_.title = root_.get("title", any_text()); });
     allow_at("source", [&] { definition_.source = root_.get("source", any_text()); });
-    allow_at("tags", [&] {
-      for (const PlacedText& tag : root_.texts("tags", any_text()))
-        definition_.tags.push_back(tag.text);
-    });
-    gravity_ = allow_at("gravity_m_s2", [&] {
-      definition_.gravity = root_.get("gravity_m_s2", not_negative("m/s2"));
+    if (root_.has("tags"))
+      allow([&] {
+        for (const PlacedText& tag : root_.texts("tags", any_text()))
+          definition_.tags.push_back(tag.text);
+      });
+    gravity_ = allow([&] {
+      definition_.gravity =
+          root_.find("gravity_m_s2", not_negative("m/s2")).value_or(usual_gravity);
     });
   }
 
@@ -135,12 +138,7 @@ class CaseReader {
                     root_.table("liquid"),
                     [&](const TomlTable& liquid) { return read_liquid(liquid, definition_.tank); });
               });
-    if (liquid_)
-      allow_at("gas", [&] {
-        definition_.gas = read_whole(root_.table("gas"), [&](const TomlTable& gas) {
-          return read_gas(gas, definition_.liquid);
-        });
-      });
+    if (liquid_) allow([&] { read_gas(); });
     time_ = allow_at("time", [&] {
       root_.table("time").read_all([&](const TomlTable& time) { read_time(time, definition_); });
     });
@@ -159,6 +157,14 @@ class CaseReader {
       allow([&] {
         root_.refuse("gravity_m_s2",
                      "a number > 0, in m/s2, for a still tank: otherwise nothing moves");
+      });
+  }
+
+  void read_gas() {
+    definition_.gas = air;
+    if (root_.has("gas") || !(air.density < definition_.liquid.density))
+      definition_.gas = read_whole(root_.table("gas"), [&](const TomlTable& gas) {
+        return slosh::read_gas(gas, definition_.liquid);
       });
   }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "verification/case/campaign_definition.hpp"
@@ -11,7 +13,8 @@
 
 namespace slosh {
 
-// Read [tank], [liquid] and [gas], in this order.
+// Read [tank], [liquid] and [gas], in this order. Without properties a liquid is water; without
+// [gas] the gas is air.
 TankDefinition read_tank(const TomlTable& tank);
 LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank);
 GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid);
@@ -32,6 +35,19 @@ void read_time(const TomlTable& time, CaseDefinition& definition);
 // Reads [comparison]. The definition's gravity, liquid, motion and initial wave must have been
 // read.
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition);
+
+// The three ways to give a frequency, of which a table uses one.
+struct FrequencyKeys {
+  std::string angular_frequency, frequency, period;
+
+  std::vector<std::string> all() const;
+};
+FrequencyKeys frequency_keys(const std::string& prefix = "");
+
+// Return what the table gives at one of the keys, as an angular frequency [rad/s]. The first
+// returns nullopt if none is there.
+std::optional<double> find_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
+double read_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
 
 // Reads [animation] and returns its times [s]. The definition's time must have been read.
 std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition);

@@ -74,10 +74,13 @@ MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
     allow({"type", "file"});
     return form.read_table(file_beside(table, scope.case_file), scope.duration);
   }
-  allow({"type", form.amplitude_key, "angular_frequency_rad_s", "ramp_periods"});
+  std::vector<std::string> keys{"type", form.amplitude_key, "ramp_periods"};
+  const FrequencyKeys frequency = frequency_keys();
+  for (const std::string& key : frequency.all()) keys.push_back(key);
+  allow(keys);
   return SineMotion{
       .amplitude = table.get(form.amplitude_key, form.amplitude) * form.si_per_unit,
-      .angular_frequency = table.get("angular_frequency_rad_s", positive("rad/s")),
+      .angular_frequency = read_angular_frequency(table, frequency),
       .ramp_periods = table.find("ramp_periods", not_negative("periods")).value_or(0)};
 }
 

@@ -5,6 +5,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/case_file/usual_values.hpp"
 
 namespace slosh {
 namespace {
@@ -61,6 +62,11 @@ Rule<double> inside_tank(const TankDefinition& tank, double fill_depth) {
           [most](double amplitude) { return amplitude != 0 && std::abs(amplitude) < most; }};
 }
 
+// The density of one liquid beside the viscosity of another would be neither.
+bool names_no_properties(const TomlTable& fluid) {
+  return !fluid.has("density_kg_m3") && !fluid.has("kinematic_viscosity_m2_s");
+}
+
 }  // namespace
 
 TankDefinition read_tank(const TomlTable& tank) {
@@ -80,9 +86,12 @@ LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank
       fmt::format("a number > 0 and below the tank's length ({}), in m", tank.length),
       [length = tank.length](double width) { return width > 0 && width < length; },
       tank.length / 2};
+  const bool is_water = names_no_properties(liquid);
   return {.fill_depth = liquid.get("fill_depth_m", inside_tank),
-          .density = liquid.get("density_kg_m3", positive("kg/m3")),
-          .kinematic_viscosity = liquid.get("kinematic_viscosity_m2_s", not_negative("m2/s")),
+          .density = is_water ? water_density : liquid.get("density_kg_m3", positive("kg/m3")),
+          .kinematic_viscosity = is_water
+                                     ? water_kinematic_viscosity
+                                     : liquid.get("kinematic_viscosity_m2_s", not_negative("m2/s")),
           .column_width = liquid.find("column_width_m", within_length)};
 }
 

@@ -63,14 +63,17 @@ void read_time(const TomlTable& time, CaseDefinition& definition) {
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
   comparison.allow_only(keys_of("comparison"));
   definition.window_begin = comparison.get("window_begin_s", not_negative("s"));
-  definition.window_end = comparison.get(
-      "window_end_s", end_after("window_begin_s", definition.window_begin, definition.duration));
+  const auto before_end = end_after("window_begin_s", definition.window_begin, definition.duration);
+  definition.window_end =
+      definition.window_begin < definition.duration
+          ? comparison.find("window_end_s", before_end).value_or(definition.duration)
+          : comparison.get("window_end_s", before_end);
   definition.natural_modes = comparison.get("natural_modes", natural_modes_to_fit(definition));
-  definition.declared_forcing_frequency =
-      comparison.find("forcing_angular_frequency_rad_s", positive("rad/s"));
-  if (definition.declared_forcing_frequency && !follows_a_table(definition.motion))
-    comparison.refuse("forcing_angular_frequency_rad_s",
-                      "no such key without a motion table: a sine has its own frequency");
+  const FrequencyKeys forcing = frequency_keys("forcing_");
+  definition.declared_forcing_frequency = find_angular_frequency(comparison, forcing);
+  for (const std::string& key : forcing.all())
+    if (comparison.has(key) && !follows_a_table(definition.motion))
+      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
 }
 
 std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition) {

@@ -51,12 +51,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
                 "cells_x, cells_z, processes, start_disorder, start_seed, repeats; nearest known "
                 "key: "},
-        Mistake{
-            "OfAnotherMotion",
-            {"amplitude_m", "amplitude_deg"},
-            "trial.toml:19: motion.surge.amplitude_deg = 0.02: expected only these keys here: "
-            "type, amplitude_m, angular_frequency_rad_s, ramp_periods, file; nearest known key: "
-            "amplitude_m"},
+        Mistake{"OfAnotherMotion",
+                {"amplitude_m", "amplitude_deg"},
+                "trial.toml:19: motion.surge.amplitude_deg = 0.02: expected only these keys here: "
+                "type, amplitude_m, angular_frequency_rad_s, frequency_Hz, period_s, ramp_periods, "
+                "file; nearest known key: "
+                "amplitude_m"},
         Mistake{"MissingType",
                 {"type = \"sine\"\n", ""},
                 "trial.toml:17: motion.surge.type is missing: expected a motion, one of sine, "
@@ -67,9 +67,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NestedTable",
                 {"[gas]", "[gas.air]"},
                 "trial.toml:14: gas.air = (a table): expected only these keys"},
-        Mistake{"MissingTags",
-                {"tags = [\"surge\"]\n", ""},
-                "trial.toml:1: tags is missing: expected an array of texts"},
+        Mistake{"TagsThatAreNoList",
+                {"tags = [\"surge\"]\n", "tags = \"surge\"\n"},
+                "trial.toml:5: tags = \"surge\": expected an array of texts"},
         Mistake{"MissingReason",
                 {"reason = \"a reason\"\n", ""},
                 "trial.toml:52: gate.reason is missing: expected a text that is not empty"},

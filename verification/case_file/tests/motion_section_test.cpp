@@ -128,7 +128,8 @@ TEST(MotionSection, RefusesARollThatMakesNoSense) {
        "trial.toml:21: motion.roll.axis_x_m = nan: expected"},
       {sine_roll + "axis_y_m = 0\n",
        "trial.toml:23: motion.roll.axis_y_m = 0: expected only these keys here: type, "
-       "amplitude_deg, angular_frequency_rad_s, ramp_periods, file, axis_x_m, axis_z_m; nearest "
+       "amplitude_deg, angular_frequency_rad_s, frequency_Hz, period_s, ramp_periods, file, "
+       "axis_x_m, axis_z_m; nearest "
        "known key: axis_x_m"},
       {sine_roll + "file = \"roll.csv\"\n",
        "trial.toml:23: motion.roll.file = \"roll.csv\": expected only these keys here: type, "
