@@ -60,6 +60,8 @@ struct TomlTable::Content {
 
 namespace {
 
+constexpr std::size_t most_combinations = 1000;
+
 std::string as_written(const toml::node& node) {
   if (const auto* text = node.as_string()) return fmt::format("\"{}\"", text->get());
   if (const auto* number = node.as_floating_point()) {
@@ -288,6 +290,8 @@ std::vector<TomlTable> TomlTable::combinations(const std::vector<std::string>& b
         std::find(but_for.begin(), but_for.end(), name) != but_for.end())
       continue;
     if (axis->empty()) refuse(name, "a value, or an array of at least one");
+    if (made.size() * axis->size() > most_combinations)
+      refuse(name, fmt::format("lists of at most {} combinations in one table", most_combinations));
     std::vector<toml::table> longer;
     for (const toml::table& table : made)
       for (const toml::node& element : *axis) {

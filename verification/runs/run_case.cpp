@@ -10,6 +10,7 @@
 #include "verification/case/changed_input.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/results/provenance.hpp"
+#include "verification/runs/fitting_spacing.hpp"
 #include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
@@ -45,7 +46,7 @@ RunResult run_chosen_solver(const RunRequest& request) try {
     for (const TimeSeries& series : result.series) require_whole(series, request.definition);
   return result;
 } catch (const std::invalid_argument& error) {  // a case that the solver does not take
-  throw refused(request.run, error.what());
+  throw refused(request.run, error.what() + spacing_hint(request.definition, request.run));
 } catch (const sph::SimulationError& error) {
   throw SolverError(error.what());
 } catch (const openfoam::RunError& error) {
@@ -58,7 +59,11 @@ RunResult run_chosen_solver(const RunRequest& request) try {
 
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
   const CaseDefinition solved = definition_solved_by(run, definition);
-  require_scene(solved, run);
+  try {
+    require_scene(solved, run);
+  } catch (const CaseFileError& error) {
+    throw CaseFileError(error.what() + spacing_hint(solved, run));
+  }
 }
 
 RunResult execute(const CaseDefinition& definition, const RunDefinition& run,

@@ -77,6 +77,14 @@ TEST(RunGroup, IsRefusedWhereAListHasNoNameOfItsOwnOrAPatternMeansNothing) {
             std::string::npos);
 }
 
+TEST(RunGroup, IsRefusedBeforeItHasMoreRunsThanAnyoneWouldStart) {
+  std::string seeds = "0";
+  for (int seed = 1; seed < 600; ++seed) seeds += ", " + std::to_string(seed);
+  EXPECT_NE(refusal(group + "start_disorder = 0.1\nstart_seed = [" + seeds + "]\n")
+                .find("start_seed = (an array): expected lists of at most 1000 combinations"),
+            std::string::npos);
+}
+
 TEST(RunGroup, GivesARunToASpacingStudy) {
   const CaseDefinition definition = with_group(group);
   const std::string text = spacing_study_text(definition, {.candidate = "ours_25mm",
