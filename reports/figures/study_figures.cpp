@@ -40,25 +40,35 @@ struct Common {
   auto operator<=>(const Common&) const = default;
 };
 
-Common common(SphRun sph, Studied studied) {
+// An external program's method is a scheme here. Nothing is known of its time step.
+Common common(const RunDefinition& run, Studied studied) {
+  const double spacing = studied == Studied::spacing ? 0 : *particle_spacing(run);
+  if (!std::holds_alternative<SphRun>(run.solver)) return {family(run), "", spacing};
+  SphRun sph = std::get<SphRun>(run.solver);
   if (studied == Studied::time_step) sph.numbers.courant_number.reset();
-  return {sph.scheme, changes_of(sph), studied == Studied::spacing ? 0 : sph.particle_spacing,
+  return {sph.scheme, changes_of(sph), spacing,
           std::round(1e6 * sph.surface_particle_spacing / sph.particle_spacing) / 1e6};
+}
+
+bool can_be_studied(const RunDefinition& run, Studied studied) {
+  return studied == Studied::spacing ? particle_spacing(run).has_value()
+                                     : std::holds_alternative<SphRun>(run.solver);
 }
 
 // Returns the studied value of a run; infinite for the scheme's own Courant number, so that it
 // comes first.
-double value_of(const SphRun& sph, Studied studied) {
+double value_of(const RunDefinition& run, Studied studied) {
   return studied == Studied::spacing
-             ? sph.particle_spacing
-             : sph.numbers.courant_number.value_or(std::numeric_limits<double>::infinity());
+             ? *particle_spacing(run)
+             : std::get<SphRun>(run.solver)
+                   .numbers.courant_number.value_or(std::numeric_limits<double>::infinity());
 }
 
-std::string value_text(const SphRun& sph, Studied studied) {
-  if (studied == Studied::spacing) return fmt::format("{:.4g} mm", 1000 * sph.particle_spacing);
-  return sph.numbers.courant_number
-             ? fmt::format("Courant number {:g}", *sph.numbers.courant_number)
-             : "the scheme's Courant number";
+std::string value_text(const RunDefinition& run, Studied studied) {
+  const double value = value_of(run, studied);
+  if (studied == Studied::spacing) return fmt::format("{:.4g} mm", 1000 * value);
+  return std::isfinite(value) ? fmt::format("Courant number {:g}", value)
+                              : "the scheme's Courant number";
 }
 
 using Study = std::vector<const RunDefinition*>;
@@ -70,17 +80,15 @@ std::vector<Study> studies(const CaseAssessment& assessment, const std::string& 
   std::vector<Study> found;
   std::map<Common, std::size_t> places;
   for (const RunDefinition& run : assessment.definition.runs) {
-    const auto* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph || is_later_member(run) || !assessment.runs.results.contains(run.name) ||
+    if (!can_be_studied(run, studied) || is_later_member(run) ||
+        !assessment.runs.results.contains(run.name) ||
         !has_series(assessment.runs, run.name, quantity))
       continue;
-    const auto [place, is_new] = places.try_emplace(common(*sph, studied), found.size());
+    const auto [place, is_new] = places.try_emplace(common(run, studied), found.size());
     if (is_new) found.emplace_back();
     found[place->second].push_back(&run);
   }
-  const auto value = [&](const RunDefinition* run) {
-    return value_of(std::get<SphRun>(run->solver), studied);
-  };
+  const auto value = [&](const RunDefinition* run) { return value_of(*run, studied); };
   std::erase_if(found, [&](const Study& runs) {
     std::set<double> values;
     for (const RunDefinition* run : runs) values.insert(value(run));
@@ -119,7 +127,7 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
   for (const RunDefinition* run : runs) names.push_back(run->name);
   Figure figure;
   figure.caption = fmt::format(
-      "{}. Runs of one scheme that differ only in their {}. {}{} {}.", shown.title,
+      "{}. Runs of one scheme or method that differ only in their {}. {}{} {}.", shown.title,
       studied == Studied::time_step ? "time step" : "particle spacing",
       measured_how(shown, definition, names), who_is_who(definition, names), definition.source);
   figure.x_label = "time [s]";
@@ -129,8 +137,8 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
   for (const std::string& name : names)
     figure.curves.push_back(history_curve(assessment, name, quantity, scales));
   for (std::size_t i = 0; i < runs.size(); ++i)
-    figure.curves[recorded + i].label = fmt::format(
-        "{} ({})", value_text(std::get<SphRun>(runs[i]->solver), studied), runs[i]->name);
+    figure.curves[recorded + i].label =
+        fmt::format("{} ({})", value_text(*runs[i], studied), runs[i]->name);
   return figure;
 }
 
@@ -140,16 +148,15 @@ void add_studies(const CaseAssessment& assessment, Studied studied, std::vector<
   const std::vector<Study> found = studies(assessment, quantity, studied);
   const bool of_step = studied == Studied::time_step;
   std::map<std::string, int> of_scheme, numbers;
-  const auto sph_of = [](const Study& runs) { return std::get<SphRun>(runs.front()->solver); };
-  for (const Study& runs : found) ++of_scheme[sph_of(runs).scheme];
+  for (const Study& runs : found) ++of_scheme[family(*runs.front())];
   for (const Study& runs : found) {
-    const SphRun sph = sph_of(runs);
+    const std::string scheme = family(*runs.front());
     Figure figure = study_figure(assessment, quantity, studied, runs);
-    figure.id = assessment.definition.name + (of_step ? "-time_step-" : "-spacing-") + sph.scheme;
-    figure.title = (of_step ? "Time step: " : "Particle spacing: ") + sph.scheme;
-    if (of_scheme[sph.scheme] > 1) {
-      figure.id += fmt::format("-{}", ++numbers[sph.scheme]);
-      if (const std::string shared = shared_text(common(sph, studied)); !shared.empty())
+    figure.id = assessment.definition.name + (of_step ? "-time_step-" : "-spacing-") + scheme;
+    figure.title = (of_step ? "Time step: " : "Particle spacing: ") + scheme;
+    if (of_scheme[scheme] > 1) {
+      figure.id += fmt::format("-{}", ++numbers[scheme]);
+      if (const std::string shared = shared_text(common(*runs.front(), studied)); !shared.empty())
         figure.title += ", " + shared;
     }
     figures.push_back(std::move(figure));

@@ -49,6 +49,10 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
   if (!run.ensemble.empty()) entry["ensemble"] = run.ensemble;
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
+  if (const auto* external = std::get_if<ExternalRun>(&run.solver);
+      external && external->particle_spacing)
+    entry.update(
+        Json{{"method", external->method}, {"particle_spacing_m", *external->particle_spacing}});
   if (status.failure) entry["failure"] = failure_entry(*status.failure);
   const auto found = runs.results.find(name);
   if (found == runs.results.end()) return entry;

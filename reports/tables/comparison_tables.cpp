@@ -192,7 +192,7 @@ std::optional<Table> order_table(const CaseAssessment& assessment) {
       "Errors against theory or a published record at each particle spacing, the order between a "
       "spacing and the next coarser one, and the slope of the least-squares line through all. No "
       "order is given for an error that is smaller than its own 95 % interval.",
-      {"scheme", "spacing [mm]"},
+      {"scheme or method", "spacing [mm]"},
       {}};
   constexpr std::size_t measures = std::size(order_headings);
   for (std::size_t i = 0; i < measures; ++i) {

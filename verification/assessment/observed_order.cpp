@@ -47,15 +47,20 @@ Measures measures_of(const Comparison& comparison) {
 // By spacing, coarsest first.
 using MeasuresBySpacing = std::map<double, Measures, std::greater<>>;
 
-// The runs of each scheme that change nothing of it and have one spacing throughout.
+bool has_finer_surface(const RunDefinition& run) {
+  const SphRun* sph = std::get_if<SphRun>(&run.solver);
+  return sph && sph->particle_spacing != sph->surface_particle_spacing;
+}
+
+// The runs of each scheme that change nothing of it and have one spacing throughout, and those of
+// each method of an external program.
 std::map<std::string, MeasuresBySpacing> measures_by_scheme(const CaseAssessment& assessment) {
   std::map<std::string, MeasuresBySpacing> schemes;
   for (const RunDefinition& run : assessment.definition.runs) {
-    const SphRun* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph || !changes_of(*sph).empty() || sph->particle_spacing != sph->surface_particle_spacing)
-      continue;
+    const std::optional<double> spacing = particle_spacing(run);
+    if (!spacing || is_changed(run) || has_finer_surface(run)) continue;
     if (const Comparison* comparison = comparison_with_truth(assessment, run.name))
-      schemes[sph->scheme][sph->particle_spacing] = measures_of(*comparison);
+      schemes[family(run)][*spacing] = measures_of(*comparison);
   }
   return schemes;
 }

@@ -31,14 +31,15 @@ std::optional<PowerLawLine> least_squares_line(const std::vector<ErrorAtSpacing>
 
 // One error measure of runs that differ in their spacing alone.
 struct ErrorFamily {
-  std::string name;     // the scheme, or the path of meshes
+  std::string name;     // the scheme, the external program's method, or the path of meshes
   std::string measure;  // "normalised rms [%]"
   double scale;         // from the errors to that unit
   std::vector<ErrorAtSpacing> errors;
 };
 
-// Covers each scheme that runs unchanged at three or more spacings and is compared with theory or a
-// record there: one family for each of the three measures, in the same order for every scheme.
+// Covers each scheme that runs unchanged, and each method of an external program, at three or more
+// spacings and is compared with theory or a record there: one family for each of the three
+// measures, in the same order for every scheme.
 std::vector<ErrorFamily> scheme_error_families(const CaseAssessment& assessment);
 
 // Those families, and the same measures of each [[refinement]] over three or more meshes.

@@ -216,6 +216,9 @@ struct ExternalRun {
   std::optional<double> time_limit;           // [s] of wall time
   std::vector<std::filesystem::path> inputs;  // whose content counts as part of the run
   std::vector<SeriesSource> series;           // their files are below the work directory
+  // Runs of one method differ in their particle spacing alone; a run without one has no family.
+  std::string method = {};
+  std::optional<double> particle_spacing = {};  // [m]
 };
 
 enum class RefinedNumber {

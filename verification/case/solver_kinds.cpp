@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace slosh {
@@ -16,6 +17,7 @@ struct CommonRow {
   static bool sees_gas(const auto&) { return false; }
   static std::string family(const RunDefinition& run) { return run.name; }
   static double resolution(const auto&) { return 0; }
+  static std::optional<double> particle_spacing(const auto&) { return {}; }
 };
 
 // The row of a kind of solver; a kind without one does not compile.
@@ -36,6 +38,7 @@ struct Row<SphRun> : CommonRow {
   static double resolution(const SphRun& sph) {
     return 1 / (sph.particle_spacing * sph.surface_particle_spacing);
   }
+  static std::optional<double> particle_spacing(const SphRun& sph) { return sph.particle_spacing; }
   static std::string text(const SphRun& sph) {
     const std::string changes = changes_of(sph);
     std::string text =
@@ -167,19 +170,41 @@ struct Row<ExternalRun> : CommonRow {
                                    .answered_with = AnsweredWith::user_program,
                                    .can_refer = false,
                                    .declares_quantities = true};
+  static std::string family(const RunDefinition& run) {
+    const std::string& method = std::get<ExternalRun>(run.solver).method;
+    return method.empty() ? run.name : method;
+  }
+  static double resolution(const ExternalRun& external) {
+    return external.particle_spacing ? std::pow(*external.particle_spacing, -2) : 0;
+  }
+  static std::optional<double> particle_spacing(const ExternalRun& external) {
+    return external.particle_spacing;
+  }
+  // ", method `pysph`, spacing 10 mm" with these marks around the method.
+  static std::string method(const ExternalRun& external, const char* mark) {
+    std::string text;
+    if (!external.method.empty()) text += fmt::format(", method {0}{1}{0}", mark, external.method);
+    if (external.particle_spacing)
+      text += fmt::format(", spacing {:.4g} mm", 1000 * *external.particle_spacing);
+    return text;
+  }
   static std::string text(const ExternalRun& external) {
-    return "your program " + external.command.front();
+    return "your program " + external.command.front() + method(external, "`");
   }
   static std::string caption(const ExternalRun& external) {
     return "external program " +
-           std::filesystem::path(external.command.front()).filename().string();
+           std::filesystem::path(external.command.front()).filename().string() +
+           method(external, "");
   }
   static json hashed(const ExternalRun& external) {
     json series = json::array();
     for (const SeriesSource& one : external.series)
       series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
                         one.time_column, one.time_unit, one.scale, one.offset, one.first_is_zero});
-    return {{"external", {external.command, external.directory.filename().string(), series}}};
+    json settings = {
+        {"external", {external.command, external.directory.filename().string(), series}}};
+    if (external.particle_spacing) settings["particle_spacing"] = *external.particle_spacing;
+    return settings;
   }
 };
 
@@ -231,6 +256,11 @@ json hashed_settings(const RunDefinition& run) {
 
 std::string family(const RunDefinition& run) {
   return std::visit([&](const auto& solver) { return row_of(solver).family(run); }, run.solver);
+}
+
+std::optional<double> particle_spacing(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).particle_spacing(solver); },
+                    run.solver);
 }
 
 double resolution(const RunDefinition& run) {

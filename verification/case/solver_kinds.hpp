@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -65,9 +66,12 @@ std::string caption_text(const RunDefinition& run);
 // The solver's settings that determine the result's numbers, for the hash in the run's key.
 nlohmann::json hashed_settings(const RunDefinition& run);
 
-// Runs of a family differ in resolution alone: SPH by its scheme, interFoam as such, any other run
-// by itself.
+// Runs of a family differ in resolution alone: SPH by its scheme, an external program by its
+// method, interFoam as such, any other run by itself.
 std::string family(const RunDefinition& run);
+
+// The spacing inside the liquid [m], of SPH and of an external program that has one.
+std::optional<double> particle_spacing(const RunDefinition& run);
 
 // Grows with the resolution; comparable within a family.
 double resolution(const RunDefinition& run);

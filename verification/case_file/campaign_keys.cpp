@@ -58,7 +58,8 @@ const std::vector<KeyTable>& campaign_key_tables() {
        "[[sweep]]",
        "no",
        "Adds runs to the campaign's cases, one for every combination of the lists, with the keys "
-       "of [[run]]. A key that holds a list there is swept.",
+       "of [[run]]. A key that holds a list there is swept, but for command and the others whose "
+       "value is a list by itself.",
        {{"cases", "list of texts", "yes", "Names or globs of the campaign's cases."},
         {"name", "text", "yes",
          "A pattern of the table's keys, as in {scheme}_{particle_spacing_m}: see [[run]]."},
@@ -105,6 +106,15 @@ std::vector<std::string> keys_of(const std::string& id) {
       return names;
     }
   throw std::logic_error("no table of keys has the id " + id);
+}
+
+std::vector<std::string> list_keys_of_runs() {
+  std::vector<std::string> names;
+  for (const KeyTable& table : case_key_tables())
+    for (const KeyEntry& key : table.keys)
+      if (table.id.starts_with("run") && key.value.starts_with("list of"))
+        names.push_back(key.name);
+  return names;
 }
 
 }  // namespace slosh

@@ -321,8 +321,14 @@ const std::vector<KeyTable>& case_key_tables() {
        "A program of yours, started without a shell: see [Other solvers](other_solvers.md).",
        {{"command", "list of texts", "yes",
          "The program and its arguments. {case_file}, {case_directory}, {work_directory}, "
-         "{duration_s} and {sample_interval_s} are filled in. A program with a / in its name is "
-         "found relative to the case file, another on the PATH."},
+         "{duration_s}, {sample_interval_s} and {particle_spacing_m} are filled in. A program with "
+         "a / in its name is found relative to the case file, another on the PATH."},
+        {"method", "name", "with particle_spacing_m",
+         "What the program solves the case with. Runs of one method differ in their spacing alone, "
+         "as those of an SPH scheme do: they have an order, a cost of an error and a curve in each "
+         "figure. No run and no scheme of the case has this name."},
+        {"particle_spacing_m", "number > 0 and <= the fill depth, m", "with method",
+         "The spacing of the particles, another one in each run of the method."},
         {"directory", "path, relative to the case file", "no",
          "Where the program starts. Default: a fresh work directory."},
         {"time_limit_s", "number > 0, s", "no",
@@ -357,7 +363,9 @@ const std::vector<KeyTable>& case_key_tables() {
         {"number", "text", "yes",
          "particle_spacing, smoothing_length_ratio, speed_of_sound, courant_number or mesh."},
         {"runs", "list of run names", "yes",
-         "Two or more, each once: SPH runs, or with number = \"mesh\" interFoam runs."}}},
+         "Two or more, each once: SPH runs, with number = \"particle_spacing\" also the runs of "
+         "one "
+         "method of an external program, or with number = \"mesh\" interFoam runs."}}},
       {"input",
        "[[input]]",
        "no",

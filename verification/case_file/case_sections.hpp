@@ -81,8 +81,17 @@ ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& d
 std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,
                                      const std::filesystem::path& experiments);
 
+// The rule of particle_spacing_m.
+Rule<double> a_particle_spacing(const LiquidDefinition& liquid);
+
 // Reads the keys of [[run]] with solver = "external". The files are relative to the case file.
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);
+
+// Refuses the run, read from this table, where it and an earlier run of the definition would count
+// as one method although they are not: an external program's method must be no other solver's
+// family, and have one run for each spacing.
+void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
+                          const CaseDefinition& definition);
 
 // Reads [[refinement]]. The definition's runs must have been read.
 RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefinition& definition);

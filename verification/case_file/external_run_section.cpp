@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/units.hpp"
@@ -50,6 +51,16 @@ std::vector<SeriesSource> read_all_series(const TomlTable& run, const CaseDefini
   return all;
 }
 
+// A method's runs are told apart by their spacings, and a spacing alone is of no use.
+void read_method(const TomlTable& run, const CaseDefinition& definition, ExternalRun& external) {
+  external.method = run.find("method", file_safe_name()).value_or("");
+  external.particle_spacing = run.find("particle_spacing_m", a_particle_spacing(definition.liquid));
+  if (external.particle_spacing && external.method.empty())
+    run.refuse("method", "the name of the method, beside particle_spacing_m");
+  if (!external.method.empty() && !external.particle_spacing)
+    run.refuse("particle_spacing_m", "the method's spacing in this run, in m, beside method");
+}
+
 fs::path beside_case(const CaseDefinition& definition, const std::string& path) {
   return fs::absolute(definition.file).parent_path() / path;
 }
@@ -77,8 +88,30 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
         run.refuse("inputs", "files relative to the case file; there is no " +
                                  external.inputs.back().string());
     }
+  read_method(run, definition, external);
   external.series = read_all_series(run, definition);
   return external;
+}
+
+void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
+                          const CaseDefinition& definition) {
+  const auto method_of = [](const RunDefinition& one) {
+    const auto* external = std::get_if<ExternalRun>(&one.solver);
+    return external ? external->method : "";
+  };
+  const std::string method = method_of(run);
+  for (const RunDefinition& other : definition.runs) {
+    if (family(other) != family(run) || (method.empty() && method_of(other).empty())) continue;
+    if (method != method_of(other))
+      table.refuse(!method.empty()       ? "method"
+                   : table.has("scheme") ? "scheme"
+                                         : "name",
+                   fmt::format("a name that does not stand for the run {} too", other.name));
+    if (particle_spacing(other) == particle_spacing(run))
+      table.refuse("particle_spacing_m",
+                   fmt::format("a spacing that no other run of the method has; {} has this one",
+                               other.name));
+  }
 }
 
 }  // namespace slosh

@@ -33,6 +33,9 @@ const std::vector<KeyTable>& campaign_key_tables();
 // id.
 std::vector<std::string> keys_of(const std::string& id);
 
+// Returns the keys of [[run]] whose value is a list by itself, of all solvers.
+std::vector<std::string> list_keys_of_runs();
+
 // Returns the reference of both kinds of file as Markdown: docs/case_file.md.
 std::string key_reference();
 

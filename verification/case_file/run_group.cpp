@@ -4,13 +4,18 @@
 
 #include <algorithm>
 
+#include "verification/case_file/key_table.hpp"
 #include "verification/input/name_pattern.hpp"
 
 namespace slosh {
 namespace {
 
-// Lists at these keys are values of one run.
-const std::vector<std::string> lists_of_one_run{"command", "inputs", "quick"};
+// Lists at these keys are values of one run, or of none.
+std::vector<std::string> lists_of_one_run() {
+  std::vector<std::string> keys = list_keys_of_runs();
+  keys.push_back("quick");
+  return keys;
+}
 
 std::string in_name(std::string value) {
   std::replace(value.begin(), value.end(), '.', 'p');
@@ -77,7 +82,7 @@ std::string millimetres_in_name(double metres) {
 std::vector<TomlTable> runs_of_group(const TomlTable& group) {
   if (group.written("name").find('{') == std::string::npos) return {group};
   std::vector<TomlTable> runs;
-  for (const TomlTable& run : group.combinations(lists_of_one_run))
+  for (const TomlTable& run : group.combinations(lists_of_one_run()))
     runs.push_back(run.with("name", run_name(run, group.get("name", any_text()))));
   if (group.has_list("quick")) set_quick(group, runs);
   return runs;

@@ -62,11 +62,7 @@ DisturbedStart read_start(const TomlTable& run, const Rule<double>& rule) {
 }
 
 SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
-  const double spacing = run.get<double>(
-      "particle_spacing_m",
-      {fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m", liquid.fill_depth),
-       [most = liquid.fill_depth](double value) { return value > 0 && value <= most; },
-       liquid.fill_depth});
+  const double spacing = run.get("particle_spacing_m", a_particle_spacing(liquid));
   const auto surface_spacing =
       run.find<double>("surface_particle_spacing_m",
                        {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m", spacing),
@@ -267,9 +263,16 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
 
 }  // namespace
 
+Rule<double> a_particle_spacing(const LiquidDefinition& liquid) {
+  return {fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m", liquid.fill_depth),
+          [most = liquid.fill_depth](double value) { return value > 0 && value <= most; },
+          liquid.fill_depth};
+}
+
 std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,
                                      const std::filesystem::path& experiments) {
   const RunDefinition read = read_run(run, definition, experiments);
+  refuse_shared_method(run, read, definition);
   const auto repeats =
       run.find<int>("repeats", {fmt::format("an integer from 2 to {}", most_repeats),
                                 [](int count) { return count >= 2 && count <= most_repeats; }, 2});

@@ -52,18 +52,44 @@ std::vector<TomlTable> declared_runs(const CaseDefinition& definition) {
 
 toml::table pattern_run(const std::vector<TomlTable>& runs, const SpacingStudy& study,
                         const CaseDefinition& definition) {
-  if (study.candidate.empty()) return toml::table{{"solver", "sph"}, {"scheme", study.family}};
+  if (study.candidate.empty()) {
+    for (const toml::node& run : runs)
+      if (run.as_table()->at_path("method").value_or(std::string()) == study.family)
+        return *run.as_table();
+    return toml::table{{"solver", "sph"}, {"scheme", study.family}};
+  }
   toml::table run = run_table(runs, "candidate", study.candidate, definition);
-  if (run["solver"].value_or(std::string()) != "sph" || run.contains("surface_particle_spacing_m"))
-    throw CaseFileError(fmt::format("{}: candidate = {}: expected an SPH run of one spacing",
+  if (!run.contains("particle_spacing_m") || run.contains("surface_particle_spacing_m"))
+    throw CaseFileError(fmt::format("{}: candidate = {}: expected a run of one particle spacing",
                                     definition.file.string(), study.candidate));
   return run;
 }
 
-void name_whole_path(toml::table& table, const CaseDefinition& definition) {
-  if (const auto file = table["file"].value<std::string>())
-    table.insert_or_assign(
-        "file", absolute(definition.file.parent_path() / *file).lexically_normal().string());
+// The study's case file lies elsewhere: what is relative to the case's directory becomes absolute.
+void name_whole_paths(toml::table& table, const CaseDefinition& definition) {
+  const std::filesystem::path directory =
+      absolute(definition.file).lexically_normal().parent_path();
+  const auto whole = [&](const std::string& path) {
+    return (directory / path).lexically_normal().string();
+  };
+  for (const char* key : {"file", "directory"})
+    if (const auto path = table[key].value<std::string>())
+      table.insert_or_assign(key, whole(*path));
+  if (toml::array* inputs = table["inputs"].as_array())
+    for (toml::node& input : *inputs)
+      if (auto* path = input.as_string()) *path = whole(path->get());
+  toml::array* command = table["command"].as_array();
+  if (!command || command->empty()) return;
+  const std::string here = "{case_directory}";
+  for (toml::node& argument : *command) {
+    std::string text = argument.value_or(std::string());
+    for (std::size_t at = text.find(here); at != text.npos;
+         at = text.find(here, at + directory.string().size()))
+      text.replace(at, here.size(), directory.string());
+    *argument.as_string() = text;
+  }
+  auto& program = *command->front().as_string();
+  if (program.get().find('/') != std::string::npos) program = whole(program.get());
 }
 
 }  // namespace
@@ -78,12 +104,13 @@ std::string spacing_study_text(const CaseDefinition& definition, const SpacingSt
   toml::table root = toml::parse(definition.text);
   const std::vector<TomlTable> declared = declared_runs(definition);
   toml::table reference = run_table(declared, "reference", study.reference, definition);
-  name_whole_path(reference, definition);
+  name_whole_paths(reference, definition);
   toml::array runs{std::move(reference)}, names;
   for (const double spacing : study.spacings) {
     toml::table run = pattern_run(declared, study, definition);
     run.insert_or_assign("name", study_run_name(study, spacing));
     run.insert_or_assign("particle_spacing_m", spacing);
+    name_whole_paths(run, definition);
     names.push_back(study_run_name(study, spacing));
     runs.push_back(std::move(run));
   }
@@ -94,7 +121,8 @@ std::string spacing_study_text(const CaseDefinition& definition, const SpacingSt
   root.erase("gate");
   root.erase("input");  // it serves gate rows only, and may name a run that the study lacks
   for (const char* part : {"surge", "roll"})
-    if (toml::table* motion = root["motion"][part].as_table()) name_whole_path(*motion, definition);
+    if (toml::table* motion = root["motion"][part].as_table())
+      name_whole_paths(*motion, definition);
   std::ostringstream text;
   text << root << "\n";
   return text.str();

@@ -1,5 +1,5 @@
 // A convergence study as a case file of its own: the tank, motion and comparison of a case, with
-// one SPH scheme at several spacings and one reference.
+// one SPH scheme, or one method of an external program, at several spacings and one reference.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace slosh {
 
 struct SpacingStudy {
   // Exactly one of the two is given: a run of the case, which keeps all its settings but the
-  // spacing, or a scheme.
+  // spacing, or a scheme or the method of an external run of the case.
   std::string candidate, family;
   std::vector<double> spacings;  // [m]
   std::string reference;         // a run of the case
@@ -23,8 +23,8 @@ std::string study_run_name(const SpacingStudy& study, double spacing);
 // Returns the text of the study's case file: that of the case, with the reference, the study's runs
 // and a refinement "spacing" through these in place of its runs, refinements and gate rows. The
 // paths of files become absolute. Throws CaseFileError if the case has no such candidate or
-// reference, if the candidate is no SPH run of one spacing, or if the spacings are not three or
-// more different numbers > 0.
+// reference, if the candidate has not one spacing, or if the spacings are not three or more
+// different numbers > 0.
 std::string spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study);
 
 }  // namespace slosh

@@ -41,18 +41,23 @@ SphRun without(SphRun run, RefinedNumber number) {
 }
 
 bool are_alike(const RunDefinition& one, const RunDefinition& other, RefinedNumber number) {
+  if (number == RefinedNumber::mesh) return true;
   const auto* a = std::get_if<SphRun>(&one.solver);
   const auto* b = std::get_if<SphRun>(&other.solver);
-  return a && b && without(*a, number) == without(*b, number);
+  if (a && b) return without(*a, number) == without(*b, number);
+  return !a && !b && family(one) == family(other);
 }
 
-std::vector<std::string> runs_of(const CaseDefinition& definition, bool of_mesh) {
-  std::vector<std::string> names;
-  for (const RunDefinition& run : definition.runs)
-    if (!is_later_member(run) && (of_mesh ? std::holds_alternative<InterFoamRun>(run.solver)
-                                          : std::holds_alternative<SphRun>(run.solver)))
-      names.push_back(run.name);
-  return names;
+bool has_number(const RunDefinition& run, RefinedNumber number) {
+  if (number == RefinedNumber::mesh) return std::holds_alternative<InterFoamRun>(run.solver);
+  if (number == RefinedNumber::particle_spacing) return particle_spacing(run).has_value();
+  return std::holds_alternative<SphRun>(run.solver);
+}
+
+const char* runs_with(RefinedNumber number) {
+  if (number == RefinedNumber::mesh) return "interFoam runs";
+  if (number == RefinedNumber::particle_spacing) return "runs with particle_spacing_m";
+  return "SPH runs";
 }
 
 Input read_name(const TomlTable& table, const CaseDefinition& definition) {
@@ -79,17 +84,17 @@ RefinementDefinition read_refinement(const TomlTable& refinement,
   RefinementDefinition path;
   path.name = refinement.get("name", file_safe_name());
   path.number = refinement.choice("number", "what the runs refine", refined_number_names);
-  const bool of_mesh = path.number == RefinedNumber::mesh;
-  const std::vector<std::string> known = runs_of(definition, of_mesh);
+  std::vector<std::string> known;
+  for (const RunDefinition& run : definition.runs)
+    if (!is_later_member(run) && has_number(run, path.number)) known.push_back(run.name);
   for (const PlacedText& run : refinement.texts("runs", any_text())) {
     if (std::find(known.begin(), known.end(), run.text) == known.end())
-      refinement.refuse("runs", fmt::format("{} runs of this case; {} is not one",
-                                            of_mesh ? "interFoam" : "SPH", run.text));
+      refinement.refuse(
+          "runs", fmt::format("{} of this case; {} is not one", runs_with(path.number), run.text));
     if (std::find(path.runs.begin(), path.runs.end(), run.text) != path.runs.end())
       refinement.refuse("runs", fmt::format("each run once; {} is there twice", run.text));
-    if (!path.runs.empty() && !of_mesh &&
-        !are_alike(run_named(definition, path.runs.front()), run_named(definition, run.text),
-                   path.number))
+    if (!path.runs.empty() && !are_alike(run_named(definition, path.runs.front()),
+                                         run_named(definition, run.text), path.number))
       refinement.refuse(
           "runs",
           fmt::format("runs that differ in the refined number only; {} and {} differ in others",

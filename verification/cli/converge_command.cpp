@@ -1,4 +1,5 @@
-// The subcommand converge: compares an SPH scheme of a case at several spacings with a reference.
+// The subcommand converge: compares an SPH scheme of a case, or an external program's method, at
+// several spacings with a reference.
 // It writes a case file for this study, and runs and compares it as a campaign does.
 
 #include <fmt/format.h>
@@ -82,7 +83,7 @@ int status_of(const ConvergenceStudy& study) {
 
 int converge(const ConvergeOptions& options, const CommandTree& tree) {
   if (options.study.candidate.empty() && options.study.family.empty())
-    throw CaseFileError("expected --candidate RUN or --family SCHEME");
+    throw CaseFileError("expected --candidate RUN or --family NAME");
   tree.stop_on_signals();
   const fs::path experiments = whole(options.experiments);
   const CaseDefinition definition =
@@ -124,7 +125,7 @@ void add_converge_command(const CommandTree& tree) {
   CLI::App& command = add_command(
       tree,
       {"converge",
-       "Runs an SPH scheme of a case at several spacings and tells the order of its errors",
+       "Runs an SPH scheme, or your program, at several spacings and tells the order of its errors",
        {example, example + " --json"}},
       [options, tree] { return converge(*options, tree); });
   command.add_option("case", options->case_name, "A case of `slosh list`, or a case file's path")
@@ -135,8 +136,10 @@ void add_converge_command(const CommandTree& tree) {
           .add_option("--candidate", options->study.candidate,
                       "A run of the case, all of whose settings but the spacing are kept")
           ->type_name(run_type);
-  command.add_option("--family", options->study.family, "Or a scheme as it is")
-      ->type_name("SCHEME")
+  command
+      .add_option("--family", options->study.family,
+                  "Or a scheme as it is, or the method of an external run of the case")
+      ->type_name("NAME")
       ->excludes(candidate);
   command.add_option("--spacings", options->study.spacings, "Three or more particle spacings [m]")
       ->type_name("M,M,M")

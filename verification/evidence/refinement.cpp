@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "verification/case/solver_kinds.hpp"
+
 namespace slosh {
 namespace {
 
@@ -106,7 +108,7 @@ void take_noise_of_differences(std::vector<MeasuredRun>& measured, const GateRow
 double step_of(RefinedNumber number, const RunDefinition& run, const CaseRuns& runs) {
   switch (number) {
     case RefinedNumber::particle_spacing:
-      return std::get<SphRun>(run.solver).particle_spacing;
+      return particle_spacing(run).value();
     case RefinedNumber::smoothing_length_ratio:
       return 1 / recorded(run, runs, "smoothing_length_ratio");
     case RefinedNumber::speed_of_sound:

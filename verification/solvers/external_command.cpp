@@ -16,15 +16,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* spacing_name = "particle_spacing_m";
+
 using Placeholders = std::vector<std::pair<std::string, std::string>>;
 
-Placeholders placeholders(const CaseDefinition& definition, const fs::path& work_directory) {
+// Without a particle spacing there is no such placeholder.
+Placeholders placeholders(const ExternalRun& external, const CaseDefinition& definition,
+                          const fs::path& work_directory) {
   const fs::path file = fs::absolute(definition.file);
-  return {{"case_file", file.string()},
-          {"case_directory", file.parent_path().string()},
-          {"work_directory", work_directory.string()},
-          {"duration_s", fmt::format("{}", definition.duration)},
-          {"sample_interval_s", fmt::format("{}", definition.sample_interval)}};
+  Placeholders known{{"case_file", file.string()},
+                     {"case_directory", file.parent_path().string()},
+                     {"work_directory", work_directory.string()},
+                     {"duration_s", fmt::format("{}", definition.duration)},
+                     {"sample_interval_s", fmt::format("{}", definition.sample_interval)}};
+  if (external.particle_spacing)
+    known.emplace_back(spacing_name, fmt::format("{}", *external.particle_spacing));
+  return known;
 }
 
 bool is_name(std::string_view text) {
@@ -51,6 +58,11 @@ std::string filled_in(const std::string& argument, const Placeholders& known) {
       names.push_back(one);
       if (one == name) value = &text;
     }
+    if (!value && name == spacing_name)
+      throw std::invalid_argument(
+          fmt::format("command: {}: {{{}}} is filled in only where the run has method and "
+                      "particle_spacing_m",
+                      argument, name));
     if (!value)
       throw std::invalid_argument(fmt::format(
           "command: {}: {{{}}} is no placeholder, expected one of {}; nearest: {}", argument, name,
@@ -74,14 +86,14 @@ fs::path external_program(const ExternalRun& external, const CaseDefinition& def
   const std::string& name = external.command.front();
   if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
   const fs::path directory = fs::absolute(definition.file).parent_path();
-  const fs::path file = directory / filled_in(name, placeholders(definition, ""));
+  const fs::path file = directory / filled_in(name, placeholders(external, definition, ""));
   return fs::is_regular_file(file) ? file.lexically_normal() : fs::path();
 }
 
 std::vector<std::string> external_command(const ExternalRun& external,
                                           const CaseDefinition& definition,
                                           const fs::path& work_directory) {
-  const Placeholders known = placeholders(definition, work_directory);
+  const Placeholders known = placeholders(external, definition, work_directory);
   std::vector<std::string> command;
   for (const std::string& argument : external.command)
     command.push_back(filled_in(argument, known));

@@ -144,7 +144,7 @@ const std::vector<CommandRun> runs{
      {{"show", "./small.toml", "-o", "small.png"},
       {"show", "./small.toml", "-o", "small.svg", "--quantity", "elevation@right"},
       {"show", "./small.toml", "-o", "small.html"}}},
-    {"converge CASE --family SCHEME --spacings 0.05,0.035,0.025",
+    {"converge CASE --family NAME --spacings 0.05,0.035,0.025",
      {{"converge", "./small.toml", "--family", "recommended", "--spacings", "0.07,0.05,0.035"}}},
     {"problem NAME", {{"problem", "kernels"}}},
     {"problem NAME [--quick] [-o FILE]", {{"problem", "kernels", "--quick", "-o", "kernels.json"}}},

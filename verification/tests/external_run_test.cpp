@@ -51,6 +51,73 @@ TEST_F(ExternalRun, PassesTheGateWhereItIsRightToAPerCent) {
   EXPECT_NE(read("out/report/results.json").find("\"solver\": \"external\""), std::string::npos);
 }
 
+// Three spacings of a program whose error falls with their square.
+std::string runs_of_method() {
+  std::string text;
+  for (const char* spacing : {"0.08", "0.04", "0.02"}) {
+    std::string run =
+        own_run("\"converges\", \"{particle_spacing_m}\"",
+                std::string("method = \"my_sph\"\nparticle_spacing_m = ") + spacing + "\n");
+    text += with(run, "\"mine\"", std::string("\"mine_0p") + (spacing + 2) + "\"");
+  }
+  return text;
+}
+
+TEST_F(ExternalRun, FormsAMethodWithAnOrderACostAndAnUncertainty) {
+  const std::string row =
+      with(gate_row("whole", "normalised_rms", "1", 0.05), "\"mine\"", "\"mine_0p02\"");
+  write_campaign(small_case + runs_of_method() +
+                 "[[refinement]]\nname = \"spacings\"\nnumber = \"particle_spacing\"\nruns = "
+                 "[\"mine_0p08\", \"mine_0p04\", \"mine_0p02\"]\n" +
+                 row);
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  const auto results = nlohmann::json::parse(read("out/report/results.json"));
+  const auto& one = results.at("cases").at(0);
+  const auto& run = one.at("runs").at(3);
+  EXPECT_EQ(run.at("method"), "my_sph");
+  EXPECT_EQ(run.at("particle_spacing_m"), 0.02);
+  const std::string report = read("out/report/report.md");
+  EXPECT_TRUE(holds(report, "small-convergence-my_sph-normalised_rms"));
+  EXPECT_TRUE(holds(report, "mine\\_0p08, mine\\_0p04, mine\\_0p02"));
+  EXPECT_TRUE(holds(report, "Particle spacing: my\\_sph"));
+}
+
+// The study's case file lies in another directory, and finds the program and its files from there.
+TEST_F(ExternalRun, IsStudiedByConvergeAtSpacingsThatTheCaseDoesNotHave) {
+  std::filesystem::copy_file(STAND_IN_SOLVER, directory() / "solve");
+  write("needed.txt", "");
+  write("small.toml",
+        small_case +
+            with(own_run("\"converges\", \"{particle_spacing_m}\", \"{case_directory}/needed.txt\"",
+                         "method = \"my_sph\"\nparticle_spacing_m = 0.1\ninputs = "
+                         "[\"needed.txt\"]\n"),
+                 STAND_IN_SOLVER, "./solve"));
+  for (const char* how : {"--family", "--candidate"}) {
+    const std::string name = how == std::string("--family") ? "my_sph" : "mine";
+    const Ended ended = tool({"converge", "./small.toml", how, name, "--spacings", "0.08,0.04,0.02",
+                              "-o", "orders", "--json"});
+    EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+    const auto study = nlohmann::json::parse(ended.out);
+    bool found = false;
+    for (const auto& metric : study.at("metrics"))
+      if (metric.at("metric") == "normalised_rms") {
+        found = true;
+        EXPECT_NEAR(metric.at("order").get<double>(), 2, 0.05);
+      }
+    EXPECT_TRUE(found) << ended.out;
+  }
+}
+
+TEST_F(ExternalRun, IsToldThatItsCommandWantsASpacing) {
+  write_campaign(own_case("\"converges\", \"{particle_spacing_m}\""));
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_TRUE(holds(ended.err,
+                    "{particle_spacing_m} is filled in only where the run has method and "
+                    "particle_spacing_m"));
+}
+
 TEST_F(ExternalRun, ViolatesTheGateWhereItIsTooHighOrLate) {
   EXPECT_EQ(campaign_of("\"scaled\", \"1.2\"").status, 1);
   EXPECT_EQ(campaign_of("\"shifted\", \"0.1\"").status, 1);

@@ -1,6 +1,7 @@
 // Stands in for a solver of a user's own: stand_in_solver CASE_FILE OUTPUT KIND [NUMBER]. Solves
 // the case by linear theory, makes the elevation at its first gauge wrong as KIND says, and leaves
-// a table of t in s and eta in mm.
+// a table of t in s and eta in mm. With the kind "converges" the error falls with the square of
+// NUMBER, a spacing in m.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -32,7 +33,9 @@ int main(int count, char** arguments) {
   output << "t [s];eta [mm]\n";
   for (std::size_t i = 0; i < wave.time.size(); ++i) {
     if (kind == "truncated" && wave.time[i] > number) break;
-    const double scale = kind == "scaled" ? number : 1;
+    const double scale = kind == "scaled"      ? number
+                         : kind == "converges" ? 1 + 40 * number * number
+                                               : 1;
     const double shift = kind == "shifted" ? number : 0;
     const bool is_lost = kind == "nan" && i + 5 == wave.time.size();
     const double eta =

@@ -116,12 +116,12 @@ inline TimeSeries scaled(TimeSeries series, double factor) {
 
 struct ScaledRun {
   std::string name;
-  SphRun sph;
+  decltype(RunDefinition::solver) solver;
   double scale;  // of theory's elevation: the error is this less one
   RunCost cost;
 };
 
-// The surge with these SPH runs instead of its own.
+// The surge with these runs instead of its own.
 inline CaseAssessment assess_scaled(const std::vector<ScaledRun>& scaled_runs) {
   CaseDefinition definition = surge_case();
   definition.gate.clear();
@@ -130,7 +130,7 @@ inline CaseAssessment assess_scaled(const std::vector<ScaledRun>& scaled_runs) {
   runs.results["theory"] = surge_runs().results.at("theory");
   runs.status["theory"] = {RunState::finished, ""};
   for (const ScaledRun& one : scaled_runs) {
-    definition.runs.push_back(sample_run(one.sph));
+    definition.runs.push_back(sample_run(one.solver));
     definition.runs.back().name = one.name;
     runs.results[one.name] = result_of(one.name, scaled(elevation_of({}), one.scale));
     runs.results[one.name].cost = one.cost;

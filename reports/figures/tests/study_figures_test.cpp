@@ -36,6 +36,18 @@ Names studies(const CaseAssessment& assessment) {
   return names;
 }
 
+TEST(StudyFigures, ShowTheSpacingsOfAnExternalProgramsMethod) {
+  const auto mine = [](double spacing) {
+    return ExternalRun{{"my_sph"}, {}, {}, {}, {}, "my_sph", spacing};
+  };
+  const CaseAssessment assessment = assess_scaled({{"fine", mine(0.01), 1.01, {}},
+                                                   {"coarse", mine(0.02), 1.04, {}},
+                                                   {"other", ExternalRun{{"other"}}, 1, {}}});
+  EXPECT_EQ(studies(assessment), Names{"Particle spacing: my_sph"});
+  EXPECT_EQ(labels(figure_of(assessment, "spacing-my_sph")),
+            (Names{"20 mm (coarse)", "10 mm (fine)"}));
+}
+
 TEST(StudyFigures, AreOfRunsThatDifferInOneThingAlone) {
   const CaseAssessment assessment = assess_runs({{"fine", "zhao2021_fixed", 0.002},
                                                  {"coarse", "zhao2021_fixed", 0.004},

@@ -62,6 +62,20 @@ TEST(OrderTable, TellsTheOrderOfAKnownError) {
   for (const auto& row : table->rows) EXPECT_EQ(row.size(), table->header.size());
 }
 
+TEST(OrderTable, TakesAnExternalProgramsMethodForAScheme) {
+  std::vector<ScaledRun> runs;
+  for (const double spacing : {0.01, 0.02, 0.04})
+    runs.push_back({"mine_" + std::to_string(runs.size() + 1),
+                    ExternalRun{{"my_sph"}, {}, {}, {}, {}, "my_sph", spacing},
+                    1 + 100 * spacing * spacing,
+                    {}});
+  const auto table = order_table(assess_scaled(runs));
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 4u);
+  EXPECT_EQ(table->rows[0][0], "my_sph");
+  EXPECT_EQ(table->rows[3][3], "2.00");
+}
+
 TEST(OrderTable, NeedsThreeSpacings) { EXPECT_FALSE(order_table(assess_spacings({0.01, 0.02}))); }
 
 TEST(OrderTable, LeavesOutARunThatChangesItsScheme) {

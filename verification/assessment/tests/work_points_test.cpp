@@ -39,6 +39,17 @@ CaseAssessment three_resolutions() {
                         {"changed", changed, 1.3, cost(30)}});
 }
 
+// The same of an external program's method, and a run of a program that names none.
+CaseAssessment three_resolutions_of_a_program() {
+  const auto mine = [](double spacing) {
+    return ExternalRun{{"my_sph"}, {}, {}, {}, {}, "my_sph", spacing};
+  };
+  return assess_scaled({{"fine", mine(0.005), 1.05, cost(64)},
+                        {"coarse", mine(0.02), 1.2, cost(1)},
+                        {"medium", mine(0.01), 1.1, cost(8)},
+                        {"other", ExternalRun{{"other"}}, 1.3, cost(30)}});
+}
+
 using Timings = std::map<std::string, std::vector<RunCost>>;
 
 // Each of the three runs five times; a standard deviation of 2 % of its cost.
@@ -57,8 +68,8 @@ GateRow cost_row(double error, double limit) {
   return row;
 }
 
-CaseAssessment judged(const std::vector<GateRow>& rows, const Timings& timings) {
-  const CaseAssessment one = three_resolutions();
+CaseAssessment judged(const std::vector<GateRow>& rows, const Timings& timings,
+                      const CaseAssessment& one = three_resolutions()) {
   CaseDefinition definition = one.definition;
   definition.gate = rows;
   CaseRuns runs = one.runs;
@@ -75,6 +86,24 @@ const reports::Table& table_named(const std::vector<reports::Table>& tables,
   for (const reports::Table& table : tables)
     if (table.id == "small_surge-" + id) return table;
   throw std::logic_error("no table " + id);
+}
+
+TEST(WorkFamilies, HoldTheRunsOfAnExternalProgramsMethod) {
+  const std::vector<WorkFamily> families = work_families(three_resolutions_of_a_program());
+  ASSERT_EQ(families.size(), 2u);
+  EXPECT_EQ(families[0].name, "my_sph");
+  ASSERT_EQ(families[0].runs.size(), 3u);
+  EXPECT_EQ(families[0].runs[0].run, "coarse");
+  EXPECT_EQ(families[0].runs[2].run, "fine");
+  EXPECT_EQ(families[1].name, "other");
+}
+
+TEST(CostToReach, IsJudgedOfAnExternalProgramsMethodAsOfAScheme) {
+  const GateRow row = cost_row(0.1, 20);
+  const GateOutcome of_program =
+      judged({row}, five_timings(), three_resolutions_of_a_program()).gate.at(0);
+  EXPECT_EQ(of_program.verdict, Verdict::pass) << of_program.message;
+  EXPECT_DOUBLE_EQ(of_program.value.value, judge(row, five_timings()).value.value);
 }
 
 TEST(MeasuredCost, IsTheMeanOfTimingsWithStudentsInterval) {

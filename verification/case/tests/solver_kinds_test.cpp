@@ -57,5 +57,24 @@ TEST(SolverKinds, GroupRunsInFamiliesByResolution) {
   EXPECT_EQ(resolution(runs.at("record")), 0);
 }
 
+TEST(SolverKinds, TakeAnExternalProgramsMethodForAScheme) {
+  ExternalRun mine{{"bin/my_sph"}, {}, {}, {}, {}, "my_sph", 0.02};
+  EXPECT_EQ(family(run_of(mine)), "my_sph");
+  EXPECT_DOUBLE_EQ(resolution(run_of(mine)), 2500);
+  EXPECT_EQ(particle_spacing(run_of(mine)), 0.02);
+  EXPECT_EQ(caption_text(run_of(mine)), "external program my_sph, method my_sph, spacing 20 mm");
+  EXPECT_EQ(family(runs.at("external")), "one") << "it is its own family";
+  EXPECT_FALSE(particle_spacing(runs.at("external")));
+}
+
+TEST(SolverKinds, HashAnExternalProgramsSpacingAndNotItsMethodsName) {
+  const ExternalRun mine{{"bin/my_sph"}, {}, {}, {}, {}, "my_sph", 0.02};
+  ExternalRun finer = mine, renamed = mine;
+  finer.particle_spacing = 0.01;
+  renamed.method = "our_sph";
+  EXPECT_NE(hashed_settings(run_of(finer)), hashed_settings(run_of(mine)));
+  EXPECT_EQ(hashed_settings(run_of(renamed)), hashed_settings(run_of(mine)));
+}
+
 }  // namespace
 }  // namespace slosh::solver_kinds_test

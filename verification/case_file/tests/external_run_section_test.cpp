@@ -61,6 +61,45 @@ TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
   EXPECT_TRUE(run.series[1].unit.empty());
 }
 
+TEST(ExternalRunSection, NamesAMethodAndItsSpacing) {
+  const ExternalRun run =
+      read_external(command + "method = \"my_sph\"\nparticle_spacing_m = 0.02\n" + series);
+  EXPECT_EQ(run.method, "my_sph");
+  EXPECT_EQ(run.particle_spacing, 0.02);
+  const ExternalRun other = read_external(command + series);
+  EXPECT_TRUE(other.method.empty());
+  EXPECT_FALSE(other.particle_spacing);
+}
+
+// Otherwise two methods would be shown, and judged, as one.
+TEST(ExternalRunSection, MayNotShareItsMethodWithAnotherOne) {
+  const std::string spacing = "particle_spacing_m = 0.02\n";
+  const auto complaint_about = [&](const std::string& method, const std::string& more = "") {
+    return complaint_about_keys(command + "method = \"" + method + "\"\n" + spacing + series +
+                                more);
+  };
+  EXPECT_NE(complaint_about("any").find("trial.toml:56: run.method = \"any\": expected a name that "
+                                        "does not stand for the run coarse too"),
+            std::string::npos)
+      << complaint_about("any");
+  EXPECT_NE(complaint_about("theory").find("does not stand for the run theory too"),
+            std::string::npos);
+  EXPECT_NE(complaint_about("interFoam").find("does not stand for the run mesh too"),
+            std::string::npos);
+  const std::string later = "[[run]]\nname = \"later\"\nsolver = \"sph\"\nscheme = \"mine_too\"\n";
+  EXPECT_NE(complaint_about("mine_too", later + spacing)
+                .find("run.scheme = \"mine_too\": expected a name that does not stand for the run "
+                      "mine too"),
+            std::string::npos);
+  const std::string again = "[[run]]\nname = \"again\"\nsolver = \"external\"\n" + command +
+                            "method = \"my_sph\"\n" + spacing + series;
+  EXPECT_NE(complaint_about("my_sph", again)
+                .find("run.particle_spacing_m = 0.02: expected a spacing that no other run of the "
+                      "method has; mine has this one"),
+            std::string::npos)
+      << complaint_about("my_sph", again);
+}
+
 TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
   const std::vector<std::pair<std::string, std::string>> keys{
       {series, "trial.toml:52: run.command is missing: expected an array of texts"},
@@ -78,6 +117,14 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
        "trial.toml:56: run.directory = \"none\": expected a directory relative to the case file"},
       {command + "timelimit_s = 1\n" + series, "trial.toml:56: run.timelimit_s = 1: expected only"},
       {command + "modes = 3\n" + series, "trial.toml:56: run.modes = 3: expected only these keys"},
+      {command + "method = \"my_sph\"\n" + series,
+       "trial.toml:52: run.particle_spacing_m is missing: expected the method's spacing in this "
+       "run, in m, beside method"},
+      {command + "particle_spacing_m = 0.02\n" + series,
+       "trial.toml:52: run.method is missing: expected the name of the method"},
+      {command + "method = \"my_sph\"\nparticle_spacing_m = 0.6\n" + series,
+       "trial.toml:57: run.particle_spacing_m = 0.6: expected a number > 0 and <= the fill depth "
+       "(0.5), in m"},
       {command + series + "unit = \"Pa\"\n",
        "trial.toml:61: run.series.unit = \"Pa\": expected a unit of elevation@right, one of m, cm"},
       {command + series + "scale = 0\n",

@@ -54,8 +54,41 @@ TEST(RefinementSection, RefusesRunsThatDifferInMoreThanTheNumber) {
   EXPECT_TRUE(holds(other, "fine and finer differ in others")) << other;
 }
 
+std::string external(const std::string& name, const std::string& method,
+                     const std::string& spacing) {
+  return "[[run]]\nname = \"" + name +
+         "\"\nsolver = \"external\"\ncommand = [\"true\"]\nmethod = \"" + method +
+         "\"\nparticle_spacing_m = " + spacing +
+         "\n[[run.series]]\nquantity = \"elevation@right\"\nfile = \"a.csv\"\nformat = \"csv\"\n"
+         "column = \"eta\"\ntime_column = \"t\"\n";
+}
+
+TEST(RefinementSection, ReadsAPathOfAnExternalProgramsMethodAndOfNothingElseBesideIt) {
+  const std::string programs = external("mine_1", "mine", "0.02") +
+                               external("mine_2", "mine", "0.01") +
+                               external("theirs", "theirs", "0.01");
+  const auto path = [&](const std::string& names, const std::string& number) {
+    return programs + refined(number, names).substr(valid_text.size());
+  };
+  const CaseDefinition definition =
+      read_text(valid_text + path("\"mine_1\", \"mine_2\"", "particle_spacing"));
+  EXPECT_EQ(definition.refinements.at(0).runs, (std::vector<std::string>{"mine_1", "mine_2"}));
+  const auto complaint_about = [&](const std::string& names, const std::string& number) {
+    const Workspace workspace;
+    return complaint(workspace.write("trial.toml", valid_text + path(names, number)));
+  };
+  EXPECT_TRUE(holds(complaint_about("\"mine_1\", \"theirs\"", "particle_spacing"),
+                    "mine_1 and theirs differ in others"));
+  EXPECT_TRUE(holds(complaint_about("\"fine\", \"mine_1\"", "particle_spacing"),
+                    "fine and mine_1 differ in others"));
+  EXPECT_TRUE(holds(complaint_about("\"mine_1\", \"mine_2\"", "courant_number"),
+                    "SPH runs of this case; mine_1 is not one"));
+}
+
 TEST(RefinementSection, RefusesWhatIsNoRunOfTheSolver) {
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"mesh\""),
+                    "runs with particle_spacing_m of this case; mesh is not one"));
+  EXPECT_TRUE(holds(complaint_about("courant_number", "\"fine\", \"mesh\""),
                     "SPH runs of this case; mesh is not one"));
   EXPECT_TRUE(holds(complaint_about("mesh", "\"mesh\", \"fine\""),
                     "interFoam runs of this case; fine is not one"));

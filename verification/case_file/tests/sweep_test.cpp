@@ -105,6 +105,45 @@ TEST_F(Sweep, MayRepeatEachOfItsRunsUnderOneRow) {
     EXPECT_FALSE(is_later_member(run_named(definition, one.candidate))) << one.candidate;
 }
 
+const std::string programs = R"([[sweep]]
+cases = ["small"]
+name = "mine_{particle_spacing_m}"
+solver = "external"
+command = ["./solve", "--dp={particle_spacing_m}"]
+method = "mine"
+particle_spacing_m = [0.05, 0.025]
+[[sweep.series]]
+quantity = "elevation@right"
+file = "wave.csv"
+format = "csv"
+time_column = "t"
+column = "eta"
+)";
+
+// A command is a list by itself, and no axis of the sweep.
+TEST_F(Sweep, GivesOneCommandOfAProgramItsSpacings) {
+  const CaseDefinition definition = swept(programs);
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs) names.push_back(run.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"theory", "particles", "mine_0p05", "mine_0p025"}));
+  const auto& mine = std::get<ExternalRun>(run_named(definition, "mine_0p025").solver);
+  EXPECT_EQ(mine.command, (std::vector<std::string>{"./solve", "--dp={particle_spacing_m}"}));
+  EXPECT_EQ(mine.particle_spacing, 0.025);
+  EXPECT_EQ(mine.method, "mine");
+  ASSERT_EQ(mine.series.size(), 1u);
+}
+
+TEST_F(Sweep, RefusesTwoRunsOfAMethodAtOneSpacing) {
+  const std::string twice =
+      with(with(programs, "mine_", "{time_limit_s}_"), "[0.05, 0.025]", "0.05");
+  const std::string limits = with(twice, "method =", "time_limit_s = [1, 2]\nmethod =");
+  EXPECT_NE(
+      refusal(limits).find("sweep.particle_spacing_m = 0.05: expected a spacing that no other "
+                           "run of the method has; 1_0p05 has this one"),
+      std::string::npos)
+      << refusal(limits);
+}
+
 TEST_F(Sweep, RefusesNamesThatDoNotTellRunsApartAndCasesThatAreNone) {
   EXPECT_NE(refusal(with(sweep, "{scheme}_", "")).find("names each run apart"), std::string::npos);
   EXPECT_NE(refusal(with(sweep, "{scheme}", "{schema}")).find("there is no schema"),
