@@ -43,6 +43,8 @@ Json cost_entry(const RunCost& cost) {
           {"peak_memory_byte", cost.peak_memory}};
 }
 
+Json count_entry(double count) { return count > 0 ? Json(count) : Json(nullptr); }
+
 Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   const std::string& name = run.name;
   const RunStatus& status = runs.status.at(name);
@@ -60,8 +62,8 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   entry.update({{"solver", result.solver}, {"key", result.key}});
   entry.update(cost_entry(result.cost));
   entry.update({{"timings", timings_json(runs, name)},
-                {"steps", result.cost.steps},
-                {"elements", result.cost.elements},
+                {"steps", count_entry(result.cost.steps)},
+                {"elements", count_entry(result.cost.elements)},
                 {"active_terms", result.active_terms},
                 {"diagnostics", result.diagnostics},
                 {"provenance", result.provenance}});

@@ -24,6 +24,8 @@ std::string timed_text(const MeasuredCost& cost) {
              : fmt::format("{:.3g} (1)", time.value);
 }
 
+std::string count_text(double count) { return count > 0 ? fmt::format("{}", count) : ""; }
+
 // Returns the largest magnitude within the window; "not available" where a value is not finite.
 std::string largest(const TimeSeries& series, TimeWindow window) {
   double largest = 0;
@@ -94,7 +96,7 @@ Table cost_table(const CaseAssessment& assessment) {
       const RunCost& cost = result->second.cost;
       row.insert(
           row.end(),
-          {result->second.solver, fmt::format("{}", cost.elements), fmt::format("{}", cost.steps),
+          {result->second.solver, count_text(cost.elements), count_text(cost.steps),
            fmt::format("{:.2f}", cost.user_time), fmt::format("{:.2f}", cost.system_time),
            fmt::format("{:.2f}", cost.wall_time), fmt::format("{:.0f}", cost.peak_memory / 1048576),
            timed_text(cost_of(assessment.runs, run.name))});

@@ -219,6 +219,9 @@ struct ExternalRun {
   // Runs of one method differ in their particle spacing alone; a run without one has no family.
   std::string method = {};
   std::optional<double> particle_spacing = {};  // [m]
+  // What the program tells of itself (external_facts.hpp), below the work directory; empty:
+  // nothing.
+  std::filesystem::path facts = {};
 };
 
 enum class RefinedNumber {

@@ -168,6 +168,7 @@ struct Row<ExternalRun> : CommonRow {
   static constexpr SolverKind kind{.name = "external",
                                    .role = SolverRole::simulation,
                                    .answered_with = AnsweredWith::user_program,
+                                   .elements = "particles",
                                    .can_refer = false,
                                    .declares_quantities = true};
   static std::string family(const RunDefinition& run) {
@@ -204,6 +205,7 @@ struct Row<ExternalRun> : CommonRow {
     json settings = {
         {"external", {external.command, external.directory.filename().string(), series}}};
     if (external.particle_spacing) settings["particle_spacing"] = *external.particle_spacing;
+    if (!external.facts.empty()) settings["facts"] = external.facts.string();
     return settings;
   }
 };

@@ -335,6 +335,10 @@ const std::vector<KeyTable>& case_key_tables() {
          "The longest wall-clock time that the program may take."},
         {"inputs", "list of paths, relative to the case file", "no",
          "Files that count as part of the run: a change of one makes the run be computed again."},
+        {"facts", "path below the work directory", "no",
+         "A JSON file in which the program tells its numbers of particles and steps and its costs: "
+         "see [What the program tells of "
+         "itself](other_solvers.md#what-the-program-tells-of-itself)."},
         {"series", "[[run.series]]", "yes", "One table or more, below."}}},
       {"run.series",
        "[[run.series]]",

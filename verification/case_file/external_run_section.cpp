@@ -13,13 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* work_directory = "the run's work directory";
+
 SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition) {
   series.allow_only(keys_of("run.series"));
   SeriesSource source;
   source.quantity =
       series.choice("quantity", "a compared quantity", compared_quantities(definition));
   const std::string unit = unit_of(source.quantity);
-  source.file = series.get("file", path_below("a file's", "the run's work directory"));
+  source.file = series.get("file", path_below("a file's", work_directory));
   source.format = series.get("format", any_text());
   source.column = series.get("column", any_text());
   if (series.has("unit"))
@@ -89,6 +91,7 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
                                  external.inputs.back().string());
     }
   read_method(run, definition, external);
+  if (run.has("facts")) external.facts = run.get("facts", path_below("a file's", work_directory));
   external.series = read_all_series(run, definition);
   return external;
 }

@@ -32,6 +32,7 @@ struct RunCost {
   double user_time = 0;    // [s], all threads and children
   double system_time = 0;  // [s]
   double peak_memory = 0;  // [byte], largest single process
+  // 0 where they are not counted.
   double steps = 0;
   double elements = 0;  // particles (walls apart) or cells
 };

@@ -19,6 +19,7 @@
 #include "verification/import/import_series.hpp"
 #include "verification/input/table_reader.hpp"
 #include "verification/solvers/external_command.hpp"
+#include "verification/solvers/external_facts.hpp"
 #include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
@@ -120,6 +121,16 @@ TimeSeries series_left(const SeriesSource& declared, const fs::path& work_direct
   }
 }
 
+void take_facts(const ExternalRun& external, const fs::path& work_directory, const fs::path& log,
+                RunResult& result) {
+  if (external.facts.empty()) return;
+  try {
+    add_external_facts(work_directory / external.facts, result);
+  } catch (const CaseFileError& error) {
+    throw failure(error.what(), log);
+  }
+}
+
 }  // namespace
 
 void require_scene(const ExternalRun& external, const CaseDefinition& definition,
@@ -154,6 +165,7 @@ RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
   RunResult result;
   for (const SeriesSource& source : external.series)
     result.series.push_back(series_left(source, directory, log));
+  take_facts(external, directory, log, result);
   result.active_terms = {"external program " + fs::path(command.front()).filename().string()};
   result.provenance["external_command"] = fmt::format("{}", fmt::join(command, " "));
   result.provenance["external_program_hash"] = content_hash(read_bytes(command.front()));

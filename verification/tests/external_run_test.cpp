@@ -109,6 +109,33 @@ TEST_F(ExternalRun, IsStudiedByConvergeAtSpacingsThatTheCaseDoesNotHave) {
   }
 }
 
+TEST_F(ExternalRun, TellsItsCountsAndWhatItDoesNotTellStaysUnknown) {
+  const auto run_of_results = [&] {
+    const auto results = nlohmann::json::parse(read("out/report/results.json"));
+    return results.at("cases").at(0).at("runs").at(1);
+  };
+  EXPECT_EQ(campaign_of("\"tells\", \"42\"", "facts = \"cost.json\"\n").status, 0);
+  EXPECT_EQ(run_of_results().at("steps"), 42);
+  EXPECT_EQ(run_of_results().at("elements"), 3500);
+  EXPECT_EQ(run_of_results().at("diagnostics").at("loop_wall_time_s"), 2);
+  EXPECT_TRUE(holds(read("out/report/report.md"), "| 3500 | 42 |"));
+  EXPECT_EQ(campaign_of("\"scaled\", \"1\"").status, 0);
+  EXPECT_TRUE(run_of_results().at("steps").is_null());
+  EXPECT_TRUE(run_of_results().at("elements").is_null());
+  EXPECT_FALSE(holds(read("out/report/report.md"), "| external | 0 | 0 |"));
+}
+
+TEST_F(ExternalRun, FailsWhereItsFactsAreMissingOrWrong) {
+  EXPECT_EQ(campaign_of("\"tells\", \"-1\"", "facts = \"cost.json\"\n").status, 3);
+  EXPECT_TRUE(
+      holds(read("out/report/results.json"),
+            "cost.json: steps = -1: expected an integer > 0, or null where it is not known"));
+  EXPECT_EQ(campaign_of("\"scaled\", \"1\"", "facts = \"cost.json\"\n").status, 3);
+  EXPECT_TRUE(holds(read("out/report/results.json"),
+                    "cost.json: expected a file that the program "
+                    "writes"));
+}
+
 TEST_F(ExternalRun, IsToldThatItsCommandWantsASpacing) {
   write_campaign(own_case("\"converges\", \"{particle_spacing_m}\""));
   const Ended ended = campaign();

@@ -117,6 +117,9 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
        "trial.toml:56: run.directory = \"none\": expected a directory relative to the case file"},
       {command + "timelimit_s = 1\n" + series, "trial.toml:56: run.timelimit_s = 1: expected only"},
       {command + "modes = 3\n" + series, "trial.toml:56: run.modes = 3: expected only these keys"},
+      {command + "facts = \"../cost.json\"\n" + series,
+       "trial.toml:56: run.facts = \"../cost.json\": expected a file's path below the run's work "
+       "directory"},
       {command + "method = \"my_sph\"\n" + series,
        "trial.toml:52: run.particle_spacing_m is missing: expected the method's spacing in this "
        "run, in m, beside method"},

@@ -1,0 +1,106 @@
+#include "verification/solvers/external_facts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/nearest_name.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char *liquid_particles = "liquid_particles", *steps = "steps",
+                     *version = "schema_version";
+
+// The object of the file. Throws for a key that is there twice, of which JSON would take the last.
+json read_object(const fs::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw CaseFileError(file.string() + ": expected a file that the program writes");
+  std::vector<std::string> keys;
+  std::string twice;
+  const auto look = [&](int depth, json::parse_event_t event, const json& parsed) {
+    if (event != json::parse_event_t::key || depth != 1) return true;
+    const std::string key = parsed.get<std::string>();
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) twice = key;
+    keys.push_back(key);
+    return true;
+  };
+  try {
+    json document = json::parse(stream, look);
+    if (!document.is_object()) throw CaseFileError(file.string() + ": expected a JSON object");
+    if (!twice.empty())
+      throw CaseFileError(fmt::format("{}: {}: expected each key once", file.string(), twice));
+    return document;
+  } catch (const json::parse_error& error) {
+    throw CaseFileError(fmt::format("{}: not JSON: {}", file.string(), error.what()));
+  }
+}
+
+void refuse_unknown_keys(const json& document, const fs::path& file) {
+  std::vector<std::string> known{version};
+  for (const ExternalFact& fact : external_facts()) known.push_back(fact.name);
+  for (const auto& [key, value] : document.items())
+    if (std::find(known.begin(), known.end(), key) == known.end())
+      throw CaseFileError(fmt::format("{}: {} = {}: expected only these keys: {}{}", file.string(),
+                                      key, value.dump(), fmt::join(known, ", "),
+                                      nearest_text(key, known)));
+}
+
+// Returns nullopt where the program does not know it.
+std::optional<double> value_of(const ExternalFact& fact, const json& document,
+                               const fs::path& file) {
+  const auto found = document.find(fact.name);
+  if (found == document.end() || found->is_null()) return {};
+  const double value = found->is_number() ? found->get<double>() : -1;
+  if (!std::isfinite(value) || (fact.is_count && value != std::floor(value)) || value < 0 ||
+      (value == 0 && !fact.may_be_zero))
+    throw CaseFileError(fmt::format(
+        "{}: {} = {}: expected {} {} 0, or null where it is not known", file.string(), fact.name,
+        found->dump(), fact.is_count ? "an integer" : "a number", fact.may_be_zero ? ">=" : ">"));
+  return value;
+}
+
+}  // namespace
+
+const std::vector<ExternalFact>& external_facts() {
+  static const std::vector<ExternalFact> facts{
+      {liquid_particles, true, false, "number of particles of the liquid"},
+      {"wall_particles", true, true, "number of particles of the walls"},
+      {steps, true, false, "number of time steps"},
+      {"speed_of_sound_m_s", false, false, "speed of sound of the liquid"},
+      {"smoothing_length_ratio", false, false, "smoothing length over particle spacing, h / dp"},
+      {"loop_wall_time_s", false, false, "wall-clock time of the time loop, without set-up"},
+      {"loop_processor_time_s", false, false,
+       "processor time of the time loop on all cores, without set-up"}};
+  return facts;
+}
+
+void add_external_facts(const fs::path& file, RunResult& result) {
+  const json document = read_object(file);
+  refuse_unknown_keys(document, file);
+  const auto written = document.find(version);
+  if (written == document.end() || *written != 1)
+    throw CaseFileError(fmt::format("{}: {} = {}: expected 1", file.string(), version,
+                                    written == document.end() ? "(missing)" : written->dump()));
+  for (const ExternalFact& fact : external_facts()) {
+    const auto value = value_of(fact, document, file);
+    if (!value) continue;
+    if (fact.name == liquid_particles)
+      result.cost.elements = *value;
+    else if (fact.name == steps)
+      result.cost.steps = *value;
+    else
+      result.diagnostics[fact.name] = *value;
+  }
+}
+
+}  // namespace slosh

@@ -1,0 +1,31 @@
+// What an external program tells of its run in a JSON file beside its series: the sizes and costs
+// that only it knows. external_facts.schema.json is the published form of this file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verification/results/result_file.hpp"
+
+namespace slosh {
+
+// One entry of the file, beside "schema_version", which is 1. Each is optional, and null says that
+// the program does not know it.
+struct ExternalFact {
+  std::string name;  // with its unit
+  bool is_count;     // an integer
+  bool may_be_zero;
+  std::string meaning;
+};
+
+// In the order of the document.
+const std::vector<ExternalFact>& external_facts();
+
+// Adds what the file says to the result: the particles of the liquid and the steps to its cost, and
+// the rest to its diagnostics, under the file's names. What the file does not say stays unknown.
+// Throws CaseFileError with the file, the key, the value and what was expected where the file is
+// missing, no JSON object of this form, or has another key.
+void add_external_facts(const std::filesystem::path& file, RunResult& result);
+
+}  // namespace slosh

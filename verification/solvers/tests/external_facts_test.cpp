@@ -1,0 +1,90 @@
+// What an external program tells of its run: what is taken, what stays unknown and what is refused.
+#include "verification/solvers/external_facts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "verification/input/case_file_error.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::external_facts_test {
+namespace {
+
+RunResult told(const std::string& text) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "cost.json") << text;
+  RunResult result;
+  add_external_facts(directory.path() / "cost.json", result);
+  return result;
+}
+
+std::string complaint(const std::string& text) try {
+  told(text);
+  return "";
+} catch (const CaseFileError& error) {
+  return error.what();
+}
+
+TEST(ExternalFacts, AreCountsOfTheCostAndDiagnostics) {
+  const RunResult result = told(
+      R"({"schema_version": 1, "liquid_particles": 3500, "wall_particles": 912, "steps": 62715,
+          "speed_of_sound_m_s": 18.53, "smoothing_length_ratio": 1.3, "loop_wall_time_s": 530.5,
+          "loop_processor_time_s": 505})");
+  EXPECT_EQ(result.cost.elements, 3500);
+  EXPECT_EQ(result.cost.steps, 62715);
+  EXPECT_EQ(result.diagnostics, (std::map<std::string, double>{{"wall_particles", 912},
+                                                               {"speed_of_sound_m_s", 18.53},
+                                                               {"smoothing_length_ratio", 1.3},
+                                                               {"loop_wall_time_s", 530.5},
+                                                               {"loop_processor_time_s", 505}}));
+}
+
+TEST(ExternalFacts, StayUnknownWhereTheProgramDoesNotKnowThem) {
+  const RunResult result = told(R"({"schema_version": 1, "steps": null, "wall_particles": 0})");
+  EXPECT_EQ(result.cost.steps, 0);
+  EXPECT_EQ(result.cost.elements, 0);
+  EXPECT_EQ(result.diagnostics, (std::map<std::string, double>{{"wall_particles", 0}}));
+}
+
+TEST(ExternalFacts, AreRefusedByTheKeyThatIsWrong) {
+  const std::vector<std::pair<std::string, std::string>> texts{
+      {R"({"schema_version": 1, "steps": 0})", "steps = 0: expected an integer > 0, or null"},
+      {R"({"schema_version": 1, "steps": 1.5})", "steps = 1.5: expected an integer > 0"},
+      {R"({"schema_version": 1, "steps": "9"})", "steps = \"9\": expected an integer > 0"},
+      {R"({"schema_version": 1, "wall_particles": -1})",
+       "wall_particles = -1: expected an integer >= 0"},
+      {R"({"schema_version": 1, "speed_of_sound_m_s": 0})",
+       "speed_of_sound_m_s = 0: expected a number > 0"},
+      {R"({"schema_version": 1, "step": 9})", "step = 9: expected only these keys: schema_version"},
+      {R"({"schema_version": 1, "step": 9})", "nearest: steps"},
+      {R"({"schema_version": 1, "steps": 9, "steps": 8})", "steps: expected each key once"},
+      {R"({"schema_version": 2})", "schema_version = 2: expected 1"},
+      {R"({"steps": 9})", "schema_version = (missing): expected 1"},
+      {"[1]", "expected a JSON object"},
+      {R"({"schema_version": 1)", "not JSON: "},
+      {"", "not JSON: "}};
+  for (const auto& [text, wanted] : texts) {
+    const std::string said = complaint(text);
+    EXPECT_NE(said.find("cost.json: "), std::string::npos) << said;
+    EXPECT_NE(said.find(wanted), std::string::npos) << said << "\nwanted: " << wanted;
+  }
+  RunResult result;
+  EXPECT_THROW(add_external_facts("/none/cost.json", result), CaseFileError);
+}
+
+TEST(ExternalFacts, AreThoseOfThePublishedSchema) {
+  std::ifstream stream(SLOSH_SOURCE_DIR "/verification/solvers/external_facts.schema.json");
+  const nlohmann::json properties = nlohmann::json::parse(stream).at("properties");
+  EXPECT_EQ(properties.size(), external_facts().size() + 1) << "and the version";
+  for (const ExternalFact& fact : external_facts()) {
+    const auto& property = properties.at(fact.name);
+    EXPECT_EQ(property.at("description"), fact.meaning);
+    EXPECT_EQ(property.at("type"), nlohmann::json({fact.is_count ? "integer" : "number", "null"}));
+    EXPECT_EQ(property.at(fact.may_be_zero ? "minimum" : "exclusiveMinimum"), 0) << fact.name;
+  }
+}
+
+}  // namespace
+}  // namespace slosh::external_facts_test
