@@ -1,5 +1,6 @@
 #include "verification/files/child_process.hpp"
 
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -16,6 +17,9 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+
+#include "verification/files/bound_cores.hpp"
+#include "verification/files/file_lock.hpp"
 
 namespace slosh {
 namespace {
@@ -139,10 +143,22 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildS
   const std::filesystem::path directory =
       settings.directory.empty() ? std::filesystem::current_path() : settings.directory;
   adopt_orphans();
-  const auto end_with_parent = [](auto&) { ::prctl(PR_SET_PDEATHSIG, SIGTERM); };
+  // Held until the child is bound, so that another one finds it so.
+  std::optional<FileLock> choice;
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  if (settings.cores > 0) {
+    choice.emplace(std::filesystem::temp_directory_path() /
+                   ("slosh_cores." + std::to_string(::getuid())));
+    for (const int core : least_bound_cores(settings.cores)) CPU_SET(core, &cores);
+  }
+  const auto set_up = [&](auto&) {
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (settings.cores > 0) ::sched_setaffinity(0, sizeof cores, &cores);
+  };
   state_->child = bp::child(bp::exe = command.front(), bp::args = arguments, environment,
                             bp::start_dir = directory.string(), state_->group,
-                            bp::extend::on_exec_setup = end_with_parent,
+                            bp::extend::on_exec_setup = set_up,
                             bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.get());
   own_children().add(state_->child.id());
 }

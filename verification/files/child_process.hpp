@@ -18,6 +18,8 @@ struct ChildSettings {
   std::map<std::string, std::string> environment = {};  // in addition to this process's
   // From SIGTERM to SIGKILL: long enough for mpirun to end its ranks.
   std::chrono::seconds grace{3};
+  // It and all that it starts may use this many of this process's cores; 0: all of them.
+  int cores = 0;
 };
 
 class ChildProcess {
