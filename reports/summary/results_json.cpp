@@ -28,6 +28,14 @@ Json sph_entry(const SphRun& sph) {
           {"numbers", numbers}};
 }
 
+Json external_entry(const ExternalRun& external) {
+  Json entry = Json::object();
+  if (external.particle_spacing)
+    entry = {{"method", external.method}, {"particle_spacing_m", *external.particle_spacing}};
+  if (external.cores) entry["cores"] = *external.cores;
+  return entry;
+}
+
 Json failure_entry(const RunFailure& failure) {
   return {{"kind", failure.kind},
           {"message", failure.message},
@@ -51,10 +59,8 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
   if (!run.ensemble.empty()) entry["ensemble"] = run.ensemble;
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
-  if (const auto* external = std::get_if<ExternalRun>(&run.solver);
-      external && external->particle_spacing)
-    entry.update(
-        Json{{"method", external->method}, {"particle_spacing_m", *external->particle_spacing}});
+  if (const auto* external = std::get_if<ExternalRun>(&run.solver))
+    entry.update(external_entry(*external));
   if (status.failure) entry["failure"] = failure_entry(*status.failure);
   const auto found = runs.results.find(name);
   if (found == runs.results.end()) return entry;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "reports/summary/report_sections.hpp"
+#include "reports/tables/case_tables.hpp"
 #include "verification/assessment/across_runs/speed_ups.hpp"
 
 namespace slosh {
@@ -89,6 +90,10 @@ std::string made_on(const CaseAssessment& assessment, const std::vector<WorkFami
         const auto found = origin.find(key);
         return found == origin.end() || found->second.empty() ? "unknown" : found->second;
       };
+      if (origin.contains("external_command")) {
+        places.insert(fmt::format("{}; {}", value_of("processor"), software_text(origin)));
+        continue;
+      }
       places.insert(fmt::format("{}; compiler {}, flags {}", value_of("processor"),
                                 value_of("compiler"), value_of("compiler_flags")));
     }

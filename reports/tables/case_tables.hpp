@@ -96,6 +96,9 @@ reports::Table terms_table(const CaseAssessment& assessment);
 // The versions, the machine, the date and the command of each run.
 reports::Table provenance_table(const CaseAssessment& assessment);
 
+// Returns what computed the result of this provenance: a program of the user's, or Slosh itself.
+std::string software_text(const std::map<std::string, std::string>& origin);
+
 // The errors of failed runs and the messages of their programs; nullopt where none failed.
 std::optional<reports::Table> failure_table(const std::string& name,
                                             const std::map<std::string, RunStatus>& runs);

@@ -39,6 +39,19 @@ std::string largest(const TimeSeries& series, TimeWindow window) {
 
 }  // namespace
 
+std::string software_text(const std::map<std::string, std::string>& origin) {
+  if (origin.contains("external_command")) {
+    const auto version = origin.find("external_version");
+    return fmt::format(
+        "{}, started by Slosh {}",
+        version == origin.end() ? "a program that does not tell its version" : version->second,
+        origin.at("slosh_version"));
+  }
+  const auto openfoam = origin.find("openfoam_version");
+  return fmt::format("Slosh {}, {}{}", origin.at("slosh_version"), origin.at("compiler"),
+                     openfoam == origin.end() ? "" : ", OpenFOAM " + openfoam->second);
+}
+
 std::optional<Table> rest_table(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   const TimeWindow whole{0, definition.duration};
@@ -155,14 +168,10 @@ Table provenance_table(const CaseAssessment& assessment) {
     if (found == assessment.runs.results.end()) continue;
     const auto& origin = found->second.provenance;
     if (const auto of = origin.find("compiler_flags"); of != origin.end()) flags.insert(of->second);
-    const auto openfoam = origin.find("openfoam_version");
-    table.rows.push_back(
-        {run.name,
-         fmt::format("Slosh {}, {}{}", origin.at("slosh_version"), origin.at("compiler"),
-                     openfoam == origin.end() ? "" : ", OpenFOAM " + openfoam->second),
-         fmt::format("{}, {}", origin.at("date_utc"), origin.at("processor")),
-         fmt::format("`{}`", found->second.key.substr(0, 8)),
-         fmt::format("`{}`", origin.at("command"))});
+    table.rows.push_back({run.name, software_text(origin),
+                          fmt::format("{}, {}", origin.at("date_utc"), origin.at("processor")),
+                          fmt::format("`{}`", found->second.key.substr(0, 8)),
+                          fmt::format("`{}`", origin.at("command"))});
   }
   if (!flags.empty())
     table.caption += fmt::format(" Compiler flags: `{}`.", fmt::join(flags, "`; `"));

@@ -12,6 +12,7 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/input_uncertainty.hpp"
+#include "verification/evidence/run_cost.hpp"
 
 namespace slosh {
 namespace {
@@ -126,6 +127,7 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
 
 CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
   mark_out_of_range(definition, runs);
+  mark_left_cores(definition, runs);
   runs.input_bounds = predict_input_bounds(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
   collect_input_bounds(definition, runs);

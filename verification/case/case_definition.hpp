@@ -222,6 +222,10 @@ struct ExternalRun {
   // What the program tells of itself (external_facts.hpp), below the work directory; empty:
   // nothing.
   std::filesystem::path facts = {};
+  std::vector<std::string> version_command = {};  // as `command`; it prints the program's version
+  // Regular expressions: a line of the program's log that one of them matches is a failure.
+  std::vector<std::string> fail_on = {};
+  std::optional<int> cores = {};  // to which it is bound
 };
 
 enum class RefinedNumber {

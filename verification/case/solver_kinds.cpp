@@ -206,6 +206,9 @@ struct Row<ExternalRun> : CommonRow {
         {"external", {external.command, external.directory.filename().string(), series}}};
     if (external.particle_spacing) settings["particle_spacing"] = *external.particle_spacing;
     if (!external.facts.empty()) settings["facts"] = external.facts.string();
+    if (!external.version_command.empty()) settings["version"] = external.version_command;
+    if (!external.fail_on.empty()) settings["fail_on"] = external.fail_on;
+    if (external.cores) settings["cores"] = *external.cores;
     return settings;
   }
 };

@@ -335,6 +335,15 @@ const std::vector<KeyTable>& case_key_tables() {
          "The longest wall-clock time that the program may take."},
         {"inputs", "list of paths, relative to the case file", "no",
          "Files that count as part of the run: a change of one makes the run be computed again."},
+        {"fail_on", "list of texts", "no",
+         "Regular expressions (ECMAScript). A line of the program's log that one of them matches "
+         "makes the run fail."},
+        {"cores", "integer >= 1", "no",
+         "The number of cores to which the program is bound, and its OMP_NUM_THREADS. Default: it "
+         "is not bound."},
+        {"version_command", "list of texts", "no",
+         "A program and its arguments, as in command, of which the first line of output is the "
+         "version that the report names. It has a minute."},
         {"facts", "path below the work directory", "no",
          "A JSON file in which the program tells its numbers of particles and steps and its costs: "
          "see [What the program tells of "

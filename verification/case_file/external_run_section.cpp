@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -53,6 +54,24 @@ std::vector<SeriesSource> read_all_series(const TomlTable& run, const CaseDefini
   return all;
 }
 
+bool is_regular_expression(const std::string& text) try {
+  const std::regex made(text);
+  return !text.empty();
+} catch (const std::regex_error&) {
+  return false;
+}
+
+const Rule<std::string> a_pattern{"a regular expression, as of ECMAScript", is_regular_expression};
+
+std::vector<std::string> read_command(const TomlTable& run, const char* key) {
+  std::vector<std::string> command;
+  for (const PlacedText& argument : run.texts(key, {"a text", [](const auto&) { return true; }}))
+    command.push_back(argument.text);
+  if (command.empty() || command.front().empty())
+    run.refuse(key, "a list of texts that begins with a program");
+  return command;
+}
+
 // A method's runs are told apart by their spacings, and a spacing alone is of no use.
 void read_method(const TomlTable& run, const CaseDefinition& definition, ExternalRun& external) {
   external.method = run.find("method", file_safe_name()).value_or("");
@@ -64,18 +83,15 @@ void read_method(const TomlTable& run, const CaseDefinition& definition, Externa
 }
 
 fs::path beside_case(const CaseDefinition& definition, const std::string& path) {
-  return fs::absolute(definition.file).parent_path() / path;
+  return (fs::absolute(definition.file).parent_path() / path).lexically_normal();
 }
 
 }  // namespace
 
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition) {
   ExternalRun external;
-  for (const PlacedText& argument :
-       run.texts("command", {"a text", [](const auto&) { return true; }}))
-    external.command.push_back(argument.text);
-  if (external.command.empty() || external.command.front().empty())
-    run.refuse("command", "a list of texts that begins with a program");
+  external.command = read_command(run, "command");
+  if (run.has("version_command")) external.version_command = read_command(run, "version_command");
   if (const auto directory = run.find("directory", any_text())) {
     external.directory = beside_case(definition, *directory);
     if (!fs::is_directory(external.directory))
@@ -90,6 +106,10 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
         run.refuse("inputs", "files relative to the case file; there is no " +
                                  external.inputs.back().string());
     }
+  if (run.has("fail_on"))
+    for (const PlacedText& pattern : run.texts("fail_on", a_pattern))
+      external.fail_on.push_back(pattern.text);
+  external.cores = run.find("cores", at_least(1));
   read_method(run, definition, external);
   if (run.has("facts")) external.facts = run.get("facts", path_below("a file's", work_directory));
   external.series = read_all_series(run, definition);

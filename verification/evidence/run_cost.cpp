@@ -89,6 +89,21 @@ MeasuredCost cost_of(const CaseRuns& runs, const std::string& run) {
   return {mean_with_interval(times), mean_with_interval(memories), times.size()};
 }
 
+void mark_left_cores(const CaseDefinition& definition, CaseRuns& runs) {
+  constexpr double allowance = 1.05;
+  for (const RunDefinition& run : definition.runs) {
+    const auto* external = std::get_if<ExternalRun>(&run.solver);
+    const auto result = runs.results.find(run.name);
+    if (!external || !external->cores || result == runs.results.end()) continue;
+    const RunCost& cost = result->second.cost;
+    if (core_seconds(cost) <= allowance * cost.wall_time * *external->cores) continue;
+    std::string& message = runs.status.at(run.name).message;
+    message += fmt::format("{}{:.3g} core-seconds in {:.3g} s: more than its cores = {} have",
+                           message.empty() ? "" : "; ", core_seconds(cost), cost.wall_time,
+                           *external->cores);
+  }
+}
+
 WorkRun work_run(const RunDefinition& run, const CaseRuns& runs, const Estimate& error) {
   return {run.name, resolution(run), cost_of(runs, run.name), error};
 }

@@ -26,6 +26,11 @@ struct MeasuredCost {
 // The cost of a run that left a result.
 MeasuredCost cost_of(const CaseRuns& runs, const std::string& run);
 
+// Says in the status of each external run that is bound to cores where it took more processor time
+// than these cores have in its wall time, by more than 5 %: then it has left them, and its costs
+// are those of more cores.
+void mark_left_cores(const CaseDefinition& definition, CaseRuns& runs);
+
 struct WorkRun {
   std::string run;
   double resolution;

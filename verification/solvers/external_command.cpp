@@ -23,7 +23,7 @@ using Placeholders = std::vector<std::pair<std::string, std::string>>;
 // Without a particle spacing there is no such placeholder.
 Placeholders placeholders(const ExternalRun& external, const CaseDefinition& definition,
                           const fs::path& work_directory) {
-  const fs::path file = fs::absolute(definition.file);
+  const fs::path file = fs::absolute(definition.file).lexically_normal();
   Placeholders known{{"case_file", file.string()},
                      {"case_directory", file.parent_path().string()},
                      {"work_directory", work_directory.string()},
@@ -40,7 +40,7 @@ bool is_name(std::string_view text) {
 
 // Fills in the placeholders; braces around anything but a name stay. Throws std::invalid_argument
 // for a name that is no placeholder.
-std::string filled_in(const std::string& argument, const Placeholders& known) {
+std::string filled_in(const char* key, const std::string& argument, const Placeholders& known) {
   std::string filled;
   for (std::size_t at = 0; at < argument.size();) {
     const std::size_t open = argument.find('{', at), close = argument.find('}', open);
@@ -60,12 +60,12 @@ std::string filled_in(const std::string& argument, const Placeholders& known) {
     }
     if (!value && name == spacing_name)
       throw std::invalid_argument(
-          fmt::format("command: {}: {{{}}} is filled in only where the run has method and "
+          fmt::format("{}: {}: {{{}}} is filled in only where the run has method and "
                       "particle_spacing_m",
-                      argument, name));
+                      key, argument, name));
     if (!value)
       throw std::invalid_argument(fmt::format(
-          "command: {}: {{{}}} is no placeholder, expected one of {}; nearest: {}", argument, name,
+          "{}: {}: {{{}}} is no placeholder, expected one of {}; nearest: {}", key, argument, name,
           fmt::join(names, ", "), nearest_names(name, names, 1).front()));
     filled += *value;
   }
@@ -80,25 +80,45 @@ std::vector<std::string> texts_of(const std::string& argument) {
   return texts;
 }
 
+// Returns the file of a command's first word.
+fs::path program_of(const std::string& name, const ExternalRun& external,
+                    const CaseDefinition& definition) {
+  if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
+  const fs::path directory = fs::absolute(definition.file).parent_path();
+  const fs::path file =
+      directory / filled_in("command", name, placeholders(external, definition, ""));
+  return fs::is_regular_file(file) ? file.lexically_normal() : fs::path();
+}
+
+std::vector<std::string> with_placeholders(const char* key, const std::vector<std::string>& command,
+                                           const ExternalRun& external,
+                                           const CaseDefinition& definition,
+                                           const fs::path& work_directory) {
+  if (command.empty()) return {};
+  const Placeholders known = placeholders(external, definition, work_directory);
+  std::vector<std::string> filled;
+  for (const std::string& argument : command) filled.push_back(filled_in(key, argument, known));
+  filled.front() = program_of(command.front(), external, definition).string();
+  return filled;
+}
+
 }  // namespace
 
 fs::path external_program(const ExternalRun& external, const CaseDefinition& definition) {
-  const std::string& name = external.command.front();
-  if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
-  const fs::path directory = fs::absolute(definition.file).parent_path();
-  const fs::path file = directory / filled_in(name, placeholders(external, definition, ""));
-  return fs::is_regular_file(file) ? file.lexically_normal() : fs::path();
+  return program_of(external.command.front(), external, definition);
 }
 
 std::vector<std::string> external_command(const ExternalRun& external,
                                           const CaseDefinition& definition,
                                           const fs::path& work_directory) {
-  const Placeholders known = placeholders(external, definition, work_directory);
-  std::vector<std::string> command;
-  for (const std::string& argument : external.command)
-    command.push_back(filled_in(argument, known));
-  command.front() = external_program(external, definition).string();
-  return command;
+  return with_placeholders("command", external.command, external, definition, work_directory);
+}
+
+std::vector<std::string> version_command(const ExternalRun& external,
+                                         const CaseDefinition& definition,
+                                         const fs::path& work_directory) {
+  return with_placeholders("version_command", external.version_command, external, definition,
+                           work_directory);
 }
 
 std::vector<fs::path> external_inputs(const ExternalRun& external,

@@ -13,11 +13,15 @@ namespace slosh {
 std::filesystem::path external_program(const ExternalRun& external,
                                        const CaseDefinition& definition);
 
-// Returns the program and its arguments with the placeholders filled in. Throws
-// std::invalid_argument for a name in braces that is no placeholder.
+// Return the program and its arguments with the placeholders filled in, of the run and of what
+// tells the program's version; an empty program where there is none. Throw std::invalid_argument
+// for a name in braces that is no placeholder.
 std::vector<std::string> external_command(const ExternalRun& external,
                                           const CaseDefinition& definition,
                                           const std::filesystem::path& work_directory);
+std::vector<std::string> version_command(const ExternalRun& external,
+                                         const CaseDefinition& definition,
+                                         const std::filesystem::path& work_directory);
 
 // Returns the files whose content counts as part of the run: the inputs that the case declares, and
 // each argument, or the part of it behind an "=", that names an existing file relative to the case

@@ -54,8 +54,9 @@ RunResult run_solver(const RunRequest& request);
 // the series of an external program must be of known formats, and its placeholders known.
 //
 // run_solver returns the result's series, active terms, diagnostics, steps and elements, and what
-// only the solver knows of the provenance. It throws the leaf's own exceptions, and
-// std::invalid_argument for a case that the solver does not take.
+// only the solver knows of the provenance. The times of its cost are those that it spent on other
+// things than the run, such as asking a program for its version. It throws the leaf's own
+// exceptions, and std::invalid_argument for a case that the solver does not take.
 void require_scene(const SphRun& sph, const CaseDefinition& definition, const RunDefinition& run);
 RunResult run_solver(const SphRun& sph, const RunRequest& request);
 

@@ -136,6 +136,65 @@ TEST_F(ExternalRun, FailsWhereItsFactsAreMissingOrWrong) {
                     "writes"));
 }
 
+TEST_F(ExternalRun, IsShownUnderTheVersionThatItTells) {
+  const std::string version =
+      "version_command = [\"sh\", \"-c\", \"echo; echo My SPH 2.1; echo more\"]\n";
+  EXPECT_EQ(campaign_of("\"scaled\", \"1\"", version).status, 0);
+  const auto results = nlohmann::json::parse(read("out/report/results.json"));
+  const auto& origin = results.at("cases").at(0).at("runs").at(1).at("provenance");
+  EXPECT_EQ(origin.at("external_version"), "My SPH 2.1");
+  EXPECT_FALSE(origin.contains("compiler")) << "which compiled Slosh";
+  EXPECT_TRUE(holds(read("out/report/report.md"), "| mine | My SPH 2.1, started by Slosh "));
+  EXPECT_EQ(campaign_of("\"scaled\", \"1\"").status, 0);
+  EXPECT_TRUE(holds(read("out/report/report.md"),
+                    "| mine | a program that does not tell its version, started by Slosh "));
+}
+
+TEST_F(ExternalRun, FailsBeforeItStartsWhereItsVersionCannotBeTold) {
+  const auto complaint = [&](const std::string& command) {
+    EXPECT_EQ(campaign_of("\"sleeps\"", "version_command = [" + command + "]\n").status, 3);
+    return read("out/report/results.json");
+  };
+  EXPECT_TRUE(holds(complaint("\"sh\", \"-c\", \"exit 3\""), "exit status 3"));
+  EXPECT_TRUE(holds(complaint("\"true\""), "version_command: expected a line of output"));
+  EXPECT_TRUE(holds(complaint("\"./none\""), "version_command: ./none: expected a program"));
+}
+
+TEST_F(ExternalRun, FailsWhereALineOfItsLogMatchesAPattern) {
+  const std::string command =
+      "[\"sh\", \"-c\", \"echo step 7: NaN in pressure; exec \\\"$0\\\" "
+      "\\\"$@\\\"\", \"" STAND_IN_SOLVER "\"";
+  const auto campaign_with = [&](const std::string& patterns) {
+    write_campaign(with(own_case("\"scaled\", \"1\"", "fail_on = " + patterns + "\n"),
+                        "[\"" STAND_IN_SOLVER "\"", command));
+    return campaign();
+  };
+  const Ended ended = campaign_with("[\"inf\", \"step [0-9]+: N\"]");
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_TRUE(holds(ended.out,
+                    "line 1 of its log matches fail_on = \"step [0-9]+: N\": step 7: NaN "
+                    "in pressure"));
+  EXPECT_EQ(campaign_with("[\"inf\"]").status, 0) << "the pattern is part of the run";
+}
+
+TEST_F(ExternalRun, IsBoundToItsCoresAndMarkedWhereItLeavesThem) {
+  const std::string command =
+      "[\"sh\", \"-c\", \"nproc > \\\"$0/cores\\\"; exec \\\"$@\\\"\", "
+      "\"{case_directory}\", \"" STAND_IN_SOLVER "\"";
+  const auto campaign_with = [&](const std::string& cores) {
+    write_campaign(with(own_case("\"scaled\", \"1\"", cores), "[\"" STAND_IN_SOLVER "\"", command));
+    return campaign();
+  };
+  EXPECT_EQ(campaign_with("cores = 1\n").status, 0);
+  EXPECT_EQ(read("cores"), "1\n");
+  const auto results = nlohmann::json::parse(read("out/report/results.json"));
+  const auto& run = results.at("cases").at(0).at("runs").at(1);
+  EXPECT_EQ(run.at("cores"), 1);
+  EXPECT_EQ(run.at("message"), "") << "it keeps to them";
+  EXPECT_EQ(campaign_with("cores = 5000\n").status, 3);
+  EXPECT_TRUE(holds(read("out/report/results.json"), "cores = 5000: expected at most the "));
+}
+
 TEST_F(ExternalRun, IsToldThatItsCommandWantsASpacing) {
   write_campaign(own_case("\"converges\", \"{particle_spacing_m}\""));
   const Ended ended = campaign();

@@ -98,6 +98,23 @@ TEST(WorkFamilies, HoldTheRunsOfAnExternalProgramsMethod) {
   EXPECT_EQ(families[1].name, "other");
 }
 
+// The runs of three_resolutions_of_a_program() take as much processor time as wall time.
+TEST(ExternalCosts, AreMarkedWhereTheyAreThoseOfMoreCores) {
+  CaseAssessment assessment = three_resolutions_of_a_program();
+  CaseRuns runs = assessment.runs;
+  for (RunDefinition& run : assessment.definition.runs)
+    if (auto* external = std::get_if<ExternalRun>(&run.solver)) external->cores = 2;
+  runs.results.at("fine").cost.user_time = 130;
+  runs.results.at("medium").cost.user_time = 16;
+  const CaseAssessment marked = assess(assessment.definition, runs);
+  EXPECT_EQ(marked.runs.status.at("fine").message,
+            "146 core-seconds in 64 s: more than its cores = 2 have");
+  EXPECT_EQ(marked.runs.status.at("medium").message,
+            "18 core-seconds in 8 s: more than its cores = "
+            "2 have");
+  EXPECT_EQ(marked.runs.status.at("coarse").message, "");
+}
+
 TEST(CostToReach, IsJudgedOfAnExternalProgramsMethodAsOfAScheme) {
   const GateRow row = cost_row(0.1, 20);
   const GateOutcome of_program =
