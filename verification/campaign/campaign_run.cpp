@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -96,7 +97,16 @@ struct Pending {
   std::optional<std::size_t> problem = {};
 };
 
-// Sorts the longest jobs first, so that no long job is left running alone at the end.
+// The longest come first, and before them those of which nothing is known, so that no long job is
+// left running alone at the end.
+bool is_started_before(const Pending& a, const Pending& b) {
+  const auto time = [](const Pending& one) {
+    return one.job.expected_time > 0 ? one.job.expected_time
+                                     : std::numeric_limits<double>::infinity();
+  };
+  return time(a) > time(b);
+}
+
 std::vector<Pending> pending_jobs(std::vector<PlannedRun>& plan,
                                   const std::vector<ProblemDefinition>& problems,
                                   const std::vector<ProblemRun>& standing,
@@ -108,9 +118,7 @@ std::vector<Pending> pending_jobs(std::vector<PlannedRun>& plan,
   for (PlannedRun& planned : plan)
     if (is_pending(planned))
       pending.push_back({.job = job_for(planned, settings), .run = &planned});
-  std::stable_sort(pending.begin(), pending.end(), [](const Pending& a, const Pending& b) {
-    return a.job.expected_time > b.job.expected_time;
-  });
+  std::stable_sort(pending.begin(), pending.end(), is_started_before);
   for (const PlannedRun& planned : plan)
     for (Job& job : timing_jobs(planned, settings)) pending.push_back({.job = std::move(job)});
   return pending;

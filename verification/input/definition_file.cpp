@@ -33,7 +33,9 @@ fs::path find_definition_file(std::string_view kind, const std::string& name_or_
                               const fs::path& directory, const fs::path& base) {
   const bool is_path =
       name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-  fs::path file = is_path ? base / name_or_path : directory / (name_or_path + ".toml");
+  fs::path file = !is_path       ? directory / (name_or_path + ".toml")
+                  : base.empty() ? fs::path(name_or_path)
+                                 : (base / name_or_path).lexically_normal();
   if (fs::is_regular_file(file)) return file;
   if (is_path)
     throw CaseFileError(fmt::format("{} = \"{}\": expected a file; there is no {}", kind,

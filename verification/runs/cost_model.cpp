@@ -69,12 +69,9 @@ double time_of(const LinearRun&, const RunEffort& effort, const CaseDefinition&)
   return effort.steps * effort.elements * 0.2 * microsecond;
 }
 
-double time_of(const ExternalRun& external, const RunEffort&, const CaseDefinition&) {
-  constexpr double unknown = 3600;  // [s]
-  return external.time_limit.value_or(unknown) / at_work;
-}
-
-// A record or a formula takes no more than the start of its process.
+// Nothing is known of an external program. A record or a formula takes no more than the start of
+// its process.
+double time_of(const ExternalRun&, const RunEffort&, const CaseDefinition&) { return 0; }
 double time_of(const RecordRun&, const RunEffort&, const CaseDefinition&) { return 0; }
 double time_of(const ViscousWaveRun&, const RunEffort&, const CaseDefinition&) { return 0; }
 

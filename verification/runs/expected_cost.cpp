@@ -40,8 +40,10 @@ ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run
   } else if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) {
     cost.memory += 128 * mebibyte + 8192.0 * mesh->cells_x * mesh->cells_z;
     cost.cores = mesh->processes;
-  } else if (!can_be_modelled(run)) {
-    cost.uncertainty = 0;
+  } else if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
+    cost.processor_time = cost.memory = cost.uncertainty = 0;
+    cost.cores = external->cores.value_or(1);
+    cost.own_limit = external->time_limit;
   }
   cost.wall_time = cost.processor_time / cost.cores;
   return cost;
@@ -91,8 +93,12 @@ std::string cost_text(const ExpectedCost& cost) {
 }
 
 double time_limit(const ExpectedCost& cost) {
-  constexpr double shortest = 600;  // [s]
-  return std::max(shortest, 20 * cost.wall_time);
+  constexpr double shortest = 600, of_unknown = 72000;  // [s]
+  // The run's own limit ends it first, and says so.
+  constexpr double beyond_own = 60;  // [s]
+  if (cost.own_limit) return std::max(shortest, *cost.own_limit + beyond_own);
+  const bool unknown = !cost.measured && cost.uncertainty == 0;
+  return unknown ? of_unknown : std::max(shortest, 20 * cost.wall_time);
 }
 
 }  // namespace slosh

@@ -2,6 +2,7 @@
 // model's (cost_model.hpp), corrected by the cost of the solver's other runs on this machine.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "verification/case/case_definition.hpp"
@@ -16,8 +17,10 @@ struct ExpectedCost {
   double memory;          // [byte], peak
   int cores = 1;
   bool measured = false;  // by an earlier run
-  // An estimate may be wrong by this factor either way; 0 where nothing is known.
+  // An estimate may be wrong by this factor either way; 0 where nothing is known, and the times and
+  // the memory are then 0 too.
   double uncertainty = 1;
+  std::optional<double> own_limit = {};  // [s] of wall time, where the case limits the run
 };
 
 // `key` is the run's (run_key.hpp).

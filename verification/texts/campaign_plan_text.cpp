@@ -27,7 +27,7 @@ std::string command_text(const Job& job) {
 }
 
 struct Sums {
-  int kept = 0, left_out = 0, to_run = 0, timings = 0;
+  int kept = 0, left_out = 0, to_run = 0, timings = 0, unknown = 0;
   double processor_time = 0, alone = 0;  // [s]
   double uncertainty = 1;                // the largest factor of any run
 };
@@ -38,10 +38,12 @@ std::string line_of(const Job& job, const std::string& cost, Sums& sums) {
                      command_text(job));
 }
 
-// For a problem, and for a run whose cost is known.
+// For a problem and for a timing.
 std::string line_of(const Job& job, Sums& sums) {
-  return line_of(job, fmt::format("about {:.3g} core-seconds", job.expected_time * job.cores),
-                 sums);
+  const double cost = job.expected_time * job.cores;
+  return line_of(
+      job, cost > 0 ? fmt::format("about {:.3g} core-seconds", cost) : "core-seconds not known",
+      sums);
 }
 
 std::string line_of(const PlannedRun& planned, const CampaignSettings& settings, Sums& sums) {
@@ -58,19 +60,21 @@ std::string line_of(const PlannedRun& planned, const CampaignSettings& settings,
   const ExpectedCost cost =
       expected_cost(*planned.definition, *planned.run, planned.key, settings.store);
   sums.uncertainty = std::max(sums.uncertainty, cost.uncertainty);
+  if (cost.uncertainty == 0) ++sums.unknown;
   return line_of(job_for(planned, settings), cost_text(cost), sums);
 }
 
 std::string sums_text(const Sums& sums, const CampaignSettings& settings) {
   std::string text =
       fmt::format("{} kept, {} to run, {} left out", sums.kept, sums.to_run, sums.left_out);
-  if (sums.to_run > 0)
+  if (sums.to_run > sums.unknown)
     text += fmt::format(
         "; about {:.3g} core-seconds ({}), {:.2g} min on {} cores", sums.processor_time,
         sums.uncertainty == 1
             ? "as such runs took before"
             : fmt::format("an estimate, right within a factor of {:g}", sums.uncertainty),
         sums.processor_time / 60 / settings.at_once, settings.at_once);
+  if (sums.unknown > 0) text += fmt::format("; {} of unknown cost, not counted", sums.unknown);
   if (sums.timings > 0)
     text +=
         fmt::format("; {} timings one after another, {:.2g} min", sums.timings, sums.alone / 60);

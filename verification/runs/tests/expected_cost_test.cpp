@@ -79,8 +79,28 @@ TEST_F(ExpectedCostTest, LearnsNothingFromARunThatEndedEarlyOrThatIsNotOurs) {
 }
 
 TEST_F(ExpectedCostTest, IsUnknownOfAnExternalProgram) {
+  RunDefinition run = external_run();
+  EXPECT_EQ(cost_text(cost_of(run)), "core-seconds not known");
+  EXPECT_EQ(cost_of(run).processor_time, 0);
+  EXPECT_EQ(cost_of(run).wall_time, 0);
+  EXPECT_EQ(time_limit(cost_of(run)), 72000) << "it may take long";
+  auto& external = std::get<ExternalRun>(run.solver);
+  external.cores = 2;
+  external.time_limit = 7200;
+  EXPECT_EQ(cost_of(run).cores, 2);
+  EXPECT_EQ(cost_of(run).wall_time, 0) << "a limit is no expectation";
+  EXPECT_EQ(time_limit(cost_of(run)), 7260) << "its own limit ends it first";
+}
+
+TEST_F(ExpectedCostTest, IsWhatAnEarlierRunOfAnExternalProgramTook) {
+  RunResult result;
+  result.cost = {.wall_time = 100, .user_time = 80, .system_time = 10, .peak_memory = 5e6};
+  write_result(result, store.file("question-answer", ".h5"));
   const ExpectedCost cost = cost_of(external_run());
-  EXPECT_EQ(cost_text(cost), "core-seconds not known");
+  EXPECT_TRUE(cost.measured);
+  EXPECT_EQ(cost_text(cost), "90 core-seconds measured");
+  EXPECT_EQ(cost.wall_time, 100);
+  EXPECT_EQ(time_limit(cost), 2000);
 }
 
 }  // namespace
