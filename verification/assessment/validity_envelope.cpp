@@ -34,12 +34,17 @@ double forcing_amplitude(const CaseDefinition& definition) {
   return amplitude;
 }
 
+// The detuning |(omega / omega_n)^2 - 1| from which on the response stays proportional.
+double least_detuning(const CaseDefinition& definition) {
+  return std::pow(forcing_amplitude(definition) / definition.tank.length, 2.0 / 3);
+}
+
 // Names a natural mode, of those that surge and roll excite, that is too near to the forcing.
 std::optional<std::string> too_near_resonance(const CaseDefinition& definition) {
   const double forcing = forcing_frequency(definition);
   if (!(forcing > 0)) return {};
   const reference::Tank tank = tank_of(definition);
-  const double least = std::pow(forcing_amplitude(definition) / tank.length, 2.0 / 3);
+  const double least = least_detuning(definition);
   for (int m = 1; m == 1 || reference::natural_frequency(tank, m) < 2 * forcing; m += 2) {
     const double ratio = forcing / reference::natural_frequency(tank, m);
     const double detuning = std::abs(ratio * ratio - 1);
@@ -59,7 +64,7 @@ std::optional<std::string> too_high(double valid_elevation_over_depth,
   if (!(over_depth <= valid_elevation_over_depth))
     return fmt::format("predicts an elevation of {:.3g} fill depths, valid to {:.3g}", over_depth,
                        valid_elevation_over_depth);
-  const double steepness = pi / definition.tank.length * over_depth * definition.liquid.fill_depth;
+  const double steepness = predicted_steepness(definition, result);
   if (!(steepness <= steepest_linear_wave))
     return fmt::format("predicts a steepness k A of {:.3g}, valid to {:.3g}", steepness,
                        steepest_linear_wave);
@@ -87,6 +92,39 @@ std::optional<std::string> outside(const PotentialRun&, const CaseDefinition& de
                      because == result.provenance.end() ? "" : ": " + because->second);
 }
 
+std::string small_wave_range(double valid_elevation_over_depth, const CaseDefinition& definition,
+                             const RunResult& result) {
+  return fmt::format(
+      "an elevation of at most {:g} fill depths, of which it predicts {:.3g}; a steepness k A of "
+      "at most {:g}, of which it predicts {:.3g}",
+      valid_elevation_over_depth, recorded(result, "highest_elevation_over_depth"),
+      steepest_linear_wave, predicted_steepness(definition, result));
+}
+
+std::string range_of(const LinearRun& linear, const CaseDefinition& definition,
+                     const RunResult& result) {
+  std::string text = small_wave_range(linear.valid_elevation_over_depth, definition, result);
+  if (forcing_frequency(definition) > 0)
+    text += fmt::format(
+        "; a detuning |(omega / omega_n)^2 - 1| of at least {:.2g} from each natural mode n that "
+        "the motion excites",
+        least_detuning(definition));
+  return text;
+}
+
+std::string range_of(const ViscousWaveRun& viscous, const CaseDefinition& definition,
+                     const RunResult& result) {
+  return small_wave_range(viscous.valid_elevation_over_depth, definition, result);
+}
+
+std::string range_of(const PotentialRun&, const CaseDefinition&, const RunResult& result) {
+  const auto because = result.provenance.find("left_range_because");
+  return fmt::format("valid to {:.6g} s{}", recorded(result, "valid_until_s"),
+                     because == result.provenance.end() ? "" : ": " + because->second);
+}
+
+std::string range_of(const auto&, const CaseDefinition&, const RunResult&) { return ""; }
+
 // Simulations, records and programs of the user's declare no range.
 std::optional<std::string> outside(const SphRun&, const CaseDefinition&, const RunResult&) {
   return {};
@@ -102,6 +140,17 @@ std::optional<std::string> outside(const ExternalRun&, const CaseDefinition&, co
 }
 
 }  // namespace
+
+std::string validity_range(const CaseDefinition& definition, const RunDefinition& run,
+                           const RunResult& result) {
+  return std::visit([&](const auto& solver) { return range_of(solver, definition, result); },
+                    run.solver);
+}
+
+double predicted_steepness(const CaseDefinition& definition, const RunResult& result) {
+  return pi / definition.tank.length * recorded(result, "highest_elevation_over_depth") *
+         definition.liquid.fill_depth;
+}
 
 std::optional<std::string> outside_validity(const CaseDefinition& definition,
                                             const RunDefinition& run, const RunResult& result) {

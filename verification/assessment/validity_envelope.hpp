@@ -24,6 +24,15 @@ namespace slosh {
 
 inline constexpr double steepest_linear_wave = 0.2;
 
+// Returns the range of a theory's result in words, with the numbers of this case. Empty for
+// solvers and records.
+std::string validity_range(const CaseDefinition& definition, const RunDefinition& run,
+                           const RunResult& result);
+
+// Returns k A, with k = pi / L and A the highest elevation that a theory of small waves predicts;
+// NaN for any other result.
+double predicted_steepness(const CaseDefinition& definition, const RunResult& result);
+
 // Why the reference is outside its range in this case. Returns nullopt where it is inside.
 std::optional<std::string> outside_validity(const CaseDefinition& definition,
                                             const RunDefinition& run, const RunResult& result);

@@ -121,6 +121,7 @@ void add_all_commands(const CommandTree& tree) {
   add_selftest_command(tree);
   add_baseline_commands(tree);
   add_run_command(tree);
+  add_reference_command(tree);
   add_problem_command(tree);
   add_job_command(tree);
   add_import_command(tree);

@@ -33,6 +33,7 @@ void add_gate_command(const CommandTree& tree);
 void add_selftest_command(const CommandTree& tree);
 void add_baseline_commands(const CommandTree& tree);  // baseline diff, propose, approve
 void add_run_command(const CommandTree& tree);
+void add_reference_command(const CommandTree& tree);
 void add_problem_command(const CommandTree& tree);
 void add_job_command(const CommandTree& tree);
 void add_import_command(const CommandTree& tree);

@@ -1,0 +1,83 @@
+#include "verification/assessment/case_theories.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verification/tests/sample_case.hpp"
+
+namespace slosh::case_theories_test {
+namespace {
+
+CaseDefinition theory_case() {
+  CaseDefinition definition = sample_case();
+  definition.runs = {sample_run(LinearRun{.modes = 10, .valid_elevation_over_depth = 0.1}),
+                     sample_run(PotentialRun{}), sample_run(SphRun{"recommended", 0.01, 0.01})};
+  definition.runs[0].name = "linear";
+  definition.runs[1].name = "potential";
+  definition.runs[2].name = "particles";
+  return definition;
+}
+
+CaseRuns theory_runs(double over_depth = 0.03) {
+  CaseRuns runs;
+  for (const char* run : {"linear", "potential", "particles"})
+    runs.results[run].series = {{"elevation@right", "m", {0, 1, 2}, {0, 0.01, 0.02}}};
+  runs.results["linear"].diagnostics["highest_elevation_over_depth"] = over_depth;
+  runs.results["potential"].diagnostics["valid_until_s"] = 2;
+  runs.results["potential"].series.push_back(
+      {"elevation@right/coarser", "m", {0, 1, 2}, {0, 0.013, 0.02}});
+  return runs;
+}
+
+TEST(CaseTheories, AreJoinedByTheirNamesWithoutTheSimulations) {
+  const CaseTheories theories = case_theories(theory_case(), theory_runs());
+  std::vector<std::string> names;
+  for (const TimeSeries& series : theories.result.series) names.push_back(series.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"elevation@right/linear", "elevation@right/potential",
+                                             "elevation@right/potential/half_width"}));
+  EXPECT_EQ(theories.result.at("elevation@right/linear").value,
+            (std::vector<double>{0, 0.01, 0.02}));
+  EXPECT_EQ(theories.result.at("elevation@right/linear").unit, "m");
+}
+
+TEST(CaseTheories, HaveTheHalfWidthsOfPotentialFlowFromItsCoarserRun) {
+  const CaseTheories theories = case_theories(theory_case(), theory_runs());
+  const TimeSeries& widths = theories.result.at("elevation@right/potential/half_width");
+  EXPECT_EQ(widths.unit, "m");
+  EXPECT_NEAR(widths.value[1], 0.003, 1e-12);
+}
+
+TEST(CaseTheories, TellTheirRangesWithTheNumbersOfTheCase) {
+  const CaseTheories theories = case_theories(theory_case(), theory_runs());
+  ASSERT_EQ(theories.remarks.size(), 2u);
+  EXPECT_EQ(theories.remarks[0].range,
+            "an elevation of at most 0.1 fill depths, of which it predicts 0.03; a steepness k A "
+            "of at most 0.2, of which it predicts 0.033; a detuning |(omega / omega_n)^2 - 1| of "
+            "at least 0.074 from each natural mode n that the motion excites");
+  EXPECT_EQ(theories.remarks[1].range, "valid to 2 s");
+  for (const TheoryRemarks& remarks : theories.remarks) EXPECT_FALSE(remarks.outside);
+  const auto& texts = theories.result.provenance;
+  EXPECT_EQ(texts.at("linear_range"), theories.remarks[0].range);
+  EXPECT_NE(texts.at("linear_uncertainty").find("k A / 2 = 0.016"), std::string::npos);
+  EXPECT_FALSE(texts.contains("linear_outside_its_range"));
+}
+
+TEST(CaseTheories, TellWhyOneIsOutsideItsRange) {
+  CaseRuns runs = theory_runs(0.11);
+  runs.results["potential"].diagnostics["valid_until_s"] = 1;
+  runs.results["potential"].provenance["left_range_because"] = "its surface is too steep";
+  const CaseTheories theories = case_theories(theory_case(), runs);
+  EXPECT_EQ(theories.remarks[0].outside, "predicts an elevation of 0.11 fill depths, valid to 0.1");
+  EXPECT_EQ(theories.remarks[1].range, "valid to 1 s: its surface is too steep");
+  EXPECT_TRUE(theories.remarks[1].outside);
+  EXPECT_EQ(theories.result.provenance.at("linear_outside_its_range"), theories.remarks[0].outside);
+}
+
+// A missing elevation is no elevation inside the range.
+TEST(CaseTheories, AreOutsideTheirRangeWhereThePredictionIsNotANumber) {
+  const CaseTheories theories =
+      case_theories(theory_case(), theory_runs(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_TRUE(theories.remarks[0].outside);
+}
+
+}  // namespace
+}  // namespace slosh::case_theories_test
