@@ -13,10 +13,15 @@ namespace {
 
 struct ExportOptions {
   std::filesystem::path result, output;  // no output: standard output
-  bool csv = false;
+  bool csv = false;                      // whatever the name of the output
 };
 
 int export_result(const ExportOptions& options) {
+  if (!options.csv && options.output.empty())
+    throw CaseFileError("export: expected --output FILE.csv, or --csv for the standard output");
+  if (!options.csv && options.output.extension() != ".csv")
+    throw CaseFileError("--output: " + options.output.string() +
+                        ": expected a name that ends in .csv, or --csv for any other");
   const std::string text = series_csv(read_result(options.result));
   if (!options.output.empty()) {
     replace_file(options.output, text, Durability::process_crash);
@@ -31,15 +36,17 @@ int export_result(const ExportOptions& options) {
 
 void add_export_command(const CommandTree& tree) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App& command = add_command(tree,
-                                  {"export",
-                                   "All series of a result file as a table of CSV",
-                                   {"./slosh run li2010_small_amplitude linear",
-                                    "./slosh export linear.h5 --csv -o linear.csv"}},
-                                  [options] { return export_result(*options); });
+  CLI::App& command = add_command(
+      tree,
+      {"export",
+       "All series of a result file as a table of CSV",
+       {"./slosh run li2010_small_amplitude linear", "./slosh export linear.h5 -o linear.csv"}},
+      [options] { return export_result(*options); });
   command.add_option("result", options->result, "A result file")->type_name(file_type)->required();
-  command.add_flag("--csv", options->csv, "As comma-separated values")->required();
-  command.add_option("-o,--output", options->output, "The table (default: standard output)")
+  command.add_flag("--csv", options->csv, "As comma-separated values, whatever the file's name");
+  command
+      .add_option("-o,--output", options->output,
+                  "The table, .csv (default, with --csv: standard output)")
       ->type_name(file_type);
 }
 

@@ -47,6 +47,18 @@ TEST_F(ToolExport, WritesEveryNumberOfAResultSoThatItReadsAsTheSame) {
   EXPECT_EQ(before.value, after.value);
 }
 
+TEST_F(ToolExport, TakesTheFormFromTheNameOfTheFile) {
+  ASSERT_EQ(run("theory").status, 0);
+  ASSERT_EQ(tool({"export", "theory.h5", "-o", "theory.csv"}).status, 0);
+  EXPECT_TRUE(read("theory.csv").starts_with("time [s],elevation@right [m],"));
+  const Ended wrong = tool({"export", "theory.h5", "-o", "theory.xls"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(holds(wrong.err, "theory.xls: expected a name that ends in .csv"));
+  const Ended none = tool({"export", "theory.h5"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_TRUE(holds(none.err, "expected --output FILE.csv, or --csv"));
+}
+
 TEST_F(ToolExport, RefusesWhatIsNoResult) {
   write("no.h5", "no result");
   const Ended table = tool({"export", "no.h5", "--csv"});
