@@ -129,6 +129,8 @@ void add_all_commands(const CommandTree& tree) {
   add_export_command(tree);
   add_show_command(tree);
   add_store_command(tree);
+  add_new_command(tree);
+  add_check_command(tree);
   add_list_command(tree);
   add_explain_command(tree);
   add_converge_command(tree);

@@ -120,6 +120,41 @@ TEST_F(Tool, TellsAllMistakesOfACaseFileAtOnceAndThenAllOfItsRuns) {
   EXPECT_TRUE(holds(of_runs.err, "small.toml:43: run again: "));
 }
 
+TEST_F(Tool, WritesACaseToEditInWhichNothingIsWrong) {
+  ASSERT_EQ(tool({"new", "my_tank", "--like", "li2010_small_amplitude", "-o", "tank.toml"}).status,
+            0);
+  const std::string text = read("tank.toml");
+  EXPECT_TRUE(holds(text, "name = \"my_tank\"\n"));
+  const Ended checked = tool({"check", "./tank.toml"});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_EQ(checked.out, "my_tank: nothing is wrong or doubtful\n");
+  const Ended again = tool({"new", "my_tank", "--like", "still_water", "-o", "tank.toml"});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_TRUE(holds(again.err, "tank.toml: expected a file that is not there yet"));
+  EXPECT_EQ(read("tank.toml"), text);
+  const Ended wrong = tool({"new", "my tank", "--like", "still_water", "-o", "other.toml"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(holds(wrong.err, "name = \"my tank\": expected a name of letters"));
+}
+
+TEST_F(Tool, ChecksACaseForWhatIsWrongAndThenForWhatIsDoubtful) {
+  write_campaign(with(with(particles_case, "length_m = 1.0", "length_m = -1.0"),
+                      "sample_interval_s = 0.01", "sample_interval_s = 10"));
+  const Ended wrong = tool({"check", "./small.toml"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(holds(wrong.err, "small.toml:8: tank.length_m = -1.0: expected "));
+  EXPECT_TRUE(holds(wrong.err, "time.sample_interval_s = 10: expected "));
+  write_campaign(
+      with(with(particles_case, "particle_spacing_m = 0.025", "particle_spacing_m = 0.02"),
+           "valid_elevation_over_depth = 0.2", "valid_elevation_over_depth = 0.001"));
+  const Ended doubtful = tool({"check", "./small.toml"});
+  EXPECT_EQ(doubtful.status, 0);
+  EXPECT_TRUE(doubtful.out.starts_with("small: nothing is wrong\ndoubtful: run particles: "));
+  EXPECT_TRUE(holds(doubtful.out, "the nearest that does is 0.0166667\n"));
+  EXPECT_TRUE(holds(doubtful.out, "\ndoubtful: run theory: outside its range"));
+  EXPECT_TRUE(files_of_store(".h5").empty()) << "nothing is left by a check";
+}
+
 TEST_F(Tool, TellsWhatANumberOnTheCommandLineMustBe) {
   write_campaign(particles_case);
   const auto first_line = [](const Ended& ended) {

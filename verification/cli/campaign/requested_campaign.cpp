@@ -60,18 +60,6 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
   return cases;
 }
 
-// Finds the remaining mistakes of the cases before anything runs. This takes seconds, as it sets up
-// the start of every SPH run.
-void require_runnable(const std::vector<CaseDefinition>& cases) {
-  Complaints complaints;
-  for (const CaseDefinition& definition : cases) {
-    complaints.allow([&] { require_window(definition); });
-    for (const RunDefinition& run : definition.runs)
-      complaints.allow([&] { require_runnable(definition, run); });
-  }
-  complaints.tell();
-}
-
 std::vector<std::string> names_of(const std::vector<ProblemDefinition>& problems) {
   std::vector<std::string> names;
   for (const ProblemDefinition& one : problems) names.push_back(one.name);
@@ -85,6 +73,16 @@ TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOpt
 }
 
 }  // namespace
+
+void require_runnable(const std::vector<CaseDefinition>& cases) {
+  Complaints complaints;
+  for (const CaseDefinition& definition : cases) {
+    complaints.allow([&] { require_window(definition); });
+    for (const RunDefinition& run : definition.runs)
+      complaints.allow([&] { require_runnable(definition, run); });
+  }
+  complaints.tell();
+}
 
 std::string form_of(const CampaignOptions& options) {
   return options.selection.quick ? "-quick" : "";

@@ -21,6 +21,11 @@ struct RequestedCampaign {
 // Throws CaseFileError with all mistakes of the campaign and its cases, before anything runs.
 RequestedCampaign requested(const CampaignOptions& options, const Installation& installation);
 
+// Finds the mistakes that are left in cases once they are read, before anything runs: a window that
+// is too short, and runs that their solver does not take. Throws CaseFileErrors with all of them.
+// This takes seconds, as it sets up the start of every SPH run.
+void require_runnable(const std::vector<CaseDefinition>& cases);
+
 // Returns "-quick" or an empty text: the suffix of the campaign's name in paths.
 std::string form_of(const CampaignOptions& options);
 

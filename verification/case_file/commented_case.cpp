@@ -1,0 +1,193 @@
+#include "verification/case_file/commented_case.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "verification/case/solver_kinds.hpp"
+#include "verification/case_file/key_table.hpp"
+#include "verification/input/rules.hpp"
+
+namespace slosh {
+namespace {
+
+// The lines of a file from a table's head to the next one.
+struct Block {
+  int line;          // of the head; 0: the top level, which has none
+  std::string head;  // "[[run]]"
+  std::vector<std::string> lines;
+};
+
+std::string head_of(const std::string& line) {
+  return line.starts_with('[') ? line.substr(0, line.rfind(']', line.find('#')) + 1) : "";
+}
+
+std::vector<Block> blocks_of(const std::string& text) {
+  std::vector<Block> blocks{{0, "", {}}};
+  std::istringstream stream(text);
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (const std::string head = head_of(line); !head.empty())
+      blocks.push_back({number, head, {}});
+    else if (!line.empty())
+      blocks.back().lines.push_back(line);
+  }
+  return blocks;
+}
+
+// Returns the key of a line "key = value", or an empty text.
+std::string key_of(const std::string& line) {
+  const std::size_t end = line.find(" = ");
+  return line.starts_with('#') || end == std::string::npos ? "" : line.substr(0, end);
+}
+
+// Breaks a text into comment lines of at most 100 columns.
+std::string comment(const std::string& text) {
+  constexpr std::size_t columns = 100;
+  std::istringstream stream(text);
+  std::string lines, line = "#";
+  for (std::string word; stream >> word;) {
+    if (line.size() + 1 + word.size() > columns) {
+      lines += line + "\n";
+      line = "#";
+    }
+    line += " " + word;
+  }
+  return lines + line + "\n";
+}
+
+const RunDefinition& kept_simulation(const CaseDefinition& like) {
+  const RunDefinition* kept = nullptr;
+  bool is_judged = false;
+  for (const RunDefinition& run : like.runs) {
+    if (!solver_kind(run).has_particles || !run.ensemble.empty() || run.at_input) continue;
+    const bool judged = std::any_of(like.gate.begin(), like.gate.end(), [&](const GateRow& row) {
+      return row.candidate == run.name && row.limit;
+    });
+    if (kept &&
+        (is_judged > judged || (is_judged == judged && resolution(*kept) <= resolution(run))))
+      continue;
+    kept = &run;
+    is_judged = judged;
+  }
+  if (!kept)
+    throw CaseFileError(
+        like.file.string() +
+        ": run: expected an SPH run that is no ensemble, to be kept in the new case");
+  return *kept;
+}
+
+bool is_shipped_record(const RunDefinition& run) {
+  const auto* record = std::get_if<RecordRun>(&run.solver);
+  return record && record->supplied && !record->earlier_run;
+}
+
+// What stays of the case's runs and gate rows.
+struct Kept {
+  std::set<std::string> runs;
+  std::set<int> lines;  // of their tables in the file
+};
+
+Kept kept_parts(const CaseDefinition& like) {
+  Kept kept;
+  const std::string candidate = kept_simulation(like).name;
+  for (const RunDefinition& run : like.runs) {
+    if (!is_theory(run) && !is_shipped_record(run) && run.name != candidate) continue;
+    kept.runs.insert(run.name);
+    kept.lines.insert(run.where.line);
+  }
+  for (const GateRow& row : like.gate) {
+    const bool has_runs = (row.reference.empty() || kept.runs.contains(row.reference)) &&
+                          (!row.improves_on || kept.runs.contains(*row.improves_on));
+    if (row.candidate == candidate && has_runs && !is_cost(row.metric))
+      kept.lines.insert(row.where.line);
+  }
+  return kept;
+}
+
+bool stays(const Block& block, const Kept& kept) {
+  const std::set<std::string> left_out{"[[refinement]]", "[[input]]", "[animation]"};
+  if (left_out.contains(block.head)) return false;
+  const bool is_chosen = block.head == "[[run]]" || block.head == "[[gate]]";
+  return !is_chosen || kept.lines.contains(block.line);
+}
+
+// The tables of keys that explain a block: its own and, in a run, that of its solver.
+std::vector<const KeyTable*> tables_of(const Block& block) {
+  std::string of_solver;
+  for (const std::string& line : block.lines)
+    if (key_of(line) == "solver") {
+      const std::size_t quote = line.find('"') + 1;
+      of_solver = "run." + line.substr(quote, line.find('"', quote) - quote);
+    }
+  std::vector<const KeyTable*> tables;
+  for (const KeyTable& table : case_key_tables()) {
+    const bool is_own = block.head.empty() ? table.id == "case" : table.heading == block.head;
+    if (is_own || table.id == of_solver) tables.push_back(&table);
+  }
+  return tables;
+}
+
+bool is_table(const KeyEntry& key) { return key.value.starts_with("the table"); }
+
+bool has_key(const Block& block, const std::string& key) {
+  return std::any_of(block.lines.begin(), block.lines.end(),
+                     [&](const std::string& line) { return key_of(line) == key; });
+}
+
+std::string explanation_of(const KeyEntry& key) {
+  return key.name + ": " + key.value + "." + (key.meaning.empty() ? "" : " " + key.meaning);
+}
+
+// A line of the block, for a file that lies elsewhere and a case of another name.
+std::string moved(const std::string& line, const Block& block, const CaseDefinition& like,
+                  const std::string& name) {
+  if (block.head.empty() && key_of(line) == "name") return "name = \"" + name + "\"";
+  if (key_of(line) != "file") return line;
+  const std::size_t begin = line.find('"') + 1, end = line.find('"', begin);
+  const std::filesystem::path directory = std::filesystem::absolute(like.file).parent_path();
+  return line.substr(0, begin) +
+         (directory / line.substr(begin, end - begin)).lexically_normal().string() +
+         line.substr(end);
+}
+
+// A key is explained where it stands for the first time in the file.
+std::string commented(const Block& block, const CaseDefinition& like, const std::string& name,
+                      std::set<std::string>& explained) {
+  std::string text, rest;
+  for (const KeyTable* table : tables_of(block)) {
+    if (!block.head.empty() && !table->meaning.empty() && explained.insert(table->id).second)
+      text += comment(table->meaning);
+    for (const KeyEntry& key : table->keys)
+      if (!is_table(key) && !has_key(block, key.name) &&
+          explained.insert(table->id + "." + key.name).second)
+        rest += comment("Not here: " + explanation_of(key));
+  }
+  if (!block.head.empty()) text += block.head + "\n";
+  for (const std::string& line : block.lines) {
+    for (const KeyTable* table : tables_of(block))
+      for (const KeyEntry& key : table->keys)
+        if (key.name == key_of(line) && explained.insert(table->id + "." + key.name).second)
+          text += comment(explanation_of(key));
+    text += moved(line, block, like, name) + "\n";
+  }
+  return text + rest;
+}
+
+}  // namespace
+
+std::string commented_case(const CaseDefinition& like, const std::string& name) {
+  const Rule<std::string> rule = file_safe_name();
+  if (!rule.holds(name)) throw CaseFileError("name = \"" + name + "\": expected " + rule.expected);
+  const Kept kept = kept_parts(like);
+  std::string text = comment("A case like " + like.name +
+                             ": change its numbers, then try ./slosh check. A key that may stand "
+                             "here and does not is explained as \"Not here\".");
+  std::set<std::string> explained;
+  for (const Block& block : blocks_of(like.text))
+    if (stays(block, kept)) text += "\n" + commented(block, like, name, explained);
+  return text;
+}
+
+}  // namespace slosh
