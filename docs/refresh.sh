@@ -1,11 +1,15 @@
 #!/bin/sh
-# Makes anew what the documents take from the product: the case-file reference, the tutorial's picture, the gallery's
+# Makes anew what the documents take from the product: the case-file reference and schemas, the tutorial's picture, the gallery's
 # figures, the sample report. It takes about half an hour on two cores.
 # Usage: docs/refresh.sh
 set -eu
 cd "$(dirname -- "$0")/.."
 ./slosh explain --keys >docs/case_file.md.new
 mv docs/case_file.md.new docs/case_file.md
+for kind in case campaign; do
+  ./slosh explain --schema $kind >verification/case_file/from_keys/$kind.schema.json.new
+  mv verification/case_file/from_keys/$kind.schema.json.new verification/case_file/from_keys/$kind.schema.json
+done
 ./slosh campaign docs/tutorial/campaign.toml -o build/own_tank
 ./slosh show docs/tutorial/own_tank.toml -o docs/own_tank.png
 ./slosh campaign small_amplitude

@@ -1,6 +1,7 @@
 // The table of the keys of case and campaign files. The parser accepts only these keys, and the
-// case-file reference (docs/case_file.md) is generated from the table. The rules for the values are
-// the parser's; the table describes them in words. A [[sweep]] takes the keys of [[run]] beside its
+// case-file reference (docs/case_file.md), the schemas (key_schema.hpp) and the comments of a new
+// case (commented_case.hpp) are generated from the table. The rules for the values are the
+// parser's; the table describes them in words. A [[sweep]] takes the keys of [[run]] beside its
 // own.
 #pragma once
 

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <memory>
 
-#include "verification/assessment/case_theories.hpp"
+#include "verification/assessment/references/case_theories.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"

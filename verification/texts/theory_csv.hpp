@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "verification/assessment/case_theories.hpp"
+#include "verification/assessment/references/case_theories.hpp"
 
 namespace slosh {
 

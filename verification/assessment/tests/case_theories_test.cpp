@@ -1,4 +1,4 @@
-#include "verification/assessment/case_theories.hpp"
+#include "verification/assessment/references/case_theories.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A new case that is made from another one can be read, and its keys are explained.
-#include "verification/case_file/commented_case.hpp"
+#include "verification/case_file/from_keys/commented_case.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/commented_case.hpp"
+#include "verification/case_file/from_keys/commented_case.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/gate/gate.hpp"

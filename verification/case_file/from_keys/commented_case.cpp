@@ -1,4 +1,4 @@
-#include "verification/case_file/commented_case.hpp"
+#include "verification/case_file/from_keys/commented_case.hpp"
 
 #include <algorithm>
 #include <set>

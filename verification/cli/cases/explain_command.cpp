@@ -6,6 +6,7 @@
 
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/from_keys/key_schema.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/gate/gate.hpp"
@@ -41,23 +42,33 @@ int print_keys() {
   return exit_pass;
 }
 
+int print_schema(const std::string& kind) {
+  std::cout << (kind == "case" ? case_schema() : campaign_schema());
+  return exit_pass;
+}
+
 struct ExplainOptions {
-  std::string name;
+  std::string name, schema;
   bool keys = false;
 };
+
+int explain(const ExplainOptions& options, const Installation& installation) {
+  if (options.keys) return print_keys();
+  return options.schema.empty() ? explain(options.name, installation)
+                                : print_schema(options.schema);
+}
 
 }  // namespace
 
 void add_explain_command(const CommandTree& tree) {
   auto options = std::make_shared<ExplainOptions>();
-  CLI::App& command =
-      add_command(tree,
-                  {"explain",
-                   "Explains a case: its flow, its solvers and their costs, and its gate rows",
-                   {"./slosh explain li2010_small_amplitude", "./slosh explain --keys"}},
-                  [options, &installation = tree.installation] {
-                    return options->keys ? print_keys() : explain(options->name, installation);
-                  });
+  CLI::App& command = add_command(
+      tree,
+      {"explain",
+       "Explains a case: its flow, its solvers and their costs, and its gate rows",
+       {"./slosh explain li2010_small_amplitude", "./slosh explain --keys",
+        "./slosh explain --schema case"}},
+      [options, &installation = tree.installation] { return explain(*options, installation); });
   CLI::Option* name =
       command
           .add_option("case", options->name, "A case of `slosh list`, or the path of a case file")
@@ -65,6 +76,13 @@ void add_explain_command(const CommandTree& tree) {
   CLI::Option* keys =
       command.add_flag("--keys", options->keys,
                        "Instead of a case: all keys of case and campaign files, as Markdown");
+  command
+      .add_option("--schema", options->schema,
+                  "Instead of a case: the JSON Schema of case or campaign files, for editors")
+      ->type_name("KIND")
+      ->check(one_of("a kind of file", {"case", "campaign"}))
+      ->excludes(name)
+      ->excludes(keys);
   keys->excludes(name);
   command.require_option(1);
 }
