@@ -51,6 +51,22 @@ inline TankMotion smooth_roll(double amplitude, SmoothStart start) {
   return motion;
 }
 
+// X(t) = amplitude cos(omega t): a tank at rest that has its full acceleration at once.
+inline TankMotion cosine_surge(double amplitude, double omega) {
+  TankMotion motion;
+  motion.surge_velocity = [=](double t) { return -amplitude * omega * std::sin(omega * t); };
+  motion.surge_acceleration = [=](double t) {
+    return -amplitude * omega * omega * std::cos(omega * t);
+  };
+  return motion;
+}
+
+// The tank and the period of Faltinsen et al. 2000 (J. Fluid Mech. 407, 201-234) that the example
+// sloshing_tank_horizontal of PySPH computes; its amplitude is 0.032 m.
+inline constexpr Tank faltinsen_tank{
+    .length = 1.73, .fill_depth = 0.6, .gravity = 9.81, .density = 1000};
+inline constexpr double faltinsen_frequency = 2 * std::numbers::pi / 1.3;  // [rad/s]
+
 inline NonlinearSloshing standing_wave(const Tank& tank, double amplitude) {
   return {.tank = tank, .initial_elevation = [=](double x) {
             return amplitude * std::cos(std::numbers::pi * (x / tank.length + 0.5));
