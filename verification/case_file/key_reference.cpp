@@ -86,7 +86,7 @@ parser's keys.
 
 The files are TOML. The parser refuses an unknown or missing key, a wrong type and an impossible value with
 `file:line: key = value: expected ...`, and names up to 20 mistakes at once. A name is made of letters, digits, `_` and
-`-`, without a `-` in front. A number has its unit in its key, or at `unit` beside it.
+`-`, without a `-` in front. A number has its unit in its key or at `unit` beside it; a limit has that of its metric.
 
 ## Case files
 
