@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "verification/case/usual_values.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/usual_values.hpp"
 
 namespace slosh {
 

@@ -8,10 +8,10 @@
 
 #include "verification/case/changed_input.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/case/usual_values.hpp"
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/groups/run_group.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/run_group.hpp"
-#include "verification/case_file/usual_values.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/toml_reader.hpp"

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/groups/row_group.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/row_group.hpp"
 #include "verification/input/case_file_error.hpp"
 
 namespace slosh {

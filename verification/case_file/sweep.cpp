@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/run_group.hpp"
+#include "verification/case_file/groups/run_group.hpp"
 #include "verification/input/name_pattern.hpp"
 #include "verification/input/toml_reader.hpp"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/case/usual_values.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/usual_values.hpp"
 
 namespace slosh {
 namespace {

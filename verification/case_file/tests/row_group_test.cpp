@@ -1,5 +1,5 @@
 // Gate rows that are written as a group: they are the rows that one would write out.
-#include "verification/case_file/row_group.hpp"
+#include "verification/case_file/groups/row_group.hpp"
 
 #include <gtest/gtest.h>
 

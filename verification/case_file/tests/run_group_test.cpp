@@ -1,5 +1,5 @@
 // Runs that are written as a group.
-#include "verification/case_file/run_group.hpp"
+#include "verification/case_file/groups/run_group.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a case file may leave out, and the three ways to give a frequency.
-#include "verification/case_file/usual_values.hpp"
+#include "verification/case/usual_values.hpp"
 
 #include <gtest/gtest.h>
 

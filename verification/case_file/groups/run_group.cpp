@@ -1,4 +1,4 @@
-#include "verification/case_file/run_group.hpp"
+#include "verification/case_file/groups/run_group.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "verification/case_file/row_group.hpp"
+#include "verification/case_file/groups/row_group.hpp"
 
 #include <fmt/format.h>
 
