@@ -144,6 +144,9 @@ TEST_F(ExternalRun, IsShownUnderTheVersionThatItTells) {
   const auto& origin = results.at("cases").at(0).at("runs").at(1).at("provenance");
   EXPECT_EQ(origin.at("external_version"), "My SPH 2.1");
   EXPECT_FALSE(origin.contains("compiler")) << "which compiled Slosh";
+  // The campaign names the case ./small.toml and is itself ./surges.toml.
+  EXPECT_EQ(origin.at("external_command").get<std::string>().find("/./"), std::string::npos);
+  EXPECT_FALSE(holds(read("out/report/results.json"), "././"));
   EXPECT_TRUE(holds(read("out/report/report.md"), "| mine | My SPH 2.1, started by Slosh "));
   EXPECT_EQ(campaign_of("\"scaled\", \"1\"").status, 0);
   EXPECT_TRUE(holds(read("out/report/report.md"),
