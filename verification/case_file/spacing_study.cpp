@@ -53,9 +53,9 @@ std::vector<TomlTable> declared_runs(const CaseDefinition& definition) {
 toml::table pattern_run(const std::vector<TomlTable>& runs, const SpacingStudy& study,
                         const CaseDefinition& definition) {
   if (study.candidate.empty()) {
-    for (const toml::node& run : runs)
-      if (run.as_table()->at_path("method").value_or(std::string()) == study.family)
-        return *run.as_table();
+    for (const TomlTable& run : runs)
+      if (run.has("method") && run.written("method") == study.family)
+        return toml::parse(run.without({"repeats"}).as_toml());
     return toml::table{{"solver", "sph"}, {"scheme", study.family}};
   }
   toml::table run = run_table(runs, "candidate", study.candidate, definition);
