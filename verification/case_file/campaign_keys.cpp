@@ -51,7 +51,7 @@ const std::vector<KeyTable>& campaign_key_tables() {
         {"lower", "number", "with order_within", ""},
         {"upper", "number above lower and below lower + 2", "with order_within", ""},
         {"kind", "\"validation\" or \"regression\"", "no", "The same as for a row of a case."},
-        {"reason", "text", "yes", "Why the row is there."},
+        {"reason", "text", "yes, or each of limits has its own", "Why the row is there."},
         {"source", "text", "yes, but for kind = \"regression\"",
          "The same as for a row of a case."}}},
       {"sweep",

@@ -440,7 +440,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"kind", "\"validation\" or \"regression\"", "no",
          "Where the limit comes from: theory, experiment, requirement; or earlier measurements. "
          "Default: validation."},
-        {"reason", "text", "yes", "Why the row is there."},
+        {"reason", "text", "yes, or each of limits has its own", "Why the row is there."},
         {"source", "text", "yes, but for kind = \"regression\"",
          "Where its limit comes from. Default of a regression: the measurement that the reason "
          "names."}}}};

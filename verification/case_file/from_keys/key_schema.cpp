@@ -1,5 +1,6 @@
 #include "verification/case_file/from_keys/key_schema.hpp"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -36,17 +37,34 @@ std::optional<KeyTable> keys_of_solver(const KeyTable& table) {
   return all;
 }
 
+// A value of a run, or the values of the runs that one table holds.
+Json one_or_list(const std::string& value) {
+  const Json one = value_schema(value);
+  return {{"anyOf", Json::array({one, {{"type", "array"}, {"items", one}}})}};
+}
+
 Json run_schema() {
   Json forms = Json::array();
-  for (const KeyTable& table : case_key_tables())
-    if (const std::optional<KeyTable> all = keys_of_solver(table)) forms.push_back(schema_of(*all));
+  for (const KeyTable& table : case_key_tables()) {
+    const std::optional<KeyTable> all = keys_of_solver(table);
+    if (!all) continue;
+    Json form = schema_of(*all);
+    for (const KeyEntry& key : all->keys)
+      if (key.name != "name" && key.name != "solver" && key.name != "quick" &&
+          !key.value.starts_with("list of") && !key.value.starts_with("["))
+        form["properties"][key.name].update(one_or_list(key.value));
+    for (auto& [name, property] : form["properties"].items())
+      if (property.contains("anyOf"))
+        for (const char* of_one : {"type", "enum", "const", "pattern"}) property.erase(of_one);
+    forms.push_back(std::move(form));
+  }
   return {{"anyOf", std::move(forms)}};
 }
 
 // The rows of a sweep are those of a case without their candidate, which is each run of the sweep.
 Json sweep_row_schema() {
   KeyTable row = table_under("[[gate]]");
-  std::erase_if(row.keys, [](const KeyEntry& key) { return key.name == "candidate"; });
+  std::erase_if(row.keys, [](const KeyEntry& key) { return key.name.starts_with("candidate"); });
   return schema_of(row);
 }
 
@@ -54,18 +72,14 @@ Json sweep_row_schema() {
 Json sweep_schema() {
   const KeyTable& own = table_under("[[sweep]]");
   Json schema = schema_of(own);
-  std::map<std::string, std::set<std::string>> values;
+  std::map<std::string, std::set<std::string>> values;  // the forms of each key
   for (const KeyTable& table : case_key_tables())
     if (const std::optional<KeyTable> all = keys_of_solver(table))
       for (const KeyEntry& key : all->keys) values[key.name].insert(key.value);
   for (const auto& [name, known] : values) {
     if (schema["properties"].contains(name)) continue;
     Json forms = Json::array();
-    for (const std::string& value : known) {
-      const Json one = value_schema(value);
-      forms.push_back(one);
-      forms.push_back({{"type", "array"}, {"items", one}});
-    }
+    for (const std::string& value : known) forms.push_back(one_or_list(value));
     schema["properties"][name] = {{"anyOf", std::move(forms)}};
   }
   return schema;
@@ -110,6 +124,11 @@ Json value_schema(const std::string& value) {
   const auto begins = [&](const char* words) { return value.starts_with(words); };
   if (value == "1" || value == "true") return {{"const", Json::parse(value)}};
   if (value == "true or false") return {{"type", "boolean"}};
+  if (value == "true or false, or a list of names or patterns")
+    return {{"anyOf", Json::array({value_schema("true or false"), value_schema("list of names")})}};
+  if (value == "table of metrics")  // a limit or a table of the row's own keys at each metric
+    return {{"type", "object"},
+            {"additionalProperties", {{"type", Json::array({"number", "object"})}}}};
   if (begins("\"")) return quoted_texts(value);
   if (const std::size_t head = value.find('[');
       head != value.npos && (head == 0 || begins("the"))) {
@@ -123,17 +142,17 @@ Json value_schema(const std::string& value) {
   if (begins("integer")) return bounded("integer", value);
   if (begins("number")) return bounded("number", value);
   if (value == "name") return {{"type", "string"}, {"pattern", "^[A-Za-z0-9_][A-Za-z0-9_-]*$"}};
-  for (const char* words : {"name of", "text", "path", "compared quantity", "quantity", "run name",
-                            "problem name", "unit of"})
+  for (const char* words : {"name of", "name, or a pattern", "text", "path", "compared quantity",
+                            "quantity", "run name", "problem name", "unit of"})
     if (begins(words)) return {{"type", "string"}};
   throw std::logic_error("no schema is known for a value that is \"" + value + "\"");
 }
 
-// "with type = "sine"": the keys are required where another key has this value.
-Json required_where(const std::string& key, const std::string& value, const Json& names) {
+// "with type = "sine"": the condition holds where another key has this value.
+Json only_where(const std::string& key, const std::string& value, const Json& condition) {
   const Json other{
       {"not", {{"properties", {{key, {{"const", value}}}}}, {"required", Json::array({key})}}}};
-  return {{"anyOf", Json::array({other, {{"required", names}}})}};
+  return {{"anyOf", Json::array({other, condition})}};
 }
 
 // What the table says about keys that are required together, or one of several.
@@ -141,15 +160,25 @@ void add_conditions(const KeyTable& table, Json& schema) {
   std::map<std::string, Json> names;  // of keys, by when they are needed
   for (const KeyEntry& key : table.keys) names[key.needed].push_back(key.name);
   if (names.contains("yes")) schema["required"] = names.at("yes");
+  const bool has_limits = std::any_of(table.keys.begin(), table.keys.end(),
+                                      [](const KeyEntry& key) { return key.name == "limits"; });
   Json conditions = Json::array();
   for (const auto& [needed, keys] : names) {
     Json forms = Json::array();
     for (const Json& key : keys) forms.push_back({{"required", Json::array({key})}});
     std::smatch with;
     if (needed.starts_with("at least one")) conditions.push_back({{"anyOf", forms}});
-    if (needed == "one of the three") conditions.push_back({{"oneOf", forms}});
-    if (std::regex_search(needed, with, std::regex("^with (\\w+) = \"(\\w+)\"")))
-      conditions.push_back(required_where(with[1], with[2], keys));
+    const bool where = std::regex_search(needed, with, std::regex("(^| )with (\\w+) = \"(\\w+)\""));
+    Json condition;
+    if (needed.starts_with("one of the three")) {
+      // A group of rows has its bounds in `limits`.
+      if (!where && has_limits) forms.push_back({{"required", {"limits"}}});
+      condition = {{"oneOf", forms}};
+    } else if (where) {
+      condition = {{"required", keys}};
+    }
+    if (!condition.is_null())
+      conditions.push_back(where ? only_where(with[2], with[3], condition) : condition);
   }
   if (!conditions.empty()) schema["allOf"] = std::move(conditions);
 }

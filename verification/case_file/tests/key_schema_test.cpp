@@ -100,8 +100,11 @@ TEST(KeySchema, FindsWhatIsWrongInACase) {
       {"solver = \"linear\"", "solver = \"linear\"\nparticle_spacing_m = 0.1"},
       {"modes = ", "modes = 1.5 #"},
       {"[[gauge]]", "[[gage]]"},
-      {"\nlimit = ", "\nlower = 0.0\nlimit = "},
-      {"\nlimit = ", "\nlimmit = "}};
+      {"angular_frequency_rad_s = ", "period_s = 1.0\nangular_frequency_rad_s = "},
+      {"angular_frequency_rad_s = ", "# "},
+      {"particle_spacing_m = 0.01", "particle_spacing_m = [0.01, \"fine\"]"},
+      {"limits.phase_lag = {", "limit = 1.0\nlimits.phase_lag = {"},
+      {"limits.phase_lag = {", "limmits.phase_lag = {"}};
   for (const auto& [from, to] : edits)
     EXPECT_NE(checker.complaints(with(sound, from, to)), "") << from << " -> " << to;
 }
