@@ -5,8 +5,10 @@
 #include <sstream>
 
 #include "verification/case/solver_kinds.hpp"
+#include "verification/case_file/groups/run_group.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/rules.hpp"
+#include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 namespace {
@@ -16,6 +18,7 @@ struct Block {
   int line;          // of the head; 0: the top level, which has none
   std::string head;  // "[[run]]"
   std::vector<std::string> lines;
+  std::vector<int> numbers;  // of the lines in the file
 };
 
 std::string head_of(const std::string& line) {
@@ -23,15 +26,17 @@ std::string head_of(const std::string& line) {
 }
 
 std::vector<Block> blocks_of(const std::string& text) {
-  std::vector<Block> blocks{{0, "", {}}};
+  std::vector<Block> blocks{{0, "", {}, {}}};
   std::istringstream stream(text);
   int number = 0;
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (const std::string head = head_of(line); !head.empty())
-      blocks.push_back({number, head, {}});
-    else if (!line.empty())
+      blocks.push_back({number, head, {}, {}});
+    else if (!line.empty()) {
       blocks.back().lines.push_back(line);
+      blocks.back().numbers.push_back(number);
+    }
   }
   return blocks;
 }
@@ -85,13 +90,14 @@ bool is_shipped_record(const RunDefinition& run) {
 
 // What stays of the case's runs and gate rows.
 struct Kept {
+  std::string candidate;
   std::set<std::string> runs;
-  std::set<int> lines;  // of their tables in the file
+  std::set<int> lines;  // of their tables, or of their limits in a group of rows, in the file
 };
 
 Kept kept_parts(const CaseDefinition& like) {
   Kept kept;
-  const std::string candidate = kept_simulation(like).name;
+  const std::string& candidate = kept.candidate = kept_simulation(like).name;
   for (const RunDefinition& run : like.runs) {
     if (!is_theory(run) && !is_shipped_record(run) && run.name != candidate) continue;
     kept.runs.insert(run.name);
@@ -106,11 +112,50 @@ Kept kept_parts(const CaseDefinition& like) {
   return kept;
 }
 
+bool is_limit(const std::string& line) { return key_of(line).starts_with("limits."); }
+
 bool stays(const Block& block, const Kept& kept) {
   const std::set<std::string> left_out{"[[refinement]]", "[[input]]", "[animation]"};
   if (left_out.contains(block.head)) return false;
   const bool is_chosen = block.head == "[[run]]" || block.head == "[[gate]]";
-  return !is_chosen || kept.lines.contains(block.line);
+  return !is_chosen || kept.lines.contains(block.line) ||
+         std::any_of(block.numbers.begin(), block.numbers.end(),
+                     [&](int line) { return kept.lines.contains(line); });
+}
+
+// A group of rows with the kept run as its only candidate and the limits that judge it.
+Block narrowed_rows(const Block& block, const Kept& kept) {
+  Block narrow{block.line, block.head, {}, {}};
+  for (std::size_t i = 0; i < block.lines.size(); ++i) {
+    if (is_limit(block.lines[i]) && !kept.lines.contains(block.numbers[i])) continue;
+    narrow.lines.push_back(key_of(block.lines[i]) == "candidates"
+                               ? "candidate = \"" + kept.candidate + "\""
+                               : block.lines[i]);
+  }
+  return narrow;
+}
+
+// A table of several runs with the values of the one that is kept.
+Block narrowed_run(const Block& block, const TomlTable& group, const Kept& kept) {
+  for (const TomlTable& run : runs_of_group(group)) {
+    if (!kept.runs.contains(run.written("name"))) continue;
+    Block narrow{block.line, block.head, {}, {}};
+    const std::vector<std::string> lists = list_keys_of_runs();
+    for (const std::string& line : block.lines) {
+      const std::string key = key_of(line), value = line.substr(line.find(" = ") + 3);
+      const bool is_own = std::find(lists.begin(), lists.end(), key) != lists.end();
+      const bool is_pattern = key == "name" && value.find('{') != value.npos;
+      if (key.empty() || is_own || !(is_pattern || value.starts_with('['))) {
+        narrow.lines.push_back(line);
+        continue;
+      }
+      const bool is_text = key != "quick" && value.find('"') != value.npos;
+      narrow.lines.push_back(key + " = " + (is_text ? "\"" : "") + run.written(key) +
+                             (is_text ? "\"" : ""));
+    }
+    return narrow;
+  }
+  return block;
 }
 
 // The tables of keys that explain a block: its own and, in a run, that of its solver.
@@ -184,9 +229,17 @@ std::string commented_case(const CaseDefinition& like, const std::string& name) 
   std::string text = comment("A case like " + like.name +
                              ": change its numbers, then try ./slosh check. A key that may stand "
                              "here and does not is explained as \"Not here\".");
+  const std::vector<TomlTable> groups = TomlTable(like.text, like.file).tables("run");
+  std::size_t group = 0;
   std::set<std::string> explained;
-  for (const Block& block : blocks_of(like.text))
-    if (stays(block, kept)) text += "\n" + commented(block, like, name, explained);
+  for (Block block : blocks_of(like.text)) {
+    const bool is_run = block.head == "[[run]]";
+    if (is_run) ++group;
+    if (!stays(block, kept)) continue;
+    if (is_run) block = narrowed_run(block, groups.at(group - 1), kept);
+    if (block.head == "[[gate]]") block = narrowed_rows(block, kept);
+    text += "\n" + commented(block, like, name, explained);
+  }
   return text;
 }
 

@@ -43,6 +43,15 @@ TEST(CommentedCase, KeepsTheTheoriesAndTheCoarsestJudgedRunWithItsRows) {
   EXPECT_GE(read.gate.size(), 1u);
 }
 
+// The shipped case has several spacings in one table, and its rows in groups.
+TEST(CommentedCase, NarrowsTablesOfSeveralRunsAndGroupsOfRowsToTheKeptRun) {
+  const std::string text = commented_case(shipped("li2010_small_amplitude"), "my_tank");
+  for (const char* line : {"\nname = \"recommended_10mm\"\n", "\nparticle_spacing_m = 0.01\n",
+                           "\nquick = true\n", "\ncandidate = \"recommended_10mm\"\n"})
+    EXPECT_NE(text.find(line), text.npos) << line << "\nin\n" << text;
+  EXPECT_EQ(text.find("\ncandidates = "), text.npos) << text;
+}
+
 TEST(CommentedCase, ExplainsEachKeyOnceInTheWordsOfTheKeyTable) {
   const std::string text = commented_case(shipped("li2010_small_amplitude"), "my_tank");
   for (const char* line :
