@@ -211,11 +211,11 @@ struct SeriesSource {
 // A program of the user's own that is started for the case and leaves files of series. It is a
 // candidate, compared as SPH is.
 struct ExternalRun {
-  std::vector<std::string> command;           // program and arguments, with placeholders in braces
-  std::filesystem::path directory;            // in which it is started; empty: its work directory
-  std::optional<double> time_limit;           // [s] of wall time
-  std::vector<std::filesystem::path> inputs;  // whose content counts as part of the run
-  std::vector<SeriesSource> series;           // their files are below the work directory
+  std::vector<std::string> command;       // program and arguments, with placeholders in braces
+  std::filesystem::path directory = {};   // in which it is started; empty: its work directory
+  std::optional<double> time_limit = {};  // [s] of wall time
+  std::vector<std::filesystem::path> inputs = {};  // whose content counts as part of the run
+  std::vector<SeriesSource> series = {};           // their files are below the work directory
   // Runs of one method differ in their particle spacing alone; a run without one has no family.
   std::string method = {};
   std::optional<double> particle_spacing = {};  // [m]

@@ -7,6 +7,7 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/input/definition_file.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {
@@ -83,7 +84,7 @@ void read_method(const TomlTable& run, const CaseDefinition& definition, Externa
 }
 
 fs::path beside_case(const CaseDefinition& definition, const std::string& path) {
-  return (fs::absolute(definition.file).parent_path() / path).lexically_normal();
+  return plain_path(fs::absolute(definition.file).parent_path() / path);
 }
 
 }  // namespace

@@ -65,6 +65,21 @@ toml::table pattern_run(const std::vector<TomlTable>& runs, const SpacingStudy& 
   return run;
 }
 
+void name_whole_command(toml::array& command, const std::filesystem::path& directory) {
+  if (command.empty()) return;
+  const std::string here = "{case_directory}";
+  for (toml::node& argument : command) {
+    std::string text = argument.value_or(std::string());
+    for (std::size_t at = text.find(here); at != text.npos;
+         at = text.find(here, at + directory.string().size()))
+      text.replace(at, here.size(), directory.string());
+    *argument.as_string() = text;
+  }
+  auto& program = *command.front().as_string();
+  if (program.get().find('/') != std::string::npos)
+    program = (directory / program.get()).lexically_normal().string();
+}
+
 // The study's case file lies elsewhere: what is relative to the case's directory becomes absolute.
 void name_whole_paths(toml::table& table, const CaseDefinition& definition) {
   const std::filesystem::path directory =
@@ -78,18 +93,8 @@ void name_whole_paths(toml::table& table, const CaseDefinition& definition) {
   if (toml::array* inputs = table["inputs"].as_array())
     for (toml::node& input : *inputs)
       if (auto* path = input.as_string()) *path = whole(path->get());
-  toml::array* command = table["command"].as_array();
-  if (!command || command->empty()) return;
-  const std::string here = "{case_directory}";
-  for (toml::node& argument : *command) {
-    std::string text = argument.value_or(std::string());
-    for (std::size_t at = text.find(here); at != text.npos;
-         at = text.find(here, at + directory.string().size()))
-      text.replace(at, here.size(), directory.string());
-    *argument.as_string() = text;
-  }
-  auto& program = *command->front().as_string();
-  if (program.get().find('/') != std::string::npos) program = whole(program.get());
+  for (const char* key : {"command", "version_command"})
+    if (toml::array* command = table[key].as_array()) name_whole_command(*command, directory);
 }
 
 }  // namespace

@@ -28,10 +28,14 @@ void add_run(const TomlTable& run, const TomlTable& sweep, const std::filesystem
                                          definition.name, read.name));
     definition.runs.push_back(read);
   }
-  for (const TomlTable& group : sweep.tables("gate"))
+  for (const TomlTable& group : sweep.tables("gate")) {
+    for (const char* key : {"candidate", "candidates"})
+      if (group.has(key))
+        group.refuse(key, "no such key in [[sweep.gate]]: its rows are of each run of the sweep");
     for (const TomlTable& row : gate_rows(group, definition))
       definition.gate.push_back(
           read_gate_row(row.with("candidate", run.written("name")), definition));
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <string>
 #include <system_error>
@@ -40,12 +41,22 @@ Cores least_bound(const Cores& cores, const std::vector<Cores>& of_others, int w
   return chosen;
 }
 
+namespace {
+
+// The kernel's own threads have no command line: most are bound to a core and do not use it.
+bool has_command_line(const std::filesystem::path& process) {
+  std::ifstream stream(process / "cmdline");
+  return stream.peek() != std::ifstream::traits_type::eof();
+}
+
+}  // namespace
+
 Cores least_bound_cores(int wanted) {
   std::vector<Cores> of_others;
   std::error_code none;  // without /proc nothing is known of the others
   for (const auto& entry : std::filesystem::directory_iterator("/proc", none)) {
     const std::string name = entry.path().filename().string();
-    if (name.find_first_not_of("0123456789") == name.npos)
+    if (name.find_first_not_of("0123456789") == name.npos && has_command_line(entry.path()))
       of_others.push_back(allowed_cores(std::stoi(name)));
   }
   return least_bound(allowed_cores(), of_others, wanted);

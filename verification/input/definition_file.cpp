@@ -29,13 +29,19 @@ std::vector<std::string> names_in(const fs::path& directory) {
 
 }  // namespace
 
+fs::path plain_path(const fs::path& path) {
+  const fs::path plain = path.lexically_normal();
+  std::error_code missing;
+  return !fs::exists(path, missing) || fs::equivalent(path, plain, missing) ? plain : path;
+}
+
 fs::path find_definition_file(std::string_view kind, const std::string& name_or_path,
                               const fs::path& directory, const fs::path& base) {
   const bool is_path =
       name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
   fs::path file = !is_path       ? directory / (name_or_path + ".toml")
                   : base.empty() ? fs::path(name_or_path)
-                                 : (base / name_or_path).lexically_normal();
+                                 : plain_path(base / name_or_path);
   if (fs::is_regular_file(file)) return file;
   if (is_path)
     throw CaseFileError(fmt::format("{} = \"{}\": expected a file; there is no {}", kind,

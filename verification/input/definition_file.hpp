@@ -14,6 +14,10 @@ std::filesystem::path find_definition_file(std::string_view kind, const std::str
                                            const std::filesystem::path& directory,
                                            const std::filesystem::path& base);
 
+// Returns the path without "." and ".." where it then still names the same file: behind a link to a
+// directory "link/.." is not where the link stands.
+std::filesystem::path plain_path(const std::filesystem::path& path);
+
 // Returns the text of the file. Throws CaseFileError if it cannot be read.
 std::string read_definition_text(std::string_view kind, const std::filesystem::path& file);
 

@@ -47,7 +47,9 @@ std::optional<double> nearest_fitting_spacing(const CaseDefinition& definition, 
   return std::nullopt;
 }
 
-std::string spacing_hint(const CaseDefinition& definition, const RunDefinition& run) {
+std::string spacing_hint(const std::string& refusal, const CaseDefinition& definition,
+                         const RunDefinition& run) {
+  if (refusal.find("particle_spacing = ") == std::string::npos) return "";
   const auto* sph = std::get_if<SphRun>(&run.solver);
   if (!sph || sph->surface_particle_spacing != sph->particle_spacing ||
       fits(definition, sph->particle_spacing))

@@ -15,8 +15,9 @@ namespace slosh {
 // the second. Returns nullopt if there is none either.
 std::optional<double> nearest_fitting_spacing(const CaseDefinition& definition, double spacing);
 
-// Returns what to add to the refusal of a run: "; the nearest that divides both is 0.1 m" if its
-// spacing does not fit, and otherwise an empty text.
-std::string spacing_hint(const CaseDefinition& definition, const RunDefinition& run);
+// Returns what to add to the refusal of a run: "; the nearest that divides both is 0.1 m" if the
+// refusal is of its spacing, which does not fit, and otherwise an empty text.
+std::string spacing_hint(const std::string& refusal, const CaseDefinition& definition,
+                         const RunDefinition& run);
 
 }  // namespace slosh

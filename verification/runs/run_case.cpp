@@ -46,7 +46,8 @@ RunResult run_chosen_solver(const RunRequest& request) try {
     for (const TimeSeries& series : result.series) require_whole(series, request.definition);
   return result;
 } catch (const std::invalid_argument& error) {  // a case that the solver does not take
-  throw refused(request.run, error.what() + spacing_hint(request.definition, request.run));
+  throw refused(request.run,
+                error.what() + spacing_hint(error.what(), request.definition, request.run));
 } catch (const sph::SimulationError& error) {
   throw SolverError(error.what());
 } catch (const openfoam::RunError& error) {
@@ -62,7 +63,7 @@ void require_runnable(const CaseDefinition& definition, const RunDefinition& run
   try {
     require_scene(solved, run);
   } catch (const CaseFileError& error) {
-    throw CaseFileError(error.what() + spacing_hint(solved, run));
+    throw CaseFileError(error.what() + spacing_hint(error.what(), solved, run));
   }
 }
 

@@ -40,7 +40,7 @@ json read_object(const fs::path& file) {
     if (!twice.empty())
       throw CaseFileError(fmt::format("{}: {}: expected each key once", file.string(), twice));
     return document;
-  } catch (const json::parse_error& error) {
+  } catch (const json::exception& error) {
     throw CaseFileError(fmt::format("{}: not JSON: {}", file.string(), error.what()));
   }
 }

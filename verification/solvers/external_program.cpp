@@ -12,6 +12,7 @@
 #include <deque>
 #include <fstream>
 #include <regex>
+#include <sstream>
 #include <thread>
 
 #include "verification/files/bound_cores.hpp"
@@ -98,6 +99,29 @@ void run_program(const ProgramStart& start) {
   }
 }
 
+namespace {
+
+// Returns what a terminal would show of a line one after the other, as a progress bar is written
+// with carriage returns, in overlapping pieces of at most `longest` letters.
+std::vector<std::string> parts_of(const std::string& line, std::size_t longest) {
+  const std::size_t overlap = longest / 10;
+  std::vector<std::string> parts;
+  std::istringstream stream(line);
+  for (std::string shown; std::getline(stream, shown, '\r');)
+    for (std::size_t at = 0; at == 0 || at + overlap < shown.size(); at += longest - overlap)
+      parts.push_back(shown.substr(at, longest));
+  return parts;
+}
+
+// A line of a log as a message quotes it: its end, which is the newest.
+std::string shortened(const std::string& line) {
+  constexpr std::size_t quoted = 200;
+  const std::string text = trimmed(line);
+  return text.size() > quoted ? "..." + text.substr(text.size() - quoted) : text;
+}
+
+}  // namespace
+
 void require_no_match(const std::vector<std::string>& fail_on, const fs::path& log) {
   // The library's search takes stack for each letter of a line.
   constexpr std::size_t longest = 10000;
@@ -105,14 +129,13 @@ void require_no_match(const std::vector<std::string>& fail_on, const fs::path& l
   for (const std::string& text : fail_on) patterns.emplace_back(text);
   std::ifstream stream(log);
   std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    line.resize(std::min(line.size(), longest));
-    for (std::size_t i = 0; i < patterns.size(); ++i)
-      if (std::regex_search(line, patterns[i]))
-        throw program_failure(fmt::format("line {} of its log matches fail_on = \"{}\": {}", number,
-                                          fail_on[i], trimmed(line)),
-                              log);
-  }
+  for (int number = 1; std::getline(stream, line); ++number)
+    for (const std::string& part : parts_of(line, longest))
+      for (std::size_t i = 0; i < patterns.size(); ++i)
+        if (std::regex_search(part, patterns[i]))
+          throw program_failure(fmt::format("line {} of its log matches fail_on = \"{}\": {}",
+                                            number, fail_on[i], shortened(part)),
+                                log);
 }
 
 SolverError program_failure(const std::string& what, const fs::path& log) {
@@ -123,7 +146,8 @@ SolverError program_failure(const std::string& what, const fs::path& log) {
     if (!trimmed(line).empty()) lines.push_back(line);
     if (lines.size() > shown) lines.pop_front();
   }
-  const std::string last = lines.empty() ? "it said nothing" : "its last words: " + lines.back();
+  const std::string last =
+      lines.empty() ? "it said nothing" : "its last words: " + shortened(lines.back());
   return SolverError({"solver failed", fmt::format("{}; {}", what, last),
                       fmt::format("{}", fmt::join(lines, "\n")), log.string()});
 }

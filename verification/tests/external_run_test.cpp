@@ -91,8 +91,10 @@ TEST_F(ExternalRun, IsStudiedByConvergeAtSpacingsThatTheCaseDoesNotHave) {
         small_case +
             with(own_run("\"converges\", \"{particle_spacing_m}\", \"{case_directory}/needed.txt\"",
                          "method = \"my_sph\"\nparticle_spacing_m = 0.1\ninputs = "
-                         "[\"needed.txt\"]\n"),
+                         "[\"needed.txt\"]\nversion_command = [\"./tell\"]\n"),
                  STAND_IN_SOLVER, "./solve"));
+  write("tell", "#!/bin/sh\necho my_sph 1.0\n");
+  std::filesystem::permissions(directory() / "tell", std::filesystem::perms::owner_all);
   for (const char* how : {"--family", "--candidate"}) {
     const std::string name = how == std::string("--family") ? "my_sph" : "mine";
     const Ended ended = tool({"converge", "./small.toml", how, name, "--spacings", "0.08,0.04,0.02",

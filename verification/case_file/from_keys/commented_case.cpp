@@ -142,8 +142,10 @@ Block narrowed_run(const Block& block, const TomlTable& group, const Kept& kept)
     Block narrow{block.line, block.head, {}, {}};
     const std::vector<std::string> lists = list_keys_of_runs();
     for (const std::string& line : block.lines) {
-      const std::string key = key_of(line), value = line.substr(line.find(" = ") + 3);
+      const std::string key = key_of(line),
+                        value = key.empty() ? "" : line.substr(line.find(" = ") + 3);
       const bool is_own = std::find(lists.begin(), lists.end(), key) != lists.end();
+      if (value.starts_with('[') && value.find(']') == value.npos) return block;  // several lines
       const bool is_pattern = key == "name" && value.find('{') != value.npos;
       if (key.empty() || is_own || !(is_pattern || value.starts_with('['))) {
         narrow.lines.push_back(line);
@@ -229,13 +231,17 @@ std::string commented_case(const CaseDefinition& like, const std::string& name) 
   std::string text = comment("A case like " + like.name +
                              ": change its numbers, then try ./slosh check. A key that may stand "
                              "here and does not is explained as \"Not here\".");
+  bool parent_stays = true;
   const std::vector<TomlTable> groups = TomlTable(like.text, like.file).tables("run");
   std::size_t group = 0;
   std::set<std::string> explained;
   for (Block block : blocks_of(like.text)) {
     const bool is_run = block.head == "[[run]]";
     if (is_run) ++group;
-    if (!stays(block, kept)) continue;
+    const bool is_child =
+        block.head.find("[run.") != text.npos || block.head.find("[gate.") != text.npos;
+    if (!is_child) parent_stays = stays(block, kept);
+    if (!parent_stays) continue;
     if (is_run) block = narrowed_run(block, groups.at(group - 1), kept);
     if (block.head == "[[gate]]") block = narrowed_rows(block, kept);
     text += "\n" + commented(block, like, name, explained);

@@ -94,6 +94,8 @@ TEST_F(Sweep, RefusesWhatARunOrARowOfACaseWouldWithItsOwnLine) {
   EXPECT_NE(refusal(with(sweep, "courant_number", "courant")).find("nearest known key"),
             std::string::npos);
   EXPECT_NE(refusal(sweep + with(row, "\"theory\"", "\"teory\"")).find("teory"), std::string::npos);
+  for (const char* key : {"candidate = \"theory\"\n", "candidates = [\"*\"]\n"})
+    EXPECT_NE(refusal(sweep + row + key).find("no such key in [[sweep.gate]]"), std::string::npos);
   EXPECT_NE(refusal(with(sweep, "[0.05, 0.025]", "[]")).find("at least one"), std::string::npos);
 }
 

@@ -9,6 +9,8 @@
 namespace slosh::fitting_spacing_test {
 namespace {
 
+const std::string refusal = "particle_spacing = 0.03 m: expected a whole number of particles";
+
 CaseDefinition tank_of(double length, double depth) {
   CaseDefinition definition = sample_case();
   definition.tank.length = length;
@@ -36,14 +38,16 @@ TEST(FittingSpacing, OfADamDividesItsColumn) {
 TEST(FittingSpacing, OfLengthsWithoutACommonDivisorIsWithinTheStretchOfALattice) {
   const CaseDefinition definition = tank_of(1, 0.317);
   const double found = *nearest_fitting_spacing(definition, 0.03);
-  EXPECT_EQ(spacing_hint(definition, run_with(found)), "");
+  EXPECT_EQ(spacing_hint(refusal, definition, run_with(found)), "");
 }
 
 TEST(FittingSpacing, IsToldWhereARunsSpacingDoesNotFit) {
   const CaseDefinition definition = tank_of(1, 0.1);
-  EXPECT_EQ(spacing_hint(definition, run_with(0.03)),
+  EXPECT_EQ(spacing_hint(refusal, definition, run_with(0.03)),
             "; the nearest that divides both is 0.0333333 m");
-  EXPECT_EQ(spacing_hint(definition, run_with(0.025)), "");
+  EXPECT_EQ(spacing_hint(refusal, definition, run_with(0.025)), "");
+  // Another key is refused: the spacing is no part of it.
+  EXPECT_EQ(spacing_hint("variant = \"none\": expected one of", definition, run_with(0.03)), "");
   try {
     require_runnable(definition, run_with(0.03));
     ADD_FAILURE() << "the run was not refused";

@@ -86,5 +86,10 @@ TEST(ExternalFacts, AreThoseOfThePublishedSchema) {
   }
 }
 
+TEST(ExternalFacts, RefuseANumberBeyondWhatADoubleHolds) {
+  EXPECT_NE(complaint(R"({"schema_version": 1, "steps": 1e999})").find("cost.json: not JSON"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace slosh::external_facts_test
