@@ -94,8 +94,8 @@ std::string cost_text(const ExpectedCost& cost) {
 
 double time_limit(const ExpectedCost& cost) {
   constexpr double shortest = 600, of_unknown = 72000;  // [s]
-  // The run's own limit ends it first, and says so.
-  constexpr double beyond_own = 60;  // [s]
+  // The run's own limit ends it first, and says so; its version_command may take a minute before.
+  constexpr double beyond_own = 120;  // [s]
   if (cost.own_limit) return std::max(shortest, *cost.own_limit + beyond_own);
   const bool unknown = !cost.measured && cost.uncertainty == 0;
   return unknown ? of_unknown : std::max(shortest, 20 * cost.wall_time);

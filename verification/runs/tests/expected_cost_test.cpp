@@ -89,7 +89,7 @@ TEST_F(ExpectedCostTest, IsUnknownOfAnExternalProgram) {
   external.time_limit = 7200;
   EXPECT_EQ(cost_of(run).cores, 2);
   EXPECT_EQ(cost_of(run).wall_time, 0) << "a limit is no expectation";
-  EXPECT_EQ(time_limit(cost_of(run)), 7260) << "its own limit ends it first";
+  EXPECT_EQ(time_limit(cost_of(run)), 7320) << "its own limit ends it first";
 }
 
 TEST_F(ExpectedCostTest, IsWhatAnEarlierRunOfAnExternalProgramTook) {
