@@ -116,7 +116,7 @@ std::vector<std::string> parts_of(const std::string& line, std::size_t longest) 
 // A line of a log as a message quotes it: its end, which is the newest.
 std::string shortened(const std::string& line) {
   constexpr std::size_t quoted = 200;
-  const std::string text = trimmed(line);
+  const std::string text(trimmed(line));
   return text.size() > quoted ? "..." + text.substr(text.size() - quoted) : text;
 }
 
@@ -143,11 +143,10 @@ SolverError program_failure(const std::string& what, const fs::path& log) {
   std::deque<std::string> lines;
   std::ifstream stream(log);
   for (std::string line; std::getline(stream, line);) {
-    if (!trimmed(line).empty()) lines.push_back(line);
+    if (!trimmed(line).empty()) lines.push_back(shortened(line));
     if (lines.size() > shown) lines.pop_front();
   }
-  const std::string last =
-      lines.empty() ? "it said nothing" : "its last words: " + shortened(lines.back());
+  const std::string last = lines.empty() ? "it said nothing" : "its last words: " + lines.back();
   return SolverError({"solver failed", fmt::format("{}; {}", what, last),
                       fmt::format("{}", fmt::join(lines, "\n")), log.string()});
 }

@@ -93,6 +93,7 @@ struct Kept {
   std::string candidate;
   std::set<std::string> runs;
   std::set<int> lines;  // of their tables, or of their limits in a group of rows, in the file
+  std::set<int> with_reference;  // of these, the lines of the rows that have a reference
 };
 
 Kept kept_parts(const CaseDefinition& like) {
@@ -106,13 +107,19 @@ Kept kept_parts(const CaseDefinition& like) {
   for (const GateRow& row : like.gate) {
     const bool has_runs = (row.reference.empty() || kept.runs.contains(row.reference)) &&
                           (!row.improves_on || kept.runs.contains(*row.improves_on));
-    if (row.candidate == candidate && has_runs && !is_cost(row.metric))
-      kept.lines.insert(row.where.line);
+    if (row.candidate != candidate || !has_runs || is_cost(row.metric)) continue;
+    kept.lines.insert(row.where.line);
+    if (!row.reference.empty()) kept.with_reference.insert(row.where.line);
   }
   return kept;
 }
 
-bool is_limit(const std::string& line) { return key_of(line).starts_with("limits."); }
+// Returns the metric of "limits.METRIC = " or "limits.METRIC.KEY = ", or an empty text.
+std::string limited_metric(const std::string& line) {
+  const std::string key = key_of(line), table = "limits.";
+  if (!key.starts_with(table)) return "";
+  return key.substr(table.size(), key.find('.', table.size()) - table.size());
+}
 
 bool stays(const Block& block, const Kept& kept) {
   const std::set<std::string> left_out{"[[refinement]]", "[[input]]", "[animation]"};
@@ -125,9 +132,17 @@ bool stays(const Block& block, const Kept& kept) {
 
 // A group of rows with the kept run as its only candidate and the limits that judge it.
 Block narrowed_rows(const Block& block, const Kept& kept) {
+  const auto is_referenced = [&](int line) { return kept.with_reference.contains(line); };
+  const bool has_reference = is_referenced(block.line) ||
+                             std::any_of(block.numbers.begin(), block.numbers.end(), is_referenced);
+  std::set<std::string> metrics;
+  for (std::size_t i = 0; i < block.lines.size(); ++i)
+    if (kept.lines.contains(block.numbers[i])) metrics.insert(limited_metric(block.lines[i]));
   Block narrow{block.line, block.head, {}, {}};
   for (std::size_t i = 0; i < block.lines.size(); ++i) {
-    if (is_limit(block.lines[i]) && !kept.lines.contains(block.numbers[i])) continue;
+    const std::string metric = limited_metric(block.lines[i]);
+    if (!metric.empty() && !metrics.contains(metric)) continue;
+    if (key_of(block.lines[i]) == "reference" && !has_reference) continue;
     narrow.lines.push_back(key_of(block.lines[i]) == "candidates"
                                ? "candidate = \"" + kept.candidate + "\""
                                : block.lines[i]);
