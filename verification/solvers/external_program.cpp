@@ -101,8 +101,8 @@ void run_program(const ProgramStart& start) {
 
 namespace {
 
-// Returns what a terminal would show of a line one after the other, as a progress bar is written
-// with carriage returns, in overlapping pieces of at most `longest` letters.
+// Splits a line at its carriage returns, which a progress bar writes, and cuts what is still longer
+// than `longest` letters into overlapping pieces.
 std::vector<std::string> parts_of(const std::string& line, std::size_t longest) {
   const std::size_t overlap = longest / 10;
   std::vector<std::string> parts;
@@ -113,7 +113,7 @@ std::vector<std::string> parts_of(const std::string& line, std::size_t longest) 
   return parts;
 }
 
-// A line of a log as a message quotes it: its end, which is the newest.
+// Returns the end of a long line, which is what the program wrote last.
 std::string shortened(const std::string& line) {
   constexpr std::size_t quoted = 200;
   const std::string text(trimmed(line));

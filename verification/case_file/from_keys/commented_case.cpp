@@ -130,7 +130,8 @@ bool stays(const Block& block, const Kept& kept) {
                      [&](int line) { return kept.lines.contains(line); });
 }
 
-// A group of rows with the kept run as its only candidate and the limits that judge it.
+// Returns the group of rows with the kept run as its only candidate and with the limits that judge
+// that run.
 Block narrowed_rows(const Block& block, const Kept& kept) {
   const auto is_referenced = [&](int line) { return kept.with_reference.contains(line); };
   const bool has_reference = is_referenced(block.line) ||
@@ -150,7 +151,7 @@ Block narrowed_rows(const Block& block, const Kept& kept) {
   return narrow;
 }
 
-// A table of several runs with the values of the one that is kept.
+// Returns a table of several runs with the values of the run that is kept.
 Block narrowed_run(const Block& block, const TomlTable& group, const Kept& kept) {
   for (const TomlTable& run : runs_of_group(group)) {
     if (!kept.runs.contains(run.written("name"))) continue;
