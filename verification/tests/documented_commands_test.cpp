@@ -226,9 +226,9 @@ const std::set<std::string> of_the_python_page{
 const std::set<std::string> of_the_launcher{"test", "fuzz", "bench", "doctor"};
 
 // The names of commands that a page speaks of.
-const std::set<std::string> mentioned{"baseline approve", "baseline diff", "compare",
-                                      "explain",          "gate",          "import",
-                                      "report",           "run",           "show"};
+const std::set<std::string> mentioned{
+    "baseline approve", "baseline diff", "compare", "explain", "gate",
+    "import",           "new",           "report",  "run",     "show"};
 
 // "./slosh  list   # all" -> "list"; a line that goes on after a backslash is one.
 std::string command_of(const std::string& line) {
