@@ -35,7 +35,7 @@ class Liquid {
         solids_(scene, !Scheme::Mirror::exists, largest_support()),
         obstacles_(obstacles_on_lattice(scene, largest_support())) {
     neighbours_.add_solids(solids_.places(), obstacles_);
-    if constexpr (Scheme::Solids::has_density) solids_.initialise(scheme_);
+    solids_.initialise(scheme_);
     renew_neighbours(0);
   }
 

@@ -173,7 +173,7 @@ class AllPairs {
                    .slide_u = walls_.velocity,
                    .slide_w = 0,
                    .density = rho,
-                   .mass = rho * dp * dp,
+                   .mass = places[k].cell_share * rho * dp * dp,
                    .pressure = 0,
                    .spacing = dp,
                    .diffused = 0,
@@ -187,6 +187,7 @@ class AllPairs {
         continue;
       }
       const Extrapolation at_node = extrapolate(liquid, places[k]);
+      if (!places[k].in_obstacle) b.mass *= share_of_ghost(places[k], at_node.liquid, places);
       const double rise = -rho * (walls_.acceleration * (places[k].x - places[k].node_x) +
                                   s_.gravity * (places[k].z - places[k].node_z));
       b.diffused = hydrostatic_diffused(b.z);
@@ -197,6 +198,10 @@ class AllPairs {
         const bool no_slip = f_.solids == SolidFormula::ghost_no_slip;
         b.u = places[k].turns_x || no_slip ? 2 * walls_.velocity - at_node.u : at_node.u;
         b.w = places[k].turns_z || no_slip ? -at_node.w : at_node.w;
+        if (!places[k].in_obstacle) {
+          b.slide_u = places[k].turns_x ? 2 * walls_.velocity - at_node.u : at_node.u;
+          b.slide_w = places[k].turns_z ? -at_node.w : at_node.w;
+        }
       }
       sources_.push_back(b);
     }
@@ -227,6 +232,7 @@ class AllPairs {
   struct Extrapolation {
     bool found = false;
     double pressure = 0, diffused = 0, u = 0, w = 0;
+    double liquid = 0;  // sum of V_b W of the liquid
   };
 
   double sound() const { return s_.speed_of_sound; }
@@ -306,14 +312,29 @@ class AllPairs {
           right[field][row] += weight * basis[row] * values[field];
       }
     }
-    if (!(m[0][0] > 0)) return {};
+    const double liquid = m[0][0] / (h * h);
+    if (!(liquid > 0)) return {};
     const auto value = [&](int field) {
       auto first_replaced = m;
       for (int row = 0; row < 3; ++row) first_replaced[row][0] = right[field][row];
       const bool flat = determinant(m) <= 1e-3 * std::pow(m[0][0], 3);
       return flat ? right[field][0] / m[0][0] : determinant(first_replaced) / determinant(m);
     };
-    return {true, value(0), value(1), value(2), value(3)};
+    return {true, value(0), value(1), value(2), value(3), liquid};
+  }
+
+  // A ghost counts whole where the liquid's kernel sum at its node, over what the solids leave of
+  // it, is that half a spacing inside a surface, and not at all half a spacing outside. The sum
+  // falls across the surface by the kernel's integral along it.
+  double share_of_ghost(const SolidPlace& at, double liquid,
+                        const std::vector<SolidPlace>& places) const {
+    const double h = s_.smoothing_length(), dp = s_.particle_spacing;
+    double solid = 0, along = 0;
+    for (const SolidPlace& b : places)
+      solid += b.cell_share * dp * dp / (h * h) *
+               f_.kernel.value(std::hypot(b.x - at.node_x, b.z - at.node_z) / h);
+    for (double q = -1.9995; q < 2; q += 0.001) along += 0.001 / h * f_.kernel.value(std::abs(q));
+    return std::clamp((liquid / (1 - solid) - 0.5) / (dp * along) + 0.5, 0.0, 1.0);
   }
 
   static double determinant(const std::array<std::array<double, 3>, 3>& m) {

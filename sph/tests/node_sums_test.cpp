@@ -32,7 +32,6 @@ class NodeSums : public testing::Test {
          {InstructionSet::plain, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!has(set)) continue;
       found.assign(places.size(), {});
-      neighbours.for_each_solid_source([](Source& source, std::size_t) { source.weight = 0; });
       sum_at_nodes<&Source::density>(scheme_, neighbours, places, tank_at_rest, found, set);
       for (std::size_t i = 0; i < places.size(); ++i) check(places[i], found[i]);
     }

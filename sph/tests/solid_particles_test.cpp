@@ -38,7 +38,7 @@ void expect_no_two_at_one_place(const std::vector<SolidPlace>& places) {
 }
 
 TEST(SolidPlaces, SurroundTheTankWithWholeLayers) {
-  const std::vector<SolidPlace> places = solid_places(scene_with({}), true, depth);
+  const std::vector<SolidPlace> places = solid_places(scene_with({}), true, depth, 1);
   EXPECT_EQ(places.size(), 26 * 16 - 20 * 10);
   for (const SolidPlace& place : places) {
     EXPECT_FALSE(in_tank(place.x, place.z));
@@ -46,12 +46,12 @@ TEST(SolidPlaces, SurroundTheTankWithWholeLayers) {
                 place.z < 0.5 + depth);
     expect_in_the_middle_of_a_cell(place);
   }
-  EXPECT_EQ(solid_places(scene_with({}), true, 2.1 * dp).size(), 26 * 16 - 20 * 10);
-  EXPECT_TRUE(solid_places(scene_with({}), false, depth).empty());
+  EXPECT_EQ(solid_places(scene_with({}), true, 2.1 * dp, 1).size(), 26 * 16 - 20 * 10);
+  EXPECT_TRUE(solid_places(scene_with({}), false, depth, 1).empty());
 }
 
 TEST(SolidPlaces, OfTheTanksWallsLookAtTheirMirrorImages) {
-  for (const SolidPlace& place : solid_places(scene_with({}), true, depth)) {
+  for (const SolidPlace& place : solid_places(scene_with({}), true, depth, 1)) {
     EXPECT_EQ(place.turns_x, place.x < 0 || place.x > 1);
     EXPECT_EQ(place.turns_z, place.z < 0 || place.z > 0.5);
     EXPECT_NEAR(place.node_x, place.x < 0 ? -place.x : place.x > 1 ? 2 - place.x : place.x, 1e-12);
@@ -63,9 +63,27 @@ TEST(SolidPlaces, OfTheTanksWallsLookAtTheirMirrorImages) {
   }
 }
 
+// Each cell of a wall holds three places, and each cell of a corner one.
+TEST(SolidPlaces, StandCloserAlongTheWallsWithTheSameVolume) {
+  const auto places = solid_places(scene_with({}), true, depth, 3);
+  EXPECT_EQ(places.size(), 3 * (2 * 3 * (20 + 10)) + 4 * 3 * 3);
+  double cells = 0;
+  for (const SolidPlace& place : places) {
+    cells += place.cell_share;
+    EXPECT_FALSE(in_tank(place.x, place.z));
+    EXPECT_TRUE(in_tank(place.node_x, place.node_z));
+    EXPECT_NEAR(place.node_x, place.x < 0 ? -place.x : place.x > 1 ? 2 - place.x : place.x, 1e-12);
+    if (place.turns_x && !place.turns_z)
+      EXPECT_NEAR(std::remainder(place.z - dp / 6, dp / 3), 0, 1e-12) << place.z;
+    if (place.turns_z && !place.turns_x)
+      EXPECT_NEAR(std::remainder(place.x - dp / 6, dp / 3), 0, 1e-12) << place.x;
+  }
+  EXPECT_NEAR(cells, 26 * 16 - 20 * 10, 1e-9);
+}
+
 TEST(SolidPlaces, FillAnObstacleAndLookAcrossItsNearestFace) {
   const Rectangle r{0.3, 0.6, 0.15, 0.35};
-  const std::vector<SolidPlace> places = solid_places(scene_with({r}), false, depth);
+  const std::vector<SolidPlace> places = solid_places(scene_with({r}), false, depth, 1);
   EXPECT_EQ(places.size(), 6 * 4);
   for (const SolidPlace& place : places) {
     EXPECT_TRUE(holds(r, place.x, place.z));
@@ -82,8 +100,8 @@ TEST(SolidPlaces, FillAnObstacleAndLookAcrossItsNearestFace) {
 
 TEST(SolidPlaces, LeaveOutWhatIsTooDeepInAnObstacleForTheLiquidToReach) {
   // 12 columns of cells, of which 6 are deeper than three layers, and 10 + 2 x 3 rows.
-  EXPECT_EQ(solid_places(scene_with({{0.2, 0.8, 0, 0.5}}), false, depth).size(), 6U * 16);
-  EXPECT_EQ(solid_places(scene_with({{0.2, 0.8, -9, 9}}), false, depth).size(), 6U * 16);
+  EXPECT_EQ(solid_places(scene_with({{0.2, 0.8, 0, 0.5}}), false, depth, 1).size(), 6U * 16);
+  EXPECT_EQ(solid_places(scene_with({{0.2, 0.8, -9, 9}}), false, depth, 1).size(), 6U * 16);
 }
 
 class ObstacleAtAWall : public testing::TestWithParam<Rectangle> {};
@@ -99,7 +117,7 @@ TEST_P(ObstacleAtAWall, ContinuesBehindItInPlaceOfTheWallsOwnLayers) {
   EXPECT_NEAR(r.left, GetParam().left == 0 ? -depth : GetParam().left, 1e-12);
   EXPECT_NEAR(r.right, GetParam().right == 1 ? 1 + depth : GetParam().right, 1e-12);
   for (const bool tank_walls : {false, true}) {
-    const auto places = solid_places(scene_with({GetParam()}), tank_walls, depth);
+    const auto places = solid_places(scene_with({GetParam()}), tank_walls, depth, 1);
     expect_no_two_at_one_place(places);
     const auto behind = std::count_if(places.begin(), places.end(), [&](const SolidPlace& place) {
       return holds(r, place.x, place.z) && !in_tank(place.x, place.z);
@@ -110,7 +128,7 @@ TEST_P(ObstacleAtAWall, ContinuesBehindItInPlaceOfTheWallsOwnLayers) {
 
 TEST_P(ObstacleAtAWall, LooksAtTheLiquidAlone) {
   const Rectangle r = obstacles_on_lattice(scene_with({GetParam()}), depth)[0];
-  for (const SolidPlace& place : solid_places(scene_with({GetParam()}), false, depth)) {
+  for (const SolidPlace& place : solid_places(scene_with({GetParam()}), false, depth, 1)) {
     EXPECT_TRUE(in_tank(place.node_x, place.node_z)) << place.node_x << ' ' << place.node_z;
     EXPECT_FALSE(holds(r, place.node_x, place.node_z)) << place.node_x << ' ' << place.node_z;
   }
@@ -119,7 +137,7 @@ TEST_P(ObstacleAtAWall, LooksAtTheLiquidAlone) {
 // The layers stay in step with the lattice where the kernel reaches across no whole number of them.
 TEST(SolidPlaces, StayHalfASpacingInsideTheFacesWhateverTheDepth) {
   for (const double reach : {0.1, 0.11, 0.15})
-    for (const SolidPlace& place : solid_places(scene_with({{0.4, 0.6, 0, 0.2}}), true, reach))
+    for (const SolidPlace& place : solid_places(scene_with({{0.4, 0.6, 0, 0.2}}), true, reach, 1))
       expect_in_the_middle_of_a_cell(place);
 }
 
@@ -143,7 +161,7 @@ TEST(ObstaclesOnLattice, FollowTheCellsOfAStretchedLattice) {
 
 std::string refusal_of(const Rectangle& obstacle) {
   try {
-    solid_places(scene_with({obstacle}), false, depth);
+    solid_places(scene_with({obstacle}), false, depth, 1);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

@@ -51,6 +51,7 @@ struct Beside {
         solids(scene, !Choice::Mirror::exists, support),
         particles(std::move(liquid)) {
     sources.add_solids(solids.places(), obstacles_on_lattice(scene, support));
+    solids.initialise(scheme);
     EXPECT_TRUE(sources.rebuild<typename Choice::Mirror>(particles, walls, 0));
   }
   void refresh_for_momentum() {
@@ -81,10 +82,41 @@ TEST(GhostSolids, ContinueTheHydrostaticPressureExactly) {
     if (source.z > fill_depth - dp) return;
     ++below_surface;
     EXPECT_NEAR(source.strength, 9.81 * (fill_depth - source.z), 1e-10);  // p / rho_0
-    EXPECT_NEAR(source.weight, dp * dp, 1e-18);
   });
   // Bottom, sides and the obstacle's three layers behind its faces.
   EXPECT_GT(below_surface, 250);
+}
+
+// The sides' nodes stand a quarter of a spacing below and above the liquid's rows. The outermost
+// row is half a spacing below the surface.
+TEST(GhostSolids, OfTheTanksWallsCountAsFarAsThereIsLiquidAtTheirNodes) {
+  const Scene scene = still_scene(dp, 0);
+  Beside<WithGhostWalls> beside(scene, still_walls, lattice<WithGhostWalls>(scene));
+  beside.refresh_for_momentum();
+  int above = 0;
+  beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
+    const bool side = source.x < 0 || source.x > 1;
+    if (!side || source.z < 0) return;
+    const double share = source.weight / (0.5 * dp * dp);
+    if (source.z < fill_depth - dp) EXPECT_NEAR(share, 1, 1e-12) << source.z;
+    if (std::abs(source.z - fill_depth) < 0.5 * dp)
+      EXPECT_NEAR(share, 0.5 - (source.z - fill_depth) / dp, 0.05) << source.z;
+    if (source.z > fill_depth + 0.5 * dp) {
+      ++above;
+      EXPECT_EQ(share, 0) << source.z;
+    }
+  });
+  EXPECT_GT(above, 50);
+}
+
+// The particles of an obstacle count whole, also above the surface.
+TEST(GhostSolids, OfAnObstacleCountWhole) {
+  Scene scene = still_scene(dp, 0);
+  scene.obstacles = {{0.4, 0.6, 0, 0.5}};
+  Beside<Recommended> beside(scene, still_walls, lattice<Recommended>(scene));
+  beside.refresh_for_momentum();
+  beside.sources.for_each_solid_source(
+      [&](Source& source, std::size_t) { EXPECT_NEAR(source.weight, dp * dp, 1e-18); });
 }
 
 // Also in a tank that accelerates along x with the liquid leaning against its walls accordingly.
@@ -159,6 +191,23 @@ void expect_velocities(double side_u, double side_w, double bottom_u, double bot
     EXPECT_NEAR(source.velocity_x, side ? side_u : bottom_u, 1e-12);
     EXPECT_NEAR(source.velocity_z, side ? side_w : bottom_w, 1e-12);
   });
+  // In the continuity equation the walls let slip in any case.
+  beside.refresh_for_continuity();
+  beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
+    if (source.z > fill_depth - dp) return;
+    const bool side = source.x < 0 || source.x > 1, bottom = source.z < 0;
+    if (side && bottom) return;
+    EXPECT_NEAR(source.velocity_x, side ? 0.7 : 0.3, 1e-12);
+    EXPECT_NEAR(source.velocity_z, side ? -0.2 : 0.2, 1e-12);
+  });
+}
+
+TEST(GhostSolids, OfAnObstacleHaveTheWallsVelocityInTheContinuityEquation) {
+  Scene scene = still_scene(dp, 0);
+  scene.obstacles = {{0.4, 0.6, 0, 0.2}};
+  Particles liquid = lattice<Recommended>(scene);
+  std::fill(liquid.velocity_x.begin(), liquid.velocity_x.end(), 0.3);
+  Beside<Recommended> beside(scene, {0, 1, 0, 1, 0.5, 0}, liquid);
   beside.refresh_for_continuity();
   beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
     EXPECT_EQ(source.velocity_x, 0.5);

@@ -2,9 +2,12 @@
 // kernel's support (moving least squares, as in Marrone et al. 2011, eq. 12). The fit's value at
 // the node follows from the moments sum_b V_b W_ab (1, dx, dz)(1, dx, dz)^T over liquid and images.
 // Where the particles do not determine a linear fit (a splash), the weighted mean is used. A node
-// without liquid in its support has no state.
+// without liquid in its support has no state. The sums are over the liquid and its images, which
+// come before the solids in every list.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sph/neighbours/instruction_sets.hpp"
@@ -17,6 +20,7 @@ namespace slosh::sph {
 
 struct NodeSum {
   bool found = false;  // any liquid within the support
+  double liquid = 0;   // its kernel sum, without the kernel's normalisation and 1/h^2
   double value = 0, velocity_x = 0, velocity_z = 0;
 };
 
@@ -48,7 +52,8 @@ struct NodeProjection {
 // The template depends on the kernel and not on the scheme, so that schemes share its builds.
 template <class Kernel, double Source::*value>
 void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, const Source* sources,
-                             const SolidPlace* places, const TankWalls* walls, NodeSum* nodes) {
+                             std::size_t first_solid_source, const SolidPlace* places,
+                             const TankWalls* walls, NodeSum* nodes) {
   Lanes node_x{}, node_z{};
   for (std::size_t i = 0; i < cluster->size; ++i) {
     node_x[i] = walls->left + places[cluster->first + i].node_x;
@@ -57,7 +62,8 @@ void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, co
   const double inverse_h = 1.0 / smoothing_length;
   NodeMoments moments;
   NodeProjection field, u, w;
-  for (std::size_t k = 0; k < cluster->source_count; ++k) {
+  for (std::size_t k = 0; k < cluster->source_count && cluster->sources[k] < first_solid_source;
+       ++k) {
     const Source& b = sources[cluster->sources[k]];
     const Lanes dx = (b.x - node_x) * inverse_h, dz = (b.z - node_z) * inverse_h;
     const Lanes weight = b.weight * Kernel::shape(square_root(dx * dx + dz * dz));
@@ -76,6 +82,7 @@ void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, co
     node = {};
     node.found = moments.m[i] > 0;
     if (!node.found) continue;
+    node.liquid = moments.m[i];
     node.value = field.value(moments, i);
     node.velocity_x = u.value(moments, i);
     node.velocity_z = w.value(moments, i);
@@ -89,8 +96,8 @@ void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours,
                   std::vector<NodeSum>& nodes, InstructionSet set) {
   neighbours.solid_clusters().for_each([&](const Cluster& cluster) {
     call<&sum_at_nodes_of_cluster<typename Scheme::Kernel, value>>(
-        set, scheme.setting.smoothing_length(), &cluster, neighbours.sources(), places.data(),
-        &walls, nodes.data());
+        set, scheme.setting.smoothing_length(), &cluster, neighbours.sources(),
+        neighbours.first_solid_source(), places.data(), &walls, nodes.data());
   });
 }
 

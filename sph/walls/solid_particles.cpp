@@ -40,6 +40,7 @@ void fill_obstacle(const Scene& scene, const Rectangle& r, double depth,
     for (double x = r.left + 0.5 * dx; x < r.right; x += dx) {
       SolidPlace place = behind_nearest_face(x, z, r, scene.tank_length, scene.tank_height);
       if (std::hypot(place.node_x - x, place.node_z - z) > 2 * depth) continue;
+      place.in_obstacle = true;
       fold_into_tank(place, scene);
       places.push_back(place);
     }
@@ -47,8 +48,29 @@ void fill_obstacle(const Scene& scene, const Rectangle& r, double depth,
 
 int whole_layers(double depth, double dp) { return static_cast<int>(std::ceil(depth / dp - 1e-9)); }
 
-void fill_tank_walls(const Scene& scene, double depth, const std::vector<Rectangle>& obstacles,
-                     std::vector<SolidPlace>& places) {
+// Adds a place behind a wall as `count` places of equal shares beside one another along it. A place
+// in a corner stays one.
+void divide_along_wall(const SolidPlace& place, int count, double dx, double dz,
+                       std::vector<SolidPlace>& places) {
+  if (place.turns_x && place.turns_z) {
+    places.push_back(place);
+    return;
+  }
+  for (int k = 0; k < count; ++k) {
+    const double offset = (k + 0.5) / count - 0.5;
+    const double along_x = place.turns_z ? offset * dx : 0,
+                 along_z = place.turns_x ? offset * dz : 0;
+    SolidPlace& part = places.emplace_back(place);
+    part.x += along_x;
+    part.z += along_z;
+    part.node_x += along_x;
+    part.node_z += along_z;
+    part.cell_share = 1.0 / count;
+  }
+}
+
+void fill_tank_walls(const Scene& scene, double depth, int along_walls,
+                     const std::vector<Rectangle>& obstacles, std::vector<SolidPlace>& places) {
   const double dp = scene.particle_spacing;
   const int layers = whole_layers(depth, dp);
   const int columns = static_cast<int>(std::round(scene.tank_length / dp)),
@@ -63,7 +85,7 @@ void fill_tank_walls(const Scene& scene, double depth, const std::vector<Rectang
         continue;
       SolidPlace place{x, z, x, z, false, false};
       fold_into_tank(place, scene);
-      places.push_back(place);
+      divide_along_wall(place, along_walls, dx, dz, places);
     }
 }
 
@@ -113,10 +135,11 @@ SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double ta
   }
 }
 
-std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth) {
+std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth,
+                                     int along_walls) {
   std::vector<SolidPlace> places;
   const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, depth);
-  if (tank_walls) fill_tank_walls(scene, depth, obstacles, places);
+  if (tank_walls) fill_tank_walls(scene, depth, along_walls, obstacles, places);
   for (const Rectangle& obstacle : obstacles) fill_obstacle(scene, obstacle, depth, places);
   return places;
 }

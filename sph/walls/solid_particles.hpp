@@ -17,14 +17,18 @@ struct SolidPlace {
   double x, z;            // in the tank [m]
   double node_x, node_z;  // in the liquid [m]
   bool turns_x, turns_z;  // which components of the velocity the reflection turns
+  bool in_obstacle = false;
+  double cell_share = 1;  // its share of a lattice cell's volume
 };
 
 // Returns the particles of the scene's obstacles and, where `tank_walls`, of the tank's bottom,
 // sides and roof. They fill layers `depth` [m] deep, a particle spacing apart, from half a spacing
-// inside the faces. An obstacle that touches a wall is continued behind it, in place of the wall's
-// own layers. Throws std::invalid_argument for an obstacle thinner than `depth`, across which the
-// liquid on its two sides would interact.
-std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth);
+// inside the faces. Along the tank's walls each cell holds `along_walls` of them beside one
+// another, of equal shares of its volume. An obstacle that touches a wall is continued behind it,
+// in place of the wall's own layers. Throws std::invalid_argument for an obstacle thinner than
+// `depth`, across which the liquid on its two sides would interact.
+std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth,
+                                     int along_walls);
 
 // Returns the obstacles with their edges moved to the nearest border between cells of the lattice.
 // An obstacle that touches a wall is continued behind it by as many whole layers as reach `depth`.

@@ -13,12 +13,13 @@
 #include "sph/neighbours/pair_sums.hpp"
 #include "sph/setting.hpp"
 #include "sph/start/initial_surface.hpp"
+#include "sph/walls/ghost_fill.hpp"
 #include "sph/walls/node_sums.hpp"
 #include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph {
 
-// Gives a solid's source its position on the wall, the wall's velocity and the volume of a cell.
+// Gives a solid's source its position on the wall, the wall's velocity and its share of a cell.
 template <class Scheme, class Tank>
 void place(const Scheme& scheme, const SolidPlace& at, const Tank& tank, Source& source) {
   const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
@@ -28,7 +29,7 @@ void place(const Scheme& scheme, const SolidPlace& at, const Tank& tank, Source&
   source.z = place.z;
   source.velocity_x = velocity.x;
   source.velocity_z = velocity.z;
-  source.weight = scheme.formulation.weight(rho * dp * dp, rho);
+  source.weight = scheme.formulation.weight(at.cell_share * rho * dp * dp, rho);
   source.spacing = dp;
 }
 
@@ -45,6 +46,8 @@ class NoSolids {
   template <class Visit>
   void for_each_named_field(const Visit&) {}
   template <class... Arguments>
+  void initialise(const Arguments&...) {}
+  template <class... Arguments>
   void refresh_for_momentum(const Arguments&...) {}
   template <class... Arguments>
   void refresh_for_continuity(const Arguments&...) {}
@@ -56,9 +59,16 @@ class NoSolids {
 // A particle has the liquid's pressure and velocity at its node (node_sums.hpp), extrapolated to
 // its own position: the pressure rises by rho_0 (g - a_wall) . (r - r_node). For the viscous stress
 // the velocity is 2 v_wall - v in the normal component, and with no slip in the tangential one too.
-// In the continuity equation the particle has the wall's velocity (Adami, Hu & Adams 2012). A
-// velocity extrapolated from the liquid was measured to set still water in motion along an
-// obstacle, because no pressure balances it.
+//
+// In the continuity equation a particle of the tank's walls has the velocity 2 v_wall - v in the
+// normal component alone (Marrone et al. 2011, section 3). Two things keep these particles as close
+// to mirror images as fixed ones can be: they stand twice as densely along the wall as the liquid,
+// whose lattice would otherwise catch on theirs, and they count only as far as there is liquid at
+// their nodes (ghost_fill.hpp).
+//
+// A particle of an obstacle counts whole and has the wall's velocity in the continuity equation
+// (Adami, Hu & Adams 2012). With a velocity extrapolated from the liquid, still water around an
+// obstacle's edges was measured to gain energy, because no pressure balances it.
 template <Slip slip>
 class GhostSolids {
  public:
@@ -68,12 +78,20 @@ class GhostSolids {
   static constexpr bool has_density = false;
 
   GhostSolids(const Scene& scene, bool tank_walls, double depth)
-      : places_(solid_places(scene, tank_walls, depth)), nodes_(places_.size()) {}
+      : places_(solid_places(scene, tank_walls, depth, 2)), nodes_(places_.size()) {}
   std::vector<SolidPlace>& places() { return places_; }
   template <class Visit>
   void for_each_named_field(const Visit& visit) {
     visit("places", places_);
     visit("nodes", nodes_);
+    fill_.for_each_named_field(visit);
+  }
+
+  // The places must have their final order.
+  template <class Scheme>
+  void initialise(const Scheme& scheme) {
+    fill_.initialise(typename Scheme::Kernel{}, places_, scheme.setting.smoothing_length(),
+                     scheme.setting.particle_spacing);
   }
 
   template <class Scheme, class Tank>
@@ -82,8 +100,8 @@ class GhostSolids {
     look_up<&Source::strength>(scheme, neighbours, walls, set);
     const double rho = scheme.setting.rest_density;
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, places_[i], walls, source);
-      if (nodes_[i].found) reflect(places_[i], nodes_[i], walls, source);
+      place_with_share(scheme, i, walls, source);
+      if (nodes_[i].found) reflect(places_[i], nodes_[i], slip, walls, source);
       const double rise = pressure_rise(scheme, i, walls);
       source.strength =
           nodes_[i].found ? nodes_[i].value + scheme.formulation.strength(rise, rho) : 0.0;
@@ -96,7 +114,9 @@ class GhostSolids {
                               InstructionSet set) {
     look_up<&Source::density>(scheme, neighbours, walls, set);
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, places_[i], walls, source);
+      place_with_share(scheme, i, walls, source);
+      if (nodes_[i].found && !places_[i].in_obstacle)
+        reflect(places_[i], nodes_[i], Slip::free, walls, source);
       if constexpr (Scheme::DensityDiffusion::active)
         if (!nodes_[i].found) {
           // The particle has the density of a liquid without pressure.
@@ -114,9 +134,17 @@ class GhostSolids {
   }
 
  private:
-  static void reflect(const SolidPlace& at, const NodeSum& node, const TankWalls& walls,
-                      Source& source) {
-    const bool all = slip == Slip::none;
+  template <class Scheme>
+  void place_with_share(const Scheme& scheme, std::size_t i, const TankWalls& walls,
+                        Source& source) const {
+    place(scheme, places_[i], walls, source);
+    if (!places_[i].in_obstacle)
+      source.weight *= fill_.share(i, scheme.formulation.volume_of_weight * nodes_[i].liquid);
+  }
+
+  static void reflect(const SolidPlace& at, const NodeSum& node, Slip at_wall,
+                      const TankWalls& walls, Source& source) {
+    const bool all = at_wall == Slip::none;
     source.velocity_x = at.turns_x || all ? 2 * walls.velocity - node.velocity_x : node.velocity_x;
     source.velocity_z = at.turns_z || all ? -node.velocity_z : node.velocity_z;
   }
@@ -134,12 +162,12 @@ class GhostSolids {
   void look_up(const Scheme& scheme, NeighbourSources& neighbours, const TankWalls& walls,
                InstructionSet set) {
     if (places_.empty()) return;
-    neighbours.for_each_solid_source([](Source& source, std::size_t) { source.weight = 0; });
     sum_at_nodes<value>(scheme, neighbours, places_, walls, nodes_, set);
   }
 
   std::vector<SolidPlace> places_;
   std::vector<NodeSum> nodes_;
+  GhostFill fill_;
 };
 
 // Dynamic boundary particles (Crespo, Gomez-Gesteira & Dalrymple 2007; Zhao et al. 2021, section
@@ -152,7 +180,7 @@ class DynamicSolids {
   static constexpr bool has_density = true;
 
   DynamicSolids(const Scene& scene, bool tank_walls, double depth)
-      : places_(solid_places(scene, tank_walls, depth)),
+      : places_(solid_places(scene, tank_walls, depth, 1)),
         wetted_length_(scene.column_width ? *scene.column_width + depth
                                           : scene.tank_length + depth),
         surface_(scene) {
