@@ -312,15 +312,14 @@ class AllPairs {
           right[field][row] += weight * basis[row] * values[field];
       }
     }
-    const double liquid = m[0][0] / (h * h);
-    if (!(liquid > 0)) return {};
+    if (!(m[0][0] > 0)) return {};
     const auto value = [&](int field) {
       auto first_replaced = m;
       for (int row = 0; row < 3; ++row) first_replaced[row][0] = right[field][row];
       const bool flat = determinant(m) <= 1e-3 * std::pow(m[0][0], 3);
       return flat ? right[field][0] / m[0][0] : determinant(first_replaced) / determinant(m);
     };
-    return {true, value(0), value(1), value(2), value(3), liquid};
+    return {true, value(0), value(1), value(2), value(3), m[0][0] / (h * h)};
   }
 
   // A ghost counts whole where the liquid's kernel sum at its node, over what the solids leave of
@@ -329,12 +328,19 @@ class AllPairs {
   double share_of_ghost(const SolidPlace& at, double liquid,
                         const std::vector<SolidPlace>& places) const {
     const double h = s_.smoothing_length(), dp = s_.particle_spacing;
-    double solid = 0, along = 0;
-    for (const SolidPlace& b : places)
-      solid += b.cell_share * dp * dp / (h * h) *
-               f_.kernel.value(std::hypot(b.x - at.node_x, b.z - at.node_z) / h);
-    for (double q = -1.9995; q < 2; q += 0.001) along += 0.001 / h * f_.kernel.value(std::abs(q));
-    return std::clamp((liquid / (1 - solid) - 0.5) / (dp * along) + 0.5, 0.0, 1.0);
+    double solid = 0;
+    for (const SolidPlace& b : places) {
+      const double dx = (b.x - at.node_x) / h, dz = (b.z - at.node_z) / h;
+      if (dx * dx + dz * dz < 4)
+        solid += b.cell_share * dp * dp / (h * h) * f_.kernel.value(std::hypot(dx, dz));
+    }
+    return std::clamp((liquid / (1 - solid) - 0.5) / (dp * kernel_along_a_line_) + 0.5, 0.0, 1.0);
+  }
+
+  double kernel_along_a_line() const {
+    double sum = 0;
+    for (double q = -1.9995; q < 2; q += 0.001) sum += f_.kernel.value(std::abs(q));
+    return 0.001 * sum / s_.smoothing_length();
   }
 
   static double determinant(const std::array<std::array<double, 3>, 3>& m) {
@@ -421,6 +427,7 @@ class AllPairs {
   Setting s_;
   Formulas f_;
   TankWalls walls_;
+  double kernel_along_a_line_ = kernel_along_a_line();  // [1/m]
   std::size_t count_, first_solid_ = static_cast<std::size_t>(-1);
   std::vector<PairSource> sources_;
 };

@@ -33,8 +33,8 @@ struct Neighbourhood {
         sources(walls, spacing, support),
         solids(small_scene(), !Choice::Mirror::exists, support) {
     sources.add_solids(solids.places(), {});
+    solids.initialise(scheme);
     if constexpr (Choice::Solids::has_density) {
-      solids.initialise(scheme);
       Array<double> density = solids.density();
       for (std::size_t i = 0; i < density.size(); ++i)
         density[i] = 1000 * (1.015 + 0.01 * std::sin(2.4 * static_cast<double>(i)));
@@ -81,10 +81,11 @@ double largest_difference(const Array<double>& a, const Array<double>& b) {
     largest = std::max(largest, std::abs(b[i]));
     if (std::isnan(a[i])) return a[i];
   }
-  return difference / largest;
+  return largest > 0 ? difference / largest : difference;
 }
 
-// The largest of the three rates' differences, each relative to the rate's largest value.
+// The largest of the three rates' differences, each relative to the rate's largest value, or as it
+// is where the rate is zero.
 double disagreement(const Rates& a, const Rates& b) {
   return std::max({largest_difference(a.acceleration_x, b.acceleration_x),
                    largest_difference(a.acceleration_z, b.acceleration_z),

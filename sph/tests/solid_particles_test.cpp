@@ -63,20 +63,19 @@ TEST(SolidPlaces, OfTheTanksWallsLookAtTheirMirrorImages) {
   }
 }
 
-// Each cell of a wall holds three places, and each cell of a corner one.
+// Each cell of a wall holds three places, and each cell of a corner nine.
 TEST(SolidPlaces, StandCloserAlongTheWallsWithTheSameVolume) {
   const auto places = solid_places(scene_with({}), true, depth, 3);
-  EXPECT_EQ(places.size(), 3 * (2 * 3 * (20 + 10)) + 4 * 3 * 3);
+  EXPECT_EQ(places.size(), 3 * (2 * 3 * (20 + 10)) + 9 * (4 * 3 * 3));
   double cells = 0;
   for (const SolidPlace& place : places) {
     cells += place.cell_share;
     EXPECT_FALSE(in_tank(place.x, place.z));
     EXPECT_TRUE(in_tank(place.node_x, place.node_z));
     EXPECT_NEAR(place.node_x, place.x < 0 ? -place.x : place.x > 1 ? 2 - place.x : place.x, 1e-12);
-    if (place.turns_x && !place.turns_z)
-      EXPECT_NEAR(std::remainder(place.z - dp / 6, dp / 3), 0, 1e-12) << place.z;
-    if (place.turns_z && !place.turns_x)
-      EXPECT_NEAR(std::remainder(place.x - dp / 6, dp / 3), 0, 1e-12) << place.x;
+    const auto off_thirds = [](double at) { return std::remainder(at - dp / 6, dp / 3); };
+    EXPECT_NEAR(place.turns_x ? off_thirds(place.z) : 0, 0, 1e-12);
+    EXPECT_NEAR(place.turns_z ? off_thirds(place.x) : 0, 0, 1e-12);
   }
   EXPECT_NEAR(cells, 26 * 16 - 20 * 10, 1e-9);
 }

@@ -98,13 +98,10 @@ TEST(GhostSolids, OfTheTanksWallsCountAsFarAsThereIsLiquidAtTheirNodes) {
     const bool side = source.x < 0 || source.x > 1;
     if (!side || source.z < 0) return;
     const double share = source.weight / (0.5 * dp * dp);
-    if (source.z < fill_depth - dp) EXPECT_NEAR(share, 1, 1e-12) << source.z;
-    if (std::abs(source.z - fill_depth) < 0.5 * dp)
-      EXPECT_NEAR(share, 0.5 - (source.z - fill_depth) / dp, 0.05) << source.z;
-    if (source.z > fill_depth + 0.5 * dp) {
-      ++above;
-      EXPECT_EQ(share, 0) << source.z;
-    }
+    const double above_surface = (source.z - fill_depth) / dp;
+    above += above_surface > 0;
+    const double expected = std::clamp(0.5 - above_surface, 0.0, 1.0);
+    EXPECT_NEAR(share, expected, std::abs(above_surface) < 1 ? 0.05 : 1e-12) << above_surface;
   });
   EXPECT_GT(above, 50);
 }
@@ -139,7 +136,8 @@ TEST(GhostSolids, ContinueThePressureOfAnAcceleratedLiquidExactly) {
 }
 
 // Mirror particles of liquid of density rho, 0.5 % above rho_0 at the bottom, have rho g where
-// ghost particles have rho_0 g: 0.5 % of g from each of the two walls of a corner.
+// ghost particles have rho_0 g: 0.5 % of g from each of the two walls of a corner. The sum over two
+// particles in place of one adds 1 %, and the shares at the surface up to 3 %.
 TEST(GhostSolids, PushTheStillLatticeAsMirrorParticlesDo) {
   const Scene scene = still_scene(dp, 0);
   Still<Recommended> mirror(scene);
@@ -155,7 +153,7 @@ TEST(GhostSolids, PushTheStillLatticeAsMirrorParticlesDo) {
         std::hypot(mirror.liquid.rates.acceleration_x[i] - ghost.liquid.rates.acceleration_x[i],
                    mirror.liquid.rates.acceleration_z[i] - ghost.liquid.rates.acceleration_z[i]));
   }
-  EXPECT_LE(largest, 0.01 * 9.81);
+  EXPECT_LE(largest, 0.03 * 9.81);
   EXPECT_GT(largest, 0);
 }
 

@@ -49,24 +49,18 @@ void fill_obstacle(const Scene& scene, const Rectangle& r, double depth,
 int whole_layers(double depth, double dp) { return static_cast<int>(std::ceil(depth / dp - 1e-9)); }
 
 // Adds a place behind a wall as `count` places of equal shares beside one another along it. A place
-// in a corner stays one.
-void divide_along_wall(const SolidPlace& place, int count, double dx, double dz,
-                       std::vector<SolidPlace>& places) {
-  if (place.turns_x && place.turns_z) {
-    places.push_back(place);
-    return;
-  }
-  for (int k = 0; k < count; ++k) {
-    const double offset = (k + 0.5) / count - 0.5;
-    const double along_x = place.turns_z ? offset * dx : 0,
-                 along_z = place.turns_x ? offset * dz : 0;
-    SolidPlace& part = places.emplace_back(place);
-    part.x += along_x;
-    part.z += along_z;
-    part.node_x += along_x;
-    part.node_z += along_z;
-    part.cell_share = 1.0 / count;
-  }
+// in a corner is divided along both walls.
+void divide_along_walls(const SolidPlace& place, int count, double dx, double dz,
+                        const Scene& scene, std::vector<SolidPlace>& places) {
+  const int columns = place.turns_z ? count : 1, rows = place.turns_x ? count : 1;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double x = place.x + ((column + 0.5) / columns - 0.5) * dx,
+                   z = place.z + ((row + 0.5) / rows - 0.5) * dz;
+      SolidPlace& part = places.emplace_back(SolidPlace{x, z, x, z, false, false});
+      part.cell_share = 1.0 / (columns * rows);
+      fold_into_tank(part, scene);
+    }
 }
 
 void fill_tank_walls(const Scene& scene, double depth, int along_walls,
@@ -85,7 +79,7 @@ void fill_tank_walls(const Scene& scene, double depth, int along_walls,
         continue;
       SolidPlace place{x, z, x, z, false, false};
       fold_into_tank(place, scene);
-      divide_along_wall(place, along_walls, dx, dz, places);
+      divide_along_walls(place, along_walls, dx, dz, scene, places);
     }
 }
 

@@ -24,9 +24,10 @@ struct SolidPlace {
 // Returns the particles of the scene's obstacles and, where `tank_walls`, of the tank's bottom,
 // sides and roof. They fill layers `depth` [m] deep, a particle spacing apart, from half a spacing
 // inside the faces. Along the tank's walls each cell holds `along_walls` of them beside one
-// another, of equal shares of its volume. An obstacle that touches a wall is continued behind it,
-// in place of the wall's own layers. Throws std::invalid_argument for an obstacle thinner than
-// `depth`, across which the liquid on its two sides would interact.
+// another, of equal shares of its volume, and each cell of a corner the square of that number. An
+// obstacle that touches a wall is continued behind it, in place of the wall's own layers. Throws
+// std::invalid_argument for an obstacle thinner than `depth`, across which the liquid on its two
+// sides would interact.
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth,
                                      int along_walls);
 
