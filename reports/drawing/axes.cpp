@@ -93,8 +93,13 @@ AxisRange horizontal_range(const Figure& figure) {
 }
 
 AxisRange vertical_range(const Figure& figure, const AxisRange& horizontal) {
+  if (figure.y_range.first != figure.y_range.second)
+    return {figure.y_range.first, figure.y_range.second};
   Extent extent;
+  const bool any_sets = std::any_of(figure.curves.begin(), figure.curves.end(),
+                                    [](const Curve& curve) { return curve.sets_scale; });
   for (const Curve& curve : figure.curves) {
+    if (any_sets && !curve.sets_scale) continue;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
       if (!drawable(figure, curve.x[i], curve.y[i])) continue;
       if (curve.x[i] < horizontal.lower || curve.x[i] > horizontal.upper) continue;

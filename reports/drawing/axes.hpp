@@ -21,8 +21,9 @@ double round_tick(double value, bool up);
 // markers. It has a margin for points and none for lines.
 AxisRange horizontal_range(const Figure& figure);
 
-// Returns the range of all drawable samples inside the horizontal range, their error bars, their
-// ribbons, and all finite band levels.
+// Returns the given y_range, or the range of all drawable samples inside the horizontal range,
+// their error bars, their ribbons, and all finite band levels. Curves that set no scale count only
+// where no other does.
 AxisRange vertical_range(const Figure& figure, const AxisRange& horizontal);
 
 struct PlotRanges {

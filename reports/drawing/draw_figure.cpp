@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/drawing/figure_layout.hpp"
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
 #include "reports/model/file_formats.hpp"
@@ -22,7 +23,7 @@ namespace {
 // Every colour of a figure of curves.
 std::vector<PaletteColour> figure_colours() {
   std::vector<PaletteColour> colours{paper, ink, faint_ink, grid};
-  colours.insert(colours.end(), curve_colours.begin(), curve_colours.end());
+  colours.insert(colours.end(), hues.begin(), hues.end());
   colours.insert(colours.end(), band_colours.begin(), band_colours.end());
   return colours;
 }
@@ -107,7 +108,8 @@ std::string shared_markup(const std::string& gnuplot_svg, const std::string& fig
 // Describes the axes and what is drawn in words, for the <desc> element.
 std::string description(const Figure& figure) {
   std::vector<std::string> names;
-  for (const Curve& curve : figure.curves) names.push_back(curve.label);
+  for (const Curve& curve : figure.curves)
+    if (!curve.label.empty()) names.push_back(curve.label);
   for (const Band& band : figure.bands) names.push_back(band.label + " (band)");
   for (const Marker& marker : figure.markers) names.push_back(marker.label + " (vertical line)");
   for (const Span& span : figure.spans)
@@ -124,7 +126,7 @@ DrawnFigure draw_figure(const Figure& figure, const std::filesystem::path& scrat
   const std::string output = gnuplot(gnuplot_script(figure), figure.id, scratch_directory);
   if (output.find("</svg>") == output.npos)
     throw ReportError(broken_output(figure.id, "SVG document", scratch_directory));
-  return {shared_markup(output, figure.id), canvas_width, canvas_height(figure)};
+  return {shared_markup(output, figure.id), canvas_of(figure).width, canvas_height(figure)};
 }
 
 std::string draw_png(const Figure& figure, const std::filesystem::path& scratch_directory) {

@@ -10,13 +10,6 @@
 
 namespace slosh::reports {
 
-inline constexpr int canvas_width = 760;          // px, the width of a page's text column
-inline constexpr std::size_t drawn_limit = 1500;  // entries per curve: two per pixel of the canvas
-
-// The height of the canvas [px]: the plot's own, and that of its legend and of its rows of marker
-// labels.
-int canvas_height(const Figure& figure);
-
 enum class Terminal { svg, png };  // a PNG has twice the pixels
 
 std::string gnuplot_script(const Figure& figure, Terminal terminal = Terminal::svg);

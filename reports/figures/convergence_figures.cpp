@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/figures/case_figures.hpp"
+#include "reports/figures/run_looks.hpp"
 #include "verification/assessment/observed_order.hpp"
 
 namespace slosh {
@@ -64,6 +65,7 @@ Curve fitted_line(const PowerLawLine& line, const Curve& points, double scale) {
     curve.lower.push_back(cut(scale * lower));
     curve.upper.push_back(cut(scale * upper));
   }
+  curve.ribbon = "95 % band of the line";
   return curve;
 }
 
@@ -74,6 +76,7 @@ Curve guide(int order, const Curve& line) {
               {line.y.back() * std::pow(line.x.front() / line.x.back(), order), line.y.back()},
               {},
               Curve::Style::dashed};
+  curve.look = guide_look(static_cast<std::size_t>(order - 1));
   return curve;
 }
 
@@ -109,6 +112,7 @@ std::vector<Figure> convergence_figures(const CaseAssessment& assessment) {
     figure.log_x = figure.log_y = true;
     figure.curves = {error_points(family)};
     figure.curves.push_back(fitted_line(*line, figure.curves[0], family.scale));
+    for (Curve& curve : figure.curves) curve.look = look_of_family(definition, family.name);
     for (const int order : {1, 2}) figure.curves.push_back(guide(order, figure.curves[1]));
     figures.push_back(std::move(figure));
   }

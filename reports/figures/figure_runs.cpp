@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <tuple>
 
+#include "reports/drawing/axes.hpp"
+#include "reports/figures/run_looks.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 
@@ -51,10 +54,12 @@ std::vector<std::string> finest_runs(const CaseAssessment& assessment,
   });
 }
 
+bool is_in_range(const CaseAssessment& assessment, const std::string& run) {
+  return assessment.runs.status.at(run).state != RunState::out_of_range;
+}
+
 std::string run_label(const CaseAssessment& assessment, const std::string& run) {
-  return assessment.runs.status.at(run).state == RunState::out_of_range
-             ? run + " (out of its range)"
-             : run;
+  return is_in_range(assessment, run) ? run : run + " (out of its range)";
 }
 
 // More points would overlap.
@@ -68,15 +73,19 @@ reports::Curve history_curve(const CaseAssessment& assessment, const std::string
                        scaled(series.value, scales.value),
                        {},
                        {}};
+  curve.look = look_of(assessment.definition, run);
+  curve.sets_scale = is_in_range(assessment, run);
   if (const auto* record = std::get_if<RecordRun>(&run_named(assessment.definition, run).solver)) {
     if (record->time.size() <= most_points) curve.style = reports::Curve::Style::points;
     if (record->uncertainty)
-      set_uncertainty(curve, std::vector(curve.y.size(), scales.value * *record->uncertainty));
+      set_uncertainty(curve, std::vector(curve.y.size(), scales.value * *record->uncertainty),
+                      "95 % interval of the record");
   }
   return curve;
 }
 
-void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths) {
+void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths,
+                     const std::string& what) {
   if (half_widths.size() != curve.y.size())
     throw std::invalid_argument(fmt::format("{}: {} half widths of {} samples", curve.label,
                                             half_widths.size(), curve.y.size()));
@@ -88,6 +97,27 @@ void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widt
     curve.lower.push_back(curve.y[i] - half_widths[i]);
     curve.upper.push_back(curve.y[i] + half_widths[i]);
   }
+  curve.ribbon = what;
+}
+
+std::string cut_off_text(const reports::Figure& figure) {
+  const reports::AxisRange frame = reports::plot_ranges(figure).vertical;
+  std::string text;
+  for (const reports::Curve& curve : figure.curves) {
+    if (curve.sets_scale) continue;
+    double lowest = frame.lower, highest = frame.upper;
+    for (const double value : curve.y)
+      if (std::isfinite(value)) {
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+      }
+    if (lowest < frame.lower || highest > frame.upper)
+      text += fmt::format(
+          " The thin line of {} is cut off at the frame, which is scaled to the other curves: it "
+          "lies between {:.3g} and {:.3g}.",
+          curve.label, lowest, highest);
+  }
+  return text;
 }
 
 std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessment) {

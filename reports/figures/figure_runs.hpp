@@ -19,6 +19,9 @@ std::vector<std::string> finest_runs(const CaseAssessment& assessment,
 // The same, of the runs that have the series.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment, const std::string& quantity);
 
+// Whether the run is no reference outside its declared range.
+bool is_in_range(const CaseAssessment& assessment, const std::string& run);
+
 // Returns the run's name, with a remark where the run is out of its range.
 std::string run_label(const CaseAssessment& assessment, const std::string& run);
 
@@ -28,13 +31,20 @@ struct AxisScales {
 };
 
 // Shows a record of few samples as points, a longer record and any other run as a line; a record
-// has its uncertainty. The run must have the series.
+// has its uncertainty, and a reference out of its range sets no scale. The run must have the
+// series.
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
                              const std::string& quantity, const AxisScales& scales);
 
-// Adds bars to points and a ribbon to a line; half widths are in the curve's unit. Throws
-// std::invalid_argument unless there is one for each sample.
-void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths);
+// Adds bars to points and a ribbon to a line; half widths are in the curve's unit, and `what` is
+// the legend's name of the ribbon. Throws std::invalid_argument unless there is one for each
+// sample.
+void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths,
+                     const std::string& what);
+
+// Names the curves that set no scale and leave the frame of the others, and what they reach: a
+// sentence with a blank before it, or "".
+std::string cut_off_text(const reports::Figure& figure);
 
 // Returns the judging comparison of the finest run of each scheme and solver.
 std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessment);

@@ -10,6 +10,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "reports/figures/run_looks.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/motion.hpp"
@@ -46,7 +47,7 @@ bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
         numerical_half_widths(assessment.definition, assessment.runs, run, quantity);
     if (widths.empty()) continue;
     for (double& width : widths) width *= scales.value;
-    set_uncertainty(figure.curves.back(), widths);
+    set_uncertainty(figure.curves.back(), widths, "95 % numerical uncertainty");
     has_ribbon = true;
   }
   return has_ribbon;
@@ -74,12 +75,17 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity) {
   return figure;
 }
 
+Figure with_cut_off_text(Figure figure) {
+  figure.caption += cut_off_text(figure);
+  return figure;
+}
+
 // Plotted without dimensions where the motion has a period.
 Figure history_over_depth(const CaseAssessment& assessment, const std::string& quantity) {
   Figure figure = history(assessment, quantity);
   const CaseDefinition& definition = assessment.definition;
   const double frequency = forcing_frequency(definition) / (2 * std::numbers::pi);
-  if (!(frequency > 0)) return figure;
+  if (!(frequency > 0)) return with_cut_off_text(std::move(figure));
   figure.caption =
       fmt::format("h = {:.4g} m, T = {:.4g} s. ", definition.liquid.fill_depth, 1 / frequency) +
       figure.caption;
@@ -89,7 +95,7 @@ Figure history_over_depth(const CaseAssessment& assessment, const std::string& q
   figure.spans = outside_window(definition, frequency);
   add_curves(assessment, quantity, {.time = frequency, .value = 1 / definition.liquid.fill_depth},
              figure);
-  return figure;
+  return with_cut_off_text(std::move(figure));
 }
 
 constexpr std::pair<const char*, const char*> parts[] = {
@@ -170,7 +176,7 @@ std::vector<Figure> motion_figures(const CaseAssessment& assessment) {
 
 std::vector<Figure> main_history(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Figure figure = history(assessment, compared_quantities(definition).front());
+  Figure figure = with_cut_off_text(history(assessment, compared_quantities(definition).front()));
   figure.id = definition.name + "-history";
   if (figure.curves.empty()) return {};
   return {figure};
@@ -183,7 +189,7 @@ std::vector<Figure> other_histories(const CaseAssessment& assessment) {
   for (const std::string& quantity : quantities) {
     Figure figure = find_quantity(quantity)->label_over_depth
                         ? history_over_depth(assessment, quantity)
-                        : history(assessment, quantity);
+                        : with_cut_off_text(history(assessment, quantity));
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
   return figures;
@@ -210,6 +216,7 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
                 judging->residual.value,
                 {},
                 {}};
+    curve.look = look_of(definition, judging->candidate);
     for (double& value : curve.y) value *= shown.scale;
     figure.curves.push_back(std::move(curve));
     if (const double band = shown.scale * tolerated_residual(assessment, *judging); band > 0)

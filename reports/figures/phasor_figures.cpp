@@ -12,6 +12,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "reports/figures/run_looks.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/gate/gate.hpp"
@@ -30,12 +31,13 @@ void add_point(Curve& curve, double ratio, double lag) {
   curve.y.push_back(-ratio * std::sin(lag));
 }
 
-Curve phasor(const std::string& label, const ModeComparison& mode) {
+Curve phasor(const std::string& label, const reports::Look& look, const ModeComparison& mode) {
   const double ratio = 1 + mode.amplitude_error.value;
   const double lag = mode.phase_lag_degrees.value * radian_per_degree;
   const double along = mode.amplitude_error.half_width;
   const double across = ratio * mode.phase_lag_degrees.half_width * radian_per_degree;
   Curve curve{label, {}, {}, {}, Curve::Style::points};
+  curve.look = look;
   add_point(curve, ratio, lag);
   curve.x_error = {std::hypot(along * std::cos(lag), across * std::sin(lag))};
   curve.y_error = {std::hypot(along * std::sin(lag), across * std::cos(lag))};
@@ -99,22 +101,26 @@ void add_tolerance(const std::string& candidate, const Sector& sector,
   const auto same = std::find_if(outlines.begin(), outlines.end(), [&](const Curve& other) {
     return other.x == curve.x && other.y == curve.y;
   });
-  if (same == outlines.end())
+  if (same == outlines.end()) {
+    curve.look = guide_look(outlines.size());
     outlines.push_back(std::move(curve));
-  else
+  } else {
     same->label += ", " + candidate;
+  }
 }
 
 Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
   figure.curves = {{"reference, (1, 0)", {1}, {0}, {}, Curve::Style::points}};
+  figure.curves[0].look = reports::Look{true, 0, 0};
   std::vector<Curve> outlines;
   std::vector<std::string> runs;
   for (const Comparison* shown : shown_comparisons(assessment))
     for (const ModeComparison& one : shown->modes) {
       if (one.mode != mode || !one.resolved()) continue;
-      figure.curves.push_back(phasor(shown->candidate + " over " + shown->reference, one));
+      figure.curves.push_back(phasor(shown->candidate + " over " + shown->reference,
+                                     look_of(definition, shown->candidate), one));
       add_tolerance(shown->candidate, sector_of(definition, *shown, mode), outlines);
       runs.push_back(shown->candidate);
     }

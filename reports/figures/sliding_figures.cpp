@@ -8,6 +8,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "reports/figures/run_looks.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/gate/gate.hpp"
@@ -47,9 +48,11 @@ std::optional<std::vector<FittedWindow>> fits_of(const CaseAssessment& assessmen
 }
 
 // The curve has a gap where the mode is not resolved.
-Curve curve_of(const Comparison& pair, const std::vector<FittedWindow>& fits,
-               Estimate ModeComparison::*measure, double offset) {
+Curve curve_of(const CaseDefinition& definition, const Comparison& pair,
+               const std::vector<FittedWindow>& fits, Estimate ModeComparison::*measure,
+               double offset) {
   Curve curve{pair.candidate + " against " + pair.reference, {}, {}, {}, Curve::Style::line};
+  curve.look = look_of(definition, pair.candidate);
   for (const FittedWindow& fit : fits) {
     const ModeComparison& mode = fit.modes.front();
     const Estimate value = mode.resolved() ? mode.*measure : Estimate{not_a_number, 0};
@@ -58,6 +61,7 @@ Curve curve_of(const Comparison& pair, const std::vector<FittedWindow>& fits,
     curve.lower.push_back(offset + value.value - value.half_width);
     curve.upper.push_back(offset + value.value + value.half_width);
   }
+  curve.ribbon = "95 % interval";
   return curve;
 }
 
@@ -105,8 +109,8 @@ std::vector<Figure> sliding_figures(const CaseAssessment& assessment) {
   for (const Comparison* pair : shown_comparisons(assessment)) {
     const auto fits = fits_of(assessment, *pair, sliding, tones);
     if (!fits) continue;
-    ratio.curves.push_back(curve_of(*pair, *fits, &ModeComparison::amplitude_error, 1));
-    lag.curves.push_back(curve_of(*pair, *fits, &ModeComparison::phase_lag_degrees, 0));
+    ratio.curves.push_back(curve_of(definition, *pair, *fits, &ModeComparison::amplitude_error, 1));
+    lag.curves.push_back(curve_of(definition, *pair, *fits, &ModeComparison::phase_lag_degrees, 0));
     add_band(definition, *pair, tones[0].name, Metric::amplitude_error, 1, ratio);
     add_band(definition, *pair, tones[0].name, Metric::phase_lag, 0, lag);
   }

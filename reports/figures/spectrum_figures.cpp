@@ -7,6 +7,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "reports/figures/run_looks.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
@@ -75,6 +76,8 @@ Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
     runs.push_back(run);
     resolution_hz = found->resolution;
     figure.curves.push_back(shown_part(run_label(assessment, run), *found, figure.x_range.second));
+    figure.curves.back().look = look_of(definition, run);
+    figure.curves.back().sets_scale = is_in_range(assessment, run);
   }
   figure.caption = fmt::format(
       "One-sided, detrended, Hann window from {} to {} s. Vertical lines mark the forcing "
@@ -83,6 +86,7 @@ Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
       definition.window_begin, definition.window_end,
       definition.obstacles.empty() ? "" : " (without the obstacles)", resolution_hz,
       who_is_who(definition, runs));
+  figure.caption += cut_off_text(figure);
   return figure;
 }
 

@@ -139,6 +139,7 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
   for (std::size_t i = 0; i < runs.size(); ++i)
     figure.curves[recorded + i].label =
         fmt::format("{} ({})", value_text(*runs[i], studied), runs[i]->name);
+  figure.caption += cut_off_text(figure);
   return figure;
 }
 

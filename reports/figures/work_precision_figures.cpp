@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "reports/figures/case_figures.hpp"
+#include "reports/figures/run_looks.hpp"
 #include "verification/assessment/work_points.hpp"
 
 namespace slosh {
@@ -14,7 +15,7 @@ namespace {
 using reports::Curve;
 using reports::Figure;
 
-// With more changes than colours a legend cannot be read.
+// A figure shows no more changes one by one.
 constexpr std::size_t most_changes_named = 6;
 const std::string many_changes = ", one change";
 
@@ -65,7 +66,7 @@ std::string slope_text(const std::optional<Estimate>& slope) {
              : fmt::format(", slope {:.2f} ± {:.2f}", slope->value, slope->half_width);
 }
 
-Curve curve_of(const WorkFamily& family, const CostAxis& axis) {
+Curve curve_of(const CaseDefinition& definition, const WorkFamily& family, const CostAxis& axis) {
   const std::vector<WorkPoint> points = axis.points(family);
   const bool is_one_method = !family.name.ends_with(many_changes);
   const auto slope = is_one_method ? work_slope(points) : std::nullopt;
@@ -74,6 +75,7 @@ Curve curve_of(const WorkFamily& family, const CostAxis& axis) {
               {},
               {},
               slope ? Curve::Style::line_points : Curve::Style::points};
+  curve.look = look_of(definition, family.runs.back().run);
   for (const WorkPoint& point : points) {
     curve.x.push_back(axis.scale * point.cost.value);
     curve.x_error.push_back(axis.scale * point.cost.half_width);
@@ -101,6 +103,7 @@ Curve front_curve(const std::vector<WorkPoint>& points, const CostAxis& axis) {
     }
     level = point.error.value;
   }
+  curve.look = guide_look(0);
   curve.x.push_back(axis.scale * dearest);
   curve.y.push_back(level);
   return curve;
@@ -140,7 +143,8 @@ Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
   if (candidates.size() > 1 && !pareto_front(candidates).empty())
     figure.curves.push_back(front_curve(candidates, axis));
   for (const auto* group : {&families, &references})
-    for (const WorkFamily& family : *group) figure.curves.push_back(curve_of(family, axis));
+    for (const WorkFamily& family : *group)
+      figure.curves.push_back(curve_of(assessment.definition, family, axis));
   figure.caption = fmt::format(
       "Normalised rms error over the comparison window against {}. Bars are 95 % intervals: of the "
       "mean cost of repeats that had a core to themselves, and of the error over blocks of the "

@@ -9,6 +9,8 @@
 // which has the verdict.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,14 +24,28 @@ struct ReportError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// How all figures of a report draw one run, so that a reader knows it again. The colours, markers
+// and dashes are those of figure_palette.hpp, whose lists are taken up again beyond their ends.
+struct Look {
+  bool is_reference = false;  // black and grey take turns; any other run has a hue
+  std::size_t colour = 0;
+  std::size_t shape = 0;  // the marker and the dash
+
+  bool operator==(const Look&) const = default;
+};
+
 // A polyline (or points) of a figure.
 struct Curve {
-  std::string label;
+  std::string label;            // empty: it has no entry in the legend
   std::vector<double> x, y;     // of equal length
   std::vector<double> y_error;  // half bars, as long as y; empty for none
   enum class Style { line, dashed, points, line_points } style = Style::line;
   std::vector<double> x_error = {};            // half bars, as long as x; empty for none
   std::vector<double> lower = {}, upper = {};  // edges of a ribbon, as long as y; empty for none
+  std::string ribbon = {};                     // what the ribbon shows, for the legend
+  std::optional<Look> look = {};               // absent: by the curve's place in the figure
+  // A curve that sets no scale is drawn thin, and cut off where it leaves the frame of the others.
+  bool sets_scale = true;
 };
 
 // A shaded band between two horizontal levels (a tolerance); an infinite level reaches the figure's
@@ -58,12 +74,14 @@ struct Figure {
   std::string x_label, y_label;
   bool log_x = false, log_y = false;        // values that are not positive leave a gap there
   std::pair<double, double> x_range{0, 0};  // equal ends: automatic
-  std::vector<Curve> curves;
+  std::vector<Curve> curves;                // those of one ribbon text share its legend entry
   std::vector<Band> bands;
   std::vector<Marker> markers;
   std::vector<Span> spans = {};
   bool equal_axes = false;  // a square with one scale for both axes, neither of them logarithmic
   std::vector<std::pair<double, std::string>> x_ticks = {};  // place and label; empty: automatic
+  std::pair<double, double> y_range{0, 0};  // of several figures with one scale; else automatic
+  bool is_small = false;  // one of small multiples: its page draws one legend for them all
 };
 
 // A tank at one moment, its water coloured by a scalar (the pressure, the speed). The places are
@@ -131,14 +149,26 @@ struct Page {
   std::string title;                // the anchor in documents that hold all pages is "page-<id>"
   std::string verdict;              // one sentence; empty for none
   Outcome outcome = Outcome::fail;  // where there is a verdict
+  // A small figure that stands beside the page's entry on the first page, and a remark below it.
+  std::optional<Figure> glance = {};
+  std::string remark = {};
+};
+
+// What decides the outcome: "Decided by" ROW ": 7.2 ± 0.3 %, at most 5 %." The text of the row's
+// link is empty where nothing decides.
+struct Decision {
+  std::string lead;  // before the link
+  Link row = {};
+  std::string finding = {};  // after it: sentences
 };
 
 struct Report {
   std::string title;
   std::string verdict;  // one sentence, at the top of the report
   Outcome outcome = Outcome::fail;
-  Link decided_by = {};  // the row that decides the outcome; its text is empty where none does
-  std::string subtitle;  // date, version, machine
+  Decision decision = {};
+  std::string coverage = {};  // of the checks: what they check and would detect; empty for none
+  std::string subtitle;       // date, version, machine
   std::vector<Section> sections;
   std::string results_json;  // the machine-readable document, already serialised (docs/results.md)
   std::vector<Page> pages = {};  // after the first, in their order

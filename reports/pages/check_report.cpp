@@ -89,6 +89,22 @@ void check_curve(const Figure& figure, const Curve& curve) {
         "figure '{}', curve '{}': a ribbon of {} lower and {} upper values about {} y, expected "
         "equally many",
         figure.id, curve.label, curve.lower.size(), curve.upper.size(), curve.y.size()));
+  if (!curve.lower.empty() && curve.ribbon.empty())
+    throw ReportError(
+        fmt::format("figure '{}', curve '{}': a ribbon without a name, expected what it shows",
+                    figure.id, curve.label));
+}
+
+void check_range(const Figure& figure, const char* name, std::pair<double, double> range,
+                 bool logarithmic) {
+  const auto [lower, upper] = range;
+  if (lower == upper) return;
+  if (!(lower < upper) || !std::isfinite(lower) || !std::isfinite(upper) ||
+      (logarithmic && lower <= 0)) {
+    throw ReportError(fmt::format("figure '{}': {} {} to {}, expected increasing finite values{}",
+                                  figure.id, name, lower, upper,
+                                  logarithmic ? " above zero for a logarithmic axis" : ""));
+  }
 }
 
 void check_figure(const Figure& figure) {
@@ -96,14 +112,8 @@ void check_figure(const Figure& figure) {
   if (figure.equal_axes && (figure.log_x || figure.log_y))
     throw ReportError(
         fmt::format("figure '{}': equal axes, expected none of them logarithmic", figure.id));
-  const auto [lower, upper] = figure.x_range;
-  if (lower == upper) return;
-  if (!(lower < upper) || !std::isfinite(lower) || !std::isfinite(upper) ||
-      (figure.log_x && lower <= 0)) {
-    throw ReportError(
-        fmt::format("figure '{}': x_range {} to {}, expected increasing finite values{}", figure.id,
-                    lower, upper, figure.log_x ? " above zero for a logarithmic axis" : ""));
-  }
+  check_range(figure, "x_range", figure.x_range, figure.log_x);
+  check_range(figure, "y_range", figure.y_range, figure.log_y);
 }
 
 void check_panel(const FieldFigure& figure, const FieldPanel& panel) {
@@ -190,12 +200,18 @@ void check_report(const Report& report) {
       check_field(figure);
     }
   }
+  for (const Page& page : report.pages) {
+    if (!page.glance) continue;
+    check_id("figure", page.glance->id, figures);
+    check_figure(*page.glance);
+  }
   const std::map<std::string, std::string> anchors = anchors_of(report);
   for (const Section& section : report.sections)
     for (const Table& table : section.tables) check_links(table, anchors);
-  if (!report.decided_by.text.empty() && !anchors.contains(report.decided_by.anchor))
+  const Link& decides = report.decision.row;
+  if (!decides.text.empty() && !anchors.contains(decides.anchor))
     throw ReportError(
-        fmt::format("decided by '{}', which the report does not have", report.decided_by.anchor));
+        fmt::format("decided by '{}', which the report does not have", decides.anchor));
   try {
     [[maybe_unused]] const auto parsed = nlohmann::json::parse(report.results_json);
   } catch (const nlohmann::json::parse_error& error) {

@@ -14,10 +14,12 @@
 
 namespace slosh::reports {
 
-// The drawings of a report, one for each figure and for each field, in the report's order.
+// The drawings of a report: one for each figure, for each field and for each page, in the report's
+// order. That of a page without a glance is empty.
 struct Drawings {
   std::vector<DrawnFigure> figures;
   std::vector<DrawnField> fields;
+  std::vector<DrawnFigure> glances = {};
 };
 
 // The sections as data of the HTML templates, in the report's order. Tables and figures are

@@ -5,6 +5,7 @@
 
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/fields/film_markup.hpp"
+#include "reports/pages/glance_markup.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
 #include "reports/templates.hpp"
@@ -13,28 +14,6 @@ namespace slosh::reports {
 namespace {
 
 namespace mustache = kainjow::mustache;
-
-// Screen readers read the word but not the sign.
-mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
-  mustache::data data;
-  const auto [mark, word] = outcome_sign(outcome);
-  data.set("class", outcome == Outcome::pass           ? "good"
-                    : outcome == Outcome::inconclusive ? "unsure"
-                                                       : "bad");
-  data.set("sign", mark);
-  data.set("word", word);
-  data.set("sentence", html_text(sentence));
-  return data;
-}
-
-// The entry of a page in the list of pages and in the links of its neighbours.
-mustache::data entry_data(const Page& page, const PageLinks& links) {
-  mustache::data data;
-  data.set("title", page.title);
-  data.set("address", links.to_page(page.id));
-  if (!page.verdict.empty()) data.set("outcome", outcome_data(page.outcome, page.verdict));
-  return data;
-}
 
 mustache::data sections_of(const Report& report, const std::string& page,
                            const std::vector<mustache::data>& written) {
@@ -55,18 +34,22 @@ mustache::data document_data(const Report& report) {
   data.set("style", page_style);
   data.set("dark_rules", dark_rules());
   data.set("sections_part", mustache::partial([] { return sections_template; }));
+  data.set("glances_part", mustache::partial([] { return glances_template; }));
+  data.set("banner_part", mustache::partial([] { return banner_template; }));
   data.set("cell_part", mustache::partial([] { return cell_template; }));
   return data;
 }
 
-// The verdict at the top of a page. The first page's verdict names the row that decides it.
+// The verdict at the top of a page. The first page's verdict names what decides it.
 mustache::data banner_data(const Report& report, const Page& page, const PageLinks& links) {
   mustache::data data = outcome_data(page.outcome, page.verdict);
-  if (!page.id.empty() || report.decided_by.text.empty()) return data;
-  mustache::data row;
-  row.set("text", html_text(report.decided_by.text));
-  row.set("address", links.to_anchor(report.decided_by.anchor, page.id));
-  data.set("decided_by", row);
+  const auto& [lead, decides, finding] = report.decision;
+  if (!page.id.empty() || decides.text.empty()) return data;
+  mustache::data decision{"lead", html_text(lead)};
+  decision.set("text", html_text(decides.text));
+  decision.set("address", links.to_anchor(decides.anchor, page.id));
+  if (!finding.empty()) decision.set("finding", html_text(finding));
+  data.set("decision", decision);
   return data;
 }
 
@@ -76,14 +59,9 @@ mustache::data page_data(const Report& report, const Page& page, const PageLinks
   data.set("id", page.id);
   data.set("title", page.title);
   if (!page.verdict.empty()) data.set("outcome", banner_data(report, page, links));
+  if (page.id.empty() && !report.coverage.empty()) data.set("coverage", html_text(report.coverage));
   data.set("sections", sections_of(report, page.id, written));
   return data;
-}
-
-mustache::data list_of(const std::vector<Page>& pages, const PageLinks& links) {
-  mustache::data list(mustache::data::type::list);
-  for (const Page& page : pages) list << entry_data(page, links);
-  return list;
 }
 
 bool has_film(const Report& report, const std::string& page) {
@@ -126,7 +104,7 @@ std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings)
     data.set("is_first", i == 0);
     data.set("has_pages", i == 0 && pages.size() > 1);
     data.set("has_neighbours", pages.size() > 1);
-    if (i == 0) data.set("pages", list_of(report.pages, links));
+    if (i == 0) data.set("glances", glances_data(report, drawings, links));
     if (i > 0) data.set("previous", entry_data(pages[i - 1], links));
     if (i + 1 < pages.size()) data.set("next", entry_data(pages[i + 1], links));
     mustache::mustache page(page_template);
@@ -141,7 +119,7 @@ std::string whole_document(const Report& report, const Drawings& drawings) {
   mustache::data data = document_data(report), pages(mustache::data::type::list);
   for (const Page& page : report.pages) pages << page_data(report, page, links, written);
   data.set("first", page_data(report, first_page(report), links, written));
-  data.set("contents", list_of(report.pages, links));
+  data.set("glances", glances_data(report, drawings, links));
   data.set("pages", pages);
   mustache::mustache document(whole_template);
   return document.render(data);

@@ -84,10 +84,11 @@ std::string standing_text(Outcome outcome, const std::string& verdict) {
   return fmt::format("**{} {}** {}", mark, boost::to_upper_copy(word), markdown_text(verdict));
 }
 
-std::string decided_by_text(const Link& row) {
-  return row.text.empty()
-             ? ""
-             : fmt::format(" Decided by [{}](#{}).", markdown_text(row.text), row.anchor);
+std::string decision_text(const Decision& decision) {
+  const auto& [lead, row, finding] = decision;
+  if (row.text.empty()) return "";
+  return fmt::format(" {} [{}](#{}){}", markdown_text(lead), markdown_text(row.text), row.anchor,
+                     finding.empty() ? "." : ": " + markdown_text(finding));
 }
 
 // Returns the first page, then the others, each with its sections.
@@ -121,8 +122,13 @@ mustache::data contents_data(const Report& report) {
   };
   for (const Section& section : report.sections)
     if (section.page.empty()) add(section.title, "section-" + section.id, "");
-  for (const Page& page : report.pages)
-    add(page.title, "page-" + page.id, standing_text(page.outcome, page.verdict));
+  for (const Page& page : report.pages) {
+    const std::string picture =
+        page.glance ? fmt::format(" ![{}](figures/{}.svg)", markdown_text(page.glance->title),
+                                  page.glance->id)
+                    : "";
+    add(page.title, "page-" + page.id, standing_text(page.outcome, page.verdict) + picture);
+  }
   return list;
 }
 
@@ -134,7 +140,8 @@ std::string markdown_page(const Report& report) {
   data.set("title", markdown_text(report.title));
   data.set("subtitle", markdown_text(report.subtitle));
   data.set("standing",
-           standing_text(report.outcome, report.verdict) + decided_by_text(report.decided_by));
+           standing_text(report.outcome, report.verdict) + decision_text(report.decision));
+  if (!report.coverage.empty()) data.set("coverage", markdown_text(report.coverage));
   data.set("contents", contents_data(report));
   data.set("pages", pages_data(report));
   return page.render(data);

@@ -48,14 +48,21 @@ Drawings draw(const Report& report, const WriteOptions& options, const fs::path&
     drawings.fields[i] = draw_field(*fields[i], scratch, options.gnuplot);
     write_text(directory / "figures" / (fields[i]->id + ".png"), drawings.fields[i].png);
   };
-  const auto draw_one_figure = [&](std::size_t i) {
-    drawings.figures[i] = draw_figure(*figures[i], scratch, options.gnuplot);
-    write_text(directory / "figures" / (figures[i]->id + ".svg"),
-               svg_element(*figures[i], drawings.figures[i], SvgPlace::own_file));
+  const auto draw_one = [&](const Figure& figure) {
+    DrawnFigure drawn = draw_figure(figure, scratch, options.gnuplot);
+    write_text(directory / "figures" / (figure.id + ".svg"),
+               svg_element(figure, drawn, SvgPlace::own_file));
+    return drawn;
   };
+  const auto draw_one_figure = [&](std::size_t i) { drawings.figures[i] = draw_one(*figures[i]); };
   // An animation takes seconds, a figure a tenth of a second: the fields are drawn first.
   side_by_side(fields.size() + figures.size(), options.threads, [&](std::size_t i) {
     i < fields.size() ? draw_one_field(i) : draw_one_figure(i - fields.size());
+  });
+  drawings.glances.resize(report.pages.size());
+  side_by_side(report.pages.size(), options.threads, [&](std::size_t i) {
+    if (const std::optional<Figure>& glance = report.pages[i].glance)
+      drawings.glances[i] = draw_one(*glance);
   });
   return drawings;
 }

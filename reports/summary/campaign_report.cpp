@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reports/figures/glance_figure.hpp"
 #include "reports/model/side_by_side.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
@@ -83,22 +84,38 @@ bool has_selected(const std::vector<ProblemAssessment>& problems) {
   });
 }
 
-reports::Outcome outcome_of(int status) {
-  switch (status) {
-    case exit_pass:
-      return reports::Outcome::pass;
-    case exit_inconclusive:
-      return reports::Outcome::inconclusive;
-    case exit_not_compared:
-      return reports::Outcome::not_compared;
-    default:
-      return reports::Outcome::fail;
+// What the rows of the cases judge and detect, for the first page.
+std::string coverage_text(const std::vector<CaseCoverage>& covered) {
+  if (covered.empty()) return "";
+  int judged = 0, declared = 0;
+  std::vector<std::string> names, incomplete;
+  for (const CaseCoverage& one : covered) {
+    judged += one.rows_judged;
+    declared += one.rows_declared;
+    if (!one.is_complete()) incomplete.push_back(one.case_name);
   }
+  for (const RequiredDetection& one : required_detections) names.emplace_back(one.name);
+  return fmt::format(
+      "Coverage: {} of {} declared gate rows are judged. The rows of {} of {} cases detect results "
+      "that are made wrong on purpose, in {}{}.",
+      judged, declared, covered.size() - incomplete.size(), covered.size(), fmt::join(names, ", "),
+      incomplete.empty() ? ""
+                         : fmt::format("; those of {} miss some", fmt::join(incomplete, ", ")));
+}
+
+std::string missed_text(const CaseCoverage& covered) {
+  std::vector<std::string> missed;
+  for (const auto& [name, detection] : covered.detections)
+    if (detection.coverage == Coverage::missed) missed.push_back(name);
+  return missed.empty() ? ""
+                        : fmt::format("The rows would not detect: {}.", fmt::join(missed, ", "));
 }
 
 // The page has no verdict where no row was judged and no run failed or is missing.
-reports::Page page_of(const CaseAssessment& assessment) {
+reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& coverage) {
   reports::Page page{page_of_case(assessment.definition.name), assessment.definition.title, "", {}};
+  page.glance = glance_figure(assessment, worst_candidate(assessment));
+  page.remark = missed_text(coverage);
   const std::vector<CaseAssessment> alone{assessment};
   const Standing standing = standing_of(alone);
   const bool judged =
@@ -109,6 +126,20 @@ reports::Page page_of(const CaseAssessment& assessment) {
   page.verdict = verdict_sentence(alone);
   page.outcome = outcome_of(exit_status(standing));
   return page;
+}
+
+// What is worked out of a case before its page is written.
+struct WrittenCase {
+  Section section;
+  CaseCoverage coverage;
+};
+
+WrittenCase written(const CaseAssessment& assessment, int threads, SensitivityCache* known) {
+  const std::vector<RowSensitivity> sensitivity =
+      gate_sensitivity(assessment, known, [threads](std::size_t count, const auto& work) {
+        reports::side_by_side(count, threads, work);
+      });
+  return {case_section(assessment, sensitivity), case_coverage(assessment, sensitivity)};
 }
 
 // Adds the page of results across several cases, where there are any.
@@ -128,6 +159,19 @@ void add_across_page(const CampaignDefinition& campaign, const std::vector<CaseA
 }
 
 }  // namespace
+
+reports::Outcome outcome_of(int status) {
+  switch (status) {
+    case exit_pass:
+      return reports::Outcome::pass;
+    case exit_inconclusive:
+      return reports::Outcome::inconclusive;
+    case exit_not_compared:
+      return reports::Outcome::not_compared;
+    default:
+      return reports::Outcome::fail;
+  }
+}
 
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
                              const std::vector<ProblemAssessment>& problems) {
@@ -164,7 +208,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   report.title = campaign.title + (quick ? " (quick form)" : "");
   report.verdict = verdict_sentence(cases, problems) + coverage_sentence(cases);
   report.outcome = outcome_of(exit_status(cases, problems));
-  report.decided_by = deciding_row(cases, problems);
+  report.decision = decision_of(cases, problems);
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
   report.sections =
@@ -175,16 +219,19 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   const auto selected = std::count_if(cases.begin(), cases.end(), has_selected_runs);
   const int cores = sph::usable_cores(),
             of_one_case = std::max(1, cores / std::max(1, static_cast<int>(selected)));
-  std::vector<Section> case_sections(cases.size());
+  std::vector<WrittenCase> ready(cases.size());
   reports::side_by_side(cases.size(), cores, [&](std::size_t i) {
-    if (has_selected_runs(cases[i])) case_sections[i] = case_section(cases[i], of_one_case, known);
+    if (has_selected_runs(cases[i])) ready[i] = written(cases[i], of_one_case, known);
   });
+  std::vector<CaseCoverage> covered;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!has_selected_runs(cases[i])) continue;
-    report.pages.push_back(page_of(cases[i]));
+    report.pages.push_back(page_of(cases[i], ready[i].coverage));
     report.sections.push_back(gate_section(cases[i]));
-    report.sections.push_back(std::move(case_sections[i]));
+    report.sections.push_back(std::move(ready[i].section));
+    covered.push_back(std::move(ready[i].coverage));
   }
+  report.coverage = coverage_text(covered);
   if (has_selected(problems))
     report.pages.push_back({problems_page, "Verification problems", verdict_sentence({}, problems),
                             outcome_of(exit_status({}, problems))});

@@ -24,4 +24,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
                              const std::vector<ProblemAssessment>& problems = {});
 
+// Of an exit status.
+reports::Outcome outcome_of(int status);
+
 }  // namespace slosh

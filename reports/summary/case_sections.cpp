@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "reports/figures/case_figures.hpp"
-#include "reports/model/side_by_side.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/sensitivity_tables.hpp"
 #include "reports/tables/case_tables.hpp"
@@ -32,11 +31,8 @@ Section gate_section(const CaseAssessment& assessment) {
   return section;
 }
 
-Section case_section(const CaseAssessment& assessment, int threads, SensitivityCache* known) {
-  const std::vector<RowSensitivity> sensitivity =
-      gate_sensitivity(assessment, known, [threads](std::size_t count, const auto& work) {
-        reports::side_by_side(count, threads, work);
-      });
+Section case_section(const CaseAssessment& assessment,
+                     const std::vector<RowSensitivity>& sensitivity) {
   const CaseDefinition& definition = assessment.definition;
   Section section;
   section.id = definition.name;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/figures/figure_panels.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/report_places.hpp"
@@ -72,9 +73,6 @@ Table limits_table(const ProblemAssessment& assessment) {
   }
   return table;
 }
-
-// More curves than this cannot be distinguished.
-constexpr std::size_t most_curves = 6;
 
 // Draws one figure for each kind of step and up to most_curves measures. A measure without an error
 // has no curve.

@@ -8,17 +8,16 @@
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/problem_assessment.hpp"
-#include "verification/sensitivity/sensitivity_cache.hpp"
+#include "verification/sensitivity/gate_sensitivity.hpp"
 
 namespace slosh {
 
 // The gate rows of a case and their limits, first on the case's page.
 reports::Section gate_section(const CaseAssessment& assessment);
 
-// The case in words, its figures and its tables. `threads` evaluate what its gate rows detect;
-// `known` holds what is known of that already and may be null.
-reports::Section case_section(const CaseAssessment& assessment, int threads,
-                              SensitivityCache* known);
+// The case in words, its figures and its tables, with what its gate rows detect.
+reports::Section case_section(const CaseAssessment& assessment,
+                              const std::vector<RowSensitivity>& sensitivity);
 
 // The statement, the source, the exact solution, errors and observed orders over the resolutions,
 // the figures, and the limits with their reasons, on the page of the problems.
@@ -28,8 +27,9 @@ reports::Section problem_section(const ProblemAssessment& assessment);
 reports::Section basket_section(const BasketAssessment& basket);
 
 // Bias and scatter of the models, after NIST's FDS validation guide: a table and, for each kind of
-// quantity, predicted values over the reference values and their ratios. Models with too few
-// comparisons are only listed. Without any set the section says why.
+// quantity, the ratios of the predicted values to the reference's with their intervals and each
+// model's band. Models with too few comparisons are only listed. Without any set the section says
+// why.
 reports::Section bias_section(const std::vector<PredictionSet>& sets);
 
 // The cost to reach an error in core-seconds and in memory, and the speed-up against interFoam.

@@ -71,6 +71,7 @@ std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases) {
                       .unit = row.unit,
                       .found = value_text(outcome.value.value, half_width, row.unit),
                       .message = outcome.message,
+                      .remedy = remedy_text(outcome),
                       .row_id = case_row_id(one.definition.name, i),
                       .share = error_over_tolerance(outcome)});
     }
@@ -93,6 +94,7 @@ std::vector<ShownRow> shown_rows(const std::vector<ProblemAssessment>& problems)
                       .unit = outcome.row.unit,
                       .found = found_text(outcome),
                       .message = outcome.message,
+                      .remedy = {},
                       .row_id = problem_row_id(one.definition.name, i),
                       .share = error_over_tolerance(outcome)});
     }

@@ -26,6 +26,7 @@ struct ShownRow {
   std::string unit;
   std::string found;    // the value as text, "1.2 ± 0.3 %"; empty without one
   std::string message;  // of the gate
+  std::string remedy;   // what would make an inconclusive row conclusive; else empty
   std::string row_id;   // report_places.hpp
   std::optional<ErrorOverTolerance> share = {};
 };

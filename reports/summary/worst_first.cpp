@@ -39,6 +39,36 @@ std::vector<ShownRow> judged_rows(const std::vector<CaseAssessment>& cases,
   return rows;
 }
 
+reports::Link link_to(const ShownRow& row) {
+  return {fmt::format("{}: {}, {}", row.name, row.candidate, row.metric_text), "row-" + row.row_id};
+}
+
+bool is_troubled(const RunStatus& status) {
+  return status.state == RunState::failed || status.state == RunState::missing;
+}
+
+// The first failed run, or else the first without a result.
+reports::Decision deciding_run(const std::vector<CaseAssessment>& cases,
+                               const std::vector<ProblemAssessment>& problems) {
+  reports::Decision found;
+  bool failed = false;
+  const auto take = [&](const std::string& name, const std::string& section,
+                        const RunStatus& status) {
+    const bool fails = status.state == RunState::failed;
+    if (!is_troubled(status) || (!found.row.text.empty() && (failed || !fails))) return;
+    failed = fails;
+    found = {"Decided by",
+             {name, "section-" + section},
+             fmt::format("{}: {}.", state_name(status.state), status.message)};
+  };
+  for (const CaseAssessment& one : cases)
+    for (const auto& [run, status] : one.runs.status)
+      take(one.definition.name + "/" + run, one.definition.name + "-gate", status);
+  for (const ProblemAssessment& one : problems)
+    take(one.definition.name, "problem-" + one.definition.name, one.run.status);
+  return found;
+}
+
 std::string share_text(const std::optional<ErrorOverTolerance>& share) {
   if (!share) return "";
   return fmt::format("{:.0f}", 100 * share->value) +
@@ -73,15 +103,30 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
   return table;
 }
 
-reports::Link deciding_row(const std::vector<CaseAssessment>& cases,
-                           const std::vector<ProblemAssessment>& problems) {
+reports::Decision decision_of(const std::vector<CaseAssessment>& cases,
+                              const std::vector<ProblemAssessment>& problems) {
   const std::vector<ShownRow> rows = judged_rows(cases, problems);
-  if (rows.empty() || rows.front().verdict == Verdict::pass ||
-      exit_status_of({rows.front().verdict}) != exit_status(cases, problems))
-    return {};
+  const int status = exit_status(cases, problems);
+  if (status == exit_pass) {
+    const auto nearest = std::find_if(rows.begin(), rows.end(),
+                                      [](const ShownRow& row) { return row.share.has_value(); });
+    return nearest == rows.end()
+               ? reports::Decision{}
+               : reports::Decision{"Nearest to its limit is", link_to(*nearest),
+                                   fmt::format("{} ({} % of the tolerance).", nearest->message,
+                                               share_text(nearest->share))};
+  }
+  if (rows.empty() || exit_status_of({rows.front().verdict}) != status)
+    return deciding_run(cases, problems);
   const ShownRow& worst = rows.front();
-  return {fmt::format("{}: {}, {}", worst.name, worst.candidate, worst.metric_text),
-          "row-" + worst.row_id};
+  return {"Decided by", link_to(worst),
+          worst.message + "." +
+              (worst.remedy.empty() ? "" : " What would decide it: " + worst.remedy + ".")};
+}
+
+std::string worst_candidate(const CaseAssessment& assessment) {
+  const std::vector<ShownRow> rows = judged_rows({assessment}, {});
+  return rows.empty() ? "" : rows.front().candidate;
 }
 
 }  // namespace slosh

@@ -20,9 +20,13 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
                                  const std::vector<ProblemAssessment>& problems,
                                  std::size_t fewest = 20);
 
-// Returns the worst row and its place in the report, if that row alone would lead to the campaign's
-// exit status; an empty link where all rows pass, or where a run without a row decides.
-reports::Link deciding_row(const std::vector<CaseAssessment>& cases,
-                           const std::vector<ProblemAssessment>& problems);
+// Returns what decides the campaign, and its place in the report: the worst row with its figure and
+// its limit, and for an inconclusive one what would decide it; where a run without a row decides,
+// the run and why; where all rows pass, the row nearest to its limit.
+reports::Decision decision_of(const std::vector<CaseAssessment>& cases,
+                              const std::vector<ProblemAssessment>& problems);
+
+// Returns the candidate of the case's worst judged row; "" where none is judged.
+std::string worst_candidate(const CaseAssessment& assessment);
 
 }  // namespace slosh

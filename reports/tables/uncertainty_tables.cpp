@@ -51,9 +51,13 @@ std::string contributions_text(const ThreeWayOutcome& judged, const std::string&
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string remedy_text(const ThreeWayOutcome& judged, Metric metric) {
+}  // namespace
+
+std::string remedy_text(const GateOutcome& outcome) {
+  if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) return "";
+  const ThreeWayOutcome& judged = *outcome.judgement;
   std::vector<std::string> ways;
-  if (const auto repeats = longer_window(judged); repeats && is_cost(metric))
+  if (const auto repeats = longer_window(judged); repeats && is_cost(outcome.row.metric))
     return fmt::format("{:.3g} times as many timings", repeats->factor);
   if (const auto window = longer_window(judged))
     ways.push_back(fmt::format("a window {:.3g} times as long, at {:.3g} times the cost",
@@ -68,8 +72,6 @@ std::string remedy_text(const ThreeWayOutcome& judged, Metric metric) {
                        dominant_contribution(judged.contributions));
   return fmt::format("{}", fmt::join(ways, "; or "));
 }
-
-}  // namespace
 
 std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string& unit) {
   const UncertaintyContributions& of = judged.contributions;
@@ -140,10 +142,9 @@ std::optional<Table> remedy_table(const CaseAssessment& assessment) {
   for (const GateOutcome& outcome : assessment.gate) {
     if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
     const ThreeWayOutcome& judged = *outcome.judgement;
-    table.rows.push_back({row_name(outcome.row), outcome.message,
-                          contributions_text(judged, outcome.row.unit),
-                          "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit),
-                          remedy_text(judged, outcome.row.metric)});
+    table.rows.push_back(
+        {row_name(outcome.row), outcome.message, contributions_text(judged, outcome.row.unit),
+         "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit), remedy_text(outcome)});
   }
   if (table.rows.empty()) return {};
   return table;

@@ -20,8 +20,8 @@ namespace process = boost::process;
 // Shows a page in a frame of a phone's width and in one of a desktop's, and writes the measurements
 // as text. Contrasts are those of WCAG 2.1, against the page's own background.
 constexpr const char* measuring_page = R"(<!DOCTYPE html><title>measure</title>
-<iframe src="PAGE" style="width:360px;height:800px;border:0"></iframe>
-<iframe src="PAGE" style="width:1200px;height:800px;border:0"></iframe>
+<iframe src="PAGE" style="width:390px;height:844px;border:0"></iframe>
+<iframe src="PAGE" style="width:1280px;height:800px;border:0"></iframe>
 <pre id="measures"></pre>
 <script>
 const luminance = colour => {
@@ -44,6 +44,11 @@ const colours = picture => {
     if (Math.max(...pixel) - Math.min(...pixel) > 80) found.add(pixel.join());
   }
   return found.size;
+};
+// A rectangle in the page, whole pixels.
+const box = element => {
+  const {left, top, right, bottom} = element.getBoundingClientRect();
+  return {left: Math.round(left), top: Math.round(top), right: Math.round(right), bottom: Math.round(bottom)};
 };
 const measure = frame => {
   const page = frame.contentDocument, all = query => [...page.querySelectorAll(query)];
@@ -73,6 +78,30 @@ const measure = frame => {
     landmarks: ['header', 'main', 'footer'].filter(name => all('body > ' + name).length == 1).length,
     unnamed_landmarks: all('nav:not([aria-label], [aria-labelledby]), section:not([aria-labelledby])').length,
     links: all('a[href]').map(a => a.getAttribute('href')).filter(address => !address.startsWith('#')),
+    height: frame.clientHeight,
+    verdict_box: all('.verdict').map(box)[0] ?? null,
+    decision: all('.decision')[0]?.textContent ?? '',
+    coverage_box: all('.coverage').map(box)[0] ?? null,
+    // Small multiples: the card, its drawing, and the smallest text as shown.
+    glances: all('.glances li').filter(card => card.querySelector('svg')).map(card => ({
+      card: box(card), drawing: box(card.querySelector('svg')), verdict: card.querySelector('.standing')?.textContent ?? '',
+      leads_to: card.querySelector('a.glance')?.getAttribute('href') ?? '',
+      smallest_text: Math.min(...[...card.querySelectorAll('svg text')].map(text => text.getBoundingClientRect().height)),
+      colours: [...new Set([...card.querySelectorAll('svg [id*=gnuplot_plot] path')].map(path => style(path).stroke))]})),
+    glance_legend: all('.glance-legend > span').map(entry => entry.textContent.trim()),
+    legend_colours: all('.glance-legend path').map(path => style(path).stroke),
+    // Shaded areas of the curves, from the left, without the legend's.
+    ribbons: all('figure svg polygon').filter(area => Number(style(area).fillOpacity) < 1).map(box).filter(area => area.right - area.left > 100).sort((a, b) => a.left - b.left),
+    // Texts of a drawing that lie on one another, by more than two pixels.
+    texts_overlapping: all('svg.plot').flatMap(svg => {
+      const texts = [...svg.querySelectorAll('text')].map(text => ({name: text.textContent, at: text.getBoundingClientRect()}));
+      return texts.flatMap((one, i) => texts.slice(i + 1).filter(other => one.at.left < other.at.right - 2 && other.at.left < one.at.right - 2 && one.at.top < other.at.bottom - 2 && other.at.top < one.at.bottom - 2).map(other => one.name + ' / ' + other.name));
+    }),
+    // Texts that leave their drawing, where they would be cut off.
+    texts_outside: all('svg.plot text').filter(text => {
+      const inner = text.getBoundingClientRect(), outer = text.ownerSVGElement.getBoundingClientRect();
+      return inner.left < outer.left - 1 || inner.right > outer.right + 1 || inner.top < outer.top - 1 || inner.bottom > outer.bottom + 1;
+    }).map(text => text.textContent),
     dark: luminance(background) < 0.2,
     verdict_first: all('h1, h2, p, table')[1]?.className.startsWith('verdict') ?? false,
     table_rows: Object.fromEntries(all('table').map(table => [table.id, table.querySelectorAll('tbody tr').length])),

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "reports/drawing/axes.hpp"
+#include "reports/drawing/figure_layout.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
 #include "reports/drawing/run_gnuplot.hpp"
 #include "reports/pages/report_documents.hpp"

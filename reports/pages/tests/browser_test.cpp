@@ -27,7 +27,8 @@ void expect_legible_report(const ScratchDirectory& scratch, bool dark) {
   write_report(sample_report(), scratch / "report");
   const BrowserRun run = open_in_browser(scratch.path(), "report/index.html", dark);
   EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
-  EXPECT_EQ(run.phone.at("width"), 360);
+  EXPECT_EQ(run.phone.at("width"), 390);
+  EXPECT_EQ(run.desk.at("width"), 1280);
   for (const nlohmann::json& page : {run.phone, run.desk}) {
     SCOPED_TRACE(page.dump(2));
     EXPECT_LE(page.at("scroll_width"), page.at("width"));
@@ -44,6 +45,8 @@ void expect_legible_report(const ScratchDirectory& scratch, bool dark) {
     EXPECT_GE(page.at("text_contrast"), 4.5);     // WCAG 2.1, 1.4.3
     EXPECT_GE(page.at("page_contrast"), 4.5);
     EXPECT_GE(page.at("curve_contrast"), 3.0);  // WCAG 2.1, 1.4.11
+    EXPECT_EQ(page.at("texts_outside"), nlohmann::json::array());
+    EXPECT_EQ(page.at("texts_overlapping"), nlohmann::json::array());
     EXPECT_EQ(page.at("dark"), dark);
     EXPECT_TRUE(page.at("verdict_first"));
     EXPECT_EQ(page.at("repeated_ids"), 0);
@@ -114,6 +117,103 @@ TEST_F(Browser, GoesFromEveryPageToTheOthersByLinksAndKeyboard) {
     EXPECT_TRUE(linked.contains(link)) << link;
 }
 
+// A report of eight cases: each with a small figure of its history, some of which fail.
+Report report_of_eight_cases() {
+  Report report = sample_report();
+  report.decision = {"Decided by", {"case 2: 10 mm", "section-cost"}, "7.2 ± 0.3 %, at most 5 %."};
+  report.coverage = "Coverage: 40 of 40 declared rows are judged.";
+  const Figure history = report.sections[1].figures[0];
+  for (int i = 0; i < 8; ++i) {
+    const std::string id = "case-" + std::to_string(i);
+    Page page{id, "Case " + std::to_string(i) + " of a surging tank", "5 of 5 gate rows hold.",
+              i == 2 ? Outcome::fail : Outcome::pass};
+    page.glance = history;
+    page.glance->id = id + "-glance";
+    page.glance->caption = "elevation of linear, recommended_10mm, interfoam_50x100";
+    page.glance->is_small = true;
+    const Look looks[] = {{true, 0, 0}, {false, 0, 0}, {false, 1, 1}};
+    const char* labels[] = {"reference", "SPH recommended", "interFoam (VOF)"};
+    for (std::size_t j = 0; j < 3; ++j) {
+      page.glance->curves[j].look = looks[j];
+      page.glance->curves[j].label = labels[j];
+      page.glance->curves[j].style = Curve::Style::line;
+    }
+    report.pages.push_back(page);
+    report.sections.push_back({id, "Of it", {"Text."}, {}, {}, {}, id});
+  }
+  return report;
+}
+
+bool overlap(const nlohmann::json& a, const nlohmann::json& b) {
+  const auto at = [](const nlohmann::json& box, const char* side) {
+    return box.at(side).get<int>();
+  };
+  return at(a, "left") < at(b, "right") && at(b, "left") < at(a, "right") &&
+         at(a, "top") < at(b, "bottom") && at(b, "top") < at(a, "bottom");
+}
+
+// Cards stand beside or below one another, inside the page, each around its drawing.
+void expect_small_multiples(const nlohmann::json& page, std::size_t count) {
+  SCOPED_TRACE(page.dump(2));
+  const nlohmann::json& glances = page.at("glances");
+  ASSERT_EQ(glances.size(), count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const nlohmann::json &card = glances[i].at("card"), &drawing = glances[i].at("drawing");
+    EXPECT_GE(card.at("left"), 0);
+    EXPECT_LE(card.at("right"), page.at("width"));
+    EXPECT_GE(drawing.at("left"), card.at("left"));
+    EXPECT_LE(drawing.at("right"), card.at("right"));
+    EXPECT_LE(drawing.at("bottom"), card.at("bottom"));
+    EXPECT_GE(drawing.at("right").get<int>() - drawing.at("left").get<int>(), 250);
+    EXPECT_GE(glances[i].at("smallest_text"), 9);  // px
+    EXPECT_EQ(glances[i].at("colours"), page.at("legend_colours"));
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(card, glances[j].at("card")));
+  }
+  EXPECT_LE(page.at("scroll_width"), page.at("width"));
+  EXPECT_EQ(page.at("texts_outside"), nlohmann::json::array());
+  EXPECT_EQ(page.at("texts_overlapping"), nlohmann::json::array());
+  EXPECT_EQ(page.at("repeated_ids"), 0);
+}
+
+TEST_F(Browser, ShowsAllCasesAtAGlanceOnTheFirstScreenLightAndDark) {
+  write_report(report_of_eight_cases(), scratch_ / "report");
+  for (const bool dark : {false, true}) {
+    const BrowserRun run = open_in_browser(scratch_.path(), "report/index.html", dark);
+    EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
+    for (const nlohmann::json& page : {run.phone, run.desk}) {
+      expect_small_multiples(page, 8);
+      EXPECT_EQ(page.at("glance_legend"),
+                (nlohmann::json{"reference", "SPH recommended", "interFoam (VOF)"}));
+      EXPECT_EQ(page.at("decision"), "Decided by case 2: 10 mm: 7.2 ± 0.3 %, at most 5 %.");
+      EXPECT_LT(page.at("verdict_box").at("bottom"), page.at("coverage_box").at("bottom"));
+      EXPECT_LE(page.at("coverage_box").at("bottom"), page.at("glances")[0].at("card").at("top"));
+      EXPECT_NE(page.at("glances")[2].at("verdict").get<std::string>().find("Fail"),
+                std::string::npos);
+      EXPECT_EQ(page.at("glances")[2].at("leads_to"), "case-2.html");
+      EXPECT_GE(page.at("text_contrast"), 4.5);
+      EXPECT_GE(page.at("curve_contrast"), 3.0);
+    }
+    // Four cases in a row: the first row is whole on the first screen of a desk, and the first case
+    // begins on that of a phone.
+    const nlohmann::json& desk = run.desk.at("glances");
+    EXPECT_EQ(desk[3].at("card").at("top"), desk[0].at("card").at("top"));
+    EXPECT_LE(desk[3].at("card").at("bottom"), run.desk.at("height"));
+    EXPECT_LT(run.phone.at("glances")[0].at("card").at("top"), run.phone.at("height"));
+  }
+}
+
+TEST_F(Browser, SeesCardsThatOverlapAndTextThatIsCutOff) {
+  write_text(scratch_ / "broken.html",
+             "<ol class=glances><li style='position:absolute;left:0;width:300px'><svg class=plot "
+             "width=90 height=40><text x=80 y=20>cut off</text><text x=1 y=20>one</text><text x=5 "
+             "y=22>other</text></svg><li style='position:absolute;"
+             "left:200px;width:300px'><svg class=plot></svg></ol>");
+  const nlohmann::json page = open_in_browser(scratch_.path(), "broken.html", false).phone;
+  EXPECT_EQ(page.at("texts_outside"), (nlohmann::json{"cut off"}));
+  EXPECT_EQ(page.at("texts_overlapping"), (nlohmann::json{"one / other"}));
+  EXPECT_TRUE(overlap(page.at("glances")[0].at("card"), page.at("glances")[1].at("card")));
+}
+
 // Returns the number of pages that Chromium's PDF states.
 int pages_of_pdf(const std::string& pdf) {
   const std::regex page(R"(/Type /Page[^s])");
@@ -163,7 +263,7 @@ TEST_F(Browser, SeesAPageThatIsBroken) {
       "that is missing'></figure><script>console.error('trouble')</script>");
   const BrowserRun run = open_in_browser(scratch_.path(), "broken.html", false);
   EXPECT_NE(run.log.find("CONSOLE"), std::string::npos) << run.log;
-  EXPECT_GT(run.phone.at("scroll_width"), 360);
+  EXPECT_GT(run.phone.at("scroll_width"), 390);
   EXPECT_LT(run.phone.at("text_contrast"), 3.0);
   EXPECT_EQ(run.phone.at("repeated_ids"), 1);
   EXPECT_EQ(run.phone.at("broken_links"), 1);

@@ -94,16 +94,21 @@ TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
   const ScratchDirectory scratch;
   Report report = sample_report();
   Section& section = report.sections.front();
-  report.decided_by = {"surge: 10 mm <coarse>", "section-" + section.id};
+  report.decision = {
+      "Decided by", {"surge: 10 mm <coarse>", "section-" + section.id}, "7 % > 5 %."};
+  report.coverage = "4 of 5 rows are judged.";
   write_report(report, scratch / "report");
   const std::string page = read_text(scratch / "report/index.html"),
                     markdown = read_text(scratch / "report/report.md");
   EXPECT_NE(page.find("Decided by <a href=\"#section-" + section.id +
-                      "\">surge: 10 mm &lt;coarse&gt;</a>."),
+                      "\">surge: 10 mm &lt;coarse&gt;</a>: 7 % &gt; 5 %."),
             std::string::npos);
-  EXPECT_NE(markdown.find("Decided by [surge: 10 mm &lt;coarse&gt;](#section-" + section.id + ")."),
+  EXPECT_NE(markdown.find("Decided by [surge: 10 mm &lt;coarse&gt;](#section-" + section.id +
+                          "): 7 % &gt; 5 %."),
             std::string::npos);
-  report.decided_by.anchor = "row-nowhere";
+  for (const std::string& text : {page, markdown})
+    EXPECT_LT(text.find("4 of 5 rows are judged."), text.find(report.subtitle));
+  report.decision.row.anchor = "row-nowhere";
   EXPECT_THROW(check_report(report), ReportError);
 }
 

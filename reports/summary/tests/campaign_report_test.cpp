@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <set>
 #include <stdexcept>
 
@@ -173,10 +174,69 @@ TEST(CampaignReport, NamesInItsBannerTheRowThatDecidesAndLeadsThere) {
   second.definition.name = "another_surge";
   const reports::Report report = report_of(surge_campaign(), {good(), second});
   EXPECT_NO_THROW(reports::check_report(report));
-  EXPECT_EQ(report.decided_by.text,
+  EXPECT_EQ(report.decision.lead, "Decided by");
+  EXPECT_EQ(report.decision.row.text,
             "another_surge: particles, forced amplitude error of elevation@right");
-  EXPECT_EQ(report.decided_by.anchor, "row-another_surge-1");
-  EXPECT_EQ(report_of(surge_campaign(), {good()}).decided_by.text, "");
+  EXPECT_EQ(report.decision.row.anchor, "row-another_surge-1");
+}
+
+TEST(CampaignReport, NamesTheFigureAndTheLimitOfAFailedRow) {
+  const TimeSeries high = scaled(elevation_of({}), 1.1);
+  const reports::Decision decision =
+      report_of(surge_campaign(), {assess(surge_case(), surge_runs_with("particles", high))})
+          .decision;
+  EXPECT_EQ(decision.row.anchor, "row-small_surge-1");
+  EXPECT_NE(decision.finding.find("10 %"), std::string::npos) << decision.finding;
+  EXPECT_NE(decision.finding.find("5 %"), std::string::npos) << decision.finding;
+}
+
+// Five per cent too high, with noise that makes the interval of the amplitude reach across that.
+TimeSeries near_limit() {
+  TimeSeries series = scaled(elevation_of({}), 1.05);
+  std::minstd_rand random(1);
+  for (double& value : series.value)
+    value += 1e-3 * (static_cast<double>(random() % 1000) / 1000 - 0.5);
+  return series;
+}
+
+TEST(CampaignReport, SaysWhatWouldDecideAnInconclusiveRow) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("forced", Metric::amplitude_error, "1", 0.05)};
+  const reports::Decision decision =
+      report_of(surge_campaign(), {assess(definition, surge_runs_with("particles", near_limit()))})
+          .decision;
+  EXPECT_EQ(decision.lead, "Decided by");
+  EXPECT_NE(decision.finding.find("What would decide it: "), std::string::npos) << decision.finding;
+}
+
+TEST(CampaignReport, NamesTheRunThatDecidesWhereNoRowDoes) {
+  const std::vector<CaseAssessment> cases{
+      assess(surge_case(), surge_runs_without("coarse_mesh", RunState::failed, "diverged"))};
+  const reports::Report report = report_of(surge_campaign(), cases);
+  EXPECT_NO_THROW(reports::check_report(report));
+  EXPECT_EQ(report.decision.row.text, "small_surge/coarse_mesh");
+  EXPECT_EQ(report.decision.finding, "solver failed: diverged.");
+}
+
+TEST(CampaignReport, NamesTheRowNearestToItsLimitWhereAllHold) {
+  const reports::Decision decision = report_of(surge_campaign(), {good()}).decision;
+  EXPECT_EQ(decision.lead, "Nearest to its limit is");
+  EXPECT_TRUE(decision.row.anchor.starts_with("row-small_surge-")) << decision.row.anchor;
+}
+
+TEST(CampaignReport, TellsTheCoverageOfTheGatesAndShowsEachCaseAtAGlance) {
+  CaseAssessment unjudged = good();
+  unjudged.definition.name = "third_surge";
+  unjudged.gate.clear();
+  const reports::Report report = report_of(surge_campaign(), {good(), unjudged});
+  EXPECT_NE(report.coverage.find("3 of 3 declared gate rows are judged."), std::string::npos)
+      << report.coverage;
+  EXPECT_NE(report.coverage.find("The rows of 0 of 2 cases detect"), std::string::npos) << report.coverage;
+  EXPECT_NE(report.coverage.find("third_surge miss some"), std::string::npos) << report.coverage;
+  ASSERT_TRUE(report.pages.at(0).glance);
+  EXPECT_EQ(report.pages[0].glance->id, "small_surge-glance");
+  EXPECT_TRUE(report.pages.at(1).remark.starts_with("The rows would not detect: amplitude"))
+      << report.pages[1].remark;
 }
 
 TEST(CampaignReport, ShowsTheOwnWordsOfAProgramThatFailed) {

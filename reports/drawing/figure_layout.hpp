@@ -1,0 +1,51 @@
+// The canvas of a figure: its size, and the places of its legend and of its markers' labels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/drawing/axes.hpp"
+#include "reports/model/report_model.hpp"
+
+namespace slosh::reports {
+
+inline constexpr int legend_row_height = 20;  // px, also of a row of marker labels
+
+// The size of the canvas and of its text. A small figure has no legend.
+struct Canvas {
+  int width;          // px
+  int plot_height;    // px, axis labels included, legend not
+  int below_frame;    // px: ticks, numbers, the axis label and a gap before the legend
+  int font_size;      // px
+  double line_width;  // of a curve, before gnuplot's scale
+};
+
+Canvas canvas_of(const Figure& figure);
+
+// The texts of the legend that are not a curve's, each once.
+std::vector<std::string> span_labels(const Figure& figure);
+std::vector<std::string> ribbon_labels(const Figure& figure);
+
+struct KeyLayout {
+  int columns, rows;
+  double narrower;  // characters to take off each entry: gnuplot assumes wide ones, 0.7 of the font
+                    // size
+};
+
+KeyLayout key_layout(const Figure& figure);
+
+struct PlacedMarker {
+  const Marker* marker;
+  int row;  // of its label, counted upwards from the frame
+};
+
+// Puts each label in the lowest row above the frame in which it does not touch its left neighbour.
+std::vector<PlacedMarker> placed_markers(const Figure& figure, const AxisRange& range);
+
+int marker_rows(const std::vector<PlacedMarker>& placed);
+
+// The height of the canvas [px]: the plot's own, and that of its legend and of its rows of marker
+// labels.
+int canvas_height(const Figure& figure);
+
+}  // namespace slosh::reports

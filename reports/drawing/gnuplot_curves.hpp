@@ -1,0 +1,29 @@
+// The curves of a figure in gnuplot's language: their data, and the command that plots them.
+#pragma once
+
+#include <string>
+
+#include "reports/drawing/axes.hpp"
+#include "reports/model/report_model.hpp"
+
+namespace slosh::reports {
+
+inline constexpr std::size_t drawn_limit = 1500;  // entries per curve: two per pixel of the canvas
+
+// The colour, marker and dash of a curve, by its look or else by its place in the figure, as the
+// curve's number and its number among the curves of its style.
+struct Stroke {
+  const char* colour;  // on white paper
+  int point;           // a gnuplot point type
+  const char* dash;    // a gnuplot dash type
+};
+
+Stroke stroke_of(const Look& look, bool dashed = false);
+
+// The inline datablocks of all curves and ribbons.
+std::string curve_data(const Figure& figure, const AxisRange& vertical);
+
+// Draws ribbons below all curves, and gives bands, spans and ribbons their legend entries.
+std::string plot_command(const Figure& figure);
+
+}  // namespace slosh::reports

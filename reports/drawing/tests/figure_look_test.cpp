@@ -1,0 +1,124 @@
+// How a figure draws curves that have a look, that set no scale, or that stand in a small figure.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reports/drawing/axes.hpp"
+#include "reports/drawing/draw_figure.hpp"
+#include "reports/drawing/figure_layout.hpp"
+#include "reports/drawing/gnuplot_curves.hpp"
+#include "reports/drawing/gnuplot_script.hpp"
+#include "reports/tests/test_environment.hpp"
+
+namespace slosh::reports::figure_look_test {
+namespace {
+
+Curve curve_named(const std::string& label, double height) {
+  Curve curve{label, {}, {}, {}, Curve::Style::line};
+  for (int i = 0; i <= 100; ++i) {
+    curve.x.push_back(i);
+    curve.y.push_back(height * (i % 2 ? 1 : -1));
+  }
+  return curve;
+}
+
+Figure figure_of(const std::vector<Curve>& curves) {
+  Figure figure;
+  figure.id = "figure";
+  figure.title = "title";
+  figure.curves = curves;
+  return figure;
+}
+
+// The line of the script that plots the curve.
+std::string element(const Figure& figure, const std::string& label) {
+  const std::string script = gnuplot_script(figure);
+  const std::size_t end = script.find("title '" + label + "'");
+  const std::size_t begin = script.rfind("$curve_", end);
+  return script.substr(begin, end - begin);
+}
+
+TEST(Look, IsTheSameAtEveryPlaceOfAFigure) {
+  Curve run = curve_named("run", 1), other = curve_named("other", 2);
+  run.look = Look{false, 2, 3};
+  const auto looks = [&](const Figure& figure) {
+    const std::string text = element(figure, "run");
+    return text.substr(text.find(" with "));
+  };
+  const std::string first = looks(figure_of({run, other}));
+  EXPECT_EQ(first, looks(figure_of({other, other, run})));
+  const Stroke stroke = stroke_of(*run.look);
+  EXPECT_NE(first.find(stroke.colour), std::string::npos) << first;
+  EXPECT_NE(first.find(" pt " + std::to_string(stroke.point) + " "), std::string::npos) << first;
+}
+
+TEST(Look, OfAReferenceIsBlackOrGreyAndHasNoMarkersOnItsLine) {
+  Curve theory = curve_named("theory", 1), record = theory;
+  theory.look = Look{true, 0, 0};
+  record.look = Look{true, 1, 0};
+  record.label = "record";
+  const Figure figure = figure_of({theory, record});
+  EXPECT_NE(element(figure, "theory").find("#1f2933"), std::string::npos);
+  EXPECT_NE(element(figure, "record").find("#67727e"), std::string::npos);
+  EXPECT_EQ(element(figure, "theory").find(" pt "), std::string::npos);
+}
+
+TEST(Look, IsAnotherForEachRunOfAFamilyOfFour) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Stroke one = stroke_of({false, 0, i}), other = stroke_of({false, 0, j});
+      EXPECT_NE(one.point, other.point);
+      EXPECT_STRNE(one.dash, other.dash);
+    }
+}
+
+TEST(CurveWithoutScale, IsThinAndLeavesTheAxisToTheOthers) {
+  Curve far = curve_named("far", 1000);
+  const Figure both = figure_of({curve_named("near", 1), far});
+  EXPECT_GT(plot_ranges(both).vertical.upper, 1000);
+  far.sets_scale = false;
+  const Figure cut = figure_of({curve_named("near", 1), far});
+  EXPECT_LT(plot_ranges(cut).vertical.upper, 2);
+  EXPECT_EQ(plot_ranges(cut).vertical.upper,
+            plot_ranges(figure_of({curve_named("near", 1)})).vertical.upper);
+  EXPECT_NE(element(both, "far").find("lw 1.8"), std::string::npos);
+  EXPECT_NE(element(cut, "far").find("lw 0.81"), std::string::npos) << element(cut, "far");
+  const Figure alone = figure_of({far});
+  EXPECT_GT(plot_ranges(alone).vertical.upper, 1000);  // there is nothing else to see
+}
+
+TEST(SmallFigure, HasASmallCanvasAndNoLegend) {
+  Figure figure = figure_of({curve_named("a run of a long name", 1)});
+  const int whole = canvas_height(figure);
+  figure.is_small = true;
+  EXPECT_LT(canvas_height(figure), whole / 1.5);
+  const ScratchDirectory scratch;
+  const DrawnFigure drawn = draw_figure(figure, scratch.path());
+  EXPECT_EQ(drawn.width, canvas_of(figure).width);
+  // The curve's group has its name for readers who do not see it; a legend would repeat it.
+  const std::string name = "a run of a long name";
+  EXPECT_EQ(drawn.markup.find(name), drawn.markup.rfind(name));
+  EXPECT_NE(drawn.markup.find("#0069a8"), std::string::npos) << "no curve";
+}
+
+TEST(Ribbons, OfOneNameHaveOneEntryInTheLegend) {
+  Curve one = curve_named("one", 1), other = curve_named("other", 2);
+  for (Curve* curve : {&one, &other}) {
+    curve->lower = curve->upper = curve->y;
+    curve->ribbon = "95 % interval";
+  }
+  const std::string script = gnuplot_script(figure_of({one, other}));
+  const auto first = script.find("title '95 % interval'");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(script.find("title '95 % interval'", first + 1), std::string::npos);
+}
+
+TEST(GivenRange, IsTheAxis) {
+  Figure figure = figure_of({curve_named("run", 5)});
+  figure.y_range = {-2, 3};
+  EXPECT_EQ(plot_ranges(figure).vertical.lower, -2);
+  EXPECT_EQ(plot_ranges(figure).vertical.upper, 3);
+}
+
+}  // namespace
+}  // namespace slosh::reports::figure_look_test
