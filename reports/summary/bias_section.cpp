@@ -2,8 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <cstddef>
 
+#include "reports/figures/run_looks.hpp"
 #include "reports/summary/report_sections.hpp"
 
 namespace slosh {
@@ -12,87 +14,66 @@ namespace {
 using reports::Curve;
 using reports::Figure;
 
-// The axis of a quantity; lengths are shown in millimetres.
-struct Axis {
-  std::string unit;
-  double scale;
-};
+constexpr std::size_t most_models = 5;      // of one figure, beside the line of agreement
+constexpr double column_half_width = 0.36;  // of a model's column, the columns being 1 apart
 
-Axis axis_of(const std::string& unit) { return unit == "m" ? Axis{"mm", 1000} : Axis{unit, 1}; }
+// The places of `count` values side by side in the model's column.
+std::vector<double> places(std::size_t column, std::size_t count) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < count; ++i)
+    x.push_back(static_cast<double>(column) +
+                column_half_width *
+                    ((2.0 * static_cast<double>(i) + 1) / static_cast<double>(count) - 1));
+  return x;
+}
 
-Curve points_of(const PredictionSet& set, double scale) {
-  Curve points{set.model, {}, {}, {}, Curve::Style::points};
-  for (const Prediction& one : set.predictions) {
-    points.x.push_back(scale * one.value.reference);
-    points.y.push_back(scale * one.value.predicted);
+Curve ratios_of(const PredictionSet& set, std::size_t column, const reports::Look& look) {
+  Curve points{set.model, places(column, set.predictions.size()), {}, {}, Curve::Style::points};
+  points.look = look;
+  for (const auto& one : set.predictions) {
+    points.y.push_back(one.value.predicted / one.value.reference);
+    // An interval that the fits do not tell has no bar.
+    points.y_error.push_back(std::isfinite(one.ratio_half_width) ? one.ratio_half_width : 0);
   }
   return points;
 }
 
-// The line predicted = factor * reference, over the whole width.
-Curve line(const std::string& label, double factor, std::pair<double, double> width,
-           Curve::Style style) {
-  return {
-      label, {width.first, width.second}, {factor * width.first, factor * width.second}, {}, style};
+// The model's bias across its column, with two standard deviations to either side as a ribbon.
+Curve bias_of(const PredictionSet& set, std::size_t column, const reports::Look& look) {
+  const double bias = set.bias->bias, width = 2 * set.bias->relative_deviation * bias,
+               middle = static_cast<double>(column), half = column_half_width + 0.06;
+  Curve line{"", {middle - half, middle + half}, {bias, bias}, {}, Curve::Style::line};
+  line.look = look;
+  line.lower = {bias - width, bias - width};
+  line.upper = {bias + width, bias + width};
+  line.ribbon = "bias ± 2 standard deviations of the model";
+  return line;
 }
 
-// Returns the range of both axes, with a margin.
-std::pair<double, double> width_of(const std::vector<const PredictionSet*>& sets, double scale) {
-  std::pair<double, double> width{std::numeric_limits<double>::infinity(), 0};
-  for (const PredictionSet* set : sets)
-    for (const Prediction& one : set->predictions) {
-      width.first = std::min(width.first, scale * one.value.reference);
-      width.second = std::max(width.second, scale * one.value.reference);
-    }
-  return {width.first / 1.2, width.second * 1.2};
-}
-
-// `sets` are of one kind of quantity, each with a bias; the lines show the first one's.
-Figure scatter_figure(const std::vector<const PredictionSet*>& sets) {
-  const PredictionSet& first = *sets.front();
-  const auto [unit, scale] = axis_of(first.unit);
-  const std::pair<double, double> width = width_of(sets, scale);
-  const auto [count, bias, deviation, of_reference] = *first.bias;
-  Figure figure;
-  figure.id = "bias-" + first.kind;
-  std::replace(figure.id.begin(), figure.id.end(), ' ', '-');
-  figure.title = fmt::format("Predicted {} over the reference's", first.kind);
-  figure.caption = fmt::format(
-      "Full line: perfect agreement. Dashed lines: bias {:.3f} of {} and two relative standard "
-      "deviations of {:.1f} % to either side.",
-      bias, first.model, 100 * deviation);
-  figure.x_label = fmt::format("reference [{}]", unit);
-  figure.y_label = fmt::format("predicted [{}]", unit);
-  figure.log_x = figure.log_y = width.second > 10 * width.first;
-  figure.x_range = {width.first / 1.1, width.second * 1.1};  // the lines end inside
-  for (const PredictionSet* set : sets) figure.curves.push_back(points_of(*set, scale));
-  figure.curves.push_back(line("agreement", 1, width, Curve::Style::line));
-  figure.curves.push_back(line(first.model + ": bias", bias, width, Curve::Style::dashed));
-  for (const auto& [sign, factor] :
-       {std::pair{"+", bias * (1 + 2 * deviation)}, std::pair{"−", bias * (1 - 2 * deviation)}})
-    figure.curves.push_back(line(fmt::format("{}: bias {} 2 σ", first.model, sign), factor, width,
-                                 Curve::Style::dashed));
-  return figure;
-}
-
-// The same data as ratios, in which a scatter of one per cent is visible.
+// `sets` are of one kind of quantity, each with a bias.
 Figure ratio_figure(const std::vector<const PredictionSet*>& sets) {
-  const PredictionSet& first = *sets.front();
-  const double deviation = first.bias->relative_deviation;
-  Figure figure = scatter_figure(sets);
-  figure.id += "-ratio";
-  figure.title = fmt::format("Predicted {} divided by the reference's", first.kind);
-  figure.caption = fmt::format(
-      "1 is perfect agreement; the band is the bias of {} with two relative standard deviations to "
-      "either side.",
-      first.model);
-  figure.y_label = "predicted / reference";
-  figure.log_y = false;
-  figure.curves.resize(sets.size());
-  for (Curve& curve : figure.curves)
-    for (std::size_t i = 0; i < curve.y.size(); ++i) curve.y[i] /= curve.x[i];
-  figure.bands = {{first.model + ": bias ± 2 σ", first.bias->bias * (1 - 2 * deviation),
-                   first.bias->bias * (1 + 2 * deviation)}};
+  std::vector<std::string> models;
+  for (const PredictionSet* set : sets) models.push_back(set->model);
+  const std::vector<reports::Look> looks = looks_of_models(models);
+  const double last = static_cast<double>(sets.size()) - 0.5;
+  Figure figure;
+  figure.id = "bias-" + sets.front()->kind + "-ratio";
+  std::replace(figure.id.begin(), figure.id.end(), ' ', '-');
+  figure.title = fmt::format("Predicted {} divided by the reference's", sets.front()->kind);
+  figure.caption =
+      "Each point is one comparison, in the order of the cases; 1 is perfect agreement. Bars: 95 % "
+      "interval of the ratio, from the fits of both series and the record's uncertainty. Shaded: "
+      "the model's bias with two relative standard deviations to either side.";
+  figure.x_label = "models, each with its number of comparisons";
+  figure.y_label = "predicted / reference [1]";
+  figure.x_range = {-0.5, last};
+  figure.curves.push_back({"perfect agreement", {-0.5, last}, {1, 1}, {}, Curve::Style::line});
+  figure.curves[0].look = reports::Look{true, 0, 0};
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    figure.x_ticks.emplace_back(i, fmt::format("n = {}", sets[i]->predictions.size()));
+    figure.curves.push_back(bias_of(*sets[i], i, looks[i]));
+    figure.curves.push_back(ratios_of(*sets[i], i, looks[i]));
+  }
   return figure;
 }
 
@@ -147,8 +128,12 @@ reports::Section bias_section(const std::vector<PredictionSet>& sets) {
     return section;
   section.tables.push_back(bias_table(sets));
   const auto draw = [&section](const std::vector<const PredictionSet*>& alike) {
-    section.figures.push_back(scatter_figure(alike));
-    section.figures.push_back(ratio_figure(alike));
+    for (std::size_t begin = 0; begin < alike.size(); begin += most_models) {
+      const std::size_t end = std::min(begin + most_models, alike.size());
+      section.figures.push_back(ratio_figure({alike.begin() + static_cast<std::ptrdiff_t>(begin),
+                                              alike.begin() + static_cast<std::ptrdiff_t>(end)}));
+      if (begin > 0) section.figures.back().id += fmt::format("-{}", begin / most_models + 1);
+    }
   };
   std::vector<const PredictionSet*> alike;
   for (const PredictionSet& set : sets) {

@@ -231,29 +231,6 @@ Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
   return list;
 }
 
-Json bias_entry(const PredictionSet& set) {
-  Json predictions = Json::array();
-  for (const Prediction& one : set.predictions)
-    predictions.push_back({{"case", one.case_name},
-                           {"candidate", one.candidate},
-                           {"reference", one.reference},
-                           {"quantity", one.quantity},
-                           {"mode", one.mode},
-                           {"predicted", one.value.predicted},
-                           {"reference_value", one.value.reference},
-                           {"reference_relative_deviation", one.value.reference_deviation}});
-  const auto number = [&](double ModelBias::*member) {
-    return set.bias ? Json((*set.bias).*member) : Json(nullptr);
-  };
-  return {{"quantity_kind", set.kind},
-          {"unit", set.unit},
-          {"model", set.model},
-          {"bias", number(&ModelBias::bias)},
-          {"relative_deviation", number(&ModelBias::relative_deviation)},
-          {"reference_relative_deviation", number(&ModelBias::reference_deviation)},
-          {"comparisons", predictions}};
-}
-
 Json measure_entry(const BasketMeasure& measure) {
   const GateRow& row = measure.row;
   return {{"case", measure.case_name},
@@ -289,6 +266,30 @@ Json basket_entry(const BasketAssessment& basket) {
 
 }  // namespace
 
+nlohmann::ordered_json bias_json(const PredictionSet& set) {
+  Json predictions = Json::array();
+  for (const Prediction& one : set.predictions)
+    predictions.push_back({{"case", one.case_name},
+                           {"candidate", one.candidate},
+                           {"reference", one.reference},
+                           {"quantity", one.quantity},
+                           {"mode", one.mode},
+                           {"predicted", one.value.predicted},
+                           {"reference_value", one.value.reference},
+                           {"reference_relative_deviation", one.value.reference_deviation},
+                           {"ratio_half_width_95", one.ratio_half_width}});
+  const auto number = [&](double ModelBias::*member) {
+    return set.bias ? Json((*set.bias).*member) : Json(nullptr);
+  };
+  return {{"quantity_kind", set.kind},
+          {"unit", set.unit},
+          {"model", set.model},
+          {"bias", number(&ModelBias::bias)},
+          {"relative_deviation", number(&ModelBias::relative_deviation)},
+          {"reference_relative_deviation", number(&ModelBias::reference_deviation)},
+          {"comparisons", predictions}};
+}
+
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems,
@@ -305,7 +306,7 @@ std::string results_json(const std::string& campaign, bool quick,
                 {"cases", Json::array()},
                 {"problems", Json::array()}};
   for (const PredictionSet& set : prediction_sets(cases))
-    document["model_bias"].push_back(bias_entry(set));
+    document["model_bias"].push_back(bias_json(set));
   for (const CaseAssessment& one : cases) {
     Json entry{{"name", one.definition.name},
                {"runs", Json::array()},

@@ -9,6 +9,7 @@
 
 #include "verification/assessment/across_runs/basket.hpp"
 #include "verification/assessment/case_assessment.hpp"
+#include "verification/assessment/predictions.hpp"
 #include "verification/assessment/problem_assessment.hpp"
 
 namespace slosh {
@@ -28,6 +29,9 @@ nlohmann::ordered_json timings_json(const CaseRuns& runs, const std::string& run
 
 // Error against cost: work_precision[] of a case.
 nlohmann::ordered_json work_precision_json(const CaseAssessment& assessment);
+
+// One entry of model_bias[].
+nlohmann::ordered_json bias_json(const PredictionSet& set);
 
 // One entry of comparisons[].
 nlohmann::ordered_json comparison_entry(const Comparison& pair);

@@ -79,47 +79,38 @@ class Collection {
                                  smallest_share_of_amplitude * largest_amplitude(*pair))
           add(kind, pair->unit, definition, *pair, mode,
               {mode.candidate.amplitude.value, mode.reference.amplitude.value,
-               amplitude_deviation(definition, *pair, mode)});
+               amplitude_deviation(definition, *pair, mode)},
+              mode.amplitude_error.half_width);
         // All quantities oscillate at the same natural frequencies; the case's first one is used.
         if (mode.mode != "forced" && pair->quantity == first)
           add("natural frequency", "Hz", definition, *pair, mode,
               {mode.candidate.angular_frequency.value / (2 * std::numbers::pi),
-               mode.reference.angular_frequency.value / (2 * std::numbers::pi)});
+               mode.reference.angular_frequency.value / (2 * std::numbers::pi)},
+              mode.frequency_error.half_width);
       }
   }
 
   std::vector<PredictionSet> release() {
-    for (PredictionSet& set : sets_) {
-      std::vector<PredictedValue> values;
-      for (const Prediction& one : set.predictions) values.push_back(one.value);
-      set.bias = model_bias(values);
-    }
-    std::stable_sort(sets_.begin(), sets_.end(),
-                     [&](const PredictionSet& one, const PredictionSet& other) {
-                       return order_of_kind(one.kind) < order_of_kind(other.kind);
-                     });
+    settle(sets_);
     return std::move(sets_);
   }
 
  private:
   void add(const std::string& kind, const std::string& unit, const CaseDefinition& definition,
-           const Comparison& pair, const ModeComparison& mode, const PredictedValue& value) {
+           const Comparison& pair, const ModeComparison& mode, const PredictedValue& value,
+           double half_width_of_fits) {
     if (!is_usable(value)) return;
     const std::string model = work_family(run_named(definition, pair.candidate));
-    if (std::find(kinds_.begin(), kinds_.end(), kind) == kinds_.end()) kinds_.push_back(kind);
     auto set = std::find_if(sets_.begin(), sets_.end(), [&](const PredictionSet& one) {
       return one.kind == kind && one.model == model;
     });
     if (set == sets_.end()) set = sets_.insert(set, {kind, unit, model, {}, {}});
-    set->predictions.push_back(
-        {definition.name, pair.candidate, pair.reference, pair.quantity, mode.mode, value});
+    const double of_record =
+        coverage * value.reference_deviation * value.predicted / value.reference;
+    set->predictions.push_back({definition.name, pair.candidate, pair.reference, pair.quantity,
+                                mode.mode, value, std::hypot(half_width_of_fits, of_record)});
   }
 
-  std::ptrdiff_t order_of_kind(const std::string& kind) const {
-    return std::find(kinds_.begin(), kinds_.end(), kind) - kinds_.begin();
-  }
-
-  std::vector<std::string> kinds_;
   std::vector<PredictionSet> sets_;
 };
 
@@ -129,6 +120,23 @@ std::vector<PredictionSet> prediction_sets(const std::vector<CaseAssessment>& ca
   Collection collection;
   for (const CaseAssessment& one : cases) collection.add(one);
   return collection.release();
+}
+
+void settle(std::vector<PredictionSet>& sets) {
+  std::vector<std::string> kinds;
+  for (PredictionSet& set : sets) {
+    if (std::find(kinds.begin(), kinds.end(), set.kind) == kinds.end()) kinds.push_back(set.kind);
+    std::vector<PredictedValue> values;
+    for (const Prediction& one : set.predictions) values.push_back(one.value);
+    set.bias = model_bias(values);
+  }
+  const auto place = [&](const PredictionSet& set) {
+    return std::find(kinds.begin(), kinds.end(), set.kind) - kinds.begin();
+  };
+  std::stable_sort(sets.begin(), sets.end(),
+                   [&](const PredictionSet& one, const PredictionSet& other) {
+                     return place(one) < place(other);
+                   });
 }
 
 }  // namespace slosh

@@ -21,6 +21,9 @@ inline constexpr double smallest_share_of_amplitude = 0.1;
 struct Prediction {
   std::string case_name, candidate, reference, quantity, mode;
   PredictedValue value;
+  // Of the 95 % interval of predicted over reference: the fits of both series, and the record's
+  // uncertainty.
+  double ratio_half_width = 0;
 };
 
 struct PredictionSet {
@@ -34,5 +37,8 @@ struct PredictionSet {
 // One set for each kind and model, both in the order in which the cases name them. A reference's
 // standard deviation comes from the record's declared uncertainty; theory has none.
 std::vector<PredictionSet> prediction_sets(const std::vector<CaseAssessment>& cases);
+
+// Sets each bias from the predictions, and puts the sets of one kind behind one another.
+void settle(std::vector<PredictionSet>& sets);
 
 }  // namespace slosh

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "reports/summary/report_sections.hpp"
 #include "verification/tests/surge_results.hpp"
@@ -87,12 +88,45 @@ TEST(BiasSection, StatesTheFactorThatAllCasesWereMadeWith) {
   ASSERT_EQ(section.tables.size(), 1u);
   EXPECT_EQ(section.tables[0].rows[0][3], "1.1000");
   ASSERT_FALSE(section.figures.empty());
-  EXPECT_EQ(section.figures[0].id, "bias-elevation-amplitude");
-  EXPECT_EQ(section.figures[0].x_label, "reference [mm]");
-  const reports::Figure& ratios = section.figures.at(1);
-  EXPECT_EQ(ratios.curves.at(0).label, "recommended");
-  for (const double ratio : ratios.curves[0].y) EXPECT_NEAR(ratio, 1.1, 1e-6);
-  EXPECT_NEAR(ratios.bands.at(0).lower, 1.1, 1e-5);
+  EXPECT_EQ(section.figures[0].id, "bias-elevation-amplitude-ratio");
+  const reports::Figure& ratios = section.figures[0];
+  ASSERT_EQ(ratios.curves.size(), 5u);  // agreement, and the band and the points of two models
+  EXPECT_EQ(ratios.curves[0].y, (std::vector<double>{1, 1}));
+  EXPECT_EQ(ratios.x_ticks.at(0).second,
+            "n = " + std::to_string(
+                         set_of(sets, "elevation amplitude", "recommended").predictions.size()));
+  const reports::Curve &band = ratios.curves[1], &points = ratios.curves[2];
+  EXPECT_EQ(points.label, "recommended");
+  EXPECT_EQ(points.look, band.look);
+  EXPECT_NE(points.look, ratios.curves[4].look);
+  EXPECT_EQ(points.y.size(), points.y_error.size());
+  for (const double ratio : points.y) EXPECT_NEAR(ratio, 1.1, 1e-6);
+  for (const double x : points.x) EXPECT_NEAR(x, 0, 0.5) << "beside the model's column";
+  EXPECT_NEAR(band.lower.at(0), 1.1, 1e-5);
+  EXPECT_NEAR(band.upper.at(0), 1.1, 1e-5);
+}
+
+TEST(BiasSection, HasBarsAsLongAsTheIntervalOfTheRatio) {
+  auto sets = prediction_sets(cases_of({1.1, 1.1, 1.1, 1.1, 1.1}));
+  PredictionSet& set = sets.front();
+  set.predictions[0].ratio_half_width = 0.2;
+  set.predictions[1].ratio_half_width = std::numeric_limits<double>::quiet_NaN();
+  const reports::Section section = bias_section(sets);
+  EXPECT_EQ(section.figures.at(0).curves.at(2).y_error.at(0), 0.2);
+  EXPECT_EQ(section.figures[0].curves[2].y_error.at(1), 0) << "gnuplot would leave the point out";
+}
+
+TEST(BiasSection, ShowsAtMostFiveModelsInAFigure) {
+  const auto sets = prediction_sets(cases_of({1.1, 1.1, 1.1, 1.1, 1.1}));
+  std::vector<PredictionSet> many;
+  for (int i = 0; i < 7; ++i) {
+    many.push_back(sets.front());
+    many.back().model = "model " + std::to_string(i);
+  }
+  const reports::Section section = bias_section(many);
+  ASSERT_EQ(section.figures.size(), 2u);
+  EXPECT_EQ(section.figures[1].x_ticks.size(), 2u);
+  EXPECT_EQ(section.figures[1].id, "bias-elevation-amplitude-ratio-2");
 }
 
 TEST(BiasSection, SaysWhereThereAreTooFewComparisons) {
