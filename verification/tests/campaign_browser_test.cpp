@@ -46,7 +46,8 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
     EXPECT_EQ(page.at("table_rows").at("table-small-gate"),
               results.at("cases").at(0).at("gate").size());
     EXPECT_EQ(page.at("table_rows").at("table-small-cost-table"), 2);  // theory and particles
-    EXPECT_EQ(page.at("drawings"), files_in(report() / "figures"));
+    // All but the case's small figure on the first page.
+    EXPECT_EQ(page.at("drawings").get<std::size_t>() + 1, files_in(report() / "figures"));
     // History, residual, sliding amplitude and lag, the forced phasor and the natural one's, two
     // forces, two momenta, highest surface, two spectra, error against run time and memory; the
     // first page has none, for two modes are too few comparisons.
@@ -56,8 +57,94 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
     EXPECT_GE(page.at("drawn_curves"), 12);
   }
   EXPECT_EQ(first.desk.at("drawings"), 0);
+  for (const nlohmann::json& page : {first.phone, first.desk}) {
+    SCOPED_TRACE(page.dump(2));
+    ASSERT_EQ(page.at("glances").size(), 1);
+    EXPECT_EQ(page.at("glances")[0].at("leads_to"), "small.html");
+    EXPECT_EQ(page.at("glances")[0].at("colours"), page.at("legend_colours"));
+    EXPECT_EQ(page.at("glance_legend"), (nlohmann::json{"reference", "SPH recommended"}));
+    EXPECT_EQ(page.at("texts_outside"), nlohmann::json::array());
+    EXPECT_LT(page.at("glances")[0].at("card").at("top"), page.at("height"));
+    EXPECT_NE(page.at("decision")
+                  .get<std::string>()
+                  .find("Decided by small: particles, rms error "
+                        "of elevation@right"),
+              std::string::npos);
+  }
   EXPECT_EQ(first.desk.at("table_rows").at("table-matrix"), 1);
   EXPECT_EQ(first.desk.at("table_rows").at("table-worst"), 2);
+}
+
+// The results of a campaign in which three models predict six amplitudes each.
+nlohmann::json results_with_predictions(const std::string& name, double off) {
+  nlohmann::json sets = nlohmann::json::array();
+  for (const std::string model : {"recommended", "li2010", "interFoam"}) {
+    nlohmann::json comparisons = nlohmann::json::array();
+    for (int i = 0; i < 6; ++i)
+      comparisons.push_back({{"case", name + "_" + std::to_string(i)},
+                             {"candidate", "a"},
+                             {"reference", "theory"},
+                             {"quantity", "elevation@right"},
+                             {"mode", "forced"},
+                             {"predicted", 0.01 * (1 + off * (i % 3 - 0.8))},
+                             {"reference_value", 0.01},
+                             {"reference_relative_deviation", 0},
+                             {"ratio_half_width_95", 0.01}});
+    sets.push_back({{"quantity_kind", "elevation amplitude"},
+                    {"unit", "m"},
+                    {"model", model},
+                    {"comparisons", comparisons}});
+  }
+  return {{"campaign", name},
+          {"quick", false},
+          {"exit_status", 0},
+          {"model_bias", sets},
+          {"cases", nlohmann::json::array()},
+          {"problems", nlohmann::json::array()}};
+}
+
+TEST_F(CampaignInBrowser, OfAllCampaignsIsOnePageWithTheBandOfEachModel) {
+  if (!reports::browser_is_installed()) GTEST_SKIP() << "chromium is not installed";
+  for (const auto& [name, off] : {std::pair{"first", 0.05}, std::pair{"second", 0.02}}) {
+    std::filesystem::create_directories(directory() / "out" / name / "report");
+    write("out/" + std::string(name) + "/report/results.json",
+          results_with_predictions(name, off).dump());
+  }
+  std::filesystem::create_directories(directory() / "out/broken/report");
+  write("out/broken/report/results.json", "{\"campaign\": 3}");
+  const Ended ended = tool({"report", "--all", "--output", "out"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("broken/report/results.json: "), std::string::npos) << ended.err;
+  EXPECT_NE(ended.out.find("PASS: 2 of 2 campaigns pass"), std::string::npos) << ended.out;
+  for (const bool dark : {false, true}) {
+    const reports::BrowserRun run =
+        reports::open_in_browser(directory(), "out/report/index.html", dark);
+    EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
+    for (const nlohmann::json& page : {run.phone, run.desk}) {
+      SCOPED_TRACE(page.dump(2));
+      EXPECT_EQ(page.at("drawings"), 1);
+      EXPECT_EQ(page.at("table_rows").at("table-bias"), 3);
+      EXPECT_EQ(page.at("table_rows").at("table-campaigns"), 2);
+      EXPECT_EQ(page.at("texts_outside"), nlohmann::json::array());
+      EXPECT_EQ(page.at("texts_overlapping"), nlohmann::json::array());
+      EXPECT_LE(page.at("scroll_width"), page.at("width"));
+      EXPECT_GE(page.at("curve_contrast"), 3.0);
+      // The bands of the models stand side by side.
+      ASSERT_EQ(page.at("ribbons").size(), 3);
+      for (const nlohmann::json& ribbon : page.at("ribbons"))
+        EXPECT_GT(ribbon.at("bottom").get<int>() - ribbon.at("top").get<int>(), 20);
+      EXPECT_LT(page.at("ribbons")[0].at("right"), page.at("ribbons")[1].at("left"));
+      EXPECT_LT(page.at("ribbons")[1].at("right"), page.at("ribbons")[2].at("left"));
+    }
+  }
+}
+
+TEST_F(CampaignInBrowser, OfAllCampaignsIsNoneWithoutAReport) {
+  const Ended ended = tool({"report", "--all", "--output", "nowhere"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("--all: expected reports of campaigns"), std::string::npos) << ended.err;
+  EXPECT_EQ(tool({"report"}).status, 2);
+  EXPECT_EQ(tool({"report", "./surges.toml", "--all"}).status, 2);
 }
 
 TEST_F(CampaignInBrowser, IsPrintedToAPdfWhereThatIsAskedFor) {

@@ -170,6 +170,8 @@ const std::vector<CommandRun> runs{
     {"campaign ./mine.toml -o results", {{"campaign", here, "-o", "results"}}},
     {"report NAME", {{"report", here, "-o", out}}},
     {"report NAME [--quick] [-o DIR] [--pdf]", {{"report", here, "-o", "results"}}},
+    {"report --all", {{"report", "--all", "-o", "."}}},
+    {"report --all [-o DIR] [--pdf]", {{"report", "--all", "-o", "."}}},
     {"gate NAME", {{"gate", here, "-o", out}}},
     {"gate \"$CAMPAIGN\" --quick --output gate",
      {{"campaign", here, "--quick", "--output", "gate"},

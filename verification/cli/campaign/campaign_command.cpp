@@ -18,6 +18,7 @@
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/cached_verdict.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
+#include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -31,14 +32,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void require_printer(const CampaignOptions& options) {
+  if (options.pdf && !reports::can_print_pdf())
+    throw CaseFileError("--pdf: " + reports::no_browser_message());
+}
+
 // Refuses --resume without an earlier start, so that a mistyped name starts nothing, and --pdf
 // without a browser, so that no campaign runs for hours in vain.
 void require_possible(const CampaignOptions& options, const CampaignSettings& settings) {
   if (options.resume && !fs::exists(settings.output / "jobs"))
     throw CaseFileError(fmt::format("--resume: expected an earlier start of this campaign in {}",
                                     settings.output.string()));
-  if (options.pdf && !reports::can_print_pdf())
-    throw CaseFileError("--pdf: " + reports::no_browser_message());
+  require_printer(options);
 }
 
 // Returns whether another start would find nothing to run.
@@ -136,6 +141,17 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   return requested_exit(status, options);
 }
 
+// Takes the place of the name of one campaign, and of what concerns the runs of one.
+void add_all_option(CLI::App& report, CampaignOptions& options) {
+  CLI::Option* all = report.add_flag("--all", options.all,
+                                     "One page over all campaigns whose reports lie in the "
+                                     "directory: their verdicts, and bias and "
+                                     "scatter of each model over all of them");
+  report.get_option("name")->required(false);
+  for (const char* other : {"name", "--quick", "--only", "--tag", "--csv"})
+    all->excludes(report.get_option(other));
+}
+
 void add_start_options(CLI::App& command, CampaignOptions& options) {
   command.add_flag("--dry-run", options.dry_run,
                    "Only print what would be run, what that costs and what is kept");
@@ -169,11 +185,20 @@ void add_campaign_command(const CommandTree& tree) {
       {"report",
        "Does the same with the existing results; starts no solver",
        {"./slosh report " + std::string(example_run)}},
-      [judge](const CampaignOptions& options) { return judge(options, false); });
+      [judge, tree](const CampaignOptions& options) {
+        if (options.all) {
+          require_printer(options);
+          return report_of_all(options, tree.installation);
+        }
+        if (options.campaign.empty())
+          throw CaseFileError("name: expected a campaign, or --all for all that have a report");
+        return judge(options, false);
+      });
   add_selection_options(*report, report_options->selection);
   add_inconclusive_option(*report, *report_options);
   add_pdf_option(*report, *report_options);
   add_csv_option(*report, *report_options);
+  add_all_option(*report, *report_options);
 }
 
 }  // namespace slosh

@@ -27,6 +27,7 @@ struct CampaignOptions {
   int inconclusive_exit = exit_inconclusive;
   std::filesystem::path csv = {};     // of the verdicts; empty: none
   bool pdf = false;                   // print the report to PDF too
+  bool all = false;                   // one report over all campaigns of the output directory
   std::filesystem::path experiments;  // empty: none is named
   // Empty: <build>/campaigns/<name>, with "-quick" for the quick form.
   std::filesystem::path output;

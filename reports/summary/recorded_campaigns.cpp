@@ -1,0 +1,168 @@
+#include "reports/summary/recorded_campaigns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "reports/summary/campaign_report.hpp"
+#include "reports/summary/report_sections.hpp"
+#include "reports/summary/results_json.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/results/provenance.hpp"
+
+namespace slosh {
+namespace {
+
+using nlohmann::json;
+
+Prediction prediction_from(const json& entry) {
+  const json& half_width = entry.at("ratio_half_width_95");
+  return {
+      entry.at("case"),
+      entry.at("candidate"),
+      entry.at("reference"),
+      entry.at("quantity"),
+      entry.at("mode"),
+      {entry.at("predicted"), entry.at("reference_value"),
+       entry.at("reference_relative_deviation")},
+      half_width.is_null() ? std::numeric_limits<double>::quiet_NaN() : half_width.get<double>()};
+}
+
+PredictionSet set_from(const json& entry) {
+  PredictionSet set{entry.at("quantity_kind"), entry.at("unit"), entry.at("model"), {}, {}};
+  for (const json& one : entry.at("comparisons")) set.predictions.push_back(prediction_from(one));
+  return set;
+}
+
+// The worst first: a solver failed, violated, not compared, inconclusive, pass.
+constexpr std::array<int, 5> statuses{exit_solver_failed, exit_violated, exit_not_compared,
+                                      exit_inconclusive, exit_pass};
+
+std::string status_word(int status) {
+  switch (status) {
+    case exit_pass:
+      return "pass";
+    case exit_inconclusive:
+      return "inconclusive";
+    case exit_not_compared:
+      return "not compared";
+    case exit_solver_failed:
+      return "solver failed";
+    default:
+      return "violated";
+  }
+}
+
+reports::Table campaigns_table(const std::vector<RecordedCampaign>& campaigns) {
+  reports::Table table{
+      "campaigns",
+      "Verdicts of the campaigns",
+      "Each line is the last report of a campaign in this directory.",
+      {"verdict", "campaign", "form", "gate rows judged", "gate rows that hold", "report"},
+      {}};
+  for (const RecordedCampaign& one : campaigns)
+    table.rows.push_back({status_word(one.exit_status), one.name, one.is_quick ? "quick" : "whole",
+                          std::to_string(one.rows), std::to_string(one.passed),
+                          "`" + one.place + "`"});
+  return table;
+}
+
+std::string document_of(const std::vector<RecordedCampaign>& campaigns,
+                        const std::vector<PredictionSet>& sets) {
+  nlohmann::ordered_json document = nlohmann::ordered_json::parse(results_json("all", false, {}));
+  document["exit_status"] = exit_status(campaigns);
+  for (const PredictionSet& set : sets) document["model_bias"].push_back(bias_json(set));
+  return document.dump(2);
+}
+
+}  // namespace
+
+RecordedCampaign recorded_campaign(const std::string& text, const std::string& place) try {
+  const json document = json::parse(text);
+  RecordedCampaign recorded{
+      document.at("campaign"), document.at("quick"), document.at("exit_status"), 0, 0, place, {}};
+  if (std::find(statuses.begin(), statuses.end(), recorded.exit_status) == statuses.end())
+    throw std::invalid_argument(
+        fmt::format("exit_status {}: expected 0, 1, 3, 4 or 5", recorded.exit_status));
+  for (const char* kind : {"cases", "problems"})
+    for (const json& one : document.at(kind))
+      for (const json& row : one.at("gate")) {
+        const std::string verdict = row.at("verdict");
+        if (verdict == verdict_name(Verdict::not_selected) ||
+            verdict == verdict_name(Verdict::not_supplied))
+          continue;
+        ++recorded.rows;
+        recorded.passed += verdict == verdict_name(Verdict::pass);
+      }
+  for (const json& set : document.at("model_bias")) recorded.predictions.push_back(set_from(set));
+  return recorded;
+} catch (const json::exception& error) {
+  throw std::invalid_argument(error.what());
+}
+
+std::vector<PredictionSet> merged_predictions(const std::vector<RecordedCampaign>& campaigns) {
+  std::vector<PredictionSet> merged;
+  std::set<std::tuple<std::string, std::string, std::string, std::string, std::string>> known;
+  for (const bool quick : {false, true})
+    for (const RecordedCampaign& campaign : campaigns) {
+      if (campaign.is_quick != quick) continue;
+      for (const PredictionSet& set : campaign.predictions) {
+        auto into = std::find_if(merged.begin(), merged.end(), [&](const PredictionSet& one) {
+          return one.kind == set.kind && one.model == set.model;
+        });
+        if (into == merged.end())
+          into = merged.insert(into, {set.kind, set.unit, set.model, {}, {}});
+        for (const Prediction& one : set.predictions)
+          if (known.insert({set.kind, set.model, one.case_name, one.quantity, one.mode}).second)
+            into->predictions.push_back(one);
+      }
+    }
+  settle(merged);
+  return merged;
+}
+
+int exit_status(const std::vector<RecordedCampaign>& campaigns) {
+  for (const int status : statuses)
+    if (std::any_of(campaigns.begin(), campaigns.end(),
+                    [&](const RecordedCampaign& one) { return one.exit_status == status; }))
+      return status;
+  return exit_not_compared;
+}
+
+reports::Report report_of_campaigns(const std::vector<RecordedCampaign>& campaigns,
+                                    const std::vector<std::string>& left_out) {
+  std::size_t rows = 0, passed = 0, held = 0;
+  for (const RecordedCampaign& one : campaigns) {
+    rows += one.rows;
+    passed += one.passed;
+    held += one.exit_status == exit_pass;
+  }
+  const std::vector<PredictionSet> sets = merged_predictions(campaigns);
+  const auto origin = provenance("");
+  reports::Report report;
+  report.title = "All campaigns";
+  report.verdict = fmt::format("{} of {} campaigns pass; {} of {} gate rows hold.", held,
+                               campaigns.size(), passed, rows);
+  report.outcome = outcome_of(exit_status(campaigns));
+  report.subtitle = fmt::format("{} · Slosh {}", origin.at("date_utc"), origin.at("slosh_version"));
+  reports::Section verdicts{"campaigns", "Verdicts", {}, {campaigns_table(campaigns)}, {}};
+  if (!left_out.empty())
+    verdicts.paragraphs.push_back(
+        fmt::format("Left out, as they could not be read: {}.", fmt::join(left_out, "; ")));
+  reports::Section bias = bias_section(sets);
+  bias.paragraphs.push_back(
+      "A comparison that several campaigns make counts once, that of a whole campaign before that "
+      "of a quick form.");
+  report.sections = {std::move(bias), std::move(verdicts)};
+  report.results_json = document_of(campaigns, sets);
+  return report;
+}
+
+}  // namespace slosh

@@ -1,0 +1,63 @@
+#include "verification/cli/campaign/report_of_all.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+#include "reports/pages/write_report.hpp"
+#include "reports/summary/recorded_campaigns.hpp"
+#include "sph/threads.hpp"
+#include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/input/case_file_error.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The results.json of the campaigns' reports, in the order of their names.
+std::vector<fs::path> results_in(const fs::path& directory) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(directory)) return files;
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (const fs::path file = entry.path() / "report" / "results.json"; fs::is_regular_file(file))
+      files.push_back(file);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+int report_of_all(const CampaignOptions& options, const Installation& installation) {
+  const fs::path directory =
+      fs::absolute(options.output.empty() ? installation.build / "campaigns" : options.output);
+  std::vector<RecordedCampaign> campaigns;
+  std::vector<std::string> left_out;
+  for (const fs::path& file : results_in(directory)) try {
+      campaigns.push_back(recorded_campaign(
+          read_bytes(file), fs::relative(file.parent_path() / "index.html", directory).string()));
+    } catch (const std::invalid_argument& error) {
+      left_out.push_back(fs::relative(file, directory).string());
+      std::cerr << fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
+                               file.string(), error.what());
+    }
+  if (campaigns.empty())
+    throw CaseFileError(fmt::format(
+        "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
+        "NAME` leaves one",
+        directory.string()));
+  const reports::Report report = report_of_campaigns(campaigns, left_out);
+  reports::write_report(report, directory / "report",
+                        {.pdf = options.pdf, .threads = sph::usable_cores()});
+  const int status = exit_status(campaigns);
+  print_lines(fmt::format("{}: {}\nreport: {}\n", headline_word(status), report.verdict,
+                          (directory / "report/index.html").string()));
+  return requested_exit(status, options);
+}
+
+}  // namespace slosh
