@@ -90,10 +90,12 @@ std::string bar_directions(const Curve& curve) {
   return std::string(curve.x_error.empty() ? "" : "x") + (curve.y_error.empty() ? "" : "y");
 }
 
-// A long line of a run has a few of the run's markers; a reference's line has none.
+// A long line of a run has a few of the run's markers; a reference's line has none, and neither has
+// a level of few samples, on which they would look like data.
 std::string marks_on(const Figure& figure, const Curve& curve, int point) {
   if (!curve.look || curve.look->is_reference || figure.is_small || !curve.sets_scale) return "";
   const std::size_t drawn = std::min(curve.x.size(), drawn_limit);
+  if (drawn < marks_on_a_line) return "";
   // The intervals differ, so that the markers of equal curves do not hide one another.
   const std::size_t interval = drawn / (marks_on_a_line + curve.look->colour) + 1;
   return fmt::format("pt {} ps 0.7 pi {}", point, interval);

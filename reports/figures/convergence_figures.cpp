@@ -112,7 +112,8 @@ std::vector<Figure> convergence_figures(const CaseAssessment& assessment) {
     figure.log_x = figure.log_y = true;
     figure.curves = {error_points(family)};
     figure.curves.push_back(fitted_line(*line, figure.curves[0], family.scale));
-    for (Curve& curve : figure.curves) curve.look = look_of_family(definition, family.name);
+    figure.curves[0].look = look_of_family(definition, family.name);
+    figure.curves[1].look = reports::Look{true, 0, 0};
     for (const int order : {1, 2}) figure.curves.push_back(guide(order, figure.curves[1]));
     figures.push_back(std::move(figure));
   }

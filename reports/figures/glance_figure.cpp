@@ -76,7 +76,9 @@ std::optional<reports::Figure> glance_figure(const CaseAssessment& assessment,
   reports::Figure figure;
   figure.id = definition.name + "-glance";
   figure.title = definition.title + ": " + shown.title;
-  figure.caption = fmt::format("{} of {}", shown.word, fmt::join(runs, ", "));
+  std::vector<std::string> names;
+  for (const std::string& run : runs) names.push_back(run_label(assessment, run));
+  figure.caption = fmt::format("{} of {}", shown.word, fmt::join(names, ", "));
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
   figure.x_range = shown_times(definition);

@@ -63,6 +63,12 @@ TEST(Look, OfAReferenceIsBlackOrGreyAndHasNoMarkersOnItsLine) {
   EXPECT_EQ(element(figure, "theory").find(" pt "), std::string::npos);
 }
 
+TEST(Look, HasNoMarkersOnALevelWhereTheyWouldLookLikeData) {
+  Curve level{"level", {0, 1}, {1, 1}, {}, Curve::Style::line};
+  level.look = Look{false, 0, 0};
+  EXPECT_EQ(element(figure_of({level}), "level").find(" pt "), std::string::npos);
+}
+
 TEST(Look, IsAnotherForEachRunOfAFamilyOfFour) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < i; ++j) {

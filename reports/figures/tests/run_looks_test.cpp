@@ -146,6 +146,11 @@ TEST(GlanceFigure, PrefersAReferenceInsideItsRangeAndIsNoneWithoutASeries) {
   const CaseAssessment beyond = assess(surge_case(), runs);
   EXPECT_EQ(glance_figure(beyond).value().caption,
             "elevation of theory_with_gas, particles, fine_mesh");
+  runs.results.erase("theory_with_gas");
+  runs.status["theory_with_gas"] = {RunState::missing, "not started"};
+  const reports::Figure alone = glance_figure(assess(surge_case(), runs)).value();
+  EXPECT_EQ(alone.caption, "elevation of theory (out of its range), particles, fine_mesh");
+  EXPECT_FALSE(alone.curves.at(0).sets_scale);
   CaseRuns none;
   for (const RunDefinition& run : surge_case().runs)
     none.status[run.name] = {RunState::missing, "not started"};
