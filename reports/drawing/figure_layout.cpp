@@ -9,14 +9,14 @@ namespace slosh::reports {
 namespace {
 
 // Half the width high, as a time history reads best; with equal axes nearly a square.
-constexpr Canvas whole_canvas{760, 380, 56, 13, 1.8}, square_canvas{760, 560, 56, 13, 1.8},
+constexpr Canvas whole_canvas{560, 300, 56, 13, 1.8}, square_canvas{560, 440, 56, 13, 1.8},
     small_canvas{320, 196, 50, 11, 1.4};
 
 constexpr double character_width =
     8.5;  // px, of a 13 px sans-serif font, names with digits and underscores
-constexpr double plot_width = 640;  // px, the canvas less its margins at their widest
+constexpr double plot_width = 440;  // px, the canvas less its margins at their widest
 constexpr double key_width =
-    600;  // px, on the safe side: gnuplot uses fewer columns where it finds no room
+    420;  // px, on the safe side: gnuplot uses fewer columns where it finds no room
 constexpr double key_sample_width =
     55;  // px, the line before a legend entry and the space after it
 

@@ -23,13 +23,19 @@ const auto& in_turn(const List& list, std::size_t number) {
   return list[number % list.size()];
 }
 
+// Many curves share what a figure may weigh.
+std::size_t entries_of_a_curve(const Figure& figure) {
+  const std::size_t share = all_drawn_limit / std::max<std::size_t>(1, figure.curves.size());
+  return std::clamp<std::size_t>(share, 5, drawn_limit);
+}
+
 // Writes one line per sample and one blank line per gap: two consecutive blank lines would end the
 // data set.
 std::string datablock(const Figure& figure, std::size_t number) {
   const Curve& curve = figure.curves[number];
   std::string block = fmt::format("$curve_{} << END_OF_CURVE\n", number);
   bool in_gap = true;
-  for (const auto& index : drawn_samples(figure, curve, drawn_limit)) {
+  for (const auto& index : drawn_samples(figure, curve, entries_of_a_curve(figure))) {
     if (!index) {
       if (!in_gap) block += '\n';
     } else {
@@ -49,7 +55,7 @@ std::string ribbon_block(const Figure& figure, std::size_t number, const AxisRan
   const Curve& curve = figure.curves[number];
   std::string block = fmt::format("$ribbon_{} << END_OF_RIBBON\n", number);
   bool in_gap = true;
-  for (const auto& index : drawn_samples(figure, curve, drawn_limit)) {
+  for (const auto& index : drawn_samples(figure, curve, entries_of_a_curve(figure))) {
     const bool drawn =
         index && std::isfinite(curve.lower[*index]) && std::isfinite(curve.upper[*index]);
     if (drawn) {
@@ -94,7 +100,7 @@ std::string bar_directions(const Curve& curve) {
 // a level of few samples, on which they would look like data.
 std::string marks_on(const Figure& figure, const Curve& curve, int point) {
   if (!curve.look || curve.look->is_reference || figure.is_small || !curve.sets_scale) return "";
-  const std::size_t drawn = std::min(curve.x.size(), drawn_limit);
+  const std::size_t drawn = std::min(curve.x.size(), entries_of_a_curve(figure));
   if (drawn < marks_on_a_line) return "";
   // The intervals differ, so that the markers of equal curves do not hide one another.
   const std::size_t interval = drawn / (marks_on_a_line + curve.look->colour) + 1;

@@ -8,7 +8,8 @@
 
 namespace slosh::reports {
 
-inline constexpr std::size_t drawn_limit = 1500;  // entries per curve: two per pixel of the canvas
+inline constexpr std::size_t drawn_limit = 1100;  // entries of a curve: two per pixel of the canvas
+inline constexpr std::size_t all_drawn_limit = 6 * drawn_limit;  // of all curves together
 
 // The colour, marker and dash of a curve, by its look or else by its place in the figure, as the
 // curve's number and its number among the curves of its style.

@@ -125,6 +125,9 @@ struct Table {
   // For each cell the anchor of this report that it links to ("section-gate", "row-surge-3"), empty
   // for none. There are as many as cells, or none at all.
   std::vector<std::vector<std::string>> links = {};
+  // The reason behind each row, empty for none; as many as rows, or none at all. Pages fold it in
+  // the row's last cell until it is asked for; what is printed, and Markdown, show it.
+  std::vector<std::string> reasons = {};
 };
 
 struct Section {
@@ -149,6 +152,7 @@ struct Page {
   std::string title;                // the anchor in documents that hold all pages is "page-<id>"
   std::string verdict;              // one sentence; empty for none
   Outcome outcome = Outcome::fail;  // where there is a verdict
+  std::string continues = {};       // the id of the page whose appendix it is; empty: its own page
   // A small figure that stands beside the page's entry on the first page, and a remark below it.
   std::optional<Figure> glance = {};
   std::string remark = {};

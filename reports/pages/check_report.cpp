@@ -44,6 +44,12 @@ void check_row_anchors(const Table& table, std::set<std::string>& taken) {
   for (const std::string& id : table.row_ids) check_id("row", id, taken);
 }
 
+void check_reasons(const Table& table) {
+  if (!table.reasons.empty() && table.reasons.size() != table.rows.size())
+    throw ReportError(fmt::format("table '{}': {} reasons, expected {} as the rows, or none",
+                                  table.id, table.reasons.size(), table.rows.size()));
+}
+
 void check_links(const Table& table, const std::map<std::string, std::string>& anchors) {
   if (table.links.empty()) return;
   const auto width = [](const auto& row) { return row.size(); };
@@ -70,9 +76,15 @@ void check_pages(const Report& report) {
     }
     used.insert(section.page);
   }
-  for (const Page& page : report.pages)
+  std::string before;  // the page that an appendix continues, and its other appendices, precede it
+  for (const Page& page : report.pages) {
     if (!used.contains(page.id))
       throw ReportError(fmt::format("page '{}' has no section", page.id));
+    if (!page.continues.empty() && page.continues != before)
+      throw ReportError(fmt::format("page '{}' continues '{}', expected the page before it",
+                                    page.id, page.continues));
+    if (page.continues.empty()) before = page.id;
+  }
 }
 
 void check_curve(const Figure& figure, const Curve& curve) {
@@ -190,6 +202,7 @@ void check_report(const Report& report) {
       check_id("table", table.id, tables);
       check_table(table);
       check_row_anchors(table, rows);
+      check_reasons(table);
     }
     for (const Figure& figure : section.figures) {
       check_id("figure", figure.id, figures);

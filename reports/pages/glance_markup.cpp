@@ -69,7 +69,8 @@ mustache::data glances_data(const Report& report, const Drawings& drawings,
                             const PageLinks& links) {
   mustache::data entries(mustache::data::type::list);
   for (std::size_t i = 0; i < report.pages.size(); ++i)
-    entries << entry_data(report.pages[i], links, &drawings.glances[i]);
+    if (report.pages[i].continues.empty())
+      entries << entry_data(report.pages[i], links, &drawings.glances[i]);
   mustache::data data{"entries", entries};
   data.set("legend", legend_data(report));
   data.set("has_legend", std::any_of(report.pages.begin(), report.pages.end(),

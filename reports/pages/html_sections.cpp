@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <map>
 
 #include "reports/fields/film_markup.hpp"
+#include "reports/model/file_formats.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
 
@@ -53,11 +55,13 @@ mustache::data cell_data(const std::string& cell, bool numeric, const std::strin
   return data;
 }
 
+constexpr std::size_t most_rows = 100;
+
 class SectionWriter {
  public:
   SectionWriter(const Report& report, const Drawings& drawings, Layout layout)
       : links_(report, layout),
-        level_(layout == Layout::whole ? "3" : "2"),
+        is_printed_(layout == Layout::whole),
         drawn_figure_(drawings.figures.begin()),
         drawn_field_(drawings.fields.begin()) {}
 
@@ -68,11 +72,11 @@ class SectionWriter {
     for (const std::string& paragraph : section.paragraphs)
       paragraphs << mustache::data{"text", html_text(paragraph)};
     for (const Table& table : section.tables) tables << table_data(table, section.page);
-    for (const Figure& figure : section.figures) figures << figure_data(figure);
-    for (const FieldFigure& figure : section.fields) figures << field_data(figure);
+    for (const Figure& figure : section.figures) figures << figure_data(figure, section.page);
+    for (const FieldFigure& figure : section.fields) figures << field_data(figure, section.page);
     mustache::data data;
     data.set("id", section.id);
-    data.set("level", level_);
+    data.set("level", is_printed_ ? "3" : "2");
     data.set("title", section.title);
     data.set("paragraphs", paragraphs);
     data.set("tables", tables);
@@ -86,12 +90,20 @@ class SectionWriter {
   mustache::data row_data(const Table& table, std::size_t row, const std::vector<bool>& numeric,
                           const std::string& page) const {
     const std::vector<std::string>& cells = table.rows[row];
+    const std::string reason = table.reasons.empty() ? "" : table.reasons[row];
     const auto cell = [&](std::size_t i) {
       const std::string anchor = table.links.empty() ? "" : table.links[row][i];
       return cell_data(cells[i], numeric[i], anchor.empty() ? "" : links_.to_anchor(anchor, page));
     };
     mustache::data others(mustache::data::type::list);
-    for (std::size_t i = 1; i < cells.size(); ++i) others << cell(i);
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      mustache::data other = cell(i);
+      const bool has_reason = i + 1 == cells.size() && !reason.empty();
+      other.set("has_reason", has_reason);
+      if (has_reason) other.set("reason", html_text(reason));
+      other.set("is_open", is_printed_);
+      others << other;
+    }
     mustache::data line;
     line.set("has_id", !table.row_ids.empty());
     line.set("row_id", table.row_ids.empty() ? "" : table.row_ids[row]);
@@ -108,9 +120,19 @@ class SectionWriter {
       heading.set("class", numeric[i] ? "number" : "text");
       header << heading;
     }
-    for (std::size_t row = 0; row < table.rows.size(); ++row)
-      rows << row_data(table, row, numeric, page);
-    mustache::data data = caption_data(table, ++tables_);
+    const std::size_t shown = rows_on_page(table);
+    for (std::size_t row = 0; row < shown; ++row) rows << row_data(table, row, numeric, page);
+    mustache::data data = caption_data(table, ++numbers_[page].table);
+    if (shown < table.rows.size()) {
+      mustache::data cut;
+      cut.set("shown", std::to_string(shown));
+      cut.set("all", std::to_string(table.rows.size()));
+      cut.set("address", table_file(table));
+      cut.set("is_linked", !is_printed_);
+      data.set("cut", cut);
+    } else {
+      data.set("cut", mustache::data(mustache::data::type::bool_false));
+    }
     data.set("header", header);
     data.set("rows", rows);
     return data;
@@ -126,39 +148,57 @@ class SectionWriter {
     return data;
   }
 
-  mustache::data figure_data(const Figure& figure) {
-    mustache::data data = caption_data(figure, ++figures_);
-    data.set("svg", svg_element(figure, *drawn_figure_++, SvgPlace::in_page));
-    data.set("film", mustache::data(mustache::data::type::bool_false));
-    return data;
-  }
-
-  mustache::data field_data(const FieldFigure& figure) {
-    const DrawnField& drawn = *drawn_field_++;
-    if (!figure.frames.empty()) {
-      mustache::data data = caption_data(figure, ++figures_);
-      data.set("film", film_element(figure, drawn));
-      return data;
-    }
+  // On a page a picture links to the file that holds all its detail.
+  mustache::data picture_data(const FieldFigure& figure, const DrawnField& drawn) const {
     mustache::data picture;
     picture.set("width", std::to_string(drawn.width));
     picture.set("height", std::to_string(drawn.height));
     picture.set("description", description(figure));
     picture.set("address", data_address(drawn));
-    mustache::data data = caption_data(figure, ++figures_);
-    data.set("picture", picture);
+    picture.set("file", "figures/" + figure.id + ".png");
+    picture.set("is_linked", !is_printed_);
+    return picture;
+  }
+
+  mustache::data figure_data(const Figure& figure, const std::string& page) {
+    mustache::data data = caption_data(figure, ++numbers_[page].figure);
+    data.set("svg", svg_element(figure, *drawn_figure_++, SvgPlace::in_page));
     data.set("film", mustache::data(mustache::data::type::bool_false));
     return data;
   }
 
+  mustache::data field_data(const FieldFigure& figure, const std::string& page) {
+    const DrawnField& drawn = *drawn_field_++;
+    mustache::data data = caption_data(figure, ++numbers_[page].figure);
+    if (figure.frames.empty()) {
+      data.set("picture", picture_data(figure, drawn));
+      data.set("film", mustache::data(mustache::data::type::bool_false));
+    } else {
+      data.set("film", film_element(figure, drawn));
+    }
+    return data;
+  }
+
   PageLinks links_;
-  std::string level_;
+  bool is_printed_;
   std::vector<DrawnFigure>::const_iterator drawn_figure_;
   std::vector<DrawnField>::const_iterator drawn_field_;
-  int tables_ = 0, figures_ = 0;
+  std::map<std::string, Numbers> numbers_;  // of each page
 };
 
 }  // namespace
+
+std::size_t rows_on_page(const Table& table) {
+  return table.row_ids.empty() ? std::min(table.rows.size(), most_rows) : table.rows.size();
+}
+
+std::string table_file(const Table& table) { return "tables/" + table.id + ".csv"; }
+
+std::string csv_of(const Table& table) {
+  std::string text = csv_line(table.header);
+  for (const auto& row : table.rows) text += csv_line(row);
+  return text;
+}
 
 std::vector<mustache::data> sections_data(const Report& report, const Drawings& drawings,
                                           Layout layout) {

@@ -4,29 +4,33 @@
 
 #include <filesystem>
 #include <kainjow/mustache.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "reports/drawing/draw_figure.hpp"
-#include "reports/fields/draw_field.hpp"
 #include "reports/model/report_model.hpp"
+#include "reports/pages/draw_report.hpp"
 #include "reports/pages/page_links.hpp"
 
 namespace slosh::reports {
 
-// The drawings of a report: one for each figure, for each field and for each page, in the report's
-// order. That of a page without a glance is empty.
-struct Drawings {
-  std::vector<DrawnFigure> figures;
-  std::vector<DrawnField> fields;
-  std::vector<DrawnFigure> glances = {};
-};
-
-// The sections as data of the HTML templates, in the report's order. Tables and figures are
-// numbered through the whole report. A section's heading has level 2, or 3 where the whole report
-// is one document.
+// The sections as data of the HTML templates, in the report's order. The numbers of tables and
+// figures begin at 1 on each page. A section's heading has level 2, or 3 where the whole report is
+// one document.
 std::vector<kainjow::mustache::data> sections_data(const Report& report, const Drawings& drawings,
                                                    Layout layout);
+
+// The numbers of a page's last table and figure.
+struct Numbers {
+  int table = 0, figure = 0;
+};
+
+// The rows that a page shows of a table: all where they have anchors, else at most 100.
+std::size_t rows_on_page(const Table& table);
+
+// The file of a table that is too long for its page: "tables/<id>.csv".
+std::string table_file(const Table& table);
+std::string csv_of(const Table& table);
 
 struct HtmlFile {
   std::string name;  // "index.html"
@@ -39,8 +43,10 @@ inline constexpr const char* page_mark = "<meta name=\"generator\" content=\"Slo
 // Returns index.html, then the others, each a self-contained file that links to the rest.
 std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings);
 
-// Returns all pages one after the other in one document.
-std::string whole_document(const Report& report, const Drawings& drawings);
+// Returns all pages one after the other in one document. Its contents name the printed page of each
+// anchor (pdf_places.hpp), and keep room for those that are not known.
+std::string whole_document(const Report& report, const Drawings& drawings,
+                           const std::map<std::string, int>& places = {});
 
 // Returns the report as GitHub-flavoured Markdown. Its figures are linked as figures/<id>.svg, its
 // fields as figures/<id>.png.

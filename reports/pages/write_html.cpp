@@ -53,14 +53,30 @@ mustache::data banner_data(const Report& report, const Page& page, const PageLin
   return data;
 }
 
+// The pages that continue this one.
+std::vector<Page> continuing(const Report& report, const std::string& id) {
+  std::vector<Page> found;
+  for (const Page& page : report.pages)
+    if (page.continues == id) found.push_back(page);
+  return found;
+}
+
+mustache::data list_of(const std::vector<Page>& pages, const PageLinks& links) {
+  mustache::data list(mustache::data::type::list);
+  for (const Page& page : pages) list << entry_data(page, links);
+  return list;
+}
+
 mustache::data page_data(const Report& report, const Page& page, const PageLinks& links,
                          const std::vector<mustache::data>& written) {
   mustache::data data;
   data.set("id", page.id);
   data.set("title", page.title);
-  if (!page.verdict.empty()) data.set("outcome", banner_data(report, page, links));
   if (page.id.empty() && !report.coverage.empty()) data.set("coverage", html_text(report.coverage));
+  data.set("is_appendix", !page.continues.empty());
+  if (!page.verdict.empty()) data.set("outcome", banner_data(report, page, links));
   data.set("sections", sections_of(report, page.id, written));
+  if (!page.id.empty()) data.set("appendices", list_of(continuing(report, page.id), links));
   return data;
 }
 
@@ -113,13 +129,22 @@ std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings)
   return files;
 }
 
-std::string whole_document(const Report& report, const Drawings& drawings) {
+std::string whole_document(const Report& report, const Drawings& drawings,
+                           const std::map<std::string, int>& places) {
   const PageLinks links(report, Layout::whole);
   const std::vector<mustache::data> written = sections_data(report, drawings, Layout::whole);
-  mustache::data data = document_data(report), pages(mustache::data::type::list);
-  for (const Page& page : report.pages) pages << page_data(report, page, links, written);
+  mustache::data data = document_data(report), pages(mustache::data::type::list),
+                 contents(mustache::data::type::list);
+  for (const Page& page : report.pages) {
+    pages << page_data(report, page, links, written);
+    mustache::data entry = entry_data(page, links);
+    const auto place = places.find("page-" + page.id);
+    entry.set("place", place == places.end() ? "" : std::to_string(place->second));
+    contents << entry;
+  }
   data.set("first", page_data(report, first_page(report), links, written));
   data.set("glances", glances_data(report, drawings, links));
+  data.set("contents", contents);
   data.set("pages", pages);
   mustache::mustache document(whole_template);
   return document.render(data);

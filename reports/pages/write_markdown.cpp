@@ -2,6 +2,7 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <kainjow/mustache.hpp>
+#include <map>
 #include <vector>
 
 #include "reports/pages/report_documents.hpp"
@@ -22,6 +23,7 @@ mustache::data cell_data(const std::string& cell, const std::string& anchor = ""
 mustache::data header_data(const Table& table) {
   mustache::data list(mustache::data::type::list);
   for (const std::string& cell : table.header) list << cell_data(cell);
+  if (!table.reasons.empty()) list << cell_data("reason");
   return list;
 }
 
@@ -29,6 +31,7 @@ mustache::data row_data(const Table& table, std::size_t row) {
   mustache::data cells(mustache::data::type::list);
   for (std::size_t i = 0; i < table.rows[row].size(); ++i)
     cells << cell_data(table.rows[row][i], table.links.empty() ? "" : table.links[row][i]);
+  if (!table.reasons.empty()) cells << mustache::data{"text", markdown_text(table.reasons[row])};
   mustache::data data{"cells", cells};
   data.set("anchor",
            table.row_ids.empty() ? "" : fmt::format("<a id=\"row-{}\"></a>", table.row_ids[row]));
@@ -44,11 +47,6 @@ mustache::data heading_data(const std::string& id, const std::string& title,
   data.set("caption", markdown_text(caption));
   return data;
 }
-
-// The numbers of tables and figures so far: they are numbered through the whole report.
-struct Numbers {
-  int table = 0, figure = 0;
-};
 
 mustache::data section_data(const Section& section, const char* marks, Numbers& numbers) {
   mustache::data paragraphs(mustache::data::type::list), tables(mustache::data::type::list),
@@ -96,9 +94,10 @@ mustache::data pages_data(const Report& report) {
   std::vector<Page> pages{{"", report.title, "", {}}};
   pages.insert(pages.end(), report.pages.begin(), report.pages.end());
   std::vector<mustache::data> written;
-  Numbers numbers;
+  std::map<std::string, Numbers> numbers;
   for (const Section& section : report.sections)
-    written.push_back(section_data(section, section.page.empty() ? "##" : "###", numbers));
+    written.push_back(
+        section_data(section, section.page.empty() ? "##" : "###", numbers[section.page]));
   mustache::data list(mustache::data::type::list);
   for (const Page& page : pages) {
     mustache::data sections(mustache::data::type::list);

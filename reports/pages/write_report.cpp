@@ -12,11 +12,10 @@
 #include <string_view>
 #include <system_error>
 
-#include "reports/drawing/draw_figure.hpp"
-#include "reports/fields/draw_field.hpp"
 #include "reports/model/report_files.hpp"
-#include "reports/model/side_by_side.hpp"
 #include "reports/pages/check_report.hpp"
+#include "reports/pages/draw_report.hpp"
+#include "reports/pages/pdf_places.hpp"
 #include "reports/pages/print_pdf.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/templates.hpp"
@@ -26,50 +25,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 7> report_entries{
+constexpr std::array<std::string_view, 8> report_entries{
     "index.html", "report.md",      "results.json", "results.schema.json",
-    "report.pdf", "report.pdf.log", "figures"};
-
-// Draws each figure once. Creates `scratch`, for temporary files, and `directory`.
-Drawings draw(const Report& report, const WriteOptions& options, const fs::path& scratch,
-              const fs::path& directory) {
-  fs::create_directory(scratch);
-  fs::create_directories(directory / "figures");
-  std::vector<const Figure*> figures;
-  std::vector<const FieldFigure*> fields;
-  for (const Section& section : report.sections) {
-    for (const Figure& figure : section.figures) figures.push_back(&figure);
-    for (const FieldFigure& figure : section.fields) fields.push_back(&figure);
-  }
-  Drawings drawings;
-  drawings.fields.resize(fields.size());
-  drawings.figures.resize(figures.size());
-  const auto draw_one_field = [&](std::size_t i) {
-    drawings.fields[i] = draw_field(*fields[i], scratch, options.gnuplot);
-    write_text(directory / "figures" / (fields[i]->id + ".png"), drawings.fields[i].png);
-  };
-  const auto draw_one = [&](const Figure& figure) {
-    DrawnFigure drawn = draw_figure(figure, scratch, options.gnuplot);
-    write_text(directory / "figures" / (figure.id + ".svg"),
-               svg_element(figure, drawn, SvgPlace::own_file));
-    return drawn;
-  };
-  const auto draw_one_figure = [&](std::size_t i) { drawings.figures[i] = draw_one(*figures[i]); };
-  // An animation takes seconds, a figure a tenth of a second: the fields are drawn first.
-  side_by_side(fields.size() + figures.size(), options.threads, [&](std::size_t i) {
-    i < fields.size() ? draw_one_field(i) : draw_one_figure(i - fields.size());
-  });
-  drawings.glances.resize(report.pages.size());
-  side_by_side(report.pages.size(), options.threads, [&](std::size_t i) {
-    if (const std::optional<Figure>& glance = report.pages[i].glance)
-      drawings.glances[i] = draw_one(*glance);
-  });
-  return drawings;
-}
+    "report.pdf", "report.pdf.log", "figures",      "tables"};
 
 void write_files(const Report& report, const Drawings& drawings, const fs::path& directory) {
   for (const HtmlFile& file : html_pages(report, drawings))
     write_text(directory / file.name, file.text);
+  for (const Section& section : report.sections)
+    for (const Table& table : section.tables)
+      if (rows_on_page(table) < table.rows.size()) {
+        fs::create_directories(directory / "tables");
+        write_text(directory / table_file(table), csv_of(table));
+      }
   write_text(directory / "report.md", markdown_page(report));
   write_text(directory / "results.json", report.results_json);
   write_text(directory / "results.schema.json", results_schema);
@@ -78,7 +46,10 @@ void write_files(const Report& report, const Drawings& drawings, const fs::path&
 // Returns the error if the PDF could not be printed.
 std::optional<ReportError> write_pdf(const Report& report, const Drawings& drawings,
                                      const fs::path& scratch, const fs::path& directory) try {
-  print_pdf(whole_document(report, drawings), scratch, directory / "report.pdf");
+  // Only a printed document tells on which page its parts stand: the second one says so.
+  const fs::path pdf = directory / "report.pdf";
+  print_pdf(whole_document(report, drawings), scratch, pdf);
+  print_pdf(whole_document(report, drawings, pdf_places(read_text(pdf))), scratch, pdf);
   return {};
 } catch (const ReportError& error) {
   return error;
@@ -126,9 +97,9 @@ void swap_in(const fs::path& complete, const fs::path& target, const fs::path& a
 
 }  // namespace
 
-void write_report(const Report& report, const fs::path& directory,
-                  const WriteOptions& options) try {
-  check_report(report);
+void write_report(const Report& given, const fs::path& directory, const WriteOptions& options) try {
+  check_report(given);
+  const Report report = with_legible_figures(given);
   // The path is made absolute and loses links and a trailing slash, so that the temporary directory
   // is beside the target.
   fs::path target = fs::weakly_canonical(fs::absolute(directory));
@@ -138,7 +109,10 @@ void write_report(const Report& report, const fs::path& directory,
   const TemporaryDirectory temporary(target.string() + ".writing-");
   const fs::path complete = temporary.path() / "report";
   const fs::path scratch = temporary.path() / "drawing";
-  const Drawings drawings = draw(report, options, scratch, complete);
+  fs::create_directory(scratch);
+  fs::create_directories(complete / "figures");
+  const Drawings drawings =
+      draw_report(report, options.threads, options.gnuplot, scratch, complete / "figures");
   write_files(report, drawings, complete);
   std::optional<ReportError> no_pdf;
   if (options.pdf) no_pdf = write_pdf(report, drawings, scratch, complete);

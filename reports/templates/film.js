@@ -3,7 +3,7 @@
 const msPerFrame = 120;
 for (const film of document.querySelectorAll(".film")) {
   const frame = film.querySelector(".film-frame");
-  const controls = film.parentElement.nextElementSibling;
+  const controls = film.nextElementSibling;
   const [button, slider, output] = controls.children;
   const positions = film.dataset.positions.split(" "), labels = film.dataset.labels.split("|");
   let timer;

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace process = boost::process;
 
 // Shows a page in a frame of a phone's width and in one of a desktop's, and writes the measurements
-// as text. Contrasts are those of WCAG 2.1, against the page's own background.
+// as text half a second (of the page's clock) after it is loaded. Contrasts are those of WCAG 2.1,
+// against the page's own background.
 constexpr const char* measuring_page = R"(<!DOCTYPE html><title>measure</title>
 <iframe src="PAGE" style="width:390px;height:844px;border:0"></iframe>
 <iframe src="PAGE" style="width:1280px;height:800px;border:0"></iframe>
@@ -50,6 +51,16 @@ const box = element => {
   const {left, top, right, bottom} = element.getBoundingClientRect();
   return {left: Math.round(left), top: Math.round(top), right: Math.round(right), bottom: Math.round(bottom)};
 };
+// Counts the words that are seen without opening anything; those of drawings do not count.
+const words = page => {
+  const texts = page.createTreeWalker(page.body, NodeFilter.SHOW_TEXT);
+  let count = 0;
+  while (texts.nextNode()) {
+    const holder = texts.currentNode.parentElement;
+    if (!holder.closest('svg, script, style') && holder.checkVisibility()) count += texts.currentNode.data.split(/\s+/).filter(word => word).length;
+  }
+  return count;
+};
 const measure = frame => {
   const page = frame.contentDocument, all = query => [...page.querySelectorAll(query)];
   const style = element => frame.contentWindow.getComputedStyle(element);
@@ -69,7 +80,7 @@ const measure = frame => {
     pictures: pictures.length,
     smallest_picture: lowest(pictures.map(picture => Math.min(picture.getBoundingClientRect().width, picture.getBoundingClientRect().height))),
     picture_colours: lowest(pictures.map(colours)),
-    drawn_curves: all('svg [id*=gnuplot_plot] path').filter(path => path.getTotalLength() > 100).length,
+    drawn_curves: all('svg [id*=gnuplot_plot] path').filter(path => path.getTotalLength() > 60).length,
     text_contrast: lowest(all('svg text').map(text => contrast(style(text).fill, background))),
     curve_contrast: lowest(all('svg [id*=gnuplot_plot] path').filter(p => style(p).stroke !== 'none').map(p => contrast(style(p).stroke, background))),
     page_contrast: lowest(all('h1, p, th, td, figcaption, .detail, a').map(element => contrast(style(element).color, background))),
@@ -109,11 +120,21 @@ const measure = frame => {
     repeated_ids: ids.length - new Set(ids).size,
     broken_links: all('a[href^="#"], use').filter(a => !page.getElementById(a.getAttribute('href').slice(1))).length,
     scripts: all('script').length,
+    words: words(page),
+    wide_boxes: all('.scroll').filter(box => box.scrollWidth > box.clientWidth).length,
+    unhinted_boxes: all('.scroll').filter(box => (box.scrollWidth > box.clientWidth) != (box.querySelector('.hint').getBoundingClientRect().height > 10)).length,
+    cut_figures: all('figure svg, figure img, .film').filter(part => part.getBoundingClientRect().left < 0 || part.getBoundingClientRect().right > page.documentElement.clientWidth).length,
+    lowest_label: lowest(all('figure svg text').map(text => text.getBoundingClientRect().height)),
+    figure_numbers: all('figcaption b').map(text => +text.textContent.match(/^Figure (\d+)\./)[1]),
+    table_numbers: all('caption b').map(text => +text.textContent.match(/^Table (\d+)\./)[1]),
+    folded_reasons: all('.reason').filter(reason => !reason.open).length,
+    weight: page.documentElement.outerHTML.length,
   };
 };
-addEventListener('load', () => {
+const write = () => {
   document.getElementById('measures').textContent = JSON.stringify([...document.querySelectorAll('iframe')].map(measure));
-});
+};
+addEventListener('load', () => setTimeout(write, 500));
 </script>)";
 
 // RFC 8089, percent-encoded.
@@ -146,9 +167,11 @@ BrowserRun open_in_browser(const fs::path& directory, const std::string& page, b
       "--disable-sync",
       "--enable-logging=stderr",
       "--allow-file-access-from-files",
-      "--window-size=1700,900",
+      "--window-size=1800,900",
       "--hide-scrollbars",
       dark ? "--blink-settings=preferredColorScheme=0" : "--blink-settings=preferredColorScheme=1",
+      "--virtual-time-budget=5000",
+      "--run-all-compositor-stages-before-draw",
       "--user-data-dir=" + (directory / "profile").string(),
       "--dump-dom",
       file_url(directory / "measure.html")};

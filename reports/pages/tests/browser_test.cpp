@@ -23,6 +23,14 @@ class Browser : public testing::Test {
   ScratchDirectory scratch_;
 };
 
+// A page's tables scroll in boxes that say so, and its figures fit.
+void expect_fitting(const nlohmann::json& page) {
+  EXPECT_LE(page.at("scroll_width"), page.at("width"));
+  EXPECT_EQ(page.at("cut_figures"), 0);
+  EXPECT_EQ(page.at("unhinted_boxes"), 0);
+  EXPECT_GE(page.at("lowest_label"), 8);  // px
+}
+
 void expect_legible_report(const ScratchDirectory& scratch, bool dark) {
   write_report(sample_report(), scratch / "report");
   const BrowserRun run = open_in_browser(scratch.path(), "report/index.html", dark);
@@ -52,6 +60,7 @@ void expect_legible_report(const ScratchDirectory& scratch, bool dark) {
     EXPECT_EQ(page.at("repeated_ids"), 0);
     EXPECT_EQ(page.at("broken_links"), 0);
     EXPECT_EQ(page.at("scripts"), 0);
+    expect_fitting(page);
   }
 }
 
@@ -250,7 +259,7 @@ TEST_F(Browser, RunsTheScriptOfAFilmAndFitsItIntoThePage) {
   EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
   for (const nlohmann::json& page : {run.phone, run.desk}) {
     EXPECT_EQ(page.at("scripts"), 1);
-    EXPECT_LE(page.at("scroll_width"), page.at("width"));
+    expect_fitting(page);
   }
 }
 
@@ -259,13 +268,18 @@ TEST_F(Browser, SeesAPageThatIsBroken) {
       scratch_ / "broken.html",
       "<body style='background:#fff'><div style='width:800px'>wide</div><p id=a><p id=a><a "
       "href='#nowhere'>x</a>"
-      "<svg><text fill='#ddd'>faint</text></svg><figure><img src='nowhere.png' alt='a picture "
+      "<div class=scroll style='width:90px;overflow:auto'><p class=hint style='height:0;margin:0'>"
+      "<div style='width:900px'>wide</div></div>"
+      "<figure><svg style='margin-left:300px'><text "
+      "fill='#ddd'>faint</text></svg></figure><figure><img src='nowhere.png' alt='a picture "
       "that is missing'></figure><script>console.error('trouble')</script>");
   const BrowserRun run = open_in_browser(scratch_.path(), "broken.html", false);
   EXPECT_NE(run.log.find("CONSOLE"), std::string::npos) << run.log;
   EXPECT_GT(run.phone.at("scroll_width"), 390);
   EXPECT_LT(run.phone.at("text_contrast"), 3.0);
   EXPECT_EQ(run.phone.at("repeated_ids"), 1);
+  EXPECT_EQ(run.phone.at("unhinted_boxes"), 1);
+  EXPECT_EQ(run.phone.at("cut_figures"), 1);
   EXPECT_EQ(run.phone.at("broken_links"), 1);
   EXPECT_EQ(run.phone.at("drawings"), 0);
   EXPECT_EQ(run.phone.at("pictures"), 0);

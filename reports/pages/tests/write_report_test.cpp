@@ -137,7 +137,7 @@ TEST(WrittenReport, NumbersFieldsAfterTheFiguresOfTheirSectionInBothForms) {
   for (const char* file : {"report/index.html", "report/report.md"}) {
     const std::string text = read_text(scratch / file);
     EXPECT_NE(text.find("Figure 4. Pressure in the rolling tank"), std::string::npos) << file;
-    EXPECT_NE(text.find("Figure 5. Error against run time"), std::string::npos) << file;
+    EXPECT_NE(text.find("Figure 1. Error against run time"), std::string::npos) << file;
   }
 }
 
@@ -159,11 +159,35 @@ TEST(PagedReport, HasAFileForEachPageWithItsOwnSectionsAndVerdict) {
   EXPECT_EQ(occurrences(first, "<figure"), 0u);
   EXPECT_EQ(occurrences(waves, "<figure"), 4u);
   EXPECT_EQ(occurrences(cost, "<figure"), 1u);
-  EXPECT_NE(cost.find("Figure 5. Error against run time"), std::string::npos);
+  EXPECT_NE(cost.find("Figure 1. Error against run time"), std::string::npos);
   EXPECT_NE(waves.find("<h1>Waves &amp; wind</h1>"), std::string::npos);
   EXPECT_EQ(occurrences(waves, "class=\"verdict good\""), 1u);
   EXPECT_EQ(occurrences(cost, "class=\"verdict"), 0u);
   EXPECT_NE(first.find("<a href=\"cost.html#row-runs-2\">"), std::string::npos);
+}
+
+TEST(PagedReport, LeadsFromAPageToItsAppendixAndNotFromTheFirst) {
+  Report report = paged_report();
+  report.pages[1].continues = "waves";
+  const ScratchDirectory scratch;
+  write_report(report, scratch / "report");
+  const std::string first = read_text(scratch / "report/index.html");
+  EXPECT_EQ(first.find("<li><a href=\"cost.html\""), std::string::npos);
+  EXPECT_NE(first.find("<li><a href=\"waves.html\""), std::string::npos);
+  EXPECT_NE(read_text(scratch / "report/waves.html").find("<li><a href=\"cost.html\""),
+            std::string::npos);
+}
+
+TEST(WrittenReport, TellsTheReasonsOfARowInItsMarkdown) {
+  Report report = sample_report();
+  Table& gate = report.sections[0].tables[0];
+  gate.reasons.assign(gate.rows.size(), "");
+  gate.reasons[1] = "Peers reach it.";
+  const ScratchDirectory scratch;
+  write_report(report, scratch / "report");
+  const std::string text = read_text(scratch / "report/report.md");
+  EXPECT_NE(text.find(" Verdict | reason |\n"), std::string::npos);
+  EXPECT_NE(text.find(" pass | Peers reach it. |\n"), std::string::npos);
 }
 
 TEST(PagedReport, IsOneFileOfMarkdownWithTheSameAnchors) {
@@ -297,6 +321,12 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
   expect_refused("a second first page", [](Report& r) {
     r.pages = {{"index", "", "", {}}};
     r.sections[1].page = "index";
+  });
+  expect_refused("short reasons", [](Report& r) { r.sections[0].tables[0].reasons = {"a"}; });
+  expect_refused("an appendix of another page", [](Report& r) {
+    r.pages = {{"waves", "", "", {}}, {"cost", "", "", {}, "index"}};
+    r.sections[1].page = "waves";
+    r.sections[2].page = "cost";
   });
   expect_refused("short row ids", [](Report& r) { r.sections[0].tables[0].row_ids = {"a"}; });
   expect_refused("row id twice", [](Report& r) { r.sections[2].tables[0].row_ids = {"a", "a"}; });
