@@ -7,9 +7,11 @@
 #include <set>
 
 #include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/geometry/block_mesh.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/geometry/liquid_edge.hpp"
+#include "openfoam_cases/geometry/probe_cells.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
 
 namespace slosh::openfoam {
@@ -73,6 +75,22 @@ void check_pressure_gauges(const SloshingTank& tank, const TankMesh& mesh) {
   }
 }
 
+void check_probes(const SloshingTank& tank, const TankMesh& mesh) {
+  for (const Probe& probe : tank.probes) cell_shares(mesh, probe.x, probe.z);
+}
+
+// Whether a wall has a patch.
+void check_loaded_walls(const SloshingTank& tank, const TankMesh& mesh) {
+  const auto faces_of = block_mesh(mesh).faces_of;
+  for (const std::string& wall : tank.loaded_walls) {
+    if (wall == "obstacles" || !faces_of.contains(wall)) {
+      throw std::invalid_argument("OpenFOAM tank: loaded wall \"" + wall +
+                                  "\": expected left, right, bottom or roof, not covered by "
+                                  "obstacles");
+    }
+  }
+}
+
 void check_roll(const Roll& roll) {
   require(std::isfinite(roll.axis_x), "roll axis x", roll.axis_x, "a finite place in m");
   require(std::isfinite(roll.axis_z), "roll axis z", roll.axis_z, "a finite place in m");
@@ -128,6 +146,8 @@ void check_tank(const SloshingTank& tank) {
   check_snapshots(tank);
   check_gauges(tank, mesh);
   check_pressure_gauges(tank, mesh);
+  check_probes(tank, mesh);
+  check_loaded_walls(tank, mesh);
   check_liquid(tank, mesh);
 }
 

@@ -37,6 +37,12 @@ struct PressureGauge {
   double width;     // [m] along the wall; 0 for a point
 };
 
+// A place in the tank where velocity and pressure are measured [m].
+struct Probe {
+  std::string name;
+  double x, z;  // from the left wall and above the bottom
+};
+
 // The level at the start is amplitude cos(mode pi x / length) above the fill depth.
 struct InitialWave {
   int mode;          // number of half waves between the walls
@@ -75,9 +81,17 @@ struct SloshingTank {
   double sample_interval;  // [s]
   std::vector<Gauge> gauges;
   std::vector<PressureGauge> pressure_gauges = {};
+  std::vector<Probe> probes = {};
+  // The walls whose forces are recorded one by one: left, right, bottom, roof.
+  std::vector<std::string> loaded_walls = {};
   std::vector<double> snapshot_times = {};  // [s]
   int cells_x, cells_z;
   int processes = 1;
 };
+
+// Whether a pressure is wanted, which is one above that of the gas.
+inline bool reads_gas_pressure(const SloshingTank& tank) {
+  return !tank.pressure_gauges.empty() || !tank.probes.empty() || !tank.loaded_walls.empty();
+}
 
 }  // namespace slosh::openfoam

@@ -11,6 +11,7 @@
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/geometry/liquid_edge.hpp"
+#include "openfoam_cases/geometry/probe_cells.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
 #include "openfoam_cases/time_step.hpp"
 
@@ -142,6 +143,45 @@ data wall_pressure(const SloshingTank& tank, const TankMesh& mesh) {
   return section(places);
 }
 
+// Returns the centres of the cells that the probes read, probe by probe.
+data probe_cells(const SloshingTank& tank, const TankMesh& mesh) {
+  data places(data::type::list);
+  for (const Probe& probe : tank.probes) {
+    for (const CellShare& share : cell_shares(mesh, probe.x, probe.z)) {
+      places << place(mesh, mesh.centre_x(share.cell.column), mesh.centre_z(share.cell.row));
+    }
+  }
+  return section(places);
+}
+
+// Returns the patches of the walls: one, or one for each wall and one for the obstacles where
+// forces are recorded by wall.
+data wall_patches(const SloshingTank& tank, const BlockMesh& mesh) {
+  const auto patch = [](const std::string& name, const std::string& faces) {
+    data values;
+    values.set("patch", name);
+    values.set("faces", faces);
+    return values;
+  };
+  data patches(data::type::list);
+  if (tank.loaded_walls.empty()) {
+    patches << patch("walls", mesh.wall_faces);
+    return patches;
+  }
+  for (const auto& [owner, faces] : mesh.faces_of) patches << patch(owner, faces);
+  return patches;
+}
+
+data loaded_walls(const SloshingTank& tank) {
+  data walls(data::type::list);
+  for (const std::string& wall : tank.loaded_walls) {
+    data one;
+    one.set("wall", wall);
+    walls << one;
+  }
+  return walls;
+}
+
 // Each snapshot is written once, as its function object ends before twice its time.
 data snapshots(const SloshingTank& tank) {
   data list(data::type::list);
@@ -169,7 +209,7 @@ data template_values(const SloshingTank& tank) {
   set("right_x", tank.length - mesh.origin_x());
   values.set("vertices", block_mesh.vertices);
   values.set("blocks", blocks(block_mesh.hexahedra));
-  values.set("wall_faces", block_mesh.wall_faces);
+  values.set("wall_patches", wall_patches(tank, block_mesh));
   values.set("front_and_back_faces", block_mesh.front_and_back_faces);
   set("cell_count", mesh.free_cells());
   set("gravity", tank.gravity);
@@ -195,6 +235,9 @@ data template_values(const SloshingTank& tank) {
   values.set("bottom_row", bottom_row(tank, mesh));
   values.set("gauge_cells", gauge_cells(tank, mesh));
   values.set("wall_pressure", wall_pressure(tank, mesh));
+  values.set("probe_cells", probe_cells(tank, mesh));
+  values.set("loaded_walls", loaded_walls(tank));
+  values.set("gas_pressure", data(reads_gas_pressure(tank)));
   values.set("momentum", data(!tank.roll));
   values.set("snapshots", snapshots(tank));
   return values;

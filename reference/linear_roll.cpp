@@ -47,7 +47,7 @@ const RollMotion& checked(const RollMotion& motion) {
 
 struct LinearRoll::Modes {
   Tank tank;
-  std::function<double(double)> angle;
+  std::function<double(double)> angle, rate;
   double axis_x, axis_z;
   std::vector<TankMode> modes;
   StokesJoukowski rigid;
@@ -57,6 +57,7 @@ struct LinearRoll::Modes {
         int count)
       : tank(tank),
         angle(checked(motion).angle),
+        rate(motion.rate),
         axis_x(motion.axis_x),
         axis_z(motion.axis_z),
         modes(roll_modes(tank, gas, {start, axis_z, motion.rate(0)}, count)),
@@ -149,6 +150,24 @@ LinearRoll::Force LinearRoll::force(double t) const {
   const double surge = gravity * now.angle + (modes_->axis_z + depth / 2) * now.acceleration;
   return {-density * (length * depth * surge + wave_part),
           -density * length * depth * (gravity - modes_->axis_x * now.acceleration)};
+}
+
+LinearRoll::Velocity LinearRoll::velocity(double x, double z, double t) const {
+  const Tank& tank = modes_->tank;
+  require_within(tank, where, x, z);
+  const double time = modes_->at(t).time, turning = modes_->rate(time);
+  const auto [flow_x, flow_z] = modes_->rigid.flow_in_tank(x, z);
+  Velocity velocity{turning * flow_x, turning * flow_z};
+  for (std::size_t n = 0; n < modes_->modes.size(); ++n) {
+    const TankMode& mode = modes_->modes[n];
+    if (-z * mode.wave_number > negligible_exponent) break;
+    const double speed =
+        (modes_->waves.state(n, time).rate - mode.line * turning) / mode.depth_factor;
+    const DepthProfile profile = depth_profile(mode.wave_number, z, tank.fill_depth);
+    velocity.x += speed * std::cos(mode.wave_number * x) * profile.cosh;
+    velocity.z += speed * std::sin(mode.wave_number * x) * profile.sinh;
+  }
+  return velocity;
 }
 
 double LinearRoll::moment(double t) const {

@@ -72,6 +72,14 @@ class LinearRoll {
     double x, z;
   };
   Force force(double t) const;
+
+  // Returns the velocity relative to the tank, along its axes: theta' times the flow relative to a
+  // tank that turns under a lid (stokes_joukowski.hpp), and the gradient of the waves.
+  struct Velocity {
+    double x, z;  // [m/s]
+  };
+  Velocity velocity(double x, double z, double t) const;
+
   // Returns the moment of the same pressure about the axis, counter-clockwise positive, per metre
   // of width [N].
   double moment(double t) const;

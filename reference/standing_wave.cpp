@@ -39,6 +39,16 @@ double StandingWave::elevation(double x, double t) const {
          (angular_frequency_ * angular_frequency_);
 }
 
+StandingWave::Velocity StandingWave::velocity(double x, double z, double t) const {
+  require_within(tank_, where, x, z);
+  const double time = time_within(where, t, std::numeric_limits<double>::max());
+  const double speed = wave_.amplitude * angular_frequency_ * std::sin(angular_frequency_ * time) /
+                       std::tanh(wave_number_ * tank_.fill_depth);
+  const double phase = wave_number_ * (x + tank_.length / 2);
+  const DepthProfile profile = depth_profile(wave_number_, z, tank_.fill_depth);
+  return {speed * std::sin(phase) * profile.cosh, -speed * std::cos(phase) * profile.sinh};
+}
+
 double StandingWave::pressure(double x, double z, double t) const {
   require_within(tank_, where, x, z);
   const double profile = depth_profile(wave_number_, z, tank_.fill_depth).cosh /

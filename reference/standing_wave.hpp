@@ -4,6 +4,7 @@
 // 228):
 //   eta = A cos(k(x+a)) cos(omega t),   omega^2 = g k tanh kh, or that of two-layer theory
 //   phi_t = -A omega^2 cos(k(x+a)) cosh(k(z+h)) / (k sinh kh) cos(omega t)
+//   velocity  grad phi,  phi = -A omega cos(k(x+a)) cosh(k(z+h)) / (k sinh kh) sin(omega t)
 //   pressure  p = -rho (g z + phi_t)
 //   force     F = integral over -h < z < 0 of p(a,z) - p(-a,z)
 //               = rho A omega^2 cos(omega t) ((-1)^m - 1) / k^2
@@ -33,6 +34,10 @@ class StandingWave {
 
   double angular_frequency() const { return angular_frequency_; }  // [rad/s]
   double elevation(double x, double t) const;                      // [m]
+  struct Velocity {
+    double x, z;  // [m/s]
+  };
+  Velocity velocity(double x, double z, double t) const;
   double pressure(double x, double z, double t) const;  // gauge [Pa], hydrostatic part included
   double horizontal_force(double t) const;  // of the liquid on the tank, per metre of width [N/m]
 

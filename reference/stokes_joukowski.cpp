@@ -28,6 +28,24 @@ StokesJoukowski::StokesJoukowski(const Tank& tank, double axis_x, double axis_z)
                  axis_x_ * axis_x_ * L * h - sum;
 }
 
+// Of Psi, -x z has the gradient (-z, -x), and the tank's velocity over theta' is (z0 - z, x - X0).
+// The difference of the gradient to it is -2 x along z, and the sum.
+StokesJoukowski::Flow StokesJoukowski::flow_in_tank(double x, double z) const {
+  const double to_surface = std::max(-z, 0.0), to_bottom = std::max(z + depth_, 0.0);
+  Flow flow{0, -2 * x};
+  for (int n = 0; n < most_terms; ++n) {
+    const double lambda = (2 * n + 1) * std::numbers::pi / length_;
+    if (lambda * std::min(to_surface, to_bottom) > negligible_exponent) break;
+    const double c_n = (n % 2 == 0 ? 4 : -4) / (length_ * lambda * lambda);
+    const double from_surface = std::exp(-lambda * to_surface),
+                 from_bottom = std::exp(-lambda * to_bottom),
+                 scale = 2 * c_n / (1 + std::exp(-lambda * depth_));
+    flow.x += scale * std::cos(lambda * x) * (from_surface - from_bottom);
+    flow.z += scale * std::sin(lambda * x) * (from_surface + from_bottom);
+  }
+  return flow;
+}
+
 double StokesJoukowski::potential(double x, double z) const {
   // The hyperbolic sine over the cosine is written with the distances to the surface and to the
   // bottom, so that no exponential grows.

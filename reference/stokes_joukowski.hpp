@@ -26,6 +26,14 @@ class StokesJoukowski {
   // the bottom it is below rounding.
   double potential(double x, double z) const;
 
+  // Returns grad Psi [m] less the velocity of the turning tank over theta', (-(z - z0), x - X0):
+  // the flow relative to the tank. It is truncated as the potential is; its terms fall as n^-2 on
+  // the surface and the bottom.
+  struct Flow {
+    double x, z;
+  };
+  Flow flow_in_tank(double x, double z) const;
+
   // Returns the moment about the axis of the pressure -rho theta'' Psi on the walls and the bottom,
   // without the lid, divided by rho theta'' [m4]. It is negative, as it opposes the acceleration.
   // With tau_n = tanh(lambda_n h/2):

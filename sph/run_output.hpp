@@ -29,7 +29,11 @@ struct RunOutput {
   std::map<std::string, History> elevation;        // by gauge name [m] above the still level
   std::map<std::string, History> highest_surface;  // by gauge name [m] above the still level
   std::map<std::string, History> wall_pressure;    // by pressure gauge [Pa]
-  History front_position;                          // of a breaking dam, from the left wall [m]
+  // By probe: the velocity relative to the tank, along its axes [m/s], and the pressure [Pa].
+  std::map<std::string, History> velocity_x, velocity_z, pressure;
+  // By wall: the force of the liquid on it, along the tank's axes, per metre of width [N/m].
+  std::map<std::string, History> wall_force_x, wall_force_z;
+  History front_position;  // of a breaking dam, from the left wall [m]
   // Force of the liquid on the tank, along the tank's axes, per metre of width [N/m], and its
   // moment about the roll's axis [N], counter-clockwise; the moment only of a tank that rolls.
   History force_x, force_z, moment;
@@ -55,6 +59,11 @@ struct RunOutput {
     visit("elevation", output.elevation);
     visit("highest_surface", output.highest_surface);
     visit("wall_pressure", output.wall_pressure);
+    visit("velocity_x", output.velocity_x);
+    visit("velocity_z", output.velocity_z);
+    visit("pressure", output.pressure);
+    visit("wall_force_x", output.wall_force_x);
+    visit("wall_force_z", output.wall_force_z);
     visit("front_position", output.front_position);
     visit("force_x", output.force_x);
     visit("force_z", output.force_z);

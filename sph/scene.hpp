@@ -14,13 +14,25 @@ struct Gauge {
   double x;  // [m] from the left wall; the gauge moves with the tank
 };
 
-enum class Wall { left, right, bottom };
+enum class Wall { left, right, bottom, roof };
 
 struct PressureGauge {
   std::string name;
   Wall wall;
   double position;  // [m] above the bottom, or from the left wall on the bottom
   double width;     // [m] of the sensor along the wall, centred at `position`; 0: a point
+};
+
+// A place in the tank that moves with it.
+struct Probe {
+  std::string name;
+  double x, z;  // [m] from the left wall and above the bottom
+};
+
+// A wall on which the force is recorded.
+struct LoadedWall {
+  std::string name;
+  Wall wall;
 };
 
 // The roll angle theta(t) about an axis that moves with the surge, positive counter-clockwise (x to
@@ -104,6 +116,8 @@ struct Scene {
   unsigned start_seed = 0;
   std::vector<Gauge> gauges;
   std::vector<PressureGauge> pressure_gauges = {};
+  std::vector<Probe> probes = {};
+  std::vector<LoadedWall> loaded_walls = {};
   bool record_still_water = false;    // the deviation from rest (recording/still_water.hpp)
   bool record_energy_budget = false;  // the energy balance (recording/energy_budget.hpp)
   double snapshot_interval = 0;       // [s], a multiple of sample_interval; 0: no snapshot

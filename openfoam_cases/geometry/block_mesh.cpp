@@ -64,6 +64,14 @@ struct Side {
   Cell beyond;  // one of the cells on the other side
 };
 
+// Returns what a cell that is not free belongs to.
+const char* owner(const TankMesh& mesh, Cell cell) {
+  if (cell.column < 0) return "left";
+  if (cell.column >= mesh.columns()) return "right";
+  if (cell.row < 0) return "bottom";
+  return cell.row >= mesh.rows() ? "roof" : "obstacles";
+}
+
 }  // namespace
 
 BlockMesh block_mesh(const TankMesh& mesh) {
@@ -79,7 +87,9 @@ BlockMesh block_mesh(const TankMesh& mesh) {
                                      {{0, 3, 2, 1}, {block.column_begin, block.row_begin - 1}},
                                      {{4, 5, 6, 7}, {block.column_begin, block.row_end}}}};
     for (const Side& side : sides) {
-      if (!mesh.is_free(side.beyond)) append(result.wall_faces, " ", face(c, side.face));
+      if (mesh.is_free(side.beyond)) continue;
+      append(result.wall_faces, " ", face(c, side.face));
+      append(result.faces_of[owner(mesh, side.beyond)], " ", face(c, side.face));
     }
     append(result.front_and_back_faces, " ", face(c, {0, 1, 5, 4}));
     append(result.front_and_back_faces, " ", face(c, {3, 7, 6, 2}));

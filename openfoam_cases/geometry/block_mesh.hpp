@@ -1,6 +1,7 @@
 // The tank's mesh as entries of blockMeshDict.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct BlockMesh {
   std::string vertices;  // four in a line
   std::vector<Hexahedron> hexahedra;
   std::string wall_faces;  // of the tank and the obstacles
+  // The same by what they belong to: "left", "right", "bottom", "roof", "obstacles".
+  std::map<std::string, std::string> faces_of;
   std::string front_and_back_faces;
 };
 

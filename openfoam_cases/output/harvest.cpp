@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/geometry/liquid_edge.hpp"
-#include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/output/read_loads.hpp"
 #include "openfoam_cases/output/read_log.hpp"
 
 namespace slosh::openfoam {
@@ -21,19 +20,6 @@ namespace fs = std::filesystem;
 // The scheme conserves the volume to 1e-12 over 20 s, also in breaking waves; 1e-4 of the depth
 // would be a visible part of a small wave.
 constexpr double volume_tolerance = 1e-4;
-
-// Checks how many cells the function object averaged: a zone that contains no cell, or also those
-// of a neighbouring column, gives a wrong average without an error.
-void check_cell_count(const fs::path& file, int expected) {
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line) && line.starts_with('#');) {
-    if (!line.starts_with("# Cells")) continue;
-    const std::string count = line.substr(line.find(':') + 1);
-    if (numbers_in(count) == std::vector<double>{static_cast<double>(expected)}) return;
-    refuse(file, fmt::format("a column of{} cells, expected {}", count, expected));
-  }
-  refuse(file, "the number of cells is not given");
-}
 
 // Returns the height of the surface in a column of cells, from the start on.
 History column_level(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
@@ -127,62 +113,6 @@ History liquid_volume(const SloshingTank& tank, const TankMesh& mesh,
   return volume;
 }
 
-// Returns one value of each row, times a factor.
-History column_of(const Rows& rows, std::size_t index, double factor) {
-  History history{rows.time, {}};
-  for (const std::vector<double>& row : rows.values) history.value.push_back(factor * row[index]);
-  return history;
-}
-
-// Drops the samples of the first three time steps. At the start fluid and tank are set in relative
-// motion at once, so that the pressure of the first steps is an impulse divided by the time step
-// and not that of the flow.
-Rows after_start(Rows rows, const LogReader& log) {
-  const auto kept = std::upper_bound(rows.time.begin(), rows.time.end(), log.third_step_time());
-  rows.values.erase(rows.values.begin(), rows.values.begin() + (kept - rows.time.begin()));
-  rows.time.erase(rows.time.begin(), kept);
-  return rows;
-}
-
-// Returns rows of vectors: the total load, its pressure and its viscous part, and that of the front
-// and the back wall where they cause friction.
-Rows wall_loads(const SloshingTank& tank, const fs::path& case_directory, const char* name,
-                const LogReader& log) {
-  const fs::path file = series_file(case_directory, "wall_force", name);
-  const int vectors = tank.gap_friction > 0 ? 4 : 3;
-  return after_start(read_rows(tank, file, 1 + 3 * vectors), log);
-}
-
-std::map<std::string, History> wall_pressures(const SloshingTank& tank, const TankMesh& mesh,
-                                              const fs::path& case_directory,
-                                              const LogReader& log) {
-  std::map<std::string, History> pressures;
-  if (tank.pressure_gauges.empty()) return pressures;
-  std::vector<std::vector<FaceShare>> shares;
-  std::size_t faces = 0;
-  for (const PressureGauge& gauge : tank.pressure_gauges) {
-    shares.push_back(face_shares(mesh, gauge));
-    faces += shares.back().size();
-  }
-  const fs::path gas_file = series_file(case_directory, "gas_pressure", "volFieldValue.dat");
-  const Rows gas = after_start(read_rows(tank, gas_file, 2), log);
-  check_cell_count(gas_file, mesh.free_cells());
-  const fs::path file = series_file(case_directory, "wall_pressure", "p");
-  const Rows rows = after_start(read_rows(tank, file, 1 + faces), log);
-  if (rows.time != gas.time) refuse(file, "not sampled at the times of " + gas_file.string());
-  for (std::size_t i = 0; i < rows.time.size(); ++i) {
-    auto face = rows.values[i].begin();
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      double pressure = -gas.values[i][0];
-      for (const FaceShare& share : shares[k]) pressure += share.weight * *face++;
-      History& history = pressures[tank.pressure_gauges[k].name];
-      history.time.push_back(rows.time[i]);
-      history.value.push_back(pressure);
-    }
-  }
-  return pressures;
-}
-
 // Sets the momentum in the earth's frame, that of the tank's motion plus that relative to the tank.
 void set_momentum(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
                   Harvest& harvest) {
@@ -215,6 +145,8 @@ Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
         above(tank.fill_depth, surfaces.at(nearest_column(mesh, gauge.x)));
   }
   harvest.wall_pressure = wall_pressures(tank, mesh, case_directory, log);
+  read_probes(tank, mesh, case_directory, log, harvest);
+  read_wall_forces(tank, mesh, case_directory, log, harvest);
   const Rows force = wall_loads(tank, case_directory, "force.dat", log);
   harvest.force_x = column_of(force, 0, 1);
   harvest.force_z = column_of(force, 2, 1);

@@ -22,6 +22,11 @@ struct Harvest {
   std::map<std::string, History> highest_surface;
   // Pressure [Pa] by gauge name, less the gas's mean pressure at the same time (wall_faces.hpp).
   std::map<std::string, History> wall_pressure;
+  // At the probes (probe_cells.hpp): the velocity relative to the tank [m/s], and the pressure [Pa]
+  // less the gas's mean pressure at the same time; zero while a probe is dry.
+  std::map<std::string, History> velocity_x, velocity_z, pressure;
+  // Force on each recorded wall [N/m], less that of the gas's mean pressure at the same time.
+  std::map<std::string, History> wall_force_x, wall_force_z;
   // x [m] of the front along the bottom (liquid_edge.hpp) of a liquid that started as a column;
   // empty for any other.
   History front_position;
@@ -45,8 +50,8 @@ struct Harvest {
 // Throws RunError where the log shows no success; where a series is missing, ends early, has a gap
 // or a number that is not finite; where a snapshot is missing or late; and where the liquid's
 // volume has drifted. Elevation, surface and volume begin with the state at time 0, momentum with
-// the first sample. Pressure, force and moment leave out the first three steps, whose pressure is
-// the impulse of the start.
+// the first sample. Pressure, force, moment and all that probes read leave out the first three
+// steps, whose pressure is the impulse of the start.
 Harvest harvest(const SloshingTank& tank, const std::filesystem::path& case_directory);
 
 }  // namespace slosh::openfoam

@@ -36,6 +36,10 @@ TEST(BlockMesh, GivesAnObstacleInTheMiddleItsWalls) {
   EXPECT_EQ(mesh.hexahedra.size(), 8u);
   EXPECT_EQ(entries(mesh.vertices), 2 * 16);
   EXPECT_EQ(entries(mesh.wall_faces), 4 * 3 + 4);
+  for (const char* wall : {"left", "right", "bottom", "roof"}) {
+    EXPECT_EQ(entries(mesh.faces_of.at(wall)), 3) << wall;
+  }
+  EXPECT_EQ(entries(mesh.faces_of.at("obstacles")), 4);
 }
 
 }  // namespace

@@ -64,6 +64,37 @@ TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
   EXPECT_NEAR(liquid, tank.length * tank.fill_depth, 1e-9);
 }
 
+// The gas adds the variation of its weight over the upper part of a wall to that of the liquid,
+// which is below 1 % here.
+TEST_F(RunLoads, OfTheWallsAddUpToThoseOfTheTankAndAreHydrostaticAtRest) {
+  SloshingTank tank = still_tank();
+  tank.cells_z = 52;
+  tank.duration = 0.1;
+  tank.loaded_walls = {"left", "right", "bottom", "roof"};
+  tank.probes = {{"deep", 0.31, 0.12}, {"wall", 0, 0.02}, {"gas", 0.5, 0.9}};
+  const Harvest still = run(tank);
+  const double side = tank.liquid.density * tank.gravity * tank.fill_depth * tank.fill_depth / 2;
+  EXPECT_NEAR(still.wall_force_x.at("left").value.back(), -side, 0.01 * side);
+  EXPECT_NEAR(still.wall_force_x.at("right").value.back(), side, 0.01 * side);
+  EXPECT_NEAR(still.wall_force_z.at("roof").value.back(), 0, 0.01 * side);
+  EXPECT_NEAR(still.pressure.at("deep").value.back(), still_pressure(tank, 0.12), 1);
+  EXPECT_NEAR(still.pressure.at("wall").value.back(), still_pressure(tank, 0.02), 1);
+  EXPECT_EQ(still.pressure.at("gas").value.back(), 0);
+  EXPECT_NEAR(still.velocity_x.at("deep").value.back(), 0, 1e-4);
+
+  tank = small_tank();
+  tank.loaded_walls = {"left", "right", "bottom", "roof"};
+  const TemporaryDirectory directory;
+  const Harvest moving = run_in(directory, tank);
+  for (std::size_t i = 0; i < moving.force_x.time.size(); ++i) {
+    double x = 0, z = 0;
+    for (const auto& [wall, history] : moving.wall_force_x) x += history.value.at(i);
+    for (const auto& [wall, history] : moving.wall_force_z) z += history.value.at(i);
+    EXPECT_NEAR(x, moving.force_x.value[i], 1e-6 * side);
+    EXPECT_NEAR(z, moving.force_z.value[i], 1e-6 * side);
+  }
+}
+
 // The liquid starts with the tank's velocity. Its momentum then changes by the force of the walls
 // and its weight, which is Newton's second law and relates the momentum to the forces. The gas's
 // part of the forces is 0.3 % here.

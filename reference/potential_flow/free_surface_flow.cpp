@@ -130,7 +130,7 @@ FreeSurfaceFlow::Pressure FreeSurfaceFlow::pressure(const State& state, double t
 
   const auto velocity = laplace_.gradient(flow.potential);
   const MatrixXd z = laplace_.heights();
-  Pressure result{MatrixXd(z.rows(), z.cols()), laplace_.column(), {}};
+  Pressure result{MatrixXd(z.rows(), z.cols()), laplace_.column(), velocity, {}};
   for (Index j = 0; j < z.cols(); ++j) {
     for (Index i = 0; i < z.rows(); ++i) {
       const double x_i = x().nodes[i], vx = velocity.x(i, j), vz = velocity.z(i, j);
@@ -138,6 +138,8 @@ FreeSurfaceFlow::Pressure FreeSurfaceFlow::pressure(const State& state, double t
           tank_.density *
           (now.velocity.along_x(z(i, j)) * vx + now.velocity.along_z(x_i) * vz -
            (vx * vx + vz * vz) / 2 - tank_.gravity * now.height(x_i, z(i, j)) - guess_rate_(i, j));
+      result.velocity.x(i, j) -= now.velocity.along_x(z(i, j));
+      result.velocity.z(i, j) -= now.velocity.along_z(x_i);
     }
   }
   const auto last = z.rows() - 1;
@@ -147,7 +149,9 @@ FreeSurfaceFlow::Pressure FreeSurfaceFlow::pressure(const State& state, double t
       result.column[last] * s().weights.array() * result.field.row(last).transpose().array();
   const ArrayXd bottom = x().weights.array() * result.field.col(0).array();
   const double axis_z = motion_.axis_z;
-  result.load.force_x = right.sum() - left.sum();
+  result.load.left = -left.sum();
+  result.load.right = right.sum();
+  result.load.force_x = result.load.left + result.load.right;
   result.load.force_z = -bottom.sum();
   result.load.moment = ((z.row(0).transpose().array() - axis_z) * left).sum() -
                        ((z.row(last).transpose().array() - axis_z) * right).sum() -

@@ -49,8 +49,9 @@ class FreeSurfaceFlow {
   Eigen::VectorXd potential_at_rest_in_tank(const Eigen::VectorXd& elevation, double t);
 
   struct Pressure {
-    Eigen::MatrixXd field;   // [Pa] above the gas's, [nodes_x x nodes_z]
-    Eigen::VectorXd column;  // the liquid's depth D at the x nodes [m]
+    Eigen::MatrixXd field;             // [Pa] above the gas's, [nodes_x x nodes_z]
+    Eigen::VectorXd column;            // the liquid's depth D at the x nodes [m]
+    MappedLaplace::Gradient velocity;  // relative to the tank [m/s]
     WallLoad load;
   };
   Pressure pressure(const State& state, double t);

@@ -56,7 +56,7 @@ void check(const NonlinearSloshing& sloshing, const Observation& observation) {
     last = t;
   }
   for (const double x : observation.gauges) require_within(tank, where, x);
-  for (const auto& [x, z] : observation.pressure_places) {
+  for (const auto& [x, z] : observation.places) {
     require_within(tank, where, x);
     require(z >= -(1 + rounding) * tank.fill_depth && z <= sloshing.roof, where, "z", z,
             "a height from the bottom to the roof, m");
@@ -72,7 +72,8 @@ class Run {
         from_coefficients_(flow_.x().coefficients.inverse()),
         period_(2 * std::numbers::pi / natural_frequency(sloshing.tank, 1)) {
     record_.elevation.resize(observation.gauges.size());
-    record_.pressure.resize(observation.pressure_places.size());
+    for (auto* series : {&record_.pressure, &record_.velocity_x, &record_.velocity_z})
+      series->resize(observation.places.size());
   }
 
   NonlinearRecord run() {
@@ -243,12 +244,16 @@ class Run {
           flow_.x().interpolation(observation_.gauges[i]).dot(state.elevation));
     }
     record_.load.push_back(pressure.load);
-    for (std::size_t i = 0; i < observation_.pressure_places.size(); ++i) {
-      const auto [x, z] = observation_.pressure_places[i];
+    for (std::size_t i = 0; i < observation_.places.size(); ++i) {
+      const auto [x, z] = observation_.places[i];
       const Eigen::RowVectorXd along = flow_.x().interpolation(x);
       const double s = (z + sloshing_.tank.fill_depth) / along.dot(pressure.column);
-      record_.pressure[i].push_back(
-          s < 1 ? (along * pressure.field).dot(flow_.s().interpolation(std::max(s, 0.0))) : 0);
+      const auto at_place = [&](const Eigen::MatrixXd& field) {
+        return s < 1 ? (along * field).dot(flow_.s().interpolation(std::max(s, 0.0))) : 0;
+      };
+      record_.pressure[i].push_back(at_place(pressure.field));
+      record_.velocity_x[i].push_back(at_place(pressure.velocity.x));
+      record_.velocity_z[i].push_back(at_place(pressure.velocity.z));
     }
     record_.volume_error.push_back(volume_error_);
     record_.energy_error.push_back(energy_error_);

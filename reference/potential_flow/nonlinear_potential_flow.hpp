@@ -50,11 +50,12 @@ struct NonlinearSloshing {
 struct Observation {
   std::vector<double> times;        // [s], rising, from 0 on
   std::vector<double> gauges = {};  // x [m] from the tank's centre
-  // A place fixed in the tank. Above the surface the pressure is that of the gas, 0.
+  // A place fixed in the tank, for pressure and velocity. Above the surface the pressure is that of
+  // the gas, 0, and the velocity is given as 0.
   struct Place {
     double x, z;  // [m]
   };
-  std::vector<Place> pressure_places = {};
+  std::vector<Place> places = {};
 };
 
 // Series at the observation's times up to `valid_until`.
@@ -62,7 +63,8 @@ struct NonlinearRecord {
   std::vector<double> times;                   // [s]
   std::vector<std::vector<double>> elevation;  // [gauge][time], m, normal to the still surface
   std::vector<std::vector<double>> pressure;   // [place][time], Pa above the gas's
-  std::vector<WallLoad> load;                  // [time]
+  std::vector<std::vector<double>> velocity_x, velocity_z;  // [place][time], m/s, in the tank
+  std::vector<WallLoad> load;                               // [time]
   // Measures of the numerical error, [time]: the drift of the mean level [m]; the change of the
   // energy less the walls' work, relative to the energy g length A^2/2 of the highest wave so far;
   // and the largest of the last quarter of the surface's Legendre coefficients, relative to that

@@ -43,6 +43,7 @@ struct TankPlace {
 // The load of the liquid on the walls and the bottom, along the tank's axes, per metre of width.
 struct WallLoad {
   double force_x, force_z;  // [N/m]
+  double left, right;       // the parts of force_x on the side walls [N/m]; force_z is the bottom's
   double moment;            // about the axis, counter-clockwise [N]
 };
 

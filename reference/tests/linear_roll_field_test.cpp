@@ -83,6 +83,43 @@ TEST(LinearRollField, AcceleratesWithTheSurfaceAndHasNoPressureOnTheWave) {
   }
 }
 
+// The velocity in the earth's frame, along the tank's axes to first order, changes as the pressure
+// and the tilt of gravity accelerate it. The walls, the bottom and the wave move with the liquid.
+TEST(LinearRollField, MovesAsThePressureAccelerates) {
+  const double d = 1e-4, step = 4e-3;
+  const auto of_tank = [&](double x, double z, double t) {
+    return std::pair{-motion().rate(t) * (z - axis.z), motion().rate(t) * (x - axis.x)};
+  };
+  const auto velocity = [&](double x, double z, double t) {
+    const auto [u, w] = waves().velocity(x, z, t);
+    const auto [tank_u, tank_w] = of_tank(x, z, t);
+    return std::pair{u + tank_u, w + tank_w};
+  };
+  for (const double t : instants) {
+    for (const auto& [x, z] : {std::pair{0.1, -0.1}, {-0.4, -0.3}, {0.44, -0.05}}) {
+      const auto late = velocity(x, z, t + step), early = velocity(x, z, t - step);
+      const double p_x = (waves().pressure(x + d, z, t) - waves().pressure(x - d, z, t)) / (2 * d);
+      const double p_z = (waves().pressure(x, z + d, t) - waves().pressure(x, z - d, t)) / (2 * d);
+      EXPECT_NEAR(rho * (late.first - early.first) / (2 * step), -p_x - rho * g * motion().angle(t),
+                  0.5)
+          << x << " " << z << " " << t;
+      EXPECT_NEAR(rho * (late.second - early.second) / (2 * step), -p_z - rho * g, 0.5)
+          << x << " " << z << " " << t;
+    }
+    EXPECT_GT(std::abs(waves().velocity(0.1, -0.1, t).x), 1e-3);
+    for (const double z : {-0.03, -0.2, -0.44}) {
+      EXPECT_NEAR(waves().velocity(a, z, t).x, 0, 1e-12);
+      EXPECT_NEAR(waves().velocity(-a, z, t).x, 0, 1e-12);
+    }
+    for (const double x : {-0.44, -0.1, 0.4}) {
+      EXPECT_NEAR(waves().velocity(x, -h, t).z, 0, 1e-5);
+      EXPECT_NEAR(waves().velocity(x, 0, t).z,
+                  (waves().elevation(x, t + step) - waves().elevation(x, t - step)) / (2 * step),
+                  1e-3);
+    }
+  }
+}
+
 // Integrates over the walls and the bottom up to the still surface. z = -h s^2 makes the points
 // dense near the surface, where the high modes are.
 TEST(LinearRollField, PushesAndTurnsTheTankAsTheWallPressuresDo) {

@@ -49,7 +49,7 @@ TEST(NonlinearConvergence, ReachesTheStepsErrorWithAStandingWave) {
 // on the wall, and 4.8e-6 Pa below it.
 TEST(NonlinearConvergence, ReachesTenToTheMinusTenWithAForcedWave) {
   const Observation observation{
-      .times = instants_up_to(5, 0.25), .gauges = {0.45, 0.5}, .pressure_places = {{0.5, -0.1}}};
+      .times = instants_up_to(5, 0.25), .gauges = {0.45, 0.5}, .places = {{0.5, -0.1}}};
   const NonlinearSloshing surge{
       .tank = li_tank, .motion = smooth_surge(li_surge.amplitude, {li_surge.angular_frequency, 3})};
   const auto fine = run(surge, 80, 28, observation);

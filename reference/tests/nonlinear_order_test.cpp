@@ -27,9 +27,8 @@ Difference difference_in_surge(double amplitude) {
   const TankMotion motion = smooth_surge(amplitude, start);
   const LinearSurge linear(li_tank, Start::earth,
                            AnySurge{0, motion.surge_acceleration, duration, sampling}, 500);
-  const Observation observation{.times = instants_up_to(duration, 0.1),
-                                .gauges = {li_gauge},
-                                .pressure_places = {{-0.5, -0.2}}};
+  const Observation observation{
+      .times = instants_up_to(duration, 0.1), .gauges = {li_gauge}, .places = {{-0.5, -0.2}}};
   const auto record = run_nonlinear_potential_flow(
       on_grid({.tank = li_tank, .motion = motion}, 32, 16), observation);
   std::vector<double> pressure, linear_pressure, force, linear_force;
@@ -52,9 +51,8 @@ Difference difference_in_roll(double amplitude) {
       zhao_tank, Start::earth,
       {motion.angle, motion.rate, motion.roll_acceleration, 0.1, zhao_axis_z, duration, sampling},
       500);
-  const Observation observation{.times = instants_up_to(duration, 0.1),
-                                .gauges = {0.4},
-                                .pressure_places = {{0.46, zhao_gauge_z}}};
+  const Observation observation{
+      .times = instants_up_to(duration, 0.1), .gauges = {0.4}, .places = {{0.46, zhao_gauge_z}}};
   const auto record = run_nonlinear_potential_flow(
       on_grid({.tank = zhao_tank, .motion = motion}, 32, 16), observation);
   std::vector<double> force, linear_force, moment, linear_moment;

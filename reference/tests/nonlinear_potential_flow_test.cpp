@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/potential_flow/legendre_grid.hpp"
+#include "reference/standing_wave.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
 #include "reference/tests/zhao_tank.hpp"
 
@@ -35,7 +36,7 @@ TEST(NonlinearPotentialFlow, StandsStillInATiltedTankUnderAConstantAcceleration)
                   .axis_x = 0.3,
                   .axis_z = -0.1};
   const auto record = run_nonlinear_potential_flow(
-      still, {.times = {0, 0.5, 1}, .gauges = {-0.5, 0.2}, .pressure_places = {{0.1, -0.3}}});
+      still, {.times = {0, 0.5, 1}, .gauges = {-0.5, 0.2}, .places = {{0.1, -0.3}}});
   ASSERT_EQ(record.left_range_because, "");
   const double to_surface = (0.3 + slope * 0.1) / std::hypot(1, slope);
   const double weight = li_tank.density * felt * li_tank.length * li_tank.fill_depth;
@@ -62,7 +63,7 @@ TEST(NonlinearPotentialFlow, IsTheSameInATankThatAlsoMovesSteadily) {
   moving.motion.surge_acceleration = [](double) { return 0.0; };
   const Observation observation{.times = instants_up_to(1.6, 0.2),
                                 .gauges = {-0.46, 0.3},
-                                .pressure_places = {{0.46, -0.3}, {-0.1, -0.465}}};
+                                .places = {{0.46, -0.3}, {-0.1, -0.465}}};
   const auto a = run_nonlinear_potential_flow(roll, observation);
   const auto b = run_nonlinear_potential_flow(moving, observation);
   ASSERT_EQ(b.left_range_because, "");
@@ -88,9 +89,8 @@ TEST(NonlinearPotentialFlow, MirrorsTheFlowOfAMirroredMotion) {
     return both;
   };
   const auto observation = [](double sign) {
-    return Observation{.times = instants_up_to(1.6, 0.4),
-                       .gauges = {sign * 0.4},
-                       .pressure_places = {{sign * 0.5, -0.2}}};
+    return Observation{
+        .times = instants_up_to(1.6, 0.4), .gauges = {sign * 0.4}, .places = {{sign * 0.5, -0.2}}};
   };
   const auto a = run_nonlinear_potential_flow(sloshing(1), observation(1));
   const auto b = run_nonlinear_potential_flow(sloshing(-1), observation(-1));
@@ -127,7 +127,7 @@ TEST(NonlinearPotentialFlow, StaysLevelWhenItIsTurnedSlowly) {
   slow.motion.axis_x = 0.2;
   slow.motion.axis_z = -0.3;
   const auto record = run_nonlinear_potential_flow(
-      slow, {.times = {rise + 1}, .gauges = gauges, .pressure_places = {{0.3, -0.4}}});
+      slow, {.times = {rise + 1}, .gauges = gauges, .places = {{0.3, -0.4}}});
   ASSERT_EQ(record.left_range_because, "");
   // The differences are the waves that a turn as slow as this leaves behind. Measured: 3e-7 m of
   // 0.14, 1.3e-3 Pa of 2900.
@@ -136,6 +136,40 @@ TEST(NonlinearPotentialFlow, StaysLevelWhenItIsTurnedSlowly) {
   }
   EXPECT_NEAR(record.pressure[0][0],
               9810 * std::cos(final_angle) * (0.4 - 0.3 * std::tan(final_angle)), 5e-3);
+}
+
+// Of a wave of 1 mm linear theory leaves out a part of the order of its steepness, 0.3 %. The first
+// place is dry, the second one on the wall.
+TEST(NonlinearPotentialFlow, MovesAsLinearTheoryInASmallWave) {
+  const double amplitude = 1e-3;
+  const StandingWave linear(li_tank, std::nullopt, {1, amplitude});
+  const auto record = run_nonlinear_potential_flow(
+      standing_wave(li_tank, amplitude),
+      {.times = instants_up_to(0.6, 0.1), .places = {{0.1, 0.01}, {-0.5, -0.1}, {0.15, -0.12}}});
+  ASSERT_EQ(record.left_range_because, "");
+  const double fastest = amplitude * linear.angular_frequency();
+  for (std::size_t i = 0; i < record.times.size(); ++i) {
+    EXPECT_EQ(record.velocity_x[0][i], 0);
+    EXPECT_EQ(record.velocity_z[0][i], 0);
+    EXPECT_NEAR(record.velocity_x[1][i], 0, 1e-9);
+    const auto [u, w] = linear.velocity(0.15, -0.12, record.times[i]);
+    EXPECT_NEAR(record.velocity_x[2][i], u, 5e-3 * fastest);
+    EXPECT_NEAR(record.velocity_z[2][i], w, 5e-3 * fastest);
+  }
+  EXPECT_GT(std::abs(record.velocity_x[2][3]), 0.3 * fastest);
+}
+
+TEST(NonlinearPotentialFlow, PushesEachWallByItsPartOfTheForce) {
+  const auto record = run_nonlinear_potential_flow(standing_wave(li_tank, 0.02),
+                                                   {.times = instants_up_to(0.3, 0.1)});
+  ASSERT_EQ(record.left_range_because, "");
+  const auto hydrostatic = [&](double eta) {
+    return li_tank.density * li_tank.gravity * std::pow(li_tank.fill_depth + eta, 2) / 2;
+  };
+  for (const WallLoad& load : record.load) EXPECT_NEAR(load.left + load.right, load.force_x, 1e-9);
+  // At the start the crest stands at the left wall.
+  EXPECT_NEAR(record.load[0].left, -hydrostatic(0.02), 0.05 * hydrostatic(0));
+  EXPECT_NEAR(record.load[0].right, hydrostatic(-0.02), 0.05 * hydrostatic(0));
 }
 
 // By Newton's law the force on the tank is minus the rate of change of the liquid's momentum, less

@@ -26,7 +26,7 @@ NonlinearSloshing shape(std::function<double(double)> elevation) {
 NonlinearRecord cut_short(const NonlinearSloshing& sloshing) {
   const auto times = instants_up_to(2, 0.05);
   const auto record = run_nonlinear_potential_flow(
-      sloshing, {.times = times, .gauges = {0.5}, .pressure_places = {{0.5, -0.02}}});
+      sloshing, {.times = times, .gauges = {0.5}, .places = {{0.5, -0.02}}});
   EXPECT_NE(record.left_range_because, "");
   EXPECT_LT(record.valid_until, 2);
   EXPECT_LT(record.times.size(), times.size());
@@ -128,8 +128,8 @@ TEST(NonlinearRange, RefusesImpossibleInput) {
   refused([](auto&, auto& o) { o.times = {1, 0.5}; });
   refused([](auto&, auto& o) { o.times = {nan}; });
   refused([](auto&, auto& o) { o.gauges = {0.51}; });
-  refused([](auto&, auto& o) { o.pressure_places = {{0, -0.36}}; });
-  refused([](auto&, auto& o) { o.pressure_places = {{nan, -0.1}}; });
+  refused([](auto&, auto& o) { o.places = {{0, -0.36}}; });
+  refused([](auto&, auto& o) { o.places = {{nan, -0.1}}; });
 }
 
 }  // namespace

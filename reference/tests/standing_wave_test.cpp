@@ -59,6 +59,33 @@ TEST(StandingWave, PushesTheTankByItsPressureOnTheWalls) {
   }
 }
 
+// By Euler's equation rho times the velocity's rate is minus the gradient of the pressure less the
+// hydrostatic one; at the start the liquid is at rest.
+TEST(StandingWave, MovesAsItsPressureAccelerates) {
+  const double step = 1e-4;
+  for (const int mode : {1, 2}) {
+    const StandingWave wave(li_tank, std::nullopt, {mode, 0.01});
+    EXPECT_EQ(wave.velocity(0.2, -0.1, 0).x, 0);
+    EXPECT_EQ(wave.velocity(0.2, -0.1, 0).z, 0);
+    for (const double t : {0.3, 1.1}) {
+      const auto p = [&](double x, double z) { return wave.pressure(x, z, t); };
+      const auto [late_x, late_z] = wave.velocity(0.2, -0.1, t + step);
+      const auto [early_x, early_z] = wave.velocity(0.2, -0.1, t - step);
+      EXPECT_NEAR(li_tank.density * (late_x - early_x) / (2 * step),
+                  -(p(0.2 + step, -0.1) - p(0.2 - step, -0.1)) / (2 * step), 1e-3);
+      EXPECT_NEAR(li_tank.density * (late_z - early_z) / (2 * step),
+                  -(p(0.2, -0.1 + step) - p(0.2, -0.1 - step)) / (2 * step) -
+                      li_tank.density * li_tank.gravity,
+                  1e-3);
+      EXPECT_NEAR(wave.velocity(0.1, 0, t).z,
+                  (wave.elevation(0.1, t + step) - wave.elevation(0.1, t - step)) / (2 * step),
+                  1e-8);
+      EXPECT_NEAR(wave.velocity(-0.5, -0.1, t).x, 0, 1e-15);
+      EXPECT_NEAR(wave.velocity(0.3, -0.35, t).z, 0, 1e-15);
+    }
+  }
+}
+
 TEST(StandingWave, RefusesWhatIsImpossible) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(StandingWave(li_tank, std::nullopt, {0, 0.01}), std::invalid_argument);
@@ -70,6 +97,7 @@ TEST(StandingWave, RefusesWhatIsImpossible) {
   EXPECT_THROW(wave.elevation(0, -1), std::invalid_argument);
   EXPECT_THROW(wave.pressure(0, 0.1, 0), std::invalid_argument);
   EXPECT_THROW(wave.pressure(0, -0.36, 0), std::invalid_argument);
+  EXPECT_THROW(wave.velocity(0, 0.1, 0), std::invalid_argument);
   EXPECT_THROW(wave.horizontal_force(nan), std::invalid_argument);
 }
 

@@ -46,6 +46,11 @@ void add_surface_place(const GaugeDefinition& gauge, ShownQuantity& shown) {
   shown.title += fmt::format(" {:.3g} m from the left wall", gauge.x);
 }
 
+void add_probe_place(const ProbeDefinition& probe, ShownQuantity& shown) {
+  shown.title +=
+      fmt::format(" {:.3g} m from the left wall, {:.3g} m above the bottom", probe.x, probe.z);
+}
+
 void add_sensor(const PressureGaugeDefinition& gauge, bool is_filtered, ShownQuantity& shown) {
   shown.title += " " + wall_text(gauge);
   if (gauge.filter_cutoff) shown.title += is_filtered ? ", filtered" : ", unfiltered";
@@ -76,11 +81,23 @@ ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string
   if (known->at != MeasuredAt::tank) {
     std::string gauge = quantity.substr(quantity.find('@') + 1);
     if (is_filtered) gauge.resize(gauge.size() - filtered.size());
-    if (known->at == MeasuredAt::pressure_gauge) {
-      sensor = &gauge_named(definition.pressure_gauges, gauge);
-      add_sensor(*sensor, is_filtered, shown);
-    } else {
-      add_surface_place(gauge_named(definition.gauges, gauge), shown);
+    switch (known->at) {
+      case MeasuredAt::tank:
+        break;
+      case MeasuredAt::pressure_gauge:
+        sensor = &gauge_named(definition.pressure_gauges, gauge);
+        add_sensor(*sensor, is_filtered, shown);
+        break;
+      case MeasuredAt::surface_gauge:
+        add_surface_place(gauge_named(definition.gauges, gauge), shown);
+        break;
+      case MeasuredAt::probe:
+        add_probe_place(gauge_named(definition.probes, gauge), shown);
+        break;
+      case MeasuredAt::wall:
+        shown.title += gauge == "bottom" || gauge == "roof" ? ", on the " + gauge
+                                                            : ", on the " + gauge + " wall";
+        break;
     }
   }
   if (known->tells_sampling)

@@ -48,6 +48,14 @@ const std::map<std::string, Change> changes{
      [](Scene& scene) {
        scene.pressure_gauges = {{"left", Wall::left, 0.1, 0}};
      }},
+    {"probe",
+     [](Scene& scene) {
+       scene.probes = {{"middle", 0.5, 0.2}};
+     }},
+    {"wall_forces",
+     [](Scene& scene) {
+       scene.loaded_walls = {{"left", Wall::left}};
+     }},
     {"energy_budget", [](Scene& scene) { scene.record_energy_budget = true; }},
     {"still_water", [](Scene& scene) { scene.record_still_water = true; }},
     {"snapshots",

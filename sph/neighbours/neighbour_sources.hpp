@@ -181,6 +181,22 @@ class NeighbourSources {
     }
   }
 
+  // Returns the walls behind which a source lies, as a sum of the bits of Reflection; none for the
+  // liquid and for obstacles.
+  int walls_before(std::size_t source) const {
+    const std::size_t liquid = built_x_.size();
+    if (source < liquid) return in_none;
+    if (source < liquid + images_.size()) return images_[source - liquid].reflection;
+    const std::size_t solid = source - first_solid_source();
+    const double x = solid_x_[solid], z = solid_z_[solid];
+    return (x < 0         ? in_left
+            : x > length_ ? in_right
+                          : in_none) +
+           (z < 0         ? in_bottom
+            : z > height_ ? in_roof
+                          : in_none);
+  }
+
   const Source* sources() const { return sources_.data(); }
   std::size_t source_count() const { return sources_.size(); }
   const ClusterLists& clusters() const { return clusters_; }

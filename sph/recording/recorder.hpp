@@ -8,9 +8,11 @@
 #include "sph/liquid.hpp"
 #include "sph/recording/energy_budget.hpp"
 #include "sph/recording/free_surface.hpp"
+#include "sph/recording/probe.hpp"
 #include "sph/recording/seen_from_tank.hpp"
 #include "sph/recording/soundness.hpp"
 #include "sph/recording/still_water.hpp"
+#include "sph/recording/wall_forces.hpp"
 #include "sph/recording/wall_pressure_gauge.hpp"
 #include "sph/run_output.hpp"
 #include "sph/scene.hpp"
@@ -25,6 +27,7 @@ class Recorder {
   Recorder(const Scene& scene, Liquid<Scheme>& liquid)
       : scene_(scene), energy_bound_(scene, liquid.particles) {
     for (const PressureGauge& gauge : scene.pressure_gauges) require_on_wall(gauge, scene);
+    for (const Probe& probe : scene.probes) require_in_tank(probe, scene);
     if (scene.record_still_water)
       still_water_.emplace(
           scene, liquid.particles,
@@ -43,6 +46,8 @@ class Recorder {
     const Motion<Scheme> motion(scene_, liquid.time);
     see_from_tank(liquid, motion, seen_);
     record_gauges(liquid, motion);
+    record_probes(liquid, motion);
+    record_wall_forces(liquid);
     if (still_water_) still_water_->record(seen_.particles, liquid.time, output.still_water);
     record_energies(liquid.time, motion);
     if (energy_budget_)
@@ -105,6 +110,28 @@ class Recorder {
                          [&](double density) { return liquid.scheme().state.pressure(density); }));
     if (scene_.column_width)
       push(output.front_position, t, front_position(p, scene_.particle_spacing));
+  }
+
+  void record_probes(const Liquid<Scheme>& liquid, const Motion<Scheme>& motion) {
+    for (const Probe& probe : scene_.probes) {
+      const Probed found = probed(seen_.particles, probe, scene_, motion, [&](double density) {
+        return liquid.scheme().state.pressure(density);
+      });
+      push(output.velocity_x[probe.name], liquid.time, found.velocity.x);
+      push(output.velocity_z[probe.name], liquid.time, found.velocity.z);
+      push(output.pressure[probe.name], liquid.time, found.pressure);
+    }
+  }
+
+  // Reads the sources of the momentum sum, which the next evaluation of any other sum overwrites.
+  void record_wall_forces(const Liquid<Scheme>& liquid) {
+    if (scene_.loaded_walls.empty()) return;
+    const WallForces forces = WallForcesOf<Scheme>(liquid, scene_.gravity).all();
+    for (const LoadedWall& loaded : scene_.loaded_walls) {
+      const Vector2 force = forces[static_cast<std::size_t>(loaded.wall)];
+      push(output.wall_force_x[loaded.name], liquid.time, force.x);
+      push(output.wall_force_z[loaded.name], liquid.time, force.z);
+    }
   }
 
   void record_energies(double t, const Motion<Scheme>& motion) {

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sph/terms/kernels.hpp"
+#include "sph/recording/near_particles.hpp"
 
 namespace slosh::sph {
 namespace {
 
-constexpr double radius_in_spacings = 3;
 constexpr double least_filling = 0.2;  // of the half disc
 
 Vector2 place_on_wall(Wall wall, double along, double tank_length) {
@@ -21,17 +20,12 @@ Vector2 place_on_wall(Wall wall, double along, double tank_length) {
 
 double pressure_at_place(const Particles& p, Vector2 place, Vector2 gravity,
                          const std::function<double(double)>& pressure_at, double spacing) {
-  const double radius = radius_in_spacings * spacing, h = radius / kernel_support;
   double sum = 0, weights = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double dx = place.x - p.x[i], dz = place.z - p.z[i], distance2 = dx * dx + dz * dz;
-    if (!(distance2 < radius * radius)) continue;
-    const double weight = p.mass[i] / p.density[i] * WendlandC2::normalisation / (h * h) *
-                          WendlandC2::shape(std::sqrt(distance2) / h);
+  for_each_near(p, place, spacing, [&](std::size_t i, double share, double dx, double dz) {
     const double rise = p.density[i] * (gravity.x * dx + gravity.z * dz);
-    sum += weight * (pressure_at(p.density[i]) + rise);
-    weights += weight;
-  }
+    sum += share * (pressure_at(p.density[i]) + rise);
+    weights += share;
+  });
   return weights >= least_filling * 0.5 ? sum / weights : 0;
 }
 

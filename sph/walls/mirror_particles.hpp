@@ -18,6 +18,7 @@ enum Reflection : std::uint8_t {
   in_bottom = 4,
   in_roof = 8
 };
+inline constexpr int all_walls = in_left + in_right + in_bottom + in_roof;
 // The largest sum of one side wall's bit and the bottom's or the roof's, plus one.
 inline constexpr int reflection_count = in_right + in_roof + 1;
 

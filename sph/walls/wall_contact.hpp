@@ -1,12 +1,13 @@
 // The wall's action on particles that come too near, in addition to the mirror particles' pressure:
-// `push` adds to their accelerations; `confine` corrects their state at the start of a step and
-// returns how many it has corrected.
+// `push` adds that of the walls named by its bits to their accelerations; `confine` corrects their
+// state at the start of a step and returns how many it has corrected.
 #pragma once
 
 #include <cmath>
 
 #include "sph/neighbours/particles.hpp"
 #include "sph/setting.hpp"
+#include "sph/walls/mirror_particles.hpp"
 #include "sph/walls/solid_particles.hpp"
 #include "sph/walls/tank_walls.hpp"
 
@@ -21,7 +22,7 @@ struct ReflectingWall {
 
   explicit ReflectingWall(const Setting&) {}
 
-  template <class Tank>
+  template <int walls = all_walls, class Tank>
   void push(const Particles&, const Tank&, Rates&) const {}
 
   template <class Tank>
@@ -66,6 +67,7 @@ struct RepulsiveWall {
 
   std::size_t confine(Particles&, const TankWalls&) const { return 0; }
 
+  template <int of = all_walls>
   void push(const Particles& p, const TankWalls& walls, Rates& rates) const {
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -74,10 +76,10 @@ struct RepulsiveWall {
       const double from_bottom = p.z[i] - walls.bottom, from_roof = p.z[i] - walls.roof;
       double& ax = rates.acceleration_x[i];
       double& az = rates.acceleration_z[i];
-      if (from_left < r0) push_one(from_left, from_bottom, r0, ax, az);
-      if (-from_right < r0) push_one(from_right, from_bottom, r0, ax, az);
-      if (from_bottom < r0) push_one(from_bottom, from_left, r0, az, ax);
-      if (-from_roof < r0) push_one(from_roof, from_left, r0, az, ax);
+      if ((of & in_left) && from_left < r0) push_one(from_left, from_bottom, r0, ax, az);
+      if ((of & in_right) && -from_right < r0) push_one(from_right, from_bottom, r0, ax, az);
+      if ((of & in_bottom) && from_bottom < r0) push_one(from_bottom, from_left, r0, az, ax);
+      if ((of & in_roof) && -from_roof < r0) push_one(from_roof, from_left, r0, az, ax);
     }
   }
 

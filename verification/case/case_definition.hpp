@@ -99,9 +99,13 @@ struct GaugeDefinition {
   double x;  // [m] from the left wall
 };
 
-enum class Wall { left, right, bottom };
+enum class Wall { left, right, bottom, roof };
 
 inline constexpr EnumName<Wall> wall_names[] = {
+    {Wall::left, "left"}, {Wall::right, "right"}, {Wall::bottom, "bottom"}, {Wall::roof, "roof"}};
+
+// The walls that take a pressure gauge.
+inline constexpr EnumName<Wall> sensor_wall_names[] = {
     {Wall::left, "left"}, {Wall::right, "right"}, {Wall::bottom, "bottom"}};
 
 // Measures the pressure on a wall of the tank above that of the gas, as a mean over the sensor's
@@ -114,6 +118,13 @@ struct PressureGaugeDefinition {
                                              // the bottom from the left wall
   double width = 0;                          // [m], along the wall
   std::optional<double> filter_cutoff = {};  // [Hz]
+};
+
+// Measures the liquid's velocity relative to the tank, and its pressure above that of the gas, at a
+// place fixed in the tank. Where the surface is below that place, all three are zero.
+struct ProbeDefinition {
+  std::string name;
+  double x, z;  // [m] from the left wall and above the bottom
 };
 
 // The dimensionless numbers of its scheme that a run changes. An absent one keeps the scheme's
@@ -206,6 +217,8 @@ struct SeriesSource {
   std::string time_column = {}, time_unit = {};  // where the format does not fix them
   double scale = 1, offset = 0;
   bool first_is_zero = false;
+  // The file's force is that on the whole tank, where its format is of forces on parts of it.
+  bool whole_tank = false;
 };
 
 // A program of the user's own that is started for the case and leaves files of series. It is a
@@ -358,6 +371,8 @@ struct CaseDefinition {
   std::vector<double> animation_times = {};  // [s], likewise, evenly spaced; empty: no animation
   std::vector<GaugeDefinition> gauges;
   std::vector<PressureGaugeDefinition> pressure_gauges;
+  std::vector<ProbeDefinition> probes = {};
+  std::vector<Wall> wall_forces = {};  // the walls on which the force is recorded
   std::optional<ImpactsDefinition> impacts = {};
   // The comparison: its window, and the number of natural modes (quantities.hpp) that are fitted
   // beside the forced one.

@@ -45,6 +45,7 @@ void stretch_period(CaseDefinition& definition, double change) {
 void move_gauges(CaseDefinition& definition, double change) {
   for (GaugeDefinition& gauge : definition.gauges) gauge.x += change;
   for (PressureGaugeDefinition& gauge : definition.pressure_gauges) gauge.position += change;
+  for (ProbeDefinition& probe : definition.probes) probe.x += change;
 }
 
 }  // namespace

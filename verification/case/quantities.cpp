@@ -13,6 +13,9 @@ bool is_dam_break(const CaseDefinition& definition) {
 bool rolls(const CaseDefinition& definition) { return definition.motion.roll.has_value(); }
 
 constexpr const char *on_tank = "On the tank, per metre of width, along the tank's axes.",
+                     *on_wall = "On this wall alone, per metre of width, along the tank's axes.",
+                     *at_probe =
+                         "Relative to the tank, along its axes; zero while the place is dry.",
                      *momentum =
                          "Of the liquid against the earth, along the earth's axes, per "
                          "metre of width.";
@@ -27,8 +30,60 @@ Quantity load(Quantity quantity) {
   return quantity;
 }
 
+// The load on one wall. The solvers obtain it as that on the tank.
+Quantity wall_load(Quantity quantity) {
+  quantity.at = MeasuredAt::wall;
+  quantity.shown_unit = quantity.unit;
+  quantity.meaning = on_wall;
+  quantity.sph = "the reaction to the forces of the images or the particles of this wall";
+  quantity.interfoam = "the load of liquid and gas on this wall";
+  quantity.theory = "the liquid's pressure on this wall up to the surface";
+  quantity.tells_sampling = true;
+  return quantity;
+}
+
+Quantity probed_velocity(Quantity quantity) {
+  quantity.unit = quantity.shown_unit = "m/s";
+  quantity.at = MeasuredAt::probe;
+  quantity.has_modes = true;
+  quantity.is_gauged = true;
+  quantity.meaning = at_probe;
+  quantity.sph = "linear fit to the particles within three spacings";
+  quantity.interfoam = "interpolated between the centres of the cells";
+  return quantity;
+}
+
 std::string series_name(const Quantity& quantity, const std::string& gauge) {
   return std::string(quantity.name) + "@" + gauge;
+}
+
+std::string wall_name(Wall wall) { return name_of(wall, wall_names); }
+
+// Whether a quantity of this wall's name, "left" or "WALL" as in lists of names, can exist.
+bool is_wall(const std::string& name) {
+  return name == "WALL" ||
+         std::any_of(std::begin(wall_names), std::end(wall_names),
+                     [&](const EnumName<Wall>& wall) { return wall.name == name; });
+}
+
+// The component that acts normal to a wall. Runs are compared on it alone: the other one, the
+// friction, is zero at every wall along which the liquid slides.
+std::string normal_force(Wall wall) {
+  return wall == Wall::left || wall == Wall::right ? "force_x" : "force_z";
+}
+
+const char* placeholder(MeasuredAt at) {
+  switch (at) {
+    case MeasuredAt::probe:
+      return "PROBE";
+    case MeasuredAt::wall:
+      return "WALL";
+    case MeasuredAt::tank:
+    case MeasuredAt::surface_gauge:
+    case MeasuredAt::pressure_gauge:
+      break;
+  }
+  return "GAUGE";
 }
 
 // Adds the series of a pressure gauge, which has a filtered one beside it if it has a filter.
@@ -77,6 +132,24 @@ const std::vector<Quantity>& quantity_table() {
            "kernel average over three spacings, extrapolated to the wall by the pressure gradient",
        .interfoam = "interpolated between the wall's faces, minus the mean gas pressure",
        .tells_sampling = true},
+      probed_velocity({.name = "velocity_x",
+                       .title = "Velocity along the tank's bottom",
+                       .label = "velocity x"}),
+      probed_velocity({.name = "velocity_z",
+                       .title = "Velocity normal to the tank's bottom",
+                       .label = "velocity z"}),
+      {.name = "pressure",
+       .unit = "Pa",
+       .at = MeasuredAt::probe,
+       .has_modes = true,
+       .is_gauged = true,
+       .title = "Pressure",
+       .label = "pressure",
+       .shown_unit = "Pa",
+       .meaning = "Pressure above that of the gas; zero while the place is dry.",
+       .sph = "kernel average over three spacings, extrapolated by the pressure gradient",
+       .interfoam = "interpolated between the centres of the cells, minus the mean gas pressure",
+       .tells_sampling = true},
       load({.name = "force_x",
             .unit = "N/m",
             .at = MeasuredAt::tank,
@@ -91,6 +164,15 @@ const std::vector<Quantity>& quantity_table() {
             .title = "Force normal to the tank's bottom",
             .label = "force z",
             .meaning = on_tank}),
+      wall_load({.name = "force_x",
+                 .unit = "N/m",
+                 .has_modes = true,
+                 .title = "Force along the tank's bottom",
+                 .label = "force x"}),
+      wall_load({.name = "force_z",
+                 .unit = "N/m",
+                 .title = "Force normal to the tank's bottom",
+                 .label = "force z"}),
       load({.name = "moment",  // about the axis of the roll
             .unit = "N",
             .at = MeasuredAt::tank,
@@ -136,7 +218,9 @@ const Quantity* find_quantity(const std::string& series) {
   const std::string name = series.substr(0, at);
   const bool has_gauge = at != std::string::npos;
   for (const Quantity& one : quantity_table())
-    if (one.name == name && (one.at != MeasuredAt::tank) == has_gauge) return &one;
+    if (one.name == name && (one.at != MeasuredAt::tank) == has_gauge &&
+        (one.at != MeasuredAt::wall || is_wall(series.substr(at + 1))))
+      return &one;
   return nullptr;
 }
 
@@ -151,6 +235,13 @@ std::vector<std::string> compared_quantities(const CaseDefinition& definition) {
     if (quantity.at == MeasuredAt::pressure_gauge)
       for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
         add_series(quantity, gauge, series);
+    if (quantity.at == MeasuredAt::probe)
+      for (const ProbeDefinition& probe : definition.probes)
+        series.push_back(series_name(quantity, probe.name));
+    if (quantity.at == MeasuredAt::wall)
+      for (const Wall wall : definition.wall_forces)
+        if (quantity.name == normal_force(wall))
+          series.push_back(series_name(quantity, wall_name(wall)));
   }
   return series;
 }
@@ -173,7 +264,7 @@ std::string unit_of(const std::string& series) {
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
   for (const Quantity& one : quantity_table())
-    names.push_back(one.at == MeasuredAt::tank ? one.name : series_name(one, "GAUGE"));
+    names.push_back(one.at == MeasuredAt::tank ? one.name : series_name(one, placeholder(one.at)));
   return names;
 }
 

@@ -10,11 +10,11 @@
 
 namespace slosh {
 
-// A quantity that is measured at gauges has one series per gauge.
-enum class MeasuredAt { tank, surface_gauge, pressure_gauge };
+// A quantity that is measured at gauges, probes or walls has one series for each.
+enum class MeasuredAt { tank, surface_gauge, pressure_gauge, probe, wall };
 
 struct Quantity {
-  const char* name;  // of the series; at a gauge "@GAUGE" follows
+  const char* name;  // of the series; elsewhere than in the tank "@" and the place's name follow
   const char* unit;  // SI
   MeasuredAt at;
   // Whether the runs of a case may have it; null: those of every case.
@@ -59,7 +59,8 @@ std::vector<std::string> impact_pressures(const CaseDefinition& definition);
 // Throws std::invalid_argument for a series that is no compared quantity.
 std::string unit_of(const std::string& series);
 
-// Returns all names of the table, with "@GAUGE" for the quantities of gauges.
+// Returns all names of the table, with "@GAUGE", "@PROBE" and "@WALL" for the quantities of gauges,
+// probes and walls.
 std::vector<std::string> quantity_names();
 
 // Return false for a series that is no compared quantity.

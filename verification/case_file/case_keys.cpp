@@ -28,6 +28,10 @@ const std::vector<KeyTable>& case_key_tables() {
         {"animation", "the table [animation]", "no", ""},
         {"gauge", "the table [[gauge]]", "at least one gauge of either kind", ""},
         {"pressure_gauge", "the table [[pressure_gauge]]", "at least one gauge of either kind", ""},
+        {"probe", "the table [[probe]]", "no", ""},
+        {"wall_forces", "list of \"left\", \"right\", \"bottom\", \"roof\"", "no",
+         "The walls on which the force is recorded: force_x@WALL and force_z@WALL. Runs are "
+         "compared on the component normal to the wall."},
         {"impacts", "the table [impacts]", "no", ""},
         {"comparison", "the table [comparison]", "yes", ""},
         {"run", "the table [[run]]", "at least one", ""},
@@ -70,8 +74,8 @@ const std::vector<KeyTable>& case_key_tables() {
        "[[obstacle]]",
        "no",
        "A solid rectangle that the tank carries. Rectangles may touch and must not overlap. None "
-       "may reach from wall to wall, fill a gauge's column from the bottom to the still level, or "
-       "touch a pressure gauge.",
+       "may reach from wall to wall, fill a gauge's column from the bottom to the still level, "
+       "touch a pressure gauge, or hold a probe.",
        {{"name", "name", "yes", ""},
         {"left_m", "number >= 0, m from the left wall", "yes", ""},
         {"right_m", "number above left_m and <= the tank's length, m from the left wall", "yes",
@@ -168,6 +172,16 @@ const std::vector<KeyTable>& case_key_tables() {
          "point."},
         {"filter_cutoff_Hz", "number > 0 and below half the sampling rate, Hz", "no",
          "Adds the series wall_pressure@NAME/filtered, through a low-pass filter."}}},
+      {"probe",
+       "[[probe]]",
+       "no",
+       "A place in the tank, which moves with it, where velocity and pressure are recorded. The "
+       "velocity is relative to the tank, along its axes. While the surface is below the place, "
+       "all three are 0. Linear theory records them only at a place below the still level, as it "
+       "has no liquid above it.",
+       {{"name", "name", "yes", "The NAME in velocity_x@NAME, velocity_z@NAME and pressure@NAME."},
+        {"x_m", "number from 0 to the tank's length, m", "yes", "The distance from the left wall."},
+        {"z_m", "number from 0 to the tank's height, m", "yes", "The height above the bottom."}}},
       {"impacts",
        "[impacts]",
        "no",
@@ -367,7 +381,11 @@ const std::vector<KeyTable>& case_key_tables() {
          "The series is scale times the column plus offset. Default: 1."},
         {"offset", "number, the quantity's unit", "no", "Default: 0."},
         {"datum", "\"first\"", "no",
-         "With `first` the first value counts as zero, in place of an offset."}}},
+         "With `first` the first value counts as zero, in place of an offset."},
+        {"whole_tank", "true", "no",
+         "Says that the force of a gauge of DualSPHysics is that on the whole tank. Without it "
+         "such "
+         "a file gives the force on one wall, `force_x@WALL`."}}},
       {"refinement",
        "[[refinement]]",
        "no",

@@ -178,6 +178,11 @@ class CaseReader {
         "pressure_gauge", definition_.pressure_gauges,
         [&](const TomlTable& gauge) { return read_pressure_gauge(gauge, definition_); },
         &refused_gauges_);
+    gauges_ &= each_named(
+        "probe", definition_.probes,
+        [&](const TomlTable& probe) { return read_probe(probe, definition_); }, &refused_gauges_);
+    if (root_.has("wall_forces"))
+      gauges_ &= allow([&] { definition_.wall_forces = read_wall_forces(root_); });
     if (gauges_ && definition_.gauges.empty() && definition_.pressure_gauges.empty())
       gauges_ = allow_at(
           "gauge", [&] { root_.refuse("gauge", "at least one [[gauge]] or [[pressure_gauge]]"); });

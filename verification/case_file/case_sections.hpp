@@ -69,6 +69,12 @@ GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definit
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition);
 
+// Reads [[probe]]. The definition's tank must have been read.
+ProbeDefinition read_probe(const TomlTable& probe, const CaseDefinition& definition);
+
+// Reads the key `wall_forces` of the top level, which must be there.
+std::vector<Wall> read_wall_forces(const TomlTable& root);
+
 // Reads [impacts]. The definition's duration and gauges must have been read. The table of repeats
 // lies below the directory `experiments`, which may be empty.
 ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,

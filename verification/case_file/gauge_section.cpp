@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -75,7 +76,7 @@ PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
   gauge.allow_only(keys_of("pressure_gauge"));
   PressureGaugeDefinition read{};
   read.name = gauge.get("name", file_safe_name());
-  read.wall = gauge.choice("wall", "a wall", wall_names);
+  read.wall = gauge.choice("wall", "a wall", sensor_wall_names);
   const bool along_bottom = read.wall == Wall::bottom;
   const double extent = along_bottom ? definition.tank.length : definition.tank.height;
   read.position = gauge.get<double>(
@@ -99,6 +100,33 @@ PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
       {fmt::format("a number > 0 and below half the sampling rate ({:.6g}), in Hz", highest),
        [highest](double cutoff) { return cutoff > 0 && cutoff < highest; }});
   return read;
+}
+
+ProbeDefinition read_probe(const TomlTable& probe, const CaseDefinition& definition) {
+  probe.allow_only(keys_of("probe"));
+  const auto inside = [](const char* extent, double most, const char* from) {
+    return Rule<double>{
+        fmt::format("a number from 0 to the tank's {} ({}), in m from the {}", extent, most, from),
+        [most](double at) { return at >= 0 && at <= most; }, 0};
+  };
+  return {.name = probe.get("name", file_safe_name()),
+          .x = probe.get("x_m", inside("length", definition.tank.length, "left wall")),
+          .z = probe.get("z_m", inside("height", definition.tank.height, "bottom"))};
+}
+
+std::vector<Wall> read_wall_forces(const TomlTable& root) {
+  std::vector<Wall> walls;
+  const std::string expected =
+      fmt::format("a list of walls ({}), each once", fmt::join(all_names(wall_names), ", "));
+  for (const PlacedText& text : root.texts("wall_forces", any_text())) {
+    const std::vector<std::string> names = all_names(wall_names);
+    if (std::find(names.begin(), names.end(), text.text) == names.end())
+      root.refuse("wall_forces", expected);
+    walls.push_back(value_of(text.text, wall_names));
+    if (std::count(walls.begin(), walls.end(), walls.back()) > 1)
+      root.refuse("wall_forces", expected);
+  }
+  return walls;
 }
 
 ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,

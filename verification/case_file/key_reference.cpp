@@ -67,7 +67,8 @@ std::string metric_section() {
 
 std::string quantity_section() {
   std::string text =
-      "## Compared quantities\n\nGAUGE stands for the name of a gauge. A pressure gauge with a "
+      "## Compared quantities\n\nGAUGE stands for the name of a gauge, PROBE for that of a "
+      "probe and WALL for left, right, bottom or roof. A pressure gauge with a "
       "cutoff has `wall_pressure@GAUGE/filtered` too.\n\n"
       "| quantity | unit | modes |\n|---|---|---|\n";
   for (const std::string& name : quantity_names())

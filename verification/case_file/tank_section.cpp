@@ -48,6 +48,15 @@ void refuse_covered_sensors(const TomlTable& table, const ObstacleDefinition& ob
   }
 }
 
+void refuse_swallowed_probes(const TomlTable& table, const ObstacleDefinition& obstacle,
+                             const CaseDefinition& definition) {
+  for (const ProbeDefinition& probe : definition.probes)
+    if (probe.x >= obstacle.left && probe.x <= obstacle.right && probe.z >= obstacle.bottom &&
+        probe.z <= obstacle.top)
+      table.refuse("name", fmt::format("an obstacle elsewhere: it holds the probe {} at ({}, {}) m",
+                                       probe.name, probe.x, probe.z));
+}
+
 bool overlap(const ObstacleDefinition& a, const ObstacleDefinition& b) {
   return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
 }
@@ -120,6 +129,7 @@ ObstacleDefinition read_obstacle(const TomlTable& table, const CaseDefinition& d
                                         tank.length));
   refuse_swallowed_gauges(table, obstacle, definition);
   refuse_covered_sensors(table, obstacle, definition);
+  refuse_swallowed_probes(table, obstacle, definition);
   return obstacle;
 }
 

@@ -29,6 +29,7 @@ struct ImportOptions {
   std::string unit, time_column, time_unit;
   double scale = 1, offset = 0;  // offset in the quantity's unit
   std::string datum;
+  bool whole_tank = false;
 };
 
 [[noreturn]] void refuse_series(const std::string& series, const std::string& expected) {
@@ -56,7 +57,8 @@ SeriesSource source_of(const std::string& series, const ImportOptions& options) 
                       .time_unit = options.time_unit,
                       .scale = options.scale,
                       .offset = options.offset,
-                      .first_is_zero = !options.datum.empty()};
+                      .first_is_zero = !options.datum.empty(),
+                      .whole_tank = options.whole_tank};
   require_quantity(series, source.quantity);
   return source;
 }
@@ -85,6 +87,7 @@ std::string command_of(const ImportOptions& options) {
   if (options.scale != 1) command += fmt::format(" --scale {}", options.scale);
   if (options.offset != 0) command += fmt::format(" --offset {}", options.offset);
   if (!options.datum.empty()) command += " --datum " + options.datum;
+  if (options.whole_tank) command += " --whole-tank";
   return command + " -o " + shell_word(options.output.string());
 }
 
@@ -156,6 +159,8 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
   command.add_option("--datum", options.datum, "first: the first value counts as zero")
       ->check(one_of("a datum", {"first"}))
       ->excludes(offset);
+  command.add_flag("--whole-tank", options.whole_tank,
+                   "A gauge of forces of DualSPHysics is on the whole tank and not on one wall");
   command.add_option("-o,--output", options.output, "Result file")
       ->type_name(file_type)
       ->required();

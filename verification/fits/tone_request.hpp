@@ -22,8 +22,8 @@ struct ToneRequest {
 void require_resolved(TimeWindow window, const std::vector<ToneRequest>& requests);
 
 // Throws ComparisonError when there are too few samples for the tones, or when an interval between
-// two samples exceeds a tenth of the shortest period. `cut` is cut to the window
-// (cut_to_window()).
+// two samples exceeds a tenth of the period of the forced mode or of the lowest natural one, or a
+// quarter of that of a higher natural mode. `cut` is cut to the window (cut_to_window()).
 void require_sampled(const TimeSeries& cut, const std::vector<ToneRequest>& requests);
 
 // The angle [rad] less whole turns, in [-pi, pi].

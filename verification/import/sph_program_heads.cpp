@@ -36,14 +36,26 @@ std::vector<MarkOfNone> marks_of_surface_gauge(const TableHead& head) {
            "found no liquid, and the line has to begin lower"}};
 }
 
+// A gauge of forces measures that on the boundary of its mkbound, which may be one wall.
+void refuse_part_as_whole(const TableReader& reader, const SeriesSource& source) {
+  const bool is_force = column_of(source.column).name.starts_with("force");
+  if (!is_force || source.whole_tank || source.quantity.find('@') != std::string::npos) return;
+  reader.refuse(
+      "quantity", source.quantity,
+      "the force on one wall, as " + source.quantity +
+          "@right: the file holds that on the boundary of its gauge (target mkbound); "
+          "whole_tank = true, or --whole-tank, says that this boundary is the whole tank");
+}
+
 }  // namespace
 
-TableHead read_dualsphysics_gauge_head(TableReader& reader, const SeriesSource&) {
+TableHead read_dualsphysics_gauge_head(TableReader& reader, const SeriesSource& source) {
   const char separator = semicolon_or_comma(reader.line());
   TableHead head{columns_of(reader.line(), separator), reader.line_number(), 0, separator};
   if (head.columns.size() < 2 || head.columns[0].name != "time" || head.columns[0].unit != "s")
     reader.refuse("head", reader.line(),
                   "\"time [s]\" and more, as a gauge of DualSPHysics writes");
+  refuse_part_as_whole(reader, source);
   head.marks = marks_of_surface_gauge(head);
   reader.next();
   return head;

@@ -25,6 +25,16 @@ void take_common_series(Output& output, RunResult& result) {
     take_series("highest_surface@" + gauge, "m", history, result);
   for (auto& [gauge, history] : output.wall_pressure)
     take_series("wall_pressure@" + gauge, "Pa", history, result);
+  for (auto& [probe, history] : output.velocity_x)
+    take_series("velocity_x@" + probe, "m/s", history, result);
+  for (auto& [probe, history] : output.velocity_z)
+    take_series("velocity_z@" + probe, "m/s", history, result);
+  for (auto& [probe, history] : output.pressure)
+    take_series("pressure@" + probe, "Pa", history, result);
+  for (auto& [wall, history] : output.wall_force_x)
+    take_series("force_x@" + wall, "N/m", history, result);
+  for (auto& [wall, history] : output.wall_force_z)
+    take_series("force_z@" + wall, "N/m", history, result);
   take_series("front_position", "m", output.front_position, result);
   take_series("force_x", "N/m", output.force_x, result);
   take_series("force_z", "N/m", output.force_z, result);

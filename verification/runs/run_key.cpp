@@ -75,6 +75,10 @@ json physics(const CaseDefinition& definition) {
                  {"sample_interval", definition.sample_interval},
                  {"gauges", gauges},
                  {"pressure_gauges", pressure_gauges}};
+  for (const ProbeDefinition& probe : definition.probes)
+    described["probes"].push_back({probe.name, probe.x, probe.z});
+  for (const Wall wall : definition.wall_forces)
+    described["wall_forces"].push_back(name_of(wall, wall_names));
   if (definition.tank.breadth)
     described["breadth"] = {*definition.tank.breadth, gap_friction(definition)};
   return described;

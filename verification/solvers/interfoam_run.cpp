@@ -57,6 +57,10 @@ openfoam::SloshingTank tank_of(const InterFoamRun& run, const CaseDefinition& de
     tank.gauges.push_back({gauge.name, gauge.x});
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     tank.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
+  for (const ProbeDefinition& probe : definition.probes)
+    tank.probes.push_back({probe.name, probe.x, probe.z});
+  for (const Wall wall : definition.wall_forces)
+    tank.loaded_walls.push_back(name_of(wall, wall_names));
   tank.snapshot_times = field_times(definition);
   for (const ObstacleDefinition& one : definition.obstacles)
     tank.obstacles.push_back({one.left, one.right, one.bottom, one.top});

@@ -107,9 +107,31 @@ class LinearTank {
     std::vector<double> mean(times_.size(), 0.0);
     for (int k = 0; k < places; ++k) {
       const double along = gauge.position + gauge.width * ((k + 0.5) / places - 0.5);
-      add(mean, pressure(gauge.wall, along), 1.0 / places);
+      add(mean, pressure(place_on_wall(definition_, gauge.wall, along)), 1.0 / places);
     }
     return mean;
+  }
+
+  using Place = reference::Observation::Place;
+
+  // Returns the pressure at a place under the still surface.
+  std::vector<double> pressure(Place place) const {
+    std::vector<double> sum(times_.size(), 0.0);
+    if (roll_) add(sum, roll_->pressure(place.x, place.z, times_));
+    if (surge_) add(sum, series([&](double t) { return surge_->pressure(place.x, place.z, t); }));
+    if (wave_) add(sum, series([&](double t) { return wave_->pressure(place.x, place.z, t); }));
+    const double still = -definition_.liquid.density * definition_.gravity * place.z;
+    const int counted = surge_.has_value() + roll_.has_value() + wave_.has_value();
+    for (double& value : sum) value -= (counted - 1) * still;
+    return sum;
+  }
+
+  // Return the components of the velocity relative to the tank there.
+  std::vector<double> velocity_x(Place place) const {
+    return velocity(place, [](const auto& one) { return one.x; });
+  }
+  std::vector<double> velocity_z(Place place) const {
+    return velocity(place, [](const auto& one) { return one.z; });
   }
 
   std::vector<double> force_x() const {
@@ -131,23 +153,20 @@ class LinearTank {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += scale * values[i];
   }
 
+  template <class Component>
+  std::vector<double> velocity(Place place, const Component& of) const {
+    return series([&](double t) {
+      return (surge_ ? of(surge_->velocity(place.x, place.z, t)) : 0) +
+             (roll_ ? of(roll_->velocity(place.x, place.z, t)) : 0) +
+             (wave_ ? of(wave_->velocity(place.x, place.z, t)) : 0);
+    });
+  }
+
   template <class Value>
   std::vector<double> series(const Value& value) const {
     std::vector<double> values;
     for (const double t : times_) values.push_back(value(t));
     return values;
-  }
-
-  std::vector<double> pressure(Wall wall, double along) const {
-    const reference::Observation::Place place = place_on_wall(definition_, wall, along);
-    std::vector<double> sum(times_.size(), 0.0);
-    if (roll_) add(sum, roll_->pressure(place.x, place.z, times_));
-    if (surge_) add(sum, series([&](double t) { return surge_->pressure(place.x, place.z, t); }));
-    if (wave_) add(sum, series([&](double t) { return wave_->pressure(place.x, place.z, t); }));
-    const double still = -definition_.liquid.density * definition_.gravity * place.z;
-    const int counted = surge_.has_value() + roll_.has_value() + wave_.has_value();
-    for (double& value : sum) value -= (counted - 1) * still;
-    return sum;
   }
 
   const CaseDefinition& definition_;
@@ -194,6 +213,13 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     if (under_still_water(gauge, definition))
       add("wall_pressure@" + gauge.name, "Pa", tank.wall_pressure(gauge));
+  for (const ProbeDefinition& probe : definition.probes) {
+    if (!(probe.z < definition.liquid.fill_depth)) continue;
+    const reference::Observation::Place place = place_of(definition, probe);
+    add("velocity_x@" + probe.name, "m/s", tank.velocity_x(place));
+    add("velocity_z@" + probe.name, "m/s", tank.velocity_z(place));
+    add("pressure@" + probe.name, "Pa", tank.pressure(place));
+  }
   add("force_x", "N/m", tank.force_x());
   if (tank.has_moment()) add("moment", "N", tank.moment());
   request.progress(definition.duration, 0);

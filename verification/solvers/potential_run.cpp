@@ -59,8 +59,23 @@ reference::Observation observation_of(const CaseDefinition& definition) {
     observation.gauges.push_back(gauge.x - definition.tank.length / 2);
   // The pressure is linear over the few millimetres of a sensor, so its middle is enough.
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    observation.pressure_places.push_back(place_on_wall(definition, gauge.wall, gauge.position));
+    observation.places.push_back(place_on_wall(definition, gauge.wall, gauge.position));
+  for (const ProbeDefinition& probe : definition.probes)
+    observation.places.push_back(place_of(definition, probe));
   return observation;
+}
+
+// Adds the force normal to a wall. The roof stays dry: the run ends where the liquid reaches it.
+template <class Add>
+void add_wall_force(const NonlinearRecord& record, Wall wall, const Add& add) {
+  const bool is_side = wall == Wall::left || wall == Wall::right;
+  std::vector<double> force;
+  for (const reference::WallLoad& load : record.load)
+    force.push_back(wall == Wall::left     ? load.left
+                    : wall == Wall::right  ? load.right
+                    : wall == Wall::bottom ? load.force_z
+                                           : 0);
+  add((is_side ? "force_x@" : "force_z@") + name_of(wall, wall_names), "N/m", std::move(force));
 }
 
 void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
@@ -72,12 +87,20 @@ void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
     add("elevation@" + definition.gauges[k].name, "m", record.elevation[k]);
   for (std::size_t k = 0; k < definition.pressure_gauges.size(); ++k)
     add("wall_pressure@" + definition.pressure_gauges[k].name, "Pa", record.pressure[k]);
+  for (std::size_t k = 0; k < definition.probes.size(); ++k) {
+    const std::string& name = definition.probes[k].name;
+    const std::size_t place = definition.pressure_gauges.size() + k;
+    add("velocity_x@" + name, "m/s", record.velocity_x[place]);
+    add("velocity_z@" + name, "m/s", record.velocity_z[place]);
+    add("pressure@" + name, "Pa", record.pressure[place]);
+  }
   std::vector<double> force_x, force_z, moment;
   for (const reference::WallLoad& load : record.load) {
     force_x.push_back(load.force_x);
     force_z.push_back(load.force_z);
     moment.push_back(load.moment);
   }
+  for (const Wall wall : definition.wall_forces) add_wall_force(record, wall, add);
   add("force_x", "N/m", std::move(force_x));
   add("force_z", "N/m", std::move(force_z));
   if (definition.motion.roll) add("moment", "N", std::move(moment));
@@ -87,7 +110,8 @@ void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
 void cut_to(std::size_t samples, NonlinearRecord& record) {
   record.times.resize(samples);
   for (std::vector<double>& series : record.elevation) series.resize(samples);
-  for (std::vector<double>& series : record.pressure) series.resize(samples);
+  for (auto* places : {&record.pressure, &record.velocity_x, &record.velocity_z})
+    for (std::vector<double>& series : *places) series.resize(samples);
   record.load.resize(samples);
 }
 

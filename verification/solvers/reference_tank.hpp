@@ -38,6 +38,12 @@ inline reference::Observation::Place place_on_wall(const CaseDefinition& definit
   return {along - half, -depth};
 }
 
+// The same of a probe.
+inline reference::Observation::Place place_of(const CaseDefinition& definition,
+                                              const ProbeDefinition& probe) {
+  return {probe.x - definition.tank.length / 2, probe.z - definition.liquid.fill_depth};
+}
+
 // Returns the times 0, interval, ... up to and including the duration, within round-off [s].
 inline std::vector<double> sample_times(const CaseDefinition& definition) {
   const double intervals = definition.duration / definition.sample_interval;

@@ -26,8 +26,17 @@ std::optional<sph::Roll> roll_of(const CaseDefinition& definition) {
 }
 
 sph::Wall wall_of(Wall wall) {
-  if (wall == Wall::bottom) return sph::Wall::bottom;
-  return wall == Wall::left ? sph::Wall::left : sph::Wall::right;
+  switch (wall) {
+    case Wall::left:
+      return sph::Wall::left;
+    case Wall::right:
+      return sph::Wall::right;
+    case Wall::bottom:
+      return sph::Wall::bottom;
+    case Wall::roof:
+      break;
+  }
+  return sph::Wall::roof;
 }
 
 }  // namespace
@@ -76,6 +85,10 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
     scene.gauges.push_back({gauge.name, gauge.x});
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     scene.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
+  for (const ProbeDefinition& probe : definition.probes)
+    scene.probes.push_back({probe.name, probe.x, probe.z});
+  for (const Wall wall : definition.wall_forces)
+    scene.loaded_walls.push_back({name_of(wall, wall_names), wall_of(wall)});
   for (const ObstacleDefinition& one : definition.obstacles)
     scene.obstacles.push_back({one.left, one.right, one.bottom, one.top});
   return scene;

@@ -45,7 +45,7 @@ std::string entry(const std::string& label, const std::string& text) {
 }
 
 std::string wall_text(Wall wall) {
-  return name_of(wall, wall_names) + (wall == Wall::bottom ? "" : " wall");
+  return name_of(wall, sensor_wall_names) + (wall == Wall::bottom ? "" : " wall");
 }
 
 std::string gauges_text(const CaseDefinition& definition) {
@@ -57,6 +57,13 @@ std::string gauges_text(const CaseDefinition& definition) {
         "wall_pressure@{} on the {} at {:g} m{}", gauge.name, wall_text(gauge.wall), gauge.position,
         gauge.filter_cutoff ? fmt::format(", also filtered at {:g} Hz", *gauge.filter_cutoff)
                             : ""));
+  for (const ProbeDefinition& probe : definition.probes)
+    texts.push_back(fmt::format(
+        "velocity_x@{0}, velocity_z@{0} and pressure@{0} {1:g} m from the left wall, {2:g} m above "
+        "the bottom",
+        probe.name, probe.x, probe.z));
+  for (const Wall wall : definition.wall_forces)
+    texts.push_back(fmt::format("force_x@{0} and force_z@{0}", name_of(wall, wall_names)));
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 

@@ -16,7 +16,8 @@ struct History {
 
 struct SolverOutput {
   std::map<std::string, History> elevation{{"a", {}}}, highest_surface{{"a", {}}},
-      wall_pressure{{"b", {}}};
+      wall_pressure{{"b", {}}}, velocity_x{{"p", {}}}, velocity_z{{"p", {}}}, pressure{{"p", {}}},
+      wall_force_x{{"left", {}}}, wall_force_z{{"left", {}}};
   History front_position, force_x, force_z, moment, momentum_x, momentum_z;
 };
 
@@ -34,20 +35,23 @@ TEST(Quantities, AreThoseThatSolversRecordAndInTheSameUnits) {
   RunResult result;
   SolverOutput output;
   take_common_series(output, result);
-  std::set<std::string> taken;
+  std::set<std::pair<std::string, MeasuredAt>> taken;
   for (const TimeSeries& series : result.series) {
     ASSERT_NE(find_quantity(series.name), nullptr) << series.name;
     EXPECT_EQ(series.unit, unit_of(series.name)) << series.name;
-    taken.insert(find_quantity(series.name)->name);
+    const Quantity* quantity = find_quantity(series.name);
+    taken.emplace(quantity->name, quantity->at);
   }
   EXPECT_EQ(taken.size(), quantity_table().size());
 }
 
-TEST(Quantities, AreMeasuredAtGaugesOrInTheTank) {
+TEST(Quantities, AreMeasuredAtGaugesAtProbesOnWallsOrInTheTank) {
   EXPECT_EQ(find_quantity("elevation@right")->at, MeasuredAt::surface_gauge);
   EXPECT_EQ(find_quantity("wall_pressure@b/filtered")->at, MeasuredAt::pressure_gauge);
   EXPECT_EQ(find_quantity("force_x")->at, MeasuredAt::tank);
-  for (const char* none : {"", "elevation", "force_x@a", "liquid_volume"})
+  EXPECT_EQ(find_quantity("force_x@left")->at, MeasuredAt::wall);
+  EXPECT_EQ(find_quantity("velocity_z@p")->at, MeasuredAt::probe);
+  for (const char* none : {"", "elevation", "force_x@a", "liquid_volume", "velocity_x"})
     EXPECT_EQ(find_quantity(none), nullptr) << none;
 }
 

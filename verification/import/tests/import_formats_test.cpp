@@ -79,7 +79,51 @@ TEST(ImportFormats, ReadTheForceThatAGaugeOfDualSPHysicsFoundAsOnePerMetreWhereT
   SeriesSource force =
       source("force_x", "dualsphysics/GaugesForce_tank.csv", "dualsphysics_gauge", "forcex", "N/m");
   force.scale = 2;
+  force.whole_tank = true;
   expect_wave(import_series(force), 6000, 0, 1e-3);
+}
+
+TEST(ImportFormats, TakeAForceOfDualSPHysicsAsThatOfAWallUnlessItIsToldToBeThatOfTheTank) {
+  SeriesSource force =
+      source("force_x", "dualsphysics/GaugesForce_tank.csv", "dualsphysics_gauge", "forcex", "N/m");
+  try {
+    import_series(force);
+    FAIL() << "the force on one wall came in as that on the tank";
+  } catch (const CaseFileError& error) {
+    EXPECT_NE(std::string(error.what()).find("quantity = force_x: expected the force on one wall"),
+              std::string::npos)
+        << error.what();
+  }
+  force.quantity = "force_x@right";
+  EXPECT_EQ(import_series(force).name, "force_x@right");
+}
+
+// The directory of files that other programs wrote for Li's tank, which is not a part of the
+// project.
+const fs::path peers = fs::path(SLOSH_SOURCE_DIR) / "../shared/peers_output/dualsphysics";
+
+TEST(ImportFormats, ReadWhatDualSPHysicsWroteAtAPlaceAndOfAWall) {
+  if (!fs::is_directory(peers)) GTEST_SKIP() << "there is no " << peers;
+  const auto of = [](const char* quantity, const char* file, const char* format, const char* column,
+                     const char* unit = "") {
+    return import_series({.quantity = quantity,
+                          .file = peers / file,
+                          .format = format,
+                          .column = column,
+                          .unit = unit});
+  };
+  const TimeSeries u =
+      of("velocity_x@middle", "GaugesVel_middle_tank_mdbc_10mm.csv", "dualsphysics_gauge", "velx");
+  EXPECT_EQ(u.unit, "m/s");
+  EXPECT_NEAR(u.value.front(), -0.0296, 1e-4);  // -X'(0): seen from the tank, the liquid moves
+  EXPECT_EQ(of("velocity_z@middle", "MeasuredB_Vel.csv", "dualsphysics_points", "Vel_0.z").time[1],
+            0.10019);
+  EXPECT_NEAR(
+      of("pressure@middle", "MeasuredB_Press.csv", "dualsphysics_points", "Press_0").value.front(),
+      1348.87, 1e-9);
+  const TimeSeries force = of("force_x@right", "GaugesForce_rightwall_tank_mdbc_10mm.csv",
+                              "dualsphysics_gauge", "forcex", "N/m");
+  EXPECT_NEAR(force.value.front(), 289.57, 1e-9);
 }
 
 TEST(ImportFormats, ReadAGaugeOfDualSPHysicsThatIsPartedByCommas) {
@@ -88,6 +132,8 @@ TEST(ImportFormats, ReadAGaugeOfDualSPHysicsThatIsPartedByCommas) {
   EXPECT_EQ(import_series(place).value, std::vector<double>(24, 0.2));
   const auto velocity = source("elevation@middle", file, "dualsphysics_gauge", "velx");
   EXPECT_THROW(import_series(velocity), CaseFileError);  // in m/s
+  EXPECT_EQ(import_series(source("velocity_x@middle", file, "dualsphysics_gauge", "velx")).unit,
+            "m/s");
 }
 
 TEST(ImportFormats, ReadThePressuresOfMeasureTool) {

@@ -1,0 +1,101 @@
+#include "sph/recording/probe.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "sph/recording/near_particles.hpp"
+
+namespace slosh::sph {
+namespace {
+
+constexpr double least_filling = 0.5;
+// Of the fourth power of the kernel's radius. Particles on a line have a smaller determinant of
+// their second moments; no slope across the line can be fitted to them.
+constexpr double least_determinant = 1e-6;
+
+// Returns the part of the kernel at the place that particles and their images in the walls fill.
+double filling(const Particles& p, Vector2 place, const Scene& scene) {
+  const WeightsAbout weights(scene.particle_spacing);
+  double filled = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const std::array<double, 3> along{p.x[i], -p.x[i], 2 * scene.tank_length - p.x[i]},
+        up{p.z[i], -p.z[i], 2 * scene.tank_height - p.z[i]};
+    for (const double x : along)
+      if (std::abs(place.x - x) < weights.radius())
+        for (const double z : up)
+          filled += p.mass[i] / p.density[i] * weights.at(place.x - x, place.z - z);
+  }
+  return filled;
+}
+
+// The weighted sums that determine the linear function of best fit.
+struct LinearFit {
+  double weight = 0, x = 0, z = 0, xx = 0, xz = 0, zz = 0;
+  Vector2 u{0, 0}, ux{0, 0}, uz{0, 0};
+
+  void add(double share, double dx, double dz, Vector2 value) {
+    weight += share;
+    x += share * dx;
+    z += share * dz;
+    xx += share * dx * dx;
+    xz += share * dx * dz;
+    zz += share * dz * dz;
+    u = {u.x + share * value.x, u.z + share * value.z};
+    ux = {ux.x + share * dx * value.x, ux.z + share * dx * value.z};
+    uz = {uz.x + share * dz * value.x, uz.z + share * dz * value.z};
+  }
+
+  Vector2 at_place(double radius) const {
+    return {value(u.x, ux.x, uz.x, radius), value(u.z, ux.z, uz.z, radius)};
+  }
+
+ private:
+  double value(double sum, double sum_x, double sum_z, double radius) const {
+    const double mean = sum / weight, mean_x = x / weight, mean_z = z / weight;
+    const double a = xx / weight - mean_x * mean_x, b = xz / weight - mean_x * mean_z,
+                 c = zz / weight - mean_z * mean_z, determinant = a * c - b * b;
+    if (!(determinant > least_determinant * std::pow(radius, 4))) return mean;
+    const double with_x = sum_x / weight - mean_x * mean, with_z = sum_z / weight - mean_z * mean;
+    return mean - mean_x * (c * with_x - b * with_z) / determinant -
+           mean_z * (a * with_z - b * with_x) / determinant;
+  }
+};
+
+}  // namespace
+
+template <class Motion>
+Probed probed(const Particles& p, const Probe& probe, const Scene& scene, const Motion& motion,
+              const std::function<double(double)>& pressure_at) {
+  const Vector2 place{probe.x, probe.z};
+  if (!(filling(p, place, scene) >= least_filling)) return {{0, 0}, 0};
+  const Vector2 gravity = motion.in_tank().apparent_gravity(scene.gravity, place.x, place.z, 0, 0);
+  LinearFit velocity;
+  double pressure = 0;
+  for_each_near(
+      p, place, scene.particle_spacing, [&](std::size_t i, double share, double dx, double dz) {
+        const Vector2 tank = motion.velocity(p.x[i], p.z[i]);
+        velocity.add(share, dx, dz, {p.velocity_x[i] - tank.x, p.velocity_z[i] - tank.z});
+        pressure +=
+            share * (pressure_at(p.density[i]) + p.density[i] * (gravity.x * dx + gravity.z * dz));
+      });
+  return {velocity.at_place(WeightsAbout(scene.particle_spacing).radius()),
+          pressure / velocity.weight};
+}
+template Probed probed(const Particles&, const Probe&, const Scene&, const SurgeMotion&,
+                       const std::function<double(double)>&);
+template Probed probed(const Particles&, const Probe&, const Scene&, const TankMotion&,
+                       const std::function<double(double)>&);
+
+void require_in_tank(const Probe& probe, const Scene& scene) {
+  if (!(probe.x >= 0 && probe.x <= scene.tank_length && probe.z >= 0 &&
+        probe.z <= scene.tank_height))
+    throw std::invalid_argument(
+        fmt::format("probe {}: ({}, {}) m: expected a place in the tank, which is {} m long and {} "
+                    "m high",
+                    probe.name, probe.x, probe.z, scene.tank_length, scene.tank_height));
+}
+
+}  // namespace slosh::sph
