@@ -157,14 +157,16 @@ data probe_cells(const SloshingTank& tank, const TankMesh& mesh) {
 // Returns the patches of the walls: one, or one for each wall and one for the obstacles where
 // forces are recorded by wall.
 data wall_patches(const SloshingTank& tank, const BlockMesh& mesh) {
-  const auto patch = [](const std::string& name, const std::string& faces) {
+  const bool by_wall = !tank.loaded_walls.empty();
+  const auto patch = [&](const std::string& name, const std::string& faces) {
     data values;
     values.set("patch", name);
     values.set("faces", faces);
+    values.set("in_group", data(by_wall));
     return values;
   };
   data patches(data::type::list);
-  if (tank.loaded_walls.empty()) {
+  if (!by_wall) {
     patches << patch("walls", mesh.wall_faces);
     return patches;
   }

@@ -382,10 +382,10 @@ const std::vector<KeyTable>& case_key_tables() {
         {"offset", "number, the quantity's unit", "no", "Default: 0."},
         {"datum", "\"first\"", "no",
          "With `first` the first value counts as zero, in place of an offset."},
-        {"whole_tank", "true", "no",
-         "Says that the force of a gauge of DualSPHysics is that on the whole tank. Without it "
-         "such "
-         "a file gives the force on one wall, `force_x@WALL`."}}},
+        {"whole_tank", "true or false", "no",
+         "Whether the force of a gauge of DualSPHysics is that on the whole tank. Without it such "
+         "a "
+         "file gives the force on one wall, `force_x@WALL`."}}},
       {"refinement",
        "[[refinement]]",
        "no",

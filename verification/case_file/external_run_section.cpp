@@ -39,10 +39,7 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
       series.refuse("datum", "no datum beside an offset, or no offset beside a datum");
     source.first_is_zero = true;
   }
-  if (series.has("whole_tank")) {
-    source.whole_tank =
-        series.get<bool>("whole_tank", {"true, or no such key", [](bool told) { return told; }});
-  }
+  source.whole_tank = series.flag("whole_tank");
   return source;
 }
 

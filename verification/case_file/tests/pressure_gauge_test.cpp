@@ -137,7 +137,7 @@ TEST(ComparedQuantities, HaveTheirUnits) {
       {"moment", "N"},           {"momentum_x", "kg/s"}, {"momentum_z", "kg/s"},
       {"highest_surface@a", "m"}};
   for (const auto& [quantity, unit] : units) EXPECT_EQ(unit_of(quantity), unit) << quantity;
-  for (const char* none : {"", "force", "force_xy", "elevation", "pressure@a", "liquid_volume"}) {
+  for (const char* none : {"", "force", "force_xy", "elevation", "velocity@a", "liquid_volume"}) {
     EXPECT_THROW(unit_of(none), std::invalid_argument) << none;
     EXPECT_FALSE(has_modes(none)) << none;
   }

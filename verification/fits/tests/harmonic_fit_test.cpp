@@ -200,6 +200,28 @@ TEST(HarmonicFit, RefusesAWindowThatCannotResolveTheTones) {
   EXPECT_NE(error_of(series, {0, 20}, {{"forced", std::nan(""), false}}), "");
 }
 
+// Samples every 0.1 s are 42 and 13 in a period of the wave's two modes, and 6.5 in that of the
+// next natural one.
+TEST(HarmonicFit, WantsTenSamplesInAPeriodOfTheWaveAndFourInThatOfAHigherMode) {
+  const double higher = 9.6;
+  const std::vector<ToneRequest> three{
+      {"forced", forced, false}, {"natural_1", natural, true}, {"natural_2", higher, true}};
+  const auto wave = [&](double t) {
+    return 0.009 * std::cos(forced * t + 0.7) + 0.004 * std::cos(natural * t - 2.0) +
+           0.0005 * std::cos(higher * t + 1.0);
+  };
+  const auto fit = fit_harmonics(sampled(wave, 0, 20, 0.1), {0, 20}, three);
+  EXPECT_NEAR(fit.tones.at(1).amplitude.value, 0.004, 1e-8);
+  EXPECT_NEAR(fit.tones.at(2).amplitude.value, 0.0005, 1e-8);
+  EXPECT_NE(
+      error_of(sampled(wave, 0, 20, 0.14), {0, 20}, three).find("expected intervals up to 0.127 s"),
+      std::string::npos);
+  const std::vector<ToneRequest> high{{"natural_1", natural, true}, {"natural_9", 40.0, true}};
+  EXPECT_NE(
+      error_of(sampled(wave, 0, 20, 0.1), {0, 20}, high).find("expected intervals up to 0.0393 s"),
+      std::string::npos);
+}
+
 TEST(HarmonicFit, RefusesSeriesThatAreNotSound) {
   const auto sound = sampled([](double t) { return std::cos(t); }, 0, 20);
   EXPECT_EQ(error_of(sound, {0, 20}, both), "");

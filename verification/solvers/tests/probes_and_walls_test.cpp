@@ -16,10 +16,10 @@
 namespace slosh::probes_and_walls_test {
 namespace {
 
-// Potential flow differs from linear theory by the steepness alone. The others are coarse: with 14
-// particles over the depth, and with cells of a fourteenth of it, the waves of both lose up to a
-// tenth of their height and lag by up to a tenth of a radian.
-constexpr double of_steepness = 0.03, of_a_coarse_grid = 0.15;
+// Potential flow differs from linear theory by the steepness alone. With 14 particles over the
+// depth the wave of SPH loses up to a tenth of its height and lags by up to a tenth of a radian. In
+// cells that are six times as high as the wave, that of interFoam is off by twice as much.
+constexpr double of_steepness = 0.03, of_coarse_particles = 0.15, of_coarse_cells = 0.3;
 
 constexpr double amplitude = 0.004;  // [m]
 
@@ -51,18 +51,26 @@ const RunResult& linear_theory() {
   return result;
 }
 
-// Returns the rms of the difference from linear theory over that of its variation.
+double mean_of(const std::vector<double>& values) {
+  double mean = 0;
+  for (const double value : values) mean += value / static_cast<double>(values.size());
+  return mean;
+}
+
+// Returns the rms of the difference from linear theory over that of its variation. A pressure is
+// compared about its mean: the mean of interFoam's gas pressure, which is taken off, is uncertain
+// by the weight of the liquid in cells that are partly gas.
 double distance(const RunResult& result, const std::string& quantity) {
   const TimeSeries &of = result.at(quantity), &exact = linear_theory().at(quantity);
-  double mean = 0;
-  for (const double value : exact.value) mean += value / static_cast<double>(exact.value.size());
   std::vector<double> times = of.time;
   for (double& time : times) time = std::min(time, exact.time.back());  // rounding
   const std::vector<double> wanted = interpolate(exact, times);
+  const double wanted_mean = mean_of(wanted),
+               shift = quantity.starts_with("pressure") ? mean_of(of.value) - wanted_mean : 0;
   double difference = 0, variation = 0;
   for (std::size_t i = 0; i < of.time.size(); ++i) {
-    difference += std::pow(of.value[i] - wanted[i], 2);
-    variation += std::pow(wanted[i] - mean, 2);
+    difference += std::pow(of.value[i] - shift - wanted[i], 2);
+    variation += std::pow(wanted[i] - wanted_mean, 2);
   }
   return std::sqrt(difference / variation);
 }
@@ -109,14 +117,14 @@ TEST(ProbesAndWalls, OfPotentialFlowAreThoseOfLinearTheoryInASmallWave) {
 // The sound that the start leaves in a weakly compressible liquid adds to its pressure.
 TEST(ProbesAndWalls, OfSphAreThoseOfLinearTheoryInASmallWaveAndTheWallsAddUp) {
   const RunResult result = run(standing_wave(), SphRun{"recommended", 0.025, 0.025});
-  expect_linear_theory(result, of_a_coarse_grid, 2 * of_a_coarse_grid);
+  expect_linear_theory(result, of_coarse_particles, 2 * of_coarse_particles);
   expect_walls_to_add_up(result, 1e-6);
 }
 
 TEST(ProbesAndWalls, OfInterFoamAreThoseOfLinearTheoryInASmallWaveAndTheWallsAddUp) {
   if (openfoam::installed_version().empty()) GTEST_SKIP() << "interFoam is not installed";
   const RunResult result = run(standing_wave(), InterFoamRun{.cells_x = 40, .cells_z = 40});
-  expect_linear_theory(result, of_a_coarse_grid, of_a_coarse_grid);
+  expect_linear_theory(result, of_coarse_cells, of_coarse_cells);
   expect_walls_to_add_up(result, 0.02);
 }
 
