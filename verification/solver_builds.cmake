@@ -40,7 +40,7 @@ hash_build(linear ${reference} ${linear_run} ${motion} ${results})
 hash_build(potential ${reference} ${potential_run} ${motion} ${results})
 hash_build(viscous_wave ${reference} ${viscous_wave_run} ${results})
 hash_build(record ${record_run} ${results})
-hash_build(external $<TARGET_OBJECTS:slosh_import> ${tables} ${external_run} ${processes} ${commands} ${results})
+hash_build(external $<TARGET_OBJECTS:slosh_import> $<TARGET_OBJECTS:slosh_peers> ${motion} ${tables} ${external_run} ${processes} ${commands} ${results})
 # Of problems: those on SPH, and those on the metrics.
 hash_build(problems ${sph} ${problems})
 set(metrics "")

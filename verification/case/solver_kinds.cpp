@@ -189,14 +189,13 @@ struct Row<ExternalRun> : CommonRow {
       text += fmt::format(", spacing {:.4g} mm", 1000 * *external.particle_spacing);
     return text;
   }
-  static std::string text(const ExternalRun& external) {
-    return "your program " + external.command.front() + method(external, "`");
-  }
-  static std::string caption(const ExternalRun& external) {
+  static std::string named(const ExternalRun& external, const char* mark) {
     return "external program " +
            std::filesystem::path(external.command.front()).filename().string() +
-           method(external, "");
+           method(external, mark);
   }
+  static std::string text(const ExternalRun& external) { return named(external, "`"); }
+  static std::string caption(const ExternalRun& external) { return named(external, ""); }
   static json hashed(const ExternalRun& external) {
     json series = json::array();
     for (const SeriesSource& one : external.series)

@@ -335,8 +335,9 @@ const std::vector<KeyTable>& case_key_tables() {
        "A program of yours, started without a shell: see [Other solvers](other_solvers.md).",
        {{"command", "list of texts", "yes",
          "The program and its arguments. {case_file}, {case_directory}, {work_directory}, "
-         "{duration_s}, {sample_interval_s} and {particle_spacing_m} are filled in. A program with "
-         "a / in its name is found relative to the case file, another on the PATH."},
+         "{tank_file}, {peers_directory}, {duration_s}, {sample_interval_s} and "
+         "{particle_spacing_m} are filled in. A program with a / in its name is found relative to "
+         "the case file, another on the PATH."},
         {"method", "name", "with particle_spacing_m",
          "What the program solves the case with. Runs of one method differ in their spacing alone, "
          "as those of an SPH scheme do: they have an order, a cost of an error and a curve in each "
@@ -386,6 +387,17 @@ const std::vector<KeyTable>& case_key_tables() {
          "Whether the force of a gauge of DualSPHysics is that on the whole tank. Without it such "
          "a "
          "file gives the force on one wall, `force_x@WALL`."}}},
+      {"run.pysph",
+       "[[run]] with solver = \"pysph\"",
+       "no",
+       "PySPH, from Debian's package python3-pysph, by the driver that Slosh ships: see "
+       "[PySPH](other_solvers.md#pysph). It is an external run of the method pysph_SCHEME. The "
+       "tank "
+       "surges or stands still, with or without an initial wave, and has no obstacle.",
+       {{"scheme", "\"delta_sph\" or \"edac\"", "yes", "One of PySPH's own schemes."},
+        {"particle_spacing_m", "number > 0, m", "yes",
+         "A whole fraction of the tank's length and of the fill depth, another one in each run of "
+         "the scheme."}}},
       {"refinement",
        "[[refinement]]",
        "no",

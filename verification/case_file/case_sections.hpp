@@ -93,6 +93,10 @@ Rule<double> a_particle_spacing(const LiquidDefinition& liquid);
 // Reads the keys of [[run]] with solver = "external". The files are relative to the case file.
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);
 
+// Reads the keys of [[run]] with solver = "pysph": an external run of the driver that Slosh ships.
+// The definition's tank, obstacles and initial wave must have been read.
+ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definition);
+
 // Refuses the run, read from this table, where it and an earlier run of the definition would count
 // as one method although they are not: an external program's method must be no other solver's
 // family, and have one run for each spacing.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 #include "verification/case/quantities.hpp"
@@ -118,6 +119,40 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
   return external;
 }
 
+ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definition) {
+  if (definition.motion.roll || definition.liquid.column_width || !definition.obstacles.empty() ||
+      definition.tank.breadth || definition.gauges.empty())
+    run.refuse("solver",
+               "another solver: pysph takes a tank with a [[gauge]], filled from wall to wall, "
+               "that does not roll and has neither an obstacle nor breadth_m");
+  const std::string driver = "{peers_directory}/pysph_tank.py";
+  const std::string scheme =
+      run.choice("scheme", "a scheme of PySPH's driver", {"delta_sph", "edac"});
+  ExternalRun external{
+      .command = {driver, "{tank_file}", "{work_directory}", scheme, "{particle_spacing_m}"},
+      .method = "pysph_" + scheme,
+      .facts = "cost.json",
+      .version_command = {driver, "--version"},
+      .cores = 1};
+  external.particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition.liquid));
+  for (const double size : {definition.tank.length, definition.liquid.fill_depth}) {
+    const double rows = size / *external.particle_spacing;
+    if (std::abs(rows - std::round(rows)) > 1e-6)
+      run.refuse("particle_spacing_m",
+                 fmt::format("a whole fraction of the tank's length and of the fill depth, "
+                             "{:.4g} and {:.4g} m, for pysph",
+                             definition.tank.length, definition.liquid.fill_depth));
+  }
+  for (const GaugeDefinition& gauge : definition.gauges)
+    external.series.push_back({.quantity = "elevation@" + gauge.name,
+                               .file = "elevation.csv",
+                               .format = "csv",
+                               .column = gauge.name,
+                               .unit = "m",
+                               .time_column = "t"});
+  return external;
+}
+
 void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
                           const CaseDefinition& definition) {
   const auto method_of = [](const RunDefinition& one) {
@@ -128,9 +163,9 @@ void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
   for (const RunDefinition& other : definition.runs) {
     if (family(other) != family(run) || (method.empty() && method_of(other).empty())) continue;
     if (method != method_of(other))
-      table.refuse(!method.empty()       ? "method"
-                   : table.has("scheme") ? "scheme"
-                                         : "name",
+      table.refuse(table.has("scheme") ? "scheme"
+                   : !method.empty()   ? "method"
+                                       : "name",
                    fmt::format("a name that does not stand for the run {} too", other.name));
     if (particle_spacing(other) == particle_spacing(run))
       table.refuse("particle_spacing_m",

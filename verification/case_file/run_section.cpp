@@ -215,8 +215,10 @@ const std::vector<SolverSection> solver_sections{
        return read_experiment(run, definition, experiments);
      },
      "experiment"},
-    {"external", [](const auto& run, const auto& definition, const auto&) {
-       return read_external_run(run, definition);
+    {"external", [](const auto& run, const auto& definition,
+                    const auto&) { return read_external_run(run, definition); }},
+    {"pysph", [](const auto& run, const auto& definition, const auto&) {
+       return read_pysph_run(run, definition);
      }}};
 
 Keys solver_names() {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "verification/input/nearest_name.hpp"
+#include "verification/peers/tank_file.hpp"
 
 namespace slosh {
 namespace {
@@ -27,6 +28,8 @@ Placeholders placeholders(const ExternalRun& external, const CaseDefinition& def
   Placeholders known{{"case_file", file.string()},
                      {"case_directory", file.parent_path().string()},
                      {"work_directory", work_directory.string()},
+                     {"tank_file", (work_directory / tank_file_name).string()},
+                     {"peers_directory", peers_directory().string()},
                      {"duration_s", fmt::format("{}", definition.duration)},
                      {"sample_interval_s", fmt::format("{}", definition.sample_interval)}};
   if (external.particle_spacing)
@@ -119,6 +122,12 @@ std::vector<std::string> version_command(const ExternalRun& external,
                                          const fs::path& work_directory) {
   return with_placeholders("version_command", external.version_command, external, definition,
                            work_directory);
+}
+
+bool asks_for_tank_file(const ExternalRun& external) {
+  return std::any_of(
+      external.command.begin(), external.command.end(),
+      [](const std::string& argument) { return argument.find("{tank_file}") != argument.npos; });
 }
 
 std::vector<fs::path> external_inputs(const ExternalRun& external,

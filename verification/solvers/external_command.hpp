@@ -23,6 +23,12 @@ std::vector<std::string> version_command(const ExternalRun& external,
                                          const CaseDefinition& definition,
                                          const std::filesystem::path& work_directory);
 
+// The file that {tank_file} stands for, in the work directory (verification/peers/tank_file.hpp).
+inline constexpr const char* tank_file_name = "tank.json";
+
+// Whether the command has {tank_file}, so that the run writes this file.
+bool asks_for_tank_file(const ExternalRun& external);
+
 // Returns the files whose content counts as part of the run: the inputs that the case declares, and
 // each argument, or the part of it behind an "=", that names an existing file relative to the case
 // file or to the run's directory. Each file is named once. The case file itself is left out, for

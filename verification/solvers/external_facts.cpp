@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr const char *liquid_particles = "liquid_particles", *steps = "steps",
-                     *version = "schema_version";
+                     *version = "schema_version", *compile_wall = "compile_wall_time_s",
+                     *compile_processor = "compile_processor_time_s";
 
 // The object of the file. Throws for a key that is there twice, of which JSON would take the last.
 json read_object(const fs::path& file) {
@@ -80,11 +81,15 @@ const std::vector<ExternalFact>& external_facts() {
       {"smoothing_length_ratio", false, false, "smoothing length over particle spacing, h / dp"},
       {"loop_wall_time_s", false, false, "wall-clock time of the time loop, without set-up"},
       {"loop_processor_time_s", false, false,
-       "processor time of the time loop on all cores, without set-up"}};
+       "processor time of the time loop on all cores, without set-up"},
+      {compile_wall, false, true,
+       "wall-clock time of compiling before the time loop, which counts as no run's"},
+      {compile_processor, false, true,
+       "processor time of compiling on all cores, which counts as no run's"}};
   return facts;
 }
 
-void add_external_facts(const fs::path& file, RunResult& result) {
+void add_external_facts(const fs::path& file, const RunCost& taken, RunResult& result) {
   const json document = read_object(file);
   refuse_unknown_keys(document, file);
   const auto written = document.find(version);
@@ -100,6 +105,16 @@ void add_external_facts(const fs::path& file, RunResult& result) {
       result.cost.steps = *value;
     else
       result.diagnostics[fact.name] = *value;
+    const auto count_apart = [&](double whole, double& apart) {
+      if (*value > whole)
+        throw CaseFileError(
+            fmt::format("{}: {} = {:.4g}: expected at most the {:.4g} s that the program took",
+                        file.string(), fact.name, *value, whole));
+      apart += *value;
+    };
+    if (fact.name == compile_wall) count_apart(taken.wall_time, result.cost.wall_time);
+    if (fact.name == compile_processor)
+      count_apart(taken.user_time + taken.system_time, result.cost.user_time);
   }
 }
 

@@ -23,9 +23,11 @@ struct ExternalFact {
 const std::vector<ExternalFact>& external_facts();
 
 // Adds what the file says to the result: the particles of the liquid and the steps to its cost, and
-// the rest to its diagnostics, under the file's names. What the file does not say stays unknown.
-// Throws CaseFileError with the file, the key, the value and what was expected where the file is
-// missing, no JSON object of this form, or has another key.
-void add_external_facts(const std::filesystem::path& file, RunResult& result);
+// the rest to its diagnostics, under the file's names. The times of compiling are also added to the
+// times of the cost, which are those that count as no run's. What the file does not say stays
+// unknown. Throws CaseFileError with the file, the key, the value and what was expected where the
+// file is missing, no JSON object of this form, or has another key, and where compiling took longer
+// than the whole program with the cost `taken`.
+void add_external_facts(const std::filesystem::path& file, const RunCost& taken, RunResult& result);
 
 }  // namespace slosh

@@ -8,6 +8,7 @@
 #include "verification/files/content_hash.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/table_reader.hpp"
+#include "verification/peers/tank_file.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/solvers/external_command.hpp"
 #include "verification/solvers/external_facts.hpp"
@@ -33,13 +34,20 @@ TimeSeries series_left(const SeriesSource& declared, const fs::path& work_direct
 }
 
 void take_facts(const ExternalRun& external, const fs::path& work_directory, const fs::path& log,
-                RunResult& result) {
+                const RunCost& taken, RunResult& result) {
   if (external.facts.empty()) return;
   try {
-    add_external_facts(work_directory / external.facts, result);
+    add_external_facts(work_directory / external.facts, taken, result);
   } catch (const CaseFileError& error) {
     throw program_failure(error.what(), log);
   }
+}
+
+void write_tank_file(const CaseDefinition& definition, const fs::path& directory) {
+  const fs::path file = directory / tank_file_name;
+  std::ofstream stream(file);
+  if (!(stream << tank_file(definition)).flush())
+    throw SolverError(file.string() + ": expected a file that can be written");
 }
 
 // The first line that the version command prints; empty where the run has none.
@@ -70,6 +78,7 @@ void require_scene(const ExternalRun& external, const CaseDefinition& definition
   try {
     for (const SeriesSource& source : external.series) require_known_form(source);
     external_command(external, definition, "");
+    if (asks_for_tank_file(external)) tank_file(definition);
     version_command(external, definition, "");
   } catch (const CaseFileError& error) {
     throw refused(run, error.what());
@@ -99,16 +108,19 @@ RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
                                               work / (request.run.name + ".version.log"));
   RunResult result;
   result.cost = apart.cost();
+  if (asks_for_tank_file(external)) write_tank_file(request.definition, directory);
+  const CostMeter meter;
   run_program({.command = command,
                .directory = external.directory.empty() ? directory : external.directory,
                .log = log,
                .time_limit = external.time_limit,
                .cores = external.cores});
+  const RunCost taken = meter.cost();
   require_no_match(external.fail_on, log);
 
   for (const SeriesSource& source : external.series)
     result.series.push_back(series_left(source, directory, log));
-  take_facts(external, directory, log, result);
+  take_facts(external, directory, log, taken, result);
   result.active_terms = {"external program " + fs::path(command.front()).filename().string()};
   if (!version.empty()) result.provenance["external_version"] = version;
   result.provenance["external_command"] = fmt::format("{}", fmt::join(command, " "));

@@ -165,5 +165,62 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
   }
 }
 
+const std::string pysph = "[[run]]\nname = \"peer\"\nsolver = \"pysph\"\nscheme = \"edac\"\n";
+
+std::string with_pysph(const std::string& keys) {
+  const std::string text = valid_text.substr(0, valid_text.find("[[gate]]"));
+  return text + pysph + keys;
+}
+
+TEST(PysphRunSection, IsAnExternalRunOfTheShippedDriver) {
+  const Workspace workspace;
+  const CaseDefinition definition =
+      read_case(workspace.write("trial.toml", with_pysph("particle_spacing_m = 0.05\n")));
+  const auto& run = std::get<ExternalRun>(definition.runs.back().solver);
+  EXPECT_EQ(run.command,
+            (std::vector<std::string>{"{peers_directory}/pysph_tank.py", "{tank_file}",
+                                      "{work_directory}", "edac", "{particle_spacing_m}"}));
+  EXPECT_EQ(run.method, "pysph_edac");
+  EXPECT_EQ(run.particle_spacing, 0.05);
+  EXPECT_EQ(run.cores, 1);
+  EXPECT_EQ(run.facts, "cost.json");
+  ASSERT_EQ(run.series.size(), 2u);
+  EXPECT_EQ(run.series[1].quantity, "elevation@left");
+  EXPECT_EQ(run.series[1].column, "left");
+  EXPECT_EQ(run.series[1].unit, "m");
+}
+
+TEST(PysphRunSection, IsRefusedWhereTheDriverCannotFollow) {
+  const Workspace workspace;
+  const auto complaint_about = [&](const std::string& text) {
+    return complaint(workspace.write("trial.toml", text));
+  };
+  const std::string spacing = "particle_spacing_m = 0.05\n";
+  const std::vector<std::pair<std::string, std::string>> texts{
+      {with_pysph(""), "run.particle_spacing_m is missing"},
+      {with_pysph("particle_spacing_m = 0.03\n"),
+       "run.particle_spacing_m = 0.03: expected a whole fraction of the tank's length and of the "
+       "fill depth, 2 and 0.5 m, for pysph"},
+      {with_pysph(spacing + "command = [\"x\"]\n"), "run.command"},
+      {with_pysph(spacing + "[[obstacle]]\nname = \"baffle\"\nleft_m = 1\nright_m = "
+                            "1.1\nbottom_m = 0\ntop_m = 0.2\n"),
+       "run.solver = \"pysph\": expected another solver: pysph takes a tank with a [[gauge]]"}};
+  for (const auto& [text, wanted] : texts)
+    EXPECT_NE(complaint_about(text).find(wanted), std::string::npos)
+        << complaint_about(text) << "\nwanted: " << wanted;
+  std::string unknown = with_pysph(spacing);
+  unknown.replace(unknown.find("edac"), 4, "adami");
+  EXPECT_NE(complaint_about(unknown).find("run.scheme = \"adami\": expected a scheme of PySPH's "
+                                          "driver"),
+            std::string::npos)
+      << complaint_about(unknown);
+  // Two runs of one scheme differ in their spacing.
+  std::string twice = with_pysph(spacing) + pysph + spacing;
+  twice.replace(twice.rfind("peer"), 4, "also");
+  EXPECT_NE(complaint_about(twice).find("expected a spacing that no other run of the method has"),
+            std::string::npos)
+      << complaint_about(twice);
+}
+
 }  // namespace
 }  // namespace slosh::external_run_section_test

@@ -12,11 +12,13 @@
 namespace slosh::external_facts_test {
 namespace {
 
+const RunCost took_ten_seconds{.wall_time = 10, .user_time = 8, .system_time = 2};
+
 RunResult told(const std::string& text) {
   const TemporaryDirectory directory;
   std::ofstream(directory.path() / "cost.json") << text;
   RunResult result;
-  add_external_facts(directory.path() / "cost.json", result);
+  add_external_facts(directory.path() / "cost.json", took_ten_seconds, result);
   return result;
 }
 
@@ -39,6 +41,23 @@ TEST(ExternalFacts, AreCountsOfTheCostAndDiagnostics) {
                                                                {"smoothing_length_ratio", 1.3},
                                                                {"loop_wall_time_s", 530.5},
                                                                {"loop_processor_time_s", 505}}));
+}
+
+TEST(ExternalFacts, CountTheTimesOfCompilingApart) {
+  const RunResult result =
+      told(R"({"schema_version": 1, "compile_wall_time_s": 4, "compile_processor_time_s": 3})");
+  EXPECT_EQ(result.cost.wall_time, 4);
+  EXPECT_EQ(result.cost.user_time + result.cost.system_time, 3);
+  EXPECT_EQ(result.diagnostics.at("compile_wall_time_s"), 4);
+  EXPECT_EQ(result.diagnostics.at("compile_processor_time_s"), 3);
+}
+
+TEST(ExternalFacts, RefuseACompilationThatTookLongerThanTheProgram) {
+  for (const char* key : {"compile_wall_time_s", "compile_processor_time_s"})
+    EXPECT_NE(
+        complaint(std::string("{\"schema_version\": 1, \"") + key + "\": 11}")
+            .find(std::string(key) + " = 11: expected at most the 10 s that the program took"),
+        std::string::npos);
 }
 
 TEST(ExternalFacts, StayUnknownWhereTheProgramDoesNotKnowThem) {
@@ -71,7 +90,7 @@ TEST(ExternalFacts, AreRefusedByTheKeyThatIsWrong) {
     EXPECT_NE(said.find(wanted), std::string::npos) << said << "\nwanted: " << wanted;
   }
   RunResult result;
-  EXPECT_THROW(add_external_facts("/none/cost.json", result), CaseFileError);
+  EXPECT_THROW(add_external_facts("/none/cost.json", took_ten_seconds, result), CaseFileError);
 }
 
 TEST(ExternalFacts, AreThoseOfThePublishedSchema) {

@@ -1,0 +1,22 @@
+// A case as the driver of another code reads it: a JSON file in SI units, whose names hold the
+// units. The motion is a table, so that a driver needs none of the case file's forms of motion.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+
+// Returns the directory of the drivers that Slosh ships.
+std::filesystem::path peers_directory();
+
+// Returns the text of the file: the tank, the liquid, the initial wave (of the amplitude 0 where
+// there is none), the surge, the gauges of the surface, and the times. The surge is the tank's
+// acceleration X''(t) at ten equal steps a sample, and the liquid's first velocity in the tank's
+// frame, -X'(0) of a start in the earth's frame. Throws std::invalid_argument for a tank that
+// rolls or has obstacles, and for a breaking dam: the file has no place for them.
+std::string tank_file(const CaseDefinition& definition);
+
+}  // namespace slosh
