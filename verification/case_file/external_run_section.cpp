@@ -149,7 +149,8 @@ ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definitio
                                .format = "csv",
                                .column = gauge.name,
                                .unit = "m",
-                               .time_column = "t"});
+                               .time_column = "t",
+                               .time_unit = "s"});
   return external;
 }
 

@@ -23,7 +23,7 @@ sys.dont_write_bytecode = True  # nothing is written beside the sources
 try:
     import numpy as np
     import pysph
-    from pysph.base.kernels import CubicSpline, QuinticSpline
+    from pysph.base.kernels import QuinticSpline, WendlandQuintic
     from pysph.base.utils import get_particle_array
     from pysph.solver.application import Application
     from pysph.solver.tools import Tool
@@ -45,9 +45,9 @@ GAMMA = 7.0              # of the delta-SPH of sloshing_tank_pitch.py
 def scheme_of(name, tank, h, c0):
     common = dict(fluids=["fluid"], solids=["solid"], dim=2, rho0=tank["density_kg_m3"], c0=c0,
                   gy=-tank["gravity_m_s2"])
-    if name == "delta_sph":  # sloshing_tank_pitch.py
+    if name == "delta_sph":  # sloshing_tank_pitch.py, with the kernel of `wcsph` of dam_break_2d.py
         return WCSPHScheme(h0=h, hdx=H_OVER_DP, alpha=ALPHA, beta=0.0, gamma=GAMMA, delta_sph=True,
-                           hg_correction=True, **common), CubicSpline(dim=2)
+                           hg_correction=True, **common), WendlandQuintic(dim=2)
     return EDACScheme(nu=0.0, h=h, pb=0.0, eps=0.0, clamp_p=True,  # `edac` of dam_break_2d.py
                       **common), QuinticSpline(dim=2)
 

@@ -188,6 +188,7 @@ TEST(PysphRunSection, IsAnExternalRunOfTheShippedDriver) {
   EXPECT_EQ(run.series[1].quantity, "elevation@left");
   EXPECT_EQ(run.series[1].column, "left");
   EXPECT_EQ(run.series[1].unit, "m");
+  EXPECT_EQ(run.series[1].time_unit, "s");
 }
 
 TEST(PysphRunSection, IsRefusedWhereTheDriverCannotFollow) {
