@@ -11,14 +11,14 @@ namespace slosh::reports {
 inline constexpr std::size_t drawn_limit = 1100;  // entries of a curve: two per pixel of the canvas
 inline constexpr std::size_t all_drawn_limit = 6 * drawn_limit;  // of all curves together
 
-// The colour, marker and dash of a curve, by its look or else by its place in the figure, as the
-// curve's number and its number among the curves of its style.
+// How gnuplot draws a curve.
 struct Stroke {
   const char* colour;  // on white paper
   int point;           // a gnuplot point type
   const char* dash;    // a gnuplot dash type
 };
 
+// `dashed` curves have dashes of their own, with longer gaps.
 Stroke stroke_of(const Look& look, bool dashed = false);
 
 // The inline datablocks of all curves and ribbons.

@@ -105,7 +105,7 @@ std::string cut_off_text(const reports::Figure& figure) {
   std::string text;
   for (const reports::Curve& curve : figure.curves) {
     if (curve.sets_scale) continue;
-    double lowest = frame.lower, highest = frame.upper;
+    double lowest = INFINITY, highest = -INFINITY;
     for (const double value : curve.y)
       if (std::isfinite(value)) {
         lowest = std::min(lowest, value);

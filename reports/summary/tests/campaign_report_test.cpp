@@ -231,7 +231,8 @@ TEST(CampaignReport, TellsTheCoverageOfTheGatesAndShowsEachCaseAtAGlance) {
   const reports::Report report = report_of(surge_campaign(), {good(), unjudged});
   EXPECT_NE(report.coverage.find("3 of 6 declared gate rows are judged."), std::string::npos)
       << report.coverage;
-  EXPECT_NE(report.coverage.find("The rows of 0 of 2 cases detect"), std::string::npos) << report.coverage;
+  EXPECT_NE(report.coverage.find("The rows of 0 of 2 cases detect"), std::string::npos)
+      << report.coverage;
   EXPECT_NE(report.coverage.find("third_surge miss some"), std::string::npos) << report.coverage;
   ASSERT_TRUE(report.pages.at(0).glance);
   EXPECT_EQ(report.pages[0].glance->id, "small_surge-glance");
