@@ -143,10 +143,10 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
 
 // Takes the place of the name of one campaign, and of what concerns the runs of one.
 void add_all_option(CLI::App& report, CampaignOptions& options) {
-  CLI::Option* all = report.add_flag("--all", options.all,
-                                     "One page over all campaigns whose reports lie in the "
-                                     "directory: their verdicts, and bias and "
-                                     "scatter of each model over all of them");
+  CLI::Option* all = report.add_flag(
+      "--all", options.all,
+      "One page over all campaigns that have a report in DIR/NAME/report (default of DIR: "
+      "build/campaigns): their verdicts, and bias and scatter of each model over all of them");
   report.get_option("name")->required(false);
   for (const char* other : {"name", "--quick", "--only", "--tag", "--csv"})
     all->excludes(report.get_option(other));
