@@ -1,20 +1,36 @@
 #include "reports/figures/case_figures.hpp"
 
+#include <initializer_list>
+#include <utility>
+
 #include "reports/figures/figure_panels.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/evidence/case_runs.hpp"
 
 namespace slosh {
 
-std::vector<reports::Figure> case_figures(const CaseAssessment& assessment) {
+namespace {
+
+using FigureKind = std::vector<reports::Figure> (*)(const CaseAssessment&);
+
+std::vector<reports::Figure> figures_of(const CaseAssessment& assessment,
+                                        std::initializer_list<FigureKind> kinds) {
   std::vector<reports::Figure> figures;
-  for (auto make : {motion_figures, main_history, residual_figures, sliding_figures, phasor_figures,
-                    other_histories, spectrum_figures, study_figures, convergence_figures,
-                    energy_figures, cost_figures}) {
+  for (const FigureKind make : kinds)
     for (const reports::Figure& figure : make(assessment))
       for (reports::Figure& panel : in_panels(figure)) figures.push_back(std::move(panel));
-  }
   return figures;
+}
+
+}  // namespace
+
+std::vector<reports::Figure> case_figures(const CaseAssessment& assessment) {
+  return figures_of(assessment, {motion_figures, main_history, residual_figures, sliding_figures,
+                                 phasor_figures, convergence_figures, cost_figures});
+}
+
+std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment) {
+  return figures_of(assessment, {other_histories, spectrum_figures, study_figures, energy_figures});
 }
 
 std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs) {

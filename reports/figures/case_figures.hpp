@@ -8,12 +8,16 @@
 
 namespace slosh {
 
-// Returns the tank's roll; time series of all compared quantities (as figures 1 to 3, 5 and 6 of Li
-// et al. 2010); residuals with the tolerance band; amplitude and lag over time and as phasors;
-// spectra with the predicted frequencies (figure 7 there); studies of time step and spacing
-// (figures 10 and 11 of Zhao et al. 2021); convergence; energy budgets; and, last, error against
-// run time and against memory. A figure without a run to show is left out.
+// Returns the figures of the case's own page: the tank's roll; the time series of its first
+// quantity (as figures 1 to 3 of Li et al. 2010); residuals with the tolerance band; amplitude and
+// lag over time and as phasors; convergence; and, last, error against run time and against memory.
+// A figure without a run to show is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
+
+// Returns those of its appendix: the time series of the other quantities (figures 5 and 6 there);
+// spectra with the predicted frequencies (figure 7); studies of time step and spacing (figures 10
+// and 11 of Zhao et al. 2021); and energy budgets.
+std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment);
 
 // Returns the time series alone, of runs that were not judged. References beyond their range are
 // marked and pressures are filtered as in a report.
@@ -24,7 +28,7 @@ std::vector<reports::Figure> case_histories(const CaseDefinition& definition, Ca
 // times.
 std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);
 
-// The kinds of figures that case_figures() combines. Each omits figures for which no run has data.
+// The kinds of figures that these combine. Each omits figures for which no run has data.
 
 // The roll and the surge of a rolling tank.
 std::vector<reports::Figure> motion_figures(const CaseAssessment& assessment);

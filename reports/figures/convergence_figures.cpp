@@ -7,6 +7,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/run_looks.hpp"
 #include "verification/assessment/observed_order.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -49,12 +50,11 @@ Curve error_points(const ErrorFamily& family) {
 }
 
 Curve fitted_line(const PowerLawLine& line, const Curve& points, double scale) {
-  Curve curve{
-      fmt::format("least squares: order {:.2f} ± {:.2f}", line.order.value, line.order.half_width),
-      spacings_between(extent_of(points.x)),
-      {},
-      {},
-      Curve::Style::line};
+  Curve curve{"least squares: order " + slope_text(line.order),
+              spacings_between(extent_of(points.x)),
+              {},
+              {},
+              Curve::Style::line};
   const Extent errors = extent_of(points.y);
   const auto cut = [&](double value) {
     return std::clamp(value, errors.low / band_reach, errors.high * band_reach);

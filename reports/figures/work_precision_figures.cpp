@@ -8,6 +8,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/run_looks.hpp"
 #include "verification/assessment/work_points.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -59,18 +60,15 @@ std::vector<WorkFamily> shown_families(const CaseAssessment& assessment) {
   return shown;
 }
 
-std::string slope_text(const std::optional<Estimate>& slope) {
-  if (!slope) return "";
-  return std::isnan(slope->half_width)
-             ? fmt::format(", slope {:.2f}", slope->value)
-             : fmt::format(", slope {:.2f} ± {:.2f}", slope->value, slope->half_width);
+std::string slope_label(const std::optional<Estimate>& slope) {
+  return slope ? ", slope " + slope_text(*slope) : "";
 }
 
 Curve curve_of(const CaseDefinition& definition, const WorkFamily& family, const CostAxis& axis) {
   const std::vector<WorkPoint> points = axis.points(family);
   const bool is_one_method = !family.name.ends_with(many_changes);
   const auto slope = is_one_method ? work_slope(points) : std::nullopt;
-  Curve curve{family.name + " against " + family.reference + slope_text(slope),
+  Curve curve{family.name + " against " + family.reference + slope_label(slope),
               {},
               {},
               {},

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "reports/figures/glance_figure.hpp"
 #include "reports/model/side_by_side.hpp"
@@ -130,7 +132,7 @@ reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& cove
 
 // What is worked out of a case before its page is written.
 struct WrittenCase {
-  Section section;
+  std::vector<Section> sections;
   CaseCoverage coverage;
 };
 
@@ -139,7 +141,16 @@ WrittenCase written(const CaseAssessment& assessment, int threads, SensitivityCa
       gate_sensitivity(assessment, known, [threads](std::size_t count, const auto& work) {
         reports::side_by_side(count, threads, work);
       });
-  return {case_section(assessment, sensitivity), case_coverage(assessment, sensitivity)};
+  CaseCoverage coverage = case_coverage(assessment, sensitivity);
+  return {case_sections(assessment, sensitivity, coverage), std::move(coverage)};
+}
+
+reports::Page appendix_page(const CaseDefinition& definition) {
+  return {appendix_of_case(definition.name),
+          definition.title + ": further figures and tables",
+          "",
+          {},
+          page_of_case(definition.name)};
 }
 
 // Adds the page of results across several cases, where there are any.
@@ -227,8 +238,8 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!has_selected_runs(cases[i])) continue;
     report.pages.push_back(page_of(cases[i], ready[i].coverage));
-    report.sections.push_back(gate_section(cases[i]));
-    report.sections.push_back(std::move(ready[i].section));
+    report.pages.push_back(appendix_page(cases[i].definition));
+    std::ranges::move(ready[i].sections, std::back_inserter(report.sections));
     covered.push_back(std::move(ready[i].coverage));
   }
   report.coverage = coverage_text(covered);

@@ -1,9 +1,10 @@
-// The sections of one case's page.
+// The sections of one case's page and of its appendix.
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "reports/figures/case_figures.hpp"
+#include "reports/summary/case_findings.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/sensitivity_tables.hpp"
 #include "reports/tables/case_tables.hpp"
@@ -13,38 +14,48 @@
 
 namespace slosh {
 namespace {
+
 using reports::Section;
+using reports::Table;
+
+Section section_on(const std::string& page, const std::string& id, const std::string& title) {
+  Section section;
+  section.id = id;
+  section.title = title;
+  section.page = page;
+  return section;
+}
+
+void add(std::optional<Table> table, Section& section) {
+  if (table) section.tables.push_back(std::move(*table));
 }
 
 Section gate_section(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Section section;
-  section.id = definition.name + "-gate";
-  section.title = "Gate";
-  section.page = page_of_case(definition.name);
+  Section section = section_on(page_of_case(definition.name), definition.name + "-gate", "Gate");
   if (definition.gate.empty())
     section.paragraphs.push_back("No gate row judges this case.");
   else
-    section.tables = {gate_table(assessment), limits_table(assessment)};
-  if (auto failures = failure_table(definition.name, assessment.runs.status))
-    section.tables.push_back(std::move(*failures));
+    section.tables = {gate_table(assessment)};
+  add(remedy_table(assessment), section);
+  add(failure_table(definition.name, assessment.runs.status), section);
   return section;
 }
 
-Section case_section(const CaseAssessment& assessment,
-                     const std::vector<RowSensitivity>& sensitivity) {
+std::string case_paragraph(const CaseDefinition& definition) {
+  return fmt::format(
+      "{}. Tank {} m x {} m, liquid {}; {}; {} s from rest in the {}-fixed frame. The comparison "
+      "window is from {} to {} s.",
+      definition.source, definition.tank.length, definition.tank.height, liquid_text(definition),
+      motion_text(definition), definition.duration,
+      definition.start == Start::earth ? "earth" : "tank", definition.window_begin,
+      definition.window_end);
+}
+
+Section results_section(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Section section;
-  section.id = definition.name;
-  section.title = "Case and runs";
-  section.page = page_of_case(definition.name);
-  section.paragraphs = {
-      fmt::format("{}. Tank {} m x {} m, liquid {}; {}; {} s from rest in the {}-fixed frame. "
-                  "The comparison window is from {} to {} s.",
-                  definition.source, definition.tank.length, definition.tank.height,
-                  liquid_text(definition), motion_text(definition), definition.duration,
-                  definition.start == Start::earth ? "earth" : "tank", definition.window_begin,
-                  definition.window_end)};
+  Section section = section_on(page_of_case(definition.name), definition.name, "Case and runs");
+  section.paragraphs = {case_paragraph(definition)};
   for (const auto& [run, status] : assessment.runs.status)
     if (status.state == RunState::out_of_range)
       section.paragraphs.push_back("The reference `" + run + "` " + status.message +
@@ -56,31 +67,55 @@ Section case_section(const CaseAssessment& assessment,
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
   section.fields = case_fields(assessment);
-  if (auto uncertain = uncertainty_table(assessment))
-    section.tables.push_back(std::move(*uncertain));
+  return section;
+}
+
+Section tables_section(const CaseAssessment& assessment,
+                       const std::vector<RowSensitivity>& sensitivity,
+                       const CaseCoverage& coverage) {
+  const CaseDefinition& definition = assessment.definition;
+  Section section =
+      section_on(appendix_of_case(definition.name), definition.name + "-tables", "Tables");
+  add(uncertainty_table(assessment), section);
   if (!definition.gate.empty())
     section.tables.push_back(sensitivity_table(assessment, sensitivity));
-  section.tables.push_back(
-      coverage_table(definition.name + "-coverage", {case_coverage(assessment, sensitivity)}));
-  if (auto remedies = remedy_table(assessment)) section.tables.push_back(std::move(*remedies));
-  if (auto matrix = distance_table(assessment)) section.tables.push_back(std::move(*matrix));
-  if (auto refined = refinement_table(assessment)) section.tables.push_back(std::move(*refined));
-  if (auto rest = rest_table(assessment)) section.tables.push_back(std::move(*rest));
-  if (auto impacts = impact_table(assessment)) section.tables.push_back(std::move(*impacts));
-  if (auto ensembles = ensemble_table(assessment)) section.tables.push_back(std::move(*ensembles));
-  if (auto repeats = repeat_table(assessment)) section.tables.push_back(std::move(*repeats));
-  if (auto choices = ablation_table(assessment)) section.tables.push_back(std::move(*choices));
-  if (auto orders = order_table(assessment)) section.tables.push_back(std::move(*orders));
+  section.tables.push_back(coverage_table(definition.name + "-coverage", {coverage}));
+  add(distance_table(assessment), section);
+  add(refinement_table(assessment), section);
+  add(rest_table(assessment), section);
+  add(impact_table(assessment), section);
+  add(ensemble_table(assessment), section);
+  add(repeat_table(assessment), section);
+  add(ablation_table(assessment), section);
+  add(order_table(assessment), section);
   if (!assessment.comparisons.empty()) {
     if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));
     section.tables.push_back(history_table(assessment));
   }
-  for (reports::Table& table : work_precision_tables(assessment))
-    section.tables.push_back(std::move(table));
+  for (Table& table : work_precision_tables(assessment)) section.tables.push_back(std::move(table));
   section.tables.push_back(cost_table(assessment));
   section.tables.push_back(terms_table(assessment));
   section.tables.push_back(provenance_table(assessment));
   return section;
+}
+
+}  // namespace
+
+std::vector<Section> case_sections(const CaseAssessment& assessment,
+                                   const std::vector<RowSensitivity>& sensitivity,
+                                   const CaseCoverage& coverage) {
+  const std::string& name = assessment.definition.name;
+  std::vector<Section> sections;
+  Section summary = section_on(page_of_case(name), name + "-summary", "Summary");
+  summary.paragraphs = case_findings(assessment, coverage);
+  if (!summary.paragraphs.empty()) sections.push_back(std::move(summary));
+  sections.push_back(gate_section(assessment));
+  sections.push_back(results_section(assessment));
+  Section further = section_on(appendix_of_case(name), name + "-figures", "Further figures");
+  further.figures = appendix_figures(assessment);
+  if (!further.figures.empty()) sections.push_back(std::move(further));
+  sections.push_back(tables_section(assessment, sensitivity, coverage));
+  return sections;
 }
 
 }  // namespace slosh

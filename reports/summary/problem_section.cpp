@@ -59,17 +59,17 @@ Table error_table(const Problem& problem, const ProblemResult& result) {
   return table;
 }
 
-Table limits_table(const ProblemAssessment& assessment) {
+Table gate_rows_table(const ProblemAssessment& assessment) {
   Table table{assessment.definition.name + "-limits",
-              "Limits and their reasons",
+              "Gate rows",
               "",
-              {"verdict", "error measure", "metric", "result", "reason", "source"},
+              {"verdict", "error measure", "metric", "result"},
               {}};
   for (const ProblemGateOutcome& outcome : assessment.gate) {
     table.row_ids.push_back(problem_row_id(assessment.definition.name, table.rows.size()));
     table.rows.push_back({verdict_name(outcome.verdict), outcome.row.measure,
-                          metric_name(outcome.row.metric), outcome.message, outcome.row.reason,
-                          outcome.row.source});
+                          metric_name(outcome.row.metric), outcome.message});
+    table.reasons.push_back(limit_reason(outcome.row.reason, outcome.row.source));
   }
   return table;
 }
@@ -123,7 +123,7 @@ reports::Section problem_section(const ProblemAssessment& assessment) {
   section.title = problem.title;
   section.paragraphs = {problem.statement, "Exact solution: " + problem.exact_solution,
                         "Source: " + problem.source + "."};
-  section.tables = {limits_table(assessment)};
+  section.tables = {gate_rows_table(assessment)};
   if (!assessment.run.result) {
     section.paragraphs.push_back(state_name(assessment.run.status.state) + ": " +
                                  assessment.run.status.message);

@@ -12,12 +12,11 @@
 
 namespace slosh {
 
-// The gate rows of a case and their limits, first on the case's page.
-reports::Section gate_section(const CaseAssessment& assessment);
-
-// The case in words, its figures and its tables, with what its gate rows detect.
-reports::Section case_section(const CaseAssessment& assessment,
-                              const std::vector<RowSensitivity>& sensitivity);
+// The sections of a case: on its page what its tables find, its gate, the case in words and its
+// main figures; on its appendix further figures, and its tables.
+std::vector<reports::Section> case_sections(const CaseAssessment& assessment,
+                                            const std::vector<RowSensitivity>& sensitivity,
+                                            const CaseCoverage& coverage);
 
 // The statement, the source, the exact solution, errors and observed orders over the resolutions,
 // the figures, and the limits with their reasons, on the page of the problems.

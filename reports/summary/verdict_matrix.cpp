@@ -47,10 +47,7 @@ std::string heading(std::string metric) {
 
 std::string value_text(double value, double half_width, const std::string& unit) {
   if (!std::isfinite(value)) return "";
-  const double scale = unit == "1" ? 100 : 1;
-  const std::string interval =
-      half_width > 0 ? fmt::format(" ± {:.2g}", scale * half_width) : std::string();
-  return fmt::format("{:.3g}{} {}", scale * value, interval, unit == "1" ? "%" : unit);
+  return with_interval({value, half_width}, unit);
 }
 
 std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases) {

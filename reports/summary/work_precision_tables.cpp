@@ -11,6 +11,7 @@
 #include "reports/summary/report_sections.hpp"
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/across_runs/speed_ups.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -54,12 +55,9 @@ std::string reached_text(const CostAtError& found, const CostColumn& column) {
                      column.scale * found.most_exact->cost.value, column.unit);
 }
 
-std::string slope_text(const WorkFamily& family, const CostColumn& column) {
+std::string slope_cell(const WorkFamily& family, const CostColumn& column) {
   const auto slope = work_slope(column.points(family));
-  if (!slope) return "";
-  return std::isnan(slope->half_width)
-             ? fmt::format("{:.2f}", slope->value)
-             : fmt::format("{:.2f} ± {:.2f}", slope->value, slope->half_width);
+  return slope ? slope_text(*slope) : "";
 }
 
 // Returns how the costs of a family were measured: "alone, 5 to 6 times", ...
@@ -106,7 +104,7 @@ Table cost_at_errors(const CaseAssessment& assessment, const std::vector<WorkFam
   for (const double error : stated_errors()) table.header.push_back(percent(error));
   for (const WorkFamily& family : families) {
     std::vector<std::string> row{family.name, family.reference, timed_text(family),
-                                 fmt::format("{}", family.runs.size()), slope_text(family, column)};
+                                 fmt::format("{}", family.runs.size()), slope_cell(family, column)};
     for (const double error : stated_errors())
       row.push_back(reached_text(cost_at_error_or_beyond(column.points(family), error), column));
     table.rows.push_back(std::move(row));

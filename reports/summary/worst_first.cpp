@@ -9,6 +9,7 @@
 
 #include "reports/summary/verdict_matrix.hpp"
 #include "verification/assessment/error_over_tolerance.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -71,8 +72,7 @@ reports::Decision deciding_run(const std::vector<CaseAssessment>& cases,
 
 std::string share_text(const std::optional<ErrorOverTolerance>& share) {
   if (!share) return "";
-  return fmt::format("{:.0f}", 100 * share->value) +
-         (share->half_width > 0 ? fmt::format(" ± {:.0f}", 100 * share->half_width) : "");
+  return interval_text({100 * share->value, 100 * share->half_width});
 }
 
 }  // namespace

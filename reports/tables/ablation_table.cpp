@@ -7,6 +7,7 @@
 #include "reports/tables/case_tables.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -97,7 +98,7 @@ std::string mode_cell(const Comparison& comparison, const std::string& name,
     if (mode.mode != name) continue;
     if (!mode.resolved()) return "not resolved";
     const Estimate& estimate = mode.*measure;
-    return fmt::format("{:+.3g} ± {:.2g}", scale * estimate.value, scale * estimate.half_width);
+    return interval_text({scale * estimate.value, scale * estimate.half_width});
   }
   return "";
 }

@@ -16,11 +16,9 @@ namespace slosh {
 // Returns "forced amplitude error of elevation@right".
 std::string metric_text(const GateRow& row);
 
-// The result and the verdict of each gate row; each row has its anchor (report_places.hpp).
+// The result, the verdict and the reason of each gate row; each row has its anchor
+// (report_places.hpp).
 reports::Table gate_table(const CaseAssessment& assessment);
-
-// The limits with their reasons and sources; rows that differ only in their runs share a line.
-reports::Table limits_table(const CaseAssessment& assessment);
 
 // For each judged gate row on ensembles: how the metric scatters over the repeats of either side,
 // its mean and the interval that they give it (ensemble_mean.hpp).

@@ -8,6 +8,7 @@
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/across_runs/solution_distances.hpp"
 #include "verification/assessment/observed_order.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -20,7 +21,7 @@ std::string run_text(const CaseAssessment& assessment, const std::string& run) {
 }
 
 std::string with_interval(const Estimate& estimate, double scale = 1) {
-  return fmt::format("{:+.3g} ± {:.2g}", scale * estimate.value, scale * estimate.half_width);
+  return interval_text({scale * estimate.value, scale * estimate.half_width});
 }
 
 // Returns amplitude error, lag in three units, frequency error and decay rate. A mode that cannot
@@ -36,11 +37,7 @@ std::vector<std::string> mode_measures(const ModeComparison& mode) {
           forced ? "" : with_interval(mode.decay_rate)};
 }
 
-std::string rms_text(const Estimate& rms) {
-  return rms.half_width > 0
-             ? fmt::format("{:.2f} ± {:.2g} %", 100 * rms.value, 100 * rms.half_width)
-             : fmt::format("{:.2f} %", 100 * rms.value);
-}
+std::string rms_text(const Estimate& rms) { return percent_interval_text(rms); }
 
 // Waves are given in millimetres.
 std::string length_in_mm(double value, const std::string& unit) {
@@ -66,8 +63,7 @@ constexpr const char* order_headings[] = {"order of rms", "order of frequency", 
 
 std::string error_text(const Estimate& error, double scale) {
   if (std::isnan(error.value)) return "";
-  const std::string value = fmt::format("{:.3g}", scale * error.value);
-  return error.half_width > 0 ? fmt::format("{} ± {:.2g}", value, scale * error.half_width) : value;
+  return interval_text({scale * error.value, scale * error.half_width});
 }
 
 std::string order_text(const std::optional<double>& order) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/gate/measured_value.hpp"
@@ -14,13 +15,6 @@ namespace slosh {
 namespace {
 
 using reports::Table;
-
-std::string allowed(const GateRow& row) {
-  if (row.limit) return "at most " + in_unit(*row.limit, row.unit);
-  if (row.between)
-    return in_unit(row.between->first, row.unit) + " to " + in_unit(row.between->second, row.unit);
-  return "below that of " + *row.improves_on;
-}
 
 using Pairs = std::vector<std::vector<Estimate>>;  // [candidate][reference]
 
@@ -56,8 +50,7 @@ std::vector<std::string> line_of(const GateOutcome& outcome, const Pairs& pairs)
     }
   return {row_name(row),
           fmt::format("{} x {}", pairs.size(), pairs.front().size()),
-          in_unit(outcome.value.value, row.unit),
-          in_unit(outcome.value.half_width, row.unit),
+          with_interval(outcome.value, row.unit),
           spread_text(pairs, row.unit),
           row.reference.empty() ? "" : spread_text(transposed(pairs), row.unit),
           fmt::format("{} to {}", in_unit(least, row.unit), in_unit(most, row.unit)),
@@ -74,31 +67,24 @@ std::string metric_text(const GateRow& row) {
 
 Table gate_table(const CaseAssessment& assessment) {
   const std::string& name = assessment.definition.name;
-  Table table{name + "-gate",
-              "Gate rows",
-              "A row does not pass where a value is NaN, a series ends early, or the reference is "
-              "missing or out of its range.",
-              {"verdict", "candidate", "reference", "metric", "result"},
-              {}};
+  Table table{
+      name + "-gate",
+      "Gate rows",
+      "A row does not pass where a value is NaN, a series ends early, or the reference is "
+      "missing or out of its range. The reason for a limit is told once where the rows that "
+      "follow have the same, and at each judged row that does not pass.",
+      {"verdict", "candidate", "reference", "metric", "result"},
+      {}};
+  std::string last;
   for (const GateOutcome& outcome : assessment.gate) {
     table.row_ids.push_back(case_row_id(name, table.rows.size()));
     table.rows.push_back({verdict_name(outcome.verdict), outcome.row.candidate,
                           outcome.row.reference.empty() ? "none" : outcome.row.reference,
                           metric_text(outcome.row), outcome.message});
-  }
-  return table;
-}
-
-Table limits_table(const CaseAssessment& assessment) {
-  Table table{assessment.definition.name + "-limits",
-              "Limits and their reasons",
-              "",
-              {"metric", "allowed", "reason", "source"},
-              {}};
-  for (const GateRow& row : assessment.definition.gate) {
-    std::vector<std::string> line{metric_text(row), allowed(row), row.reason, row.source};
-    if (std::find(table.rows.begin(), table.rows.end(), line) == table.rows.end())
-      table.rows.push_back(std::move(line));
+    const bool fails = is_judged(outcome.verdict) && outcome.verdict != Verdict::pass;
+    const std::string reason = limit_reason(outcome.row.reason, outcome.row.source);
+    table.reasons.push_back(reason == last && !fails ? "" : reason);
+    last = reason;
   }
   return table;
 }
@@ -110,11 +96,11 @@ std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
       assessment.definition.name + "-ensembles",
       "Ensembles",
       "Gate rows judged on ensembles of runs with perturbed initial states: the mean over all "
-      "pairs of candidate and reference, the half width of its 95 % interval (from the scatter of "
-      "the repeats alone), the standard deviations (sd) over the candidates and over the "
+      "pairs of candidate and reference with its 95 % interval (from the scatter of the repeats "
+      "alone), the standard deviations (sd) over the candidates and over the "
       "references, and the range of all pairs. Figures show the first member of each ensemble.",
-      {"row", "candidates x references", "mean", "half width", "sd of candidates",
-       "sd of references", "range", "verdict"},
+      {"row", "candidates x references", "mean", "sd of candidates", "sd of references", "range",
+       "verdict"},
       {}};
   for (const GateOutcome& outcome : assessment.gate)
     if (is_judged(outcome.verdict) && is_of_ensembles(outcome.row, evidence))

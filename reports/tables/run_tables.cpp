@@ -9,6 +9,7 @@
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -19,9 +20,8 @@ using reports::Table;
 std::string timed_text(const MeasuredCost& cost) {
   if (cost.timings == 0) return "";
   const Estimate& time = cost.core_seconds;
-  return cost.has_interval()
-             ? fmt::format("{:.3g} ± {:.2g} ({})", time.value, time.half_width, cost.timings)
-             : fmt::format("{:.3g} (1)", time.value);
+  return cost.has_interval() ? fmt::format("{} ({})", interval_text(time), cost.timings)
+                             : fmt::format("{:.3g} (1)", time.value);
 }
 
 std::string count_text(double count) { return count > 0 ? fmt::format("{}", count) : ""; }

@@ -86,21 +86,21 @@ std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
       "Uncertainties of the gate rows",
       "Half widths of 95 % intervals after ASME V&V 20. u_num: discretisation of the candidate; "
       "u_input: inputs taken from the experiment; u_reference: the reference; time series: finite "
-      "length of the series and scatter of repeats. Combined: root sum of squares of those that "
-      "are known.",
-      {"row", "kind", "result", "u_num", "u_input", "u_reference", "time series", "combined",
-       "basis of u_num", "basis of u_input", "basis of u_reference"},
+      "length of the series and scatter of repeats. The interval of the result combines those "
+      "that are known: the root of the sum of their squares.",
+      {"row", "kind", "result", "u_num", "u_input", "u_reference", "time series", "basis of u_num",
+       "basis of u_input", "basis of u_reference"},
       {}};
   for (const GateOutcome& outcome : assessment.gate) {
     if (!outcome.judgement) continue;
     const std::string& unit = outcome.row.unit;
     const UncertaintyContributions& of = outcome.judgement->contributions;
     table.rows.push_back(
-        {row_name(outcome.row), kind_name(outcome.row.kind), in_unit(outcome.value.value, unit),
+        {row_name(outcome.row), kind_name(outcome.row.kind),
+         with_interval({outcome.value.value, outcome.judgement->uncertainty}, unit),
          half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
          half_width_text(of.reference, unit), half_width_text(of.time_series, unit),
-         "± " + in_unit(outcome.judgement->uncertainty, unit), of.discretisation.basis,
-         of.input.basis, of.reference.basis});
+         of.discretisation.basis, of.input.basis, of.reference.basis});
   }
   if (table.rows.empty()) return {};
   return table;

@@ -50,4 +50,11 @@ std::string liquid_text(const CaseDefinition& definition) {
   return text;
 }
 
+std::string limit_reason(const std::string& reason, const std::string& source) {
+  const auto sentence = [](const std::string& text) {
+    return text.ends_with('.') ? text : text + ".";
+  };
+  return source.empty() ? sentence(reason) : sentence(reason) + " Source: " + sentence(source);
+}
+
 }  // namespace slosh

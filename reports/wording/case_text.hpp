@@ -13,4 +13,7 @@ std::string motion_text(const CaseDefinition& definition);
 // Returns "0.35 m deep", the initial state where it is not at rest, and the obstacles.
 std::string liquid_text(const CaseDefinition& definition);
 
+// Returns "Peers reach 1 %. Source: Li et al. 2010.", the reason for a gate row's limit.
+std::string limit_reason(const std::string& reason, const std::string& source);
+
 }  // namespace slosh

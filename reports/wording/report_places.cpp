@@ -9,6 +9,10 @@ std::string page_of_case(const std::string& case_name) {
   return taken ? "case-" + case_name : case_name;
 }
 
+std::string appendix_of_case(const std::string& case_name) {
+  return page_of_case(case_name) + "-appendix";
+}
+
 std::string case_row_id(const std::string& case_name, std::size_t row) {
   return fmt::format("{}-{}", case_name, row + 1);
 }

@@ -11,6 +11,7 @@
 
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/gate/measured_value.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -91,7 +92,7 @@ std::string lost_text(const GateRow& row, const GateEvidence& evidence) {
                                    : not_reached_text(evidence.cost(row), row.unit);
 }
 
-// "13.9 % +- 4 % <= 20 %", "|-1 %| <= 2 %", "3 % is not within 1 % .. 2 %".
+// "14 ± 4 % ≤ 20 %", "|-1 %| ≤ 2 %", "3 % is not within 1 % to 2 %".
 std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                        const GateEvidence& evidence) {
   const std::string shown = is_lost(row, judged.error)
@@ -110,8 +111,8 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
   };
   if (row.limit)
     return fmt::format("{} {} {}", judged.error < 0 ? "|" + shown + "|" : shown,
-                       phrase("<=", "is not <="), in_unit(*row.limit, row.unit));
-  return fmt::format("{} {} {} .. {}", shown, phrase("within", "is not within"),
+                       phrase("≤", "is not ≤"), in_unit(*row.limit, row.unit));
+  return fmt::format("{} {} {} to {}", shown, phrase("within", "is not within"),
                      in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
 }
 
@@ -319,9 +320,7 @@ std::string in_unit(double value, const std::string& unit) {
 }
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {
-  std::string value = in_unit(estimate.value, unit);
-  if (!(estimate.half_width > 0)) return value;  // a whole-window metric has none
-  return value + " +- " + in_unit(estimate.half_width, unit);
+  return unit == "1" ? percent_interval_text(estimate) : interval_text(estimate) + " " + unit;
 }
 
 }  // namespace slosh

@@ -86,7 +86,7 @@ struct GateOutcome {
   GateRow row;
   Verdict verdict;
   Estimate value{};  // the metric; NaN where it was not measured
-  // "0.8 % <= 1.5 %", followed by " (regression)" for a regression row; or why nothing could be
+  // "0.8 % ≤ 1.5 %", followed by " (regression)" for a regression row; or why nothing could be
   // compared.
   std::string message;
   // What the verdict on a limit or a range rests on; empty for other rows.
@@ -137,7 +137,8 @@ std::string row_name(const GateRow& row);
 // "1.5 %" for the unit "1"; "0.034 Pa" for any other
 std::string in_unit(double value, const std::string& unit);
 
-// "0.012 +- 0.003"; the value alone where the estimate has no interval.
+// "0.012 ± 0.003 m", "1.2 ± 0.3 %" for the unit "1"; the value alone where the estimate has no
+// interval (interval_text.hpp).
 std::string with_interval(const Estimate& estimate, const std::string& unit);
 
 }  // namespace slosh

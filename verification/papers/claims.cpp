@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "verification/series/interval_text.hpp"
+
 namespace slosh {
 namespace {
 
@@ -71,12 +73,11 @@ Finding within(const Shown& shown, const Estimate& estimate, const Threshold& ra
   const double low = estimate.value - estimate.half_width,
                high = estimate.value + estimate.half_width;
   const auto in_unit = [&](double value) { return fmt::format("{:.3g}", shown.scale * value); };
-  const std::string interval =
-      estimate.half_width > 0 ? " ± " + fmt::format("{:.2g}", shown.scale * estimate.half_width)
-                              : "";
+  const std::string value =
+      interval_text({shown.scale * estimate.value, shown.scale * estimate.half_width});
   const std::string unit = shown.unit.empty() ? "" : " " + shown.unit;
   const std::string text =
-      fmt::format("{} {:+.3g}{}{} ({} to {})", shown.name, shown.scale * estimate.value, interval,
+      fmt::format("{} {}{}{} ({} to {})", shown.name, value.starts_with('-') ? "" : "+", value,
                   unit, in_unit(lower), in_unit(upper));
   if (low >= lower && high <= upper) return {Held::yes, text};
   if (low > upper || high < lower) return {Held::no, text};

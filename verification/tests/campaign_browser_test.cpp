@@ -11,9 +11,8 @@ namespace {
 
 class CampaignInBrowser : public SmallCampaign {};
 
-std::size_t files_in(const std::filesystem::path& directory) {
-  return static_cast<std::size_t>(
-      std::distance(std::filesystem::directory_iterator(directory), {}));
+int files_in(const std::filesystem::path& directory) {
+  return static_cast<int>(std::distance(std::filesystem::directory_iterator(directory), {}));
 }
 
 TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
@@ -27,12 +26,23 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
       reports::open_in_browser(directory(), "out/report/index.html", false);
   const reports::BrowserRun run =
       reports::open_in_browser(directory(), "out/report/small.html", false);
-  EXPECT_EQ((first.log + run.log).find("CONSOLE"), std::string::npos) << first.log << run.log;
+  const reports::BrowserRun appendix =
+      reports::open_in_browser(directory(), "out/report/small-appendix.html", true);
+  EXPECT_EQ((first.log + run.log + appendix.log).find("CONSOLE"), std::string::npos)
+      << first.log << run.log << appendix.log;
   for (const nlohmann::json& page : {first.phone, first.desk, run.phone, run.desk}) {
     SCOPED_TRACE(page.dump(2));
     EXPECT_EQ(page.at("verdict_first"), true);
     EXPECT_NE(page.at("verdict").get<std::string>().find("1 of 2 gate rows hold, 1 violated."),
               std::string::npos);
+    EXPECT_LE(page.at("words"), 3000);
+  }
+  for (const nlohmann::json& page :
+       {first.phone, first.desk, run.phone, run.desk, appendix.phone, appendix.desk}) {
+    SCOPED_TRACE(page.dump(2));
+    EXPECT_EQ(page.at("unhinted_boxes"), 0);
+    EXPECT_EQ(page.at("cut_figures"), 0);
+    EXPECT_LT(page.at("weight"), 1'500'000);
     EXPECT_EQ(page.at("captions"), page.at("tables"));
     EXPECT_EQ(page.at("first_focus"), "skip");
     EXPECT_LE(page.at("scroll_width"), page.at("width"));
@@ -41,20 +51,24 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
     for (const std::string link : page.at("links"))
       EXPECT_TRUE(std::filesystem::exists(report() / link.substr(0, link.find('#')))) << link;
   }
-  for (const nlohmann::json& page : {run.phone, run.desk}) {
-    SCOPED_TRACE(page.dump(2));
+  for (const auto& [page, further] :
+       {std::pair{run.phone, appendix.phone}, {run.desk, appendix.desk}}) {
+    SCOPED_TRACE(page.dump(2) + further.dump(2));
     EXPECT_EQ(page.at("table_rows").at("table-small-gate"),
               results.at("cases").at(0).at("gate").size());
-    EXPECT_EQ(page.at("table_rows").at("table-small-cost-table"), 2);  // theory and particles
+    EXPECT_EQ(page.at("folded_reasons"), 2) << "each row has a reason of its own or is violated";
+    EXPECT_EQ(further.at("table_rows").at("table-small-cost-table"), 2);  // theory and particles
+    // On the case's page history, residual, sliding amplitude and lag, the forced phasor and the
+    // natural one's, error against run time and memory; on its appendix two forces, two momenta,
+    // highest surface and two spectra. The first page has none, for two modes are too few
+    // comparisons.
+    const int drawings = page.at("drawings").get<int>() + further.at("drawings").get<int>();
     // All but the case's small figure on the first page.
-    EXPECT_EQ(page.at("drawings").get<std::size_t>() + 1, files_in(report() / "figures"));
-    // History, residual, sliding amplitude and lag, the forced phasor and the natural one's, two
-    // forces, two momenta, highest surface, two spectra, error against run time and memory; the
-    // first page has none, for two modes are too few comparisons.
-    EXPECT_EQ(page.at("drawings"), 13);
+    EXPECT_EQ(drawings + 1, files_in(report() / "figures"));
+    EXPECT_EQ(drawings, 13);
     EXPECT_GE(page.at("smallest_drawing"), 100);
     // Theory's elevation, its spectrum and its force beside all of the particles'.
-    EXPECT_GE(page.at("drawn_curves"), 12);
+    EXPECT_GE(page.at("drawn_curves").get<int>() + further.at("drawn_curves").get<int>(), 12);
   }
   EXPECT_EQ(first.desk.at("drawings"), 0);
   for (const nlohmann::json& page : {first.phone, first.desk}) {

@@ -66,8 +66,10 @@ inline std::vector<std::string> ids(const std::vector<reports::Figure>& figures)
 
 // Of the given id behind "small_surge-"; an empty one where there is none.
 inline reports::Figure figure_of(const CaseAssessment& assessment, const std::string& id) {
-  for (const reports::Figure& figure : case_figures(assessment))
-    if (figure.id == "small_surge-" + id) return figure;
+  for (const std::vector<reports::Figure>& figures :
+       {case_figures(assessment), appendix_figures(assessment)})
+    for (const reports::Figure& figure : figures)
+      if (figure.id == "small_surge-" + id) return figure;
   return {};
 }
 

@@ -154,7 +154,7 @@ TEST_F(ForeignResults, AreJudgedByLimitsAsRowsAre) {
   import_pair({.amplitude = 0.021});
   const Ended ended = compare({"--limit", "normalised_rms=0.01", "--json", "c.json"});
   EXPECT_EQ(ended.status, 1);
-  EXPECT_NE(ended.out.find("violated: whole normalised_rms: 5 % is not <= 1 %"), std::string::npos)
+  EXPECT_NE(ended.out.find("violated: whole normalised_rms: 5 % is not ≤ 1 %"), std::string::npos)
       << ended.out;
   EXPECT_EQ(nlohmann::json::parse(read("c.json")).at("gate").at(0).at("verdict"), "violated");
   // One tone alone leaves the other as a residual that widens the interval across the limit.

@@ -72,7 +72,7 @@ TEST_F(Locale, WithDecimalCommasChangesNoNumber) {
   const Ended limits = tool({"compare", "theory.h5", "theory.h5", "--gauge", "right", "--frequency",
                              "0.477", "--limit", "phase_lag=0.5"},
                             german);
-  EXPECT_TRUE(holds(limits.out, "<= 0.5 deg"));
+  EXPECT_TRUE(holds(limits.out, "≤ 0.5 deg"));
 }
 
 }  // namespace

@@ -9,12 +9,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string plus_minus(double value, double half_width, const std::string& unit) {
-  const double scale = unit == "1" ? 100 : 1;
-  return fmt::format("{:.3g} ± {:.2g} {}", scale * value, scale * half_width,
-                     unit == "1" ? "%" : unit);
-}
-
 std::string order_text(const ConvergedMetric& metric) {
   const auto& order = metric.refined.found.order;
   if (!order) return "no order";
@@ -30,7 +24,7 @@ std::string metric_text(const ConvergedMetric& metric) {
       fmt::format("\n{} {} of {}\n", row.mode, metric_name(row.metric), row.quantity);
   for (const ValueAtStep& one : metric.refined.values)
     text += fmt::format("  {:>8.4g} mm   {}\n", 1000 * one.step,
-                        plus_minus(one.value, one.noise, row.unit));
+                        with_interval({one.value, one.noise}, row.unit));
   return text +
          fmt::format(
              "  {}, {}; extrapolated to zero spacing {}; uncertainty of the finest {}\n  {}\n",

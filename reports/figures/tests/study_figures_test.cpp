@@ -29,7 +29,7 @@ CaseAssessment assess_runs(const std::vector<StudyRun>& runs) {
 
 Names studies(const CaseAssessment& assessment) {
   Names names;
-  for (const reports::Figure& figure : case_figures(assessment))
+  for (const reports::Figure& figure : appendix_figures(assessment))
     if (figure.id.find("-time_step-") != std::string::npos ||
         figure.id.find("-spacing-") != std::string::npos)
       names.push_back(figure.title);

@@ -103,14 +103,21 @@ TEST(CampaignReport, HasItsSummaryFirstAndAPageForEachCaseAndForThePaper) {
   second.definition.name = "another_surge";
   CampaignDefinition campaign = surge_campaign();
   const reports::Report both = report_of(campaign, {good(), second});
-  EXPECT_EQ(section_ids(both),
-            (std::vector<std::string>{"gate", "worst", "bias", "small_surge-gate", "small_surge",
-                                      "another_surge-gate", "another_surge"}));
-  EXPECT_EQ(page_ids(both), (std::vector<std::string>{"small_surge", "another_surge"}));
+  EXPECT_EQ(
+      section_ids(both),
+      (std::vector<std::string>{"gate", "worst", "bias", "small_surge-summary", "small_surge-gate",
+                                "small_surge", "small_surge-figures", "small_surge-tables",
+                                "another_surge-summary", "another_surge-gate", "another_surge",
+                                "another_surge-figures", "another_surge-tables"}));
+  EXPECT_EQ(page_ids(both), (std::vector<std::string>{"small_surge", "small_surge-appendix",
+                                                      "another_surge", "another_surge-appendix"}));
+  EXPECT_EQ(both.pages.at(3).continues, "another_surge");
+  EXPECT_EQ(section_of(both, "another_surge-tables").page, "another_surge-appendix");
   for (const char* paper : {"li2010", "zhao2021"}) {
     campaign.paper = paper;
     const reports::Report report = report_of(campaign, {good()});
-    EXPECT_EQ(page_ids(report), (std::vector<std::string>{"small_surge", "across"}));
+    EXPECT_EQ(page_ids(report),
+              (std::vector<std::string>{"small_surge", "small_surge-appendix", "across"}));
     EXPECT_EQ(section_of(report, paper).page, "across");
   }
 }
@@ -124,9 +131,9 @@ TEST(CampaignReport, TellsOnEachCasesPageItsOwnVerdict) {
   const reports::Report report = report_of(surge_campaign(), {good(), bad, unjudged});
   EXPECT_EQ(report.pages.at(0).outcome, reports::Outcome::pass);
   EXPECT_EQ(report.pages[0].verdict, "3 of 3 gate rows hold.");
-  EXPECT_EQ(report.pages.at(1).outcome, reports::Outcome::not_compared);
-  EXPECT_EQ(report.pages[1].verdict.find("0 of 3 gate rows hold"), 0u);
-  EXPECT_EQ(report.pages.at(2).verdict, "") << "nothing judges it";
+  EXPECT_EQ(report.pages.at(2).outcome, reports::Outcome::not_compared);
+  EXPECT_EQ(report.pages[2].verdict.find("0 of 3 gate rows hold"), 0u);
+  EXPECT_EQ(report.pages.at(4).verdict, "") << "nothing judges it";
 }
 
 TEST(CampaignReport, OfACaseNamedAsAnotherPageStandsBesideIt) {
@@ -274,6 +281,39 @@ TEST(CampaignReport, HasARowWithAnAnchorForEveryGateRowAndLeadsThere) {
                                       "row-another_surge-2", "row-another_surge-3"}));
 }
 
+TEST(CampaignReport, TellsTheReasonOfALimitOnceForRowsThatShareIt) {
+  CaseAssessment assessment = good();
+  ASSERT_EQ(assessment.gate.size(), 3u);
+  for (GateOutcome& outcome : assessment.gate) {
+    outcome.row.reason = "Peers reach 1 %";
+    outcome.row.source = "Li et al. 2010";
+  }
+  const auto reasons = [&] {
+    return section_of(report_of(surge_campaign(), {assessment}), "small_surge-gate")
+        .tables.at(0)
+        .reasons;
+  };
+  const std::string reason = "Peers reach 1 %. Source: Li et al. 2010.";
+  EXPECT_EQ(reasons(), (std::vector<std::string>{reason, "", ""}));
+  assessment.gate[1].verdict = Verdict::violated;
+  EXPECT_EQ(reasons(), (std::vector<std::string>{reason, reason, ""}));
+}
+
+TEST(CampaignReport, SaysInTheSummaryOfACaseWhatItsTablesFind) {
+  const std::vector<std::string> findings =
+      section_of(report_of(surge_campaign(), {good()}), "small_surge-summary").paragraphs;
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0],
+            "None of the 4 solutions stands apart from the others in elevation@right.");
+  TimeSeries high = elevation_of({});
+  for (double& value : high.value) value *= 3;
+  EXPECT_EQ(section_of(report_of(surge_campaign(),
+                                 {assess(surge_case(), surge_runs_with("particles", high))}),
+                       "small_surge-summary")
+                .paragraphs.at(0),
+            "`particles` stands apart from the other 3 solutions in elevation@right.");
+}
+
 TEST(CampaignReport, DrawsAReferenceOutOfItsRangeAndSaysSo) {
   CaseRuns runs = surge_runs();
   runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
@@ -395,12 +435,13 @@ TEST(CampaignReport, ShowsPressureInPascalWhereTheCaseIsAboutIt) {
   EXPECT_EQ(section.figures[0].y_label, "pressure [Pa]");
   EXPECT_EQ(section.figures[0].curves.at(0).y, runs.results.at("theory").series[0].value);
   EXPECT_EQ(section.figures.at(1).y_label, "residual [Pa]");
+  const std::vector<reports::Figure>& further = section_of(report, "small_surge-figures").figures;
   const auto spectrum = std::find_if(
-      section.figures.begin(), section.figures.end(),
+      further.begin(), further.end(),
       [](const reports::Figure& figure) { return figure.title == "Spectrum of the pressure"; });
-  ASSERT_NE(spectrum, section.figures.end());
+  ASSERT_NE(spectrum, further.end());
   EXPECT_EQ(spectrum->y_label, "power [Pa2]");
-  for (const reports::Table& table : section.tables)
+  for (const reports::Table& table : section_of(report, "small_surge-tables").tables)
     if (table.id == "small_surge-histories") {
       EXPECT_TRUE(table.rows.at(0).at(4).ends_with(" Pa")) << table.rows[0][4];
       EXPECT_NE(table.rows[0].at(5).find(" Pa2)"), std::string::npos) << table.rows[0][5];

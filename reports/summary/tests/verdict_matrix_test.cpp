@@ -102,8 +102,8 @@ TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
       "M", "case");
   ASSERT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(table.rows[0], (std::vector<std::string>{"small_surge", "particles", "theory",
-                                                     "pass: 1.23 ± 0.4 %", ""}));
-  EXPECT_EQ(table.rows[1][4], "inconclusive: 4 ± 2 %");
+                                                     "pass: 1.2 ± 0.4 %", ""}));
+  EXPECT_EQ(table.rows[1][4], "inconclusive: 4.0 ± 2.0 %");
   EXPECT_EQ(table.links[1][4], "row-small_surge-2");
   EXPECT_EQ(table.links[1][3], "");
 }

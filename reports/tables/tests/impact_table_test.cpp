@@ -129,7 +129,7 @@ TEST(CaseWithImpacts, IsReportedWithThem) {
       campaign_report(campaign, false, "./slosh campaign rolls", {assessed(pressure_of({}))});
   EXPECT_NO_THROW(reports::check_report(report));
   const auto section = std::find_if(report.sections.begin(), report.sections.end(),
-                                    [](const auto& one) { return one.id == "impacts"; });
+                                    [](const auto& one) { return one.id == "impacts-tables"; });
   ASSERT_NE(section, report.sections.end());
   const auto& tables = section->tables;
   EXPECT_TRUE(std::any_of(tables.begin(), tables.end(), [](const reports::Table& table) {

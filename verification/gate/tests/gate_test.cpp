@@ -105,7 +105,7 @@ TEST(Gate, IsInconclusiveWhereTheIntervalReachesAcrossTheBound) {  // each +- 0.
   EXPECT_EQ(judge(amplitude_row, comparison_of(0.0511)).verdict, Verdict::violated);
   EXPECT_EQ(judge(amplitude_row, comparison_of(-0.0511)).verdict, Verdict::violated);
   EXPECT_EQ(judge(amplitude_row, comparison_of(0.05)).message,
-            "5 % +- 0.1 % cannot be distinguished from 5 %");
+            "5.00 ± 0.10 % cannot be distinguished from 5 %");
 }
 
 TEST(Gate, CountsWhatElseIsUncertainBesideTheInterval) {
@@ -143,7 +143,7 @@ TEST(Gate, DoesNotPassAValidationRowWhoseNumericalOrReferencesUncertaintyIsUnkno
         UncertaintyContributions{.discretisation = unknown}}) {
     const GateOutcome outcome = judge_with(amplitude_row, 0.01, found);
     EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
-    EXPECT_EQ(outcome.message, "1 % +- 0.1 % <= 5 %; not included: nobody refined the mesh");
+    EXPECT_EQ(outcome.message, "1.00 ± 0.10 % ≤ 5 %; not included: nobody refined the mesh");
     EXPECT_EQ(judge_with(amplitude_row, 0.08, found).verdict, Verdict::violated);
     GateRow regression = amplitude_row;
     regression.kind = RowKind::regression;
@@ -165,12 +165,12 @@ TEST(Gate, PassesAValidationRowWhoseInputsAreUnknownAndKeepsThat) {
 }
 
 TEST(Gate, SaysTheValueAndItsLimitInTheRowsUnit) {
-  EXPECT_EQ(judge(amplitude_row, comparison_of(0.008)).message, "0.8 % +- 0.1 % <= 5 %");
-  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.08)).message, "|-8 % +- 0.1 %| is not <= 5 %");
+  EXPECT_EQ(judge(amplitude_row, comparison_of(0.008)).message, "0.80 ± 0.10 % ≤ 5 %");
+  EXPECT_EQ(judge(amplitude_row, comparison_of(-0.08)).message, "|-8.00 ± 0.10 %| is not ≤ 5 %");
   EXPECT_EQ(judge(row_of(Metric::phase_lag, "forced", "deg", 2), comparison_of(0)).message,
-            "1.5 deg +- 0.1 deg <= 2 deg");
+            "1.50 ± 0.10 deg ≤ 2 deg");
   EXPECT_EQ(judge(row_of(Metric::maximum_residual, "whole", "m", 0.001), comparison_of(0)).message,
-            "0.0004 m <= 0.001 m");
+            "0.0004 m ≤ 0.001 m");
 }
 
 TEST(Gate, TakesEachMetricFromItsPlace) {
@@ -240,7 +240,7 @@ TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
 TEST(Gate, TakesNoDecayErrorAgainstAReferenceWhoseDecayIsWithinItsInterval) {
   const GateRow row = row_of(Metric::decay_error, "natural_1", "1", 0.4);
   Comparison comparison = comparison_of(0);
-  EXPECT_EQ(judge(row, comparison).message, "25 % +- 8 % <= 40 %");
+  EXPECT_EQ(judge(row, comparison).message, "25 ± 8 % ≤ 40 %");
   for (const Estimate decay : {Estimate{1e-4, 1e-3}, Estimate{-0.01, 1e-3}, Estimate{nan, 1e-3}}) {
     comparison.modes[1].reference.decay_rate = decay;
     EXPECT_EQ(judge(row, comparison).verdict, Verdict::not_compared) << decay.value;
@@ -256,7 +256,7 @@ TEST(Gate, HoldsAValueBetweenItsBounds) {
   row.between = {0.01, 0.03};
   EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::pass);
   EXPECT_EQ(judge(row, comparison_of(0)).message,
-            "0.02 1/s +- 0.001 1/s within 0.01 1/s .. 0.03 1/s");
+            "0.0200 ± 0.0010 1/s within 0.01 1/s to 0.03 1/s");
   row.between = {0.0215, 0.03};
   EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
   row.between = {0.01, 0.0185};
@@ -485,8 +485,7 @@ TEST_F(GateOnEnsemble, JudgesTheMeanByTheSpreadOfTheRepeatsAlone) {
   EXPECT_NEAR(outcome.value.value, 0.03, 1e-12);
   EXPECT_NEAR(outcome.value.half_width, 4.30265 * std::sqrt(7e-4 / 3), 1e-6);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
-  EXPECT_EQ(outcome.message,
-            "3 % +- 6.57 % cannot be distinguished from 5 %; mean over 3 x 1 repeats");
+  EXPECT_EQ(outcome.message, "3 ± 7 % cannot be distinguished from 5 %; mean over 3 x 1 repeats");
   row.limit = 0.1;
   EXPECT_EQ(judged(scattered, finished()).verdict, Verdict::pass);
   row.limit = 0.005;
@@ -580,7 +579,7 @@ TEST_F(GateOnOwnSeries, PassesUpToItsLimitOnEitherSide) {
   EXPECT_EQ(judge_series(gap()).verdict, Verdict::pass);
   EXPECT_EQ(judge_series(gap(-1)).verdict, Verdict::pass);
   EXPECT_EQ(judge_series(gap()).value.value, 0.5);
-  EXPECT_EQ(judge_series(gap()).message, "50 % <= 50 %");
+  EXPECT_EQ(judge_series(gap()).message, "50 % ≤ 50 %");
 }
 
 TEST_F(GateOnOwnSeries, IsViolatedByAScaledSeries) {
@@ -706,11 +705,11 @@ class GateOnCost : public ::testing::Test {
 TEST_F(GateOnCost, PassesACostBelowItsLimitAndFailsOneThatIsScaledAboveIt) {
   const GateOutcome cheap = judge(costs(15, 0.1));
   EXPECT_EQ(cheap.verdict, Verdict::pass);
-  EXPECT_EQ(cheap.message, "15 s +- 1.58 s <= 20 s");  // 15 (e^0.1 - 1)
+  EXPECT_EQ(cheap.message, "15.0 ± 1.6 s ≤ 20 s");  // 15 (e^0.1 - 1)
   EXPECT_EQ(judge(costs(18.5, 0.1)).verdict, Verdict::inconclusive);
   const GateOutcome dear = judge(costs(1.5 * 15, 0.1));
   EXPECT_EQ(dear.verdict, Verdict::violated);
-  EXPECT_EQ(dear.message, "22.5 s +- 2.37 s is not <= 20 s");
+  EXPECT_EQ(dear.message, "22.5 ± 2.4 s is not ≤ 20 s");
 }
 
 TEST_F(GateOnCost, FailsAnErrorThatIsNeverReachedAndSaysHowFarItGot) {
@@ -720,7 +719,7 @@ TEST_F(GateOnCost, FailsAnErrorThatIsNeverReachedAndSaysHowFarItGot) {
   const GateOutcome outcome = judge(found);
   EXPECT_EQ(outcome.verdict, Verdict::violated);
   EXPECT_TRUE(std::isnan(outcome.value.value));
-  EXPECT_EQ(outcome.message, "not reached (5.7 % at 85 s) is not <= 20 s");
+  EXPECT_EQ(outcome.message, "not reached (5.7 % at 85 s) is not ≤ 20 s");
   found.most_exact.reset();
   EXPECT_EQ(judge(found).verdict, Verdict::violated);
 }

@@ -74,7 +74,7 @@ TEST(ImpactMetrics, AreWhatTheyAreDefinedAs) {
   // 1.1 times the mean lies above the repeats of 0.5 + i / 39 <= 1.1, i = 0 ... 23, of 40.
   EXPECT_DOUBLE_EQ(value(Metric::impact_percentile, "impact_2"), 24 / 40.0);
   EXPECT_EQ(judge(row_of(Metric::impact_percentile, "impact_2"), pressure).message,
-            "60 % within 5 % .. 95 %");
+            "60 % within 5 % to 95 %");
 }
 
 TEST(ImpactMetrics, AreViolatedByARunThatIsLate) {

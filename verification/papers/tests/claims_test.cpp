@@ -83,7 +83,7 @@ TEST(Within, NeverConfirmsNorRefutesByNaN) {
 
 TEST(Within, SaysNumberIntervalAndThreshold) {
   EXPECT_EQ(within({"error", 100, "%"}, {0.0123, 0.001}, within_range(-0.02, 0.02)).text,
-            "error +1.23 ± 0.1 % (-2 to 2)");
+            "error +1.23 ± 0.10 % (-2 to 2)");
 }
 
 TEST(AtLeast, IsUndecidedBetweenItsTwoLevels) {

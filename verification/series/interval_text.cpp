@@ -1,0 +1,69 @@
+#include "verification/series/interval_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slosh {
+namespace {
+
+constexpr int most_digits = 4;    // of a value
+constexpr int most_decimals = 5;  // beyond them a power of ten stands after the brackets
+
+int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(value))); }
+
+// The power of ten of the last digit that is shown.
+int last_place(double half_width) {
+  const int first = exponent_of(half_width);
+  const double digits = std::round(half_width / std::pow(10, first - 1));  // 10 to 100
+  if (digits >= 100) return first;
+  return digits < 30 ? first - 1 : first;
+}
+
+// Rounds to the place. Returns no negative zero.
+double rounded(double value, int place) {
+  const double unit = std::pow(10, std::abs(place));
+  return 0.0 + (place < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit);
+}
+
+std::string in_brackets(double value, double half_width, int place) {
+  const int power = exponent_of(std::max(std::abs(value), half_width));
+  const double scale = std::pow(10, power);
+  const int decimals = std::max(0, power - place);
+  return fmt::format("({:.{}f} ± {:.{}f})e{:+03d}", 0.0 + value / scale, decimals,
+                     half_width / scale, decimals, power);
+}
+
+}  // namespace
+
+std::string interval_text(const Estimate& estimate) {
+  const auto [value, half_width] = estimate;
+  if (std::isinf(half_width)) return "not determined";
+  if (!(half_width > 0) || !std::isfinite(value)) return fmt::format("{:.3g}", value);
+  int place = last_place(half_width);
+  double shown_half = rounded(half_width, place);
+  if (value != 0) {
+    const int fourth = exponent_of(std::abs(value)) - most_digits + 1;
+    if (half_width < std::pow(10, fourth - 1)) return fmt::format("{:.3g}", value);
+    if (fourth > place) {
+      place = fourth;
+      shown_half = std::max(rounded(half_width, place), std::pow(10, place));
+    }
+  }
+  const double shown = rounded(value, place);
+  if (-place > most_decimals) return in_brackets(shown, shown_half, place);
+  const int decimals = std::max(0, -place);
+  return fmt::format("{:.{}f} ± {:.{}f}", shown, decimals, shown_half, decimals);
+}
+
+std::string percent_interval_text(const Estimate& estimate) {
+  return interval_text({100 * estimate.value, 100 * estimate.half_width}) + " %";
+}
+
+std::string slope_text(const Estimate& slope) {
+  if (std::isnan(slope.half_width)) return fmt::format("{:.2f}", slope.value);
+  return slope.half_width >= std::abs(slope.value) ? "not determined" : interval_text(slope);
+}
+
+}  // namespace slosh

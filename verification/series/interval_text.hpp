@@ -1,0 +1,23 @@
+// A value and its 95 % interval as text, rounded to what the interval leaves certain.
+#pragma once
+
+#include <string>
+
+#include "verification/series/time_series.hpp"
+
+namespace slosh {
+
+// Returns "-0.29 ± 0.19", "0.0 ± 0.3", "(6.42 ± 0.15)e-05". The half width has one digit, or two
+// where its first is 1 or 2, and the value ends at the same place. Where the value would then have
+// more than four digits, the half width is rounded up to the fourth; a half width below a tenth of
+// that is not shown. A value without an interval, or with one that is not shown, has three digits.
+// "not determined" stands for an infinite half width.
+std::string interval_text(const Estimate& estimate);
+
+// Returns the value and its interval in per cent.
+std::string percent_interval_text(const Estimate& estimate);
+
+// Returns a slope, or "not determined" where its interval includes zero.
+std::string slope_text(const Estimate& slope);
+
+}  // namespace slosh
