@@ -125,6 +125,7 @@ void add_all_commands(const CommandTree& tree) {
   add_problem_command(tree);
   add_job_command(tree);
   add_import_command(tree);
+  add_surface_command(tree);
   add_compare_command(tree);
   add_export_command(tree);
   add_show_command(tree);

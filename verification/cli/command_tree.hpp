@@ -37,6 +37,7 @@ void add_reference_command(const CommandTree& tree);
 void add_problem_command(const CommandTree& tree);
 void add_job_command(const CommandTree& tree);
 void add_import_command(const CommandTree& tree);
+void add_surface_command(const CommandTree& tree);
 void add_compare_command(const CommandTree& tree);
 void add_export_command(const CommandTree& tree);
 void add_show_command(const CommandTree& tree);
@@ -53,8 +54,8 @@ void add_all_commands(const CommandTree& tree);
 
 struct CommandText {
   const char *name, *description;
-  // Lines "./slosh ..." at the end of the command's --help. A test runs them one after another in a
-  // scratch directory.
+  // Lines "./slosh ..." at the end of the command's --help, and "printf ..." where one needs a
+  // file. A test runs them one after another in a scratch directory.
   std::vector<std::string> examples;
 };
 

@@ -105,6 +105,10 @@ const std::string here = "./surges.toml", out = "out";
 const std::string gauge_file =
     (source / "verification/tests/imports/dualsphysics/GaugesSWL_right.csv").string();
 
+// Positions of particles, as any program may write them.
+const std::string particle_file =
+    (source / "verification/tests/imports/particles/surface.csv").string();
+
 const std::vector<CommandRun> runs{
     {"list", {{"list"}}},
     {"list [PATTERN...] [--tag TAG] [--json] [--names KIND]",
@@ -147,6 +151,12 @@ const std::vector<CommandRun> runs{
      {{"compare", "particles.h5", "theory.h5", "--gauge", "right"},
       {"compare", "particles.h5", "theory.h5", "--case", "./small.toml", "--gauge", "right",
        "--limit", "amplitude_error=0.5"}}},
+    {"surface FILE --case CASE --spacing DP -o OUT.h5",
+     {{"surface", particle_file, "--case", "li2010_small_amplitude", "--spacing", "0.1", "-o",
+       "surface.h5"}}},
+    {"surface particles.csv --case li2010_small_amplitude --spacing 0.01 --frame earth -o mine.h5",
+     {{"surface", particle_file, "--case", "li2010_small_amplitude", "--spacing", "0.1", "--frame",
+       "earth", "-o", "mine_surface.h5"}}},
     {"import FILE --format FORMAT --series QUANTITY=COLUMN -o OUT.h5",
      {{"import", gauge_file, "--format", "dualsphysics_gauge", "--series", "elevation@right=swlz",
        "-o", "imported.h5"}}},
