@@ -23,7 +23,7 @@ inline reference::Start start_of(const CaseDefinition& definition) {
 }
 
 // Returns a position relative to the centre of the still surface. `along` is the distance from the
-// bottom on a side wall, and from the left wall on the bottom [m].
+// bottom on a side wall, and from the left wall on the bottom and the roof [m].
 inline reference::Observation::Place place_on_wall(const CaseDefinition& definition, Wall wall,
                                                    double along) {
   const double half = definition.tank.length / 2, depth = definition.liquid.fill_depth;
@@ -32,6 +32,8 @@ inline reference::Observation::Place place_on_wall(const CaseDefinition& definit
       return {-half, along - depth};
     case Wall::right:
       return {half, along - depth};
+    case Wall::roof:
+      return {along - half, definition.tank.height - depth};
     case Wall::bottom:
       break;
   }

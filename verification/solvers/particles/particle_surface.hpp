@@ -7,7 +7,7 @@
 
 #include "verification/case/case_definition.hpp"
 #include "verification/import/particle_table.hpp"
-#include "verification/series/time_series.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace slosh {
 
