@@ -13,10 +13,10 @@ bool has_pysph() {
                     bp::std_err > bp::null) == 0;
 }
 
-// The window resolves the tank's period of 2.1 s.
+// The window tells the tank's period from that of the free wave.
 std::string pysph_case() {
-  return with(with(small_case, "duration_s = 8.0", "duration_s = 4.0"), "window_end_s = 8.0",
-              "window_end_s = 4.0") +
+  return with(with(small_case, "duration_s = 8.0", "duration_s = 4.5"), "window_end_s = 8.0",
+              "window_end_s = 4.5") +
          R"([[run]]
 name = "peer"
 solver = "pysph"
