@@ -94,6 +94,7 @@ Section tables_section(const CaseAssessment& assessment,
   }
   for (Table& table : work_precision_tables(assessment)) section.tables.push_back(std::move(table));
   section.tables.push_back(cost_table(assessment));
+  if (auto steps = step_table(assessment)) section.tables.push_back(std::move(*steps));
   section.tables.push_back(terms_table(assessment));
   section.tables.push_back(provenance_table(assessment));
   return section;

@@ -92,6 +92,11 @@ std::optional<reports::Table> rest_table(const CaseAssessment& assessment);
 // How each run ended, its size, its steps and its cost.
 reports::Table cost_table(const CaseAssessment& assessment);
 
+// step_table.cpp: what a step of a particle costs in each simulation, with the settings that it
+// hangs on; nullopt unless an external program that tells its counts is among them, so that codes
+// are compared.
+std::optional<reports::Table> step_table(const CaseAssessment& assessment);
+
 // The active terms and the diagnostics of each run.
 reports::Table terms_table(const CaseAssessment& assessment);
 
