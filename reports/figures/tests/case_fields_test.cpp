@@ -1,6 +1,7 @@
 // The flow fields at a case's snapshot times.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -100,7 +101,9 @@ TEST(CaseFields, LeaveThePlaceOfASnapshotThatIsMissingEmpty) {
   const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
   const reports::Report report = campaign_report(campaign, false, "", {assessment});
   EXPECT_NO_THROW(reports::check_report(report));
-  EXPECT_EQ(report.sections.back().fields.size(), 1u);
+  EXPECT_EQ(std::count_if(report.sections.begin(), report.sections.end(),
+                          [](const reports::Section& section) { return !section.fields.empty(); }),
+            1);
   const TemporaryDirectory scratch;
   EXPECT_GT(reports::draw_field(fields[0], scratch.path()).height, 0);
 }
