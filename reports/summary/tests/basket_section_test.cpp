@@ -50,7 +50,8 @@ TEST(BasketSection, HasALineForEachChoiceWithItsValuesAndRatios) {
 TEST(BasketSection, ShowsTheHalfWidthOfAValueThatHasOne) {
   BasketAssessment basket = two_choices();
   basket.choices[0].values[0].value.half_width = 0.001;
-  EXPECT_EQ(basket_section(basket).tables.at(0).rows.at(0).at(1), "0.48 ± 0.10 %, 0.48 of the goal");
+  EXPECT_EQ(basket_section(basket).tables.at(0).rows.at(0).at(1),
+            "0.48 ± 0.10 %, 0.48 of the goal");
 }
 
 TEST(BasketSection, TellsThatAValueIsMissingAndWhy) {
