@@ -145,8 +145,13 @@ Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
         above(tank.fill_depth, surfaces.at(nearest_column(mesh, gauge.x)));
   }
   harvest.wall_pressure = wall_pressures(tank, mesh, case_directory, log);
-  read_probes(tank, mesh, case_directory, log, harvest);
-  read_wall_forces(tank, mesh, case_directory, log, harvest);
+  ProbeSeries probed = probe_series(tank, mesh, case_directory, log);
+  harvest.velocity_x = std::move(probed.velocity_x);
+  harvest.velocity_z = std::move(probed.velocity_z);
+  harvest.pressure = std::move(probed.pressure);
+  WallForces forces = wall_forces(tank, mesh, case_directory, log);
+  harvest.wall_force_x = std::move(forces.x);
+  harvest.wall_force_z = std::move(forces.z);
   const Rows force = wall_loads(tank, case_directory, "force.dat", log);
   harvest.force_x = column_of(force, 0, 1);
   harvest.force_z = column_of(force, 2, 1);

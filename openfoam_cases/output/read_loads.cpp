@@ -117,9 +117,10 @@ std::map<std::string, History> wall_pressures(const SloshingTank& tank, const Ta
   return pressures;
 }
 
-void read_probes(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
-                 const LogReader& log, Harvest& harvest) {
-  if (tank.probes.empty()) return;
+ProbeSeries probe_series(const SloshingTank& tank, const TankMesh& mesh,
+                         const fs::path& case_directory, const LogReader& log) {
+  ProbeSeries probed;
+  if (tank.probes.empty()) return probed;
   std::vector<std::vector<double>> weights;
   std::size_t cells = 0;
   for (const Probe& probe : tank.probes) {
@@ -152,25 +153,27 @@ void read_probes(const SloshingTank& tank, const TankMesh& mesh, const fs::path&
         histories[name].time.push_back(gas.time[i]);
         histories[name].value.push_back(is_wet ? value : 0);
       };
-      push(harvest.velocity_x, weighted(velocity.values[i], 3, 0, of_liquid, first));
-      push(harvest.velocity_z, weighted(velocity.values[i], 3, 2, of_liquid, first));
-      push(harvest.pressure,
+      push(probed.velocity_x, weighted(velocity.values[i], 3, 0, of_liquid, first));
+      push(probed.velocity_z, weighted(velocity.values[i], 3, 2, of_liquid, first));
+      push(probed.pressure,
            weighted(pressure.values[i], 1, 0, weights[k], first) - gas.values[i][0]);
       first += weights[k].size();
     }
   }
+  return probed;
 }
 
-void read_wall_forces(const SloshingTank& tank, const TankMesh& mesh,
-                      const fs::path& case_directory, const LogReader& log, Harvest& harvest) {
-  if (tank.loaded_walls.empty()) return;
+WallForces wall_forces(const SloshingTank& tank, const TankMesh& mesh,
+                       const fs::path& case_directory, const LogReader& log) {
+  WallForces forces;
+  if (tank.loaded_walls.empty()) return forces;
   const Rows gas = gas_pressure(tank, mesh, case_directory, log);
   for (const std::string& wall : tank.loaded_walls) {
     const fs::path file = series_file(case_directory, "wall_force_" + wall, "force.dat");
     const Rows force = after_start(read_rows(tank, file, 1 + 3 * 3), log);
     require_same_times(file, force, gas);
     const auto [length, normal_x, normal_z] = wall_part(mesh, wall);
-    History &along = harvest.wall_force_x[wall], &up = harvest.wall_force_z[wall];
+    History &along = forces.x[wall], &up = forces.z[wall];
     along = column_of(force, 0, 1);
     up = column_of(force, 2, 1);
     for (std::size_t i = 0; i < gas.time.size(); ++i) {
@@ -178,6 +181,7 @@ void read_wall_forces(const SloshingTank& tank, const TankMesh& mesh,
       up.value[i] -= gas.values[i][0] * length * normal_z;
     }
   }
+  return forces;
 }
 
 }  // namespace slosh::openfoam

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "openfoam_cases/geometry/tank_mesh.hpp"
-#include "openfoam_cases/output/harvest.hpp"
 #include "openfoam_cases/output/read_log.hpp"
 #include "openfoam_cases/output/read_series.hpp"
 
@@ -29,15 +28,19 @@ std::map<std::string, History> wall_pressures(const SloshingTank& tank, const Ta
                                               const std::filesystem::path& case_directory,
                                               const LogReader& log);
 
-// Sets the harvest's velocities and pressures at the probes. While less than half of what a probe
-// reads is liquid, they are zero.
-void read_probes(const SloshingTank& tank, const TankMesh& mesh,
-                 const std::filesystem::path& case_directory, const LogReader& log,
-                 Harvest& harvest);
+// By probe [m/s], [Pa].
+struct ProbeSeries {
+  std::map<std::string, History> velocity_x, velocity_z, pressure;
+};
+// While less than half of what a probe reads is liquid, its values are zero.
+ProbeSeries probe_series(const SloshingTank& tank, const TankMesh& mesh,
+                         const std::filesystem::path& case_directory, const LogReader& log);
 
-// Sets the harvest's forces by wall.
-void read_wall_forces(const SloshingTank& tank, const TankMesh& mesh,
-                      const std::filesystem::path& case_directory, const LogReader& log,
-                      Harvest& harvest);
+// By wall [N/m].
+struct WallForces {
+  std::map<std::string, History> x, z;
+};
+WallForces wall_forces(const SloshingTank& tank, const TankMesh& mesh,
+                       const std::filesystem::path& case_directory, const LogReader& log);
 
 }  // namespace slosh::openfoam
