@@ -8,6 +8,7 @@
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/problem_assessment.hpp"
+#include "verification/sensitivity/case_coverage.hpp"
 #include "verification/sensitivity/gate_sensitivity.hpp"
 
 namespace slosh {

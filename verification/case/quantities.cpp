@@ -32,7 +32,6 @@ Quantity load(Quantity quantity) {
 
 // The load on one wall. The solvers obtain it as that on the tank.
 Quantity wall_load(Quantity quantity) {
-  quantity.at = MeasuredAt::wall;
   quantity.shown_unit = quantity.unit;
   quantity.meaning = on_wall;
   quantity.sph = "the reaction to the forces of the images or the particles of this wall";
@@ -43,8 +42,7 @@ Quantity wall_load(Quantity quantity) {
 }
 
 Quantity probed_velocity(Quantity quantity) {
-  quantity.unit = quantity.shown_unit = "m/s";
-  quantity.at = MeasuredAt::probe;
+  quantity.shown_unit = quantity.unit;
   quantity.has_modes = true;
   quantity.is_gauged = true;
   quantity.meaning = at_probe;
@@ -133,9 +131,13 @@ const std::vector<Quantity>& quantity_table() {
        .interfoam = "interpolated between the wall's faces, minus the mean gas pressure",
        .tells_sampling = true},
       probed_velocity({.name = "velocity_x",
+                       .unit = "m/s",
+                       .at = MeasuredAt::probe,
                        .title = "Velocity along the tank's bottom",
                        .label = "velocity x"}),
       probed_velocity({.name = "velocity_z",
+                       .unit = "m/s",
+                       .at = MeasuredAt::probe,
                        .title = "Velocity normal to the tank's bottom",
                        .label = "velocity z"}),
       {.name = "pressure",
@@ -166,11 +168,13 @@ const std::vector<Quantity>& quantity_table() {
             .meaning = on_tank}),
       wall_load({.name = "force_x",
                  .unit = "N/m",
+                 .at = MeasuredAt::wall,
                  .has_modes = true,
                  .title = "Force along the tank's bottom",
                  .label = "force x"}),
       wall_load({.name = "force_z",
                  .unit = "N/m",
+                 .at = MeasuredAt::wall,
                  .title = "Force normal to the tank's bottom",
                  .label = "force z"}),
       load({.name = "moment",  // about the axis of the roll
