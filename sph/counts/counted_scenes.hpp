@@ -4,7 +4,8 @@
 //   two_spacings               a lattice twice as fine near the surface, for li2010
 //   still, roll, baffle, dam, narrow_tank
 //                              another scene
-//   no_gauge, pressure_gauge, probe, wall_forces, energy_budget, still_water, snapshots, saved_states
+//   no_gauge, pressure_gauge, probe, wall_forces, energy_budget, still_water, snapshots,
+//   saved_states
 //                              what is recorded
 #pragma once
 

@@ -77,7 +77,7 @@ TEST(HeldArrays, HaveASpacingOfEachParticleWhereThereAreTwo) {
 TEST(HeldArrays, AreOfImagesOrOfSolidsAsTheWallsAreMade) {
   const RunOutput ghosts = recommended_run("ghost_walls");
   EXPECT_FALSE(held_for("neighbours", ghosts).contains("images"));
-  EXPECT_EQ(held_for("solids", ghosts), (Names{"places", "nodes"}));
+  EXPECT_EQ(held_for("solids", ghosts), (Names{"places", "nodes", "room"}));
   EXPECT_EQ(held_for("solids", recommended_run("dynamic_walls")),
             (Names{"places", "x", "z", "velocity_x", "velocity_z", "density", "density_rate"}));
 }

@@ -291,7 +291,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownSolver",
                 {"\"interfoam\"", "\"interFoam\""},
                 "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
-                "interfoam, linear, viscous_wave, potential, record, external; nearest: interfoam"},
+                "interfoam, linear, viscous_wave, potential, record, external, pysph; nearest: "
+                "interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
                 "trial.toml:38: run.modes = 0: expected an integer >= 1"},
