@@ -211,7 +211,6 @@ const std::vector<CommandRun> runs{
     {"store", {{"store"}}},
     {"store --remove", {{"store", "--remove"}}},
     {"store [--remove]", {{"store"}}},
-    {"campaign codes --quick", {{"campaign", "codes", "--quick", "--dry-run"}}},
     {"campaign small_amplitude", {{"campaign", "small_amplitude", "--dry-run"}}},
     {"campaign stability", {{"campaign", "stability", "--dry-run"}}},
     {"campaign verification", {{"campaign", "verification", "--dry-run"}}},
