@@ -311,9 +311,11 @@ TEST_F(ExternalRun, IsRefusedBeforeAnythingRunsWhereItsCaseIsWrong) {
   };
   expect_words(complaint("format = \"csv\"", "format = \"cvs\""),
                "run mine: format = cvs: expected one of csv");
-  expect_words(complaint("{case_file}", "{case_fil}"),
-               "{case_fil} is no placeholder, expected one of case_file, case_directory, "
-               "work_directory, duration_s, sample_interval_s; nearest: case_file");
+  expect_words(
+      complaint("{case_file}", "{case_fil}"),
+      "{case_fil} is no placeholder, expected one of case_file, case_directory, "
+      "work_directory, tank_file, peers_directory, duration_s, sample_interval_s; nearest: "
+      "case_file");
   expect_words(
       complaint("quantity = \"elevation@right\"\nfile", "quantity = \"elevation@left\"\nfile"),
       "run.series.quantity = \"elevation@left\": expected a compared quantity");

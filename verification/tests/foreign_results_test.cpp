@@ -117,7 +117,7 @@ TEST_F(ForeignResults, TwoAreComparedWithNoCase) {
   for (const char* words :
        {"elevation@right of a.csv.h5 against b.csv.h5, 1 to 9 s", "normalised rms: ",
         "mean offset: ", "largest residual: ", "lag by cross-correlation: 0.0497",
-        "mode forced (0.8 Hz)", "amplitude error: 5 %", "phase lag: 14.4 deg",
+        "mode forced (0.8 Hz)", "amplitude error: 5.000 ± ", "phase lag: 14.4 deg",
         "spectral peaks of the reference: 0.7999 Hz, 1.699 Hz", "Sprague and Geers"})
     EXPECT_NE(ended.out.find(words), std::string::npos) << words << "\n" << ended.out;
   const auto document = nlohmann::json::parse(read("compared.json"));

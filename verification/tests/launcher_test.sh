@@ -299,13 +299,11 @@ rm -f "$work/programs/valgrind"
 PATH=$work/bin:$work/programs run 2 bench terms
 expect_in "$work/err" "the table of terms needs valgrind"
 
-# The league alone asks for PySPH.
+# A campaign does not ask for PySPH.
 echo python3-pysph >"$lacking"
 rm -f "$project"/build/launcher/*.seen
 run 2 campaign small
 expect_not_in "$calls" python3-pysph
-run 2 campaign codes
-expect_in "$calls" "install -y --no-install-recommends python3-pysph"
 
 # A tree that was moved, with its build directory, is built afresh.
 mv "$project" "$work/moved tank"
