@@ -102,7 +102,7 @@ const measure = frame => {
     glance_legend: all('.glance-legend > span').map(entry => entry.textContent.trim()),
     legend_colours: all('.glance-legend path').map(path => style(path).stroke),
     // Shaded areas of the curves, from the left, without the legend's.
-    ribbons: all('figure svg polygon').filter(area => Number(style(area).fillOpacity) < 1).map(box).filter(area => area.right - area.left > 50).sort((a, b) => a.left - b.left),
+    ribbons: all('figure svg polygon').filter(area => Number(style(area).fillOpacity) < 1).map(box).filter(area => area.right - area.left > 60).sort((a, b) => a.left - b.left),
     // Texts of a drawing that lie on one another, by more than two pixels.
     texts_overlapping: all('svg.plot').flatMap(svg => {
       const texts = [...svg.querySelectorAll('text')].map(text => ({name: text.textContent, at: text.getBoundingClientRect()}));
