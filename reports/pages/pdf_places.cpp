@@ -10,6 +10,7 @@ namespace {
 // Returns the number of the object that begins last before this place: "12 0 obj\n<</Type /Page".
 int object_before(std::string_view pdf, std::size_t place) {
   const std::size_t word = pdf.rfind(" 0 obj", place);
+  if (word == pdf.npos) return 0;
   std::size_t digits = word;
   while (digits > 0 && std::isdigit(static_cast<unsigned char>(pdf[digits - 1]))) --digits;
   return std::atoi(std::string(pdf.substr(digits, word - digits)).c_str());

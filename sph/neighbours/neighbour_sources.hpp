@@ -182,7 +182,8 @@ class NeighbourSources {
   }
 
   // Returns the walls behind which a source lies, as a sum of the bits of Reflection; none for the
-  // liquid and for obstacles.
+  // liquid and for obstacles within the tank. What continues an obstacle behind a wall lies behind
+  // that wall.
   int walls_before(std::size_t source) const {
     const std::size_t liquid = built_x_.size();
     if (source < liquid) return in_none;

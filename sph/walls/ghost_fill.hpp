@@ -47,7 +47,8 @@ class GhostFill {
                    Kernel::shape(std::hypot(b.x - at.node_x, b.z - at.node_z) / h);
         }
       }
-      room_.push_back(h * h / Kernel::normalisation - solid);
+      const double whole = h * h / Kernel::normalisation;
+      room_.push_back(std::max(whole - solid, least_room * whole));
     }
   }
 
@@ -71,6 +72,9 @@ class GhostFill {
     for (int k = 0; k < steps; ++k) sum += Kernel::shape(kernel_support * (k + 0.5) / steps);
     return 2 * kernel_support * sum / steps;
   }
+
+  // A node within an obstacle has no room; in a corner of the tank it has a quarter and more.
+  static constexpr double least_room = 0.05;
 
   double fall_ = 0;           // of the kernel sum across a spacing at the surface
   std::vector<double> room_;  // the kernel sum of a whole liquid at each node, as in share() [m2]
