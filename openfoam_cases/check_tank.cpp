@@ -79,7 +79,7 @@ void check_probes(const SloshingTank& tank, const TankMesh& mesh) {
   for (const Probe& probe : tank.probes) cell_shares(mesh, probe.x, probe.z);
 }
 
-// Whether a wall has a patch.
+// Refuses a wall that has no patch.
 void check_loaded_walls(const SloshingTank& tank, const TankMesh& mesh) {
   const auto faces_of = block_mesh(mesh).faces_of;
   for (const std::string& wall : tank.loaded_walls) {

@@ -74,11 +74,7 @@ RawSeries read_rows(TableReader& reader, const TableHead& head, std::size_t colu
   const std::string &time_name = head.columns[head.time].name, &name = head.columns[column].name;
   do {
     if (trimmed(reader.line()).empty()) continue;
-    const auto fields = fields_of(reader.line(), head.separator);
-    if (fields.size() != head.columns.size())
-      reader.refuse("row", reader.line(), fmt::format("{} values", head.columns.size()));
-    if (reader.is_cut())
-      reader.refuse("row", reader.line(), "an end of the line: the file may be cut short here");
+    const auto fields = fields_of_row(reader, head);
     for (const MarkOfNone& one : head.marks)
       if (one.column == column && fields[column] == fields[one.mark])
         reader.refuse(name, fields[column], one.expected);

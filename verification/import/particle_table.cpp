@@ -32,11 +32,7 @@ std::vector<ParticlesAt> read_rows(TableReader& reader, const TableHead& head,
   std::vector<ParticlesAt> moments;
   do {
     if (trimmed(reader.line()).empty()) continue;
-    const auto fields = fields_of(reader.line(), head.separator);
-    if (fields.size() != head.columns.size())
-      reader.refuse("row", reader.line(), fmt::format("{} values", head.columns.size()));
-    if (reader.is_cut())
-      reader.refuse("row", reader.line(), "an end of the line: the file may be cut short here");
+    const auto fields = fields_of_row(reader, head);
     const double now = reader.number(columns.time, fields[time], "s");
     if (moments.empty() || now != moments.back().time) {
       if (!moments.empty() && !(now > moments.back().time))

@@ -55,6 +55,15 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
   return fields;
 }
 
+std::vector<std::string_view> fields_of_row(const TableReader& reader, const TableHead& head) {
+  const auto fields = fields_of(reader.line(), head.separator);
+  if (fields.size() != head.columns.size())
+    reader.refuse("row", reader.line(), fmt::format("{} values", head.columns.size()));
+  if (reader.is_cut())
+    reader.refuse("row", reader.line(), "an end of the line: the file may be cut short here");
+  return fields;
+}
+
 ForeignColumn column_of(std::string_view text) {
   const std::size_t open = text.rfind('[');
   // "Position[0]" is a component, "swlz [m]" a unit.

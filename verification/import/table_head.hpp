@@ -34,6 +34,10 @@ struct TableHead {
 // separator at the row's end, is left out.
 std::vector<std::string_view> fields_of(std::string_view line, char separator);
 
+// Returns the fields of the reader's row. Throws CaseFileError where they are not as many as the
+// columns, or where the file ends within the row.
+std::vector<std::string_view> fields_of_row(const TableReader& reader, const TableHead& head);
+
 // "swlz [m]": a name and its unit; a text without brackets at its end is a name without a unit.
 ForeignColumn column_of(std::string_view text);
 

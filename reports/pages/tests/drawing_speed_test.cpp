@@ -48,7 +48,7 @@ TEST(FieldOfTwelvePanels, IsDrawnInSecondsAndStaysSmall) {
   const double elapsed = processor_time() - before;
   RecordProperty("processor_seconds", std::to_string(elapsed));
   RecordProperty("picture_bytes", std::to_string(drawn.png.size()));
-  EXPECT_LT(elapsed, 10.0);               // s: as above
+  EXPECT_LT(elapsed, 10.0);               // s: the bound of the heavy report
   EXPECT_LT(drawn.png.size(), 400'000u);  // a third more than measured
 }
 
