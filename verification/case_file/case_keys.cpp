@@ -385,15 +385,13 @@ const std::vector<KeyTable>& case_key_tables() {
          "With `first` the first value counts as zero, in place of an offset."},
         {"whole_tank", "true or false", "no",
          "Whether the force of a gauge of DualSPHysics is that on the whole tank. Without it such "
-         "a "
-         "file gives the force on one wall, `force_x@WALL`."}}},
+         "a file gives the force on one wall, `force_x@WALL`."}}},
       {"run.pysph",
        "[[run]] with solver = \"pysph\"",
        "no",
        "PySPH, from Debian's package python3-pysph, by the driver that Slosh ships: see "
        "[PySPH](other_solvers.md#pysph). It is an external run of the method pysph_SCHEME. The "
-       "tank "
-       "surges or stands still, with or without an initial wave, and has no obstacle.",
+       "tank surges or stands still, with or without an initial wave, and has no obstacle.",
        {{"scheme", "\"delta_sph\" or \"edac\"", "yes", "One of PySPH's own schemes."},
         {"particle_spacing_m", "number > 0, m", "yes",
          "A whole fraction of the tank's length and of the fill depth, another one in each run of "
