@@ -1,6 +1,7 @@
 // The figures of one case's section of a report.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "reports/model/report_model.hpp"
@@ -49,8 +50,19 @@ std::vector<reports::Figure> phasor_figures(const CaseAssessment& assessment);
 // Spectra of the elevation and of the highest surface at each gauge, and of the first quantity.
 std::vector<reports::Figure> spectrum_figures(const CaseAssessment& assessment);
 
-// SPH runs of one scheme that differ only in their time step or only in their spacing.
+// The spectra of the runs in one quantity; without a curve where none has one.
+reports::Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quantity,
+                                const std::vector<std::string>& candidates);
+
+// SPH runs of one scheme that differ only in their time step or only in their spacing: on the
+// filtered pressure where the case has one, else on its first quantity.
 std::vector<reports::Figure> study_figures(const CaseAssessment& assessment);
+
+// The same of one kind and on one quantity: of these schemes, or of all where none is named.
+enum class Studied { time_step, spacing };
+std::vector<reports::Figure> studies_of(const CaseAssessment& assessment, Studied studied,
+                                        const std::string& quantity,
+                                        const std::vector<std::string>& schemes = {});
 
 // Error against spacing, with the fitted order and its 95 % band.
 std::vector<reports::Figure> convergence_figures(const CaseAssessment& assessment);

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <tuple>
 
 #include "reports/drawing/axes.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/shown_quantity.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 
@@ -60,6 +63,23 @@ bool is_in_range(const CaseAssessment& assessment, const std::string& run) {
 
 std::string run_label(const CaseAssessment& assessment, const std::string& run) {
   return is_in_range(assessment, run) ? run : run + " (out of its range)";
+}
+
+HistoryAxes axes_with_units(const CaseDefinition& definition, const std::string& quantity) {
+  const ShownQuantity shown = shown_quantity(definition, quantity);
+  return {{.value = shown.scale}, "time [s]", fmt::format("{} [{}]", shown.word, shown.unit)};
+}
+
+std::optional<HistoryAxes> axes_over_depth(const CaseDefinition& definition,
+                                           const std::string& quantity) {
+  const char* label = find_quantity(quantity)->label_over_depth;
+  const double frequency = forcing_frequency(definition) / (2 * std::numbers::pi);
+  if (!label || !(frequency > 0)) return std::nullopt;
+  const double depth = definition.liquid.fill_depth;
+  return HistoryAxes{{.time = frequency, .value = 1 / depth},
+                     "time over the forcing period, t/T [1]",
+                     label,
+                     fmt::format("h = {:.4g} m, T = {:.4g} s. ", depth, 1 / frequency)};
 }
 
 // More points would overlap.

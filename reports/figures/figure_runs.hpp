@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,21 @@ std::string run_label(const CaseAssessment& assessment, const std::string& run);
 struct AxisScales {
   double time = 1, value = 1;
 };
+
+// How the history of a quantity stands on its axes.
+struct HistoryAxes {
+  AxisScales scales;
+  std::string x_label, y_label;
+  std::string symbols = {};  // what those of the labels stand for: "h = 0.35 m, T = 1.3 s. "
+};
+
+// In seconds and in the unit in which figures show the quantity.
+HistoryAxes axes_with_units(const CaseDefinition& definition, const std::string& quantity);
+
+// Time over the forcing's period, and a height over the still depth. Returns nullopt where the
+// motion has no period or the quantity is no such height.
+std::optional<HistoryAxes> axes_over_depth(const CaseDefinition& definition,
+                                           const std::string& quantity);
 
 // Shows a record of few samples as points, a longer record and any other run as a line; a record
 // has its uncertainty, and a reference out of its range sets no scale. The run must have the

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <utility>
 
 #include "reports/figures/case_figures.hpp"
@@ -40,7 +39,6 @@ reports::Curve sampled(const CaseDefinition& definition, const std::string& labe
 bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
                 const AxisScales& scales, Figure& figure) {
   bool has_ribbon = false;
-  figure.curves.clear();
   for (const std::string& run : finest_runs(assessment, quantity)) {
     figure.curves.push_back(history_curve(assessment, run, quantity, scales));
     std::vector<double> widths =
@@ -53,7 +51,8 @@ bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
   return has_ribbon;
 }
 
-Figure history(const CaseAssessment& assessment, const std::string& quantity) {
+Figure history(const CaseAssessment& assessment, const std::string& quantity,
+               const HistoryAxes& axes) {
   const CaseDefinition& definition = assessment.definition;
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const std::vector<std::string> runs = finest_runs(assessment, quantity);
@@ -61,41 +60,20 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity) {
   figure.id = definition.name + "-" + id_of(quantity);
   figure.title = shown.title;
   figure.caption =
+      axes.symbols +
       "Time series of the references and of the finest run of each scheme and solver. " +
       measured_how(shown, definition, runs) + who_is_who(definition, runs) + " " +
       definition.source + ".";
-  figure.x_label = "time [s]";
-  figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
-  figure.x_range = {0, definition.duration};
-  figure.spans = outside_window(definition);
-  if (add_curves(assessment, quantity, {.value = shown.scale}, figure))
+  figure.x_label = axes.x_label;
+  figure.y_label = axes.y_label;
+  figure.x_range = {0, axes.scales.time * definition.duration};
+  figure.spans = outside_window(definition, axes.scales.time);
+  if (add_curves(assessment, quantity, axes.scales, figure))
     figure.caption +=
         " Ribbons around solvers: 95 % numerical uncertainty from coarser runs (Celik et al. 2008, "
         "one order for the whole series; ribbons are narrow where the series cross).";
-  return figure;
-}
-
-Figure with_cut_off_text(Figure figure) {
   figure.caption += cut_off_text(figure);
   return figure;
-}
-
-// Plotted without dimensions where the motion has a period.
-Figure history_over_depth(const CaseAssessment& assessment, const std::string& quantity) {
-  Figure figure = history(assessment, quantity);
-  const CaseDefinition& definition = assessment.definition;
-  const double frequency = forcing_frequency(definition) / (2 * std::numbers::pi);
-  if (!(frequency > 0)) return with_cut_off_text(std::move(figure));
-  figure.caption =
-      fmt::format("h = {:.4g} m, T = {:.4g} s. ", definition.liquid.fill_depth, 1 / frequency) +
-      figure.caption;
-  figure.x_label = "time over the forcing period, t/T [1]";
-  figure.y_label = find_quantity(quantity)->label_over_depth;
-  figure.x_range.second *= frequency;
-  figure.spans = outside_window(definition, frequency);
-  add_curves(assessment, quantity, {.time = frequency, .value = 1 / definition.liquid.fill_depth},
-             figure);
-  return with_cut_off_text(std::move(figure));
 }
 
 constexpr std::pair<const char*, const char*> parts[] = {
@@ -176,7 +154,8 @@ std::vector<Figure> motion_figures(const CaseAssessment& assessment) {
 
 std::vector<Figure> main_history(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Figure figure = with_cut_off_text(history(assessment, compared_quantities(definition).front()));
+  const std::string quantity = compared_quantities(definition).front();
+  Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
   figure.id = definition.name + "-history";
   if (figure.curves.empty()) return {};
   return {figure};
@@ -187,9 +166,9 @@ std::vector<Figure> other_histories(const CaseAssessment& assessment) {
   std::vector<std::string> quantities = compared_quantities(assessment.definition);
   quantities.erase(quantities.begin());
   for (const std::string& quantity : quantities) {
-    Figure figure = find_quantity(quantity)->label_over_depth
-                        ? history_over_depth(assessment, quantity)
-                        : with_cut_off_text(history(assessment, quantity));
+    Figure figure = history(assessment, quantity,
+                            axes_over_depth(assessment.definition, quantity)
+                                .value_or(axes_with_units(assessment.definition, quantity)));
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
   return figures;

@@ -54,7 +54,10 @@ Curve shown_part(const std::string& label, const Spectrum& spectrum, double high
           {}};
 }
 
-Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
+}  // namespace
+
+Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quantity,
+                       const std::vector<std::string>& candidates) {
   const CaseDefinition& definition = assessment.definition;
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const bool is_main = quantity == compared_quantities(definition).front();
@@ -70,7 +73,7 @@ Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
   for (const Marker& marker : figure.markers) highest = std::max(highest, marker.x);
   figure.x_range = {0, 1.3 * highest};
   std::vector<std::string> runs;
-  for (const std::string& run : finest_runs(assessment, quantity)) {
+  for (const std::string& run : candidates) {
     const auto found = spectrum_of(assessment, run, quantity);
     if (!found) continue;
     runs.push_back(run);
@@ -90,8 +93,6 @@ Figure spectrum(const CaseAssessment& assessment, const std::string& quantity) {
   return figure;
 }
 
-}  // namespace
-
 std::vector<Figure> spectrum_figures(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   // A still tank and a dam break have no tone to look for.
@@ -103,7 +104,7 @@ std::vector<Figure> spectrum_figures(const CaseAssessment& assessment) {
   });
   std::vector<Figure> figures;
   for (const std::string& quantity : quantities) {
-    Figure figure = spectrum(assessment, quantity);
+    Figure figure = spectrum_figure(assessment, quantity, finest_runs(assessment, quantity));
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
   return figures;

@@ -21,8 +21,6 @@ namespace {
 
 using reports::Figure;
 
-enum class Studied { time_step, spacing };
-
 // Returns the filtered pressure where the case has one, else its first quantity.
 std::string studied_quantity(const CaseDefinition& definition) {
   const std::vector<std::string> quantities = compared_quantities(definition);
@@ -143,13 +141,20 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
   return figure;
 }
 
-// Where a scheme has several studies of a kind, their titles name what the runs of each share.
-void add_studies(const CaseAssessment& assessment, Studied studied, std::vector<Figure>& figures) {
-  const std::string quantity = studied_quantity(assessment.definition);
-  const std::vector<Study> found = studies(assessment, quantity, studied);
+}  // namespace
+
+std::vector<Figure> studies_of(const CaseAssessment& assessment, Studied studied,
+                               const std::string& quantity,
+                               const std::vector<std::string>& schemes) {
+  std::vector<Study> found = studies(assessment, quantity, studied);
+  std::erase_if(found, [&](const Study& runs) {
+    return !schemes.empty() &&
+           std::find(schemes.begin(), schemes.end(), family(*runs.front())) == schemes.end();
+  });
   const bool of_step = studied == Studied::time_step;
   std::map<std::string, int> of_scheme, numbers;
   for (const Study& runs : found) ++of_scheme[family(*runs.front())];
+  std::vector<Figure> figures;
   for (const Study& runs : found) {
     const std::string scheme = family(*runs.front());
     Figure figure = study_figure(assessment, quantity, studied, runs);
@@ -162,14 +167,15 @@ void add_studies(const CaseAssessment& assessment, Studied studied, std::vector<
     }
     figures.push_back(std::move(figure));
   }
+  return figures;
 }
 
-}  // namespace
-
 std::vector<Figure> study_figures(const CaseAssessment& assessment) {
+  const std::string quantity = studied_quantity(assessment.definition);
   std::vector<Figure> figures;
   for (const Studied studied : {Studied::time_step, Studied::spacing})
-    add_studies(assessment, studied, figures);
+    for (Figure& figure : studies_of(assessment, studied, quantity))
+      figures.push_back(std::move(figure));
   return figures;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "reports/figures/glance_figure.hpp"
+#include "reports/figures/paper_panels.hpp"
 #include "reports/model/side_by_side.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
@@ -153,14 +154,31 @@ reports::Page appendix_page(const CaseDefinition& definition) {
           page_of_case(definition.name)};
 }
 
+// Adds what the paper says beside our results, and its figures redrawn.
+void add_paper_sections(const Paper& paper, const std::vector<CaseAssessment>& cases,
+                        const reports::Report& report, std::vector<Section>& sections) {
+  PaperPanels panels = paper_panels(paper, cases, report.sections);
+  const auto section_of = paper.name == "li2010" ? li2010_section : zhao2021_section;
+  sections.push_back(section_of(cases, panels.redrawn));
+  if (panels.figures.empty()) return;
+  sections.push_back({paper.name + "-figures",
+                      "The paper's figures, redrawn",
+                      {fmt::format("The figures of {} from the runs of this campaign. A curve that "
+                                   "you digitised from the paper joins its panel as a record: a "
+                                   "run with `solver = \"record\"` in the case file.",
+                                   paper.citation)},
+                      {},
+                      std::move(panels.figures)});
+}
+
 // Adds the page of results across several cases, where there are any.
 void add_across_page(const CampaignDefinition& campaign, const std::vector<CaseAssessment>& cases,
                      const BasketAssessment& basket, reports::Report& report) {
   std::vector<Section> sections;
   if (!basket.measures.empty()) sections.push_back(basket_section(basket));
   if (auto walls = wall_treatment_section(cases)) sections.push_back(std::move(*walls));
-  if (campaign.paper == "li2010") sections.push_back(li2010_section(cases));
-  if (campaign.paper == "zhao2021") sections.push_back(zhao2021_section(cases));
+  if (!campaign.paper.empty())
+    add_paper_sections(paper_named(campaign.paper), cases, report, sections);
   if (sections.empty()) return;
   report.pages.push_back({across_page, "Across the cases", "", {}});
   for (Section& one : sections) {

@@ -210,7 +210,7 @@ const std::vector<Quantity>& quantity_table() {
        .label = "highest surface",
        .shown_unit = "mm",
        .shown_per_si = 1000,
-       .label_over_depth = "highest surface over the still depth, η/h [1]",
+       .label_over_depth = "highest surface, η/h [1]",
        .meaning = "Of whatever is wet over the gauge, above the still level.",
        .sph = "the upper edge of the highest particle within a spacing",
        .interfoam = "the highest place of the column where a cell is half full"}};

@@ -84,22 +84,25 @@ Finding within(const Shown& shown, const Estimate& estimate, const Threshold& ra
   return {Held::undecided, text + (std::isnan(low + high) ? ": NaN" : ": within its interval")};
 }
 
-reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims) {
-  reports::Table table{
-      id,
-      "Claims of the paper",
-      "Each claim in our own words; the range that a number must keep to is in brackets. The "
-      "thresholds were set before any run was looked at. A claim cannot be confirmed where a run "
-      "is absent or failed, a number is NaN, or an interval reaches over a threshold.",
-      {"claim", "in our words", "source", "verdict", "result",
-       "evidence against it, or what is missing"},
-      {}};
+reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims,
+                            const RedrawnFigures& redrawn) {
+  std::vector<PaperRow> rows;
   for (const Claim& claim : claims) {
     const DecidedClaim decided = decide(claim);
-    table.rows.push_back({fmt::format("({})", table.rows.size() + 1), decided.statement,
-                          claim.source, verdict_of(decided.held), decided.found, decided.why});
+    rows.push_back({{fmt::format("({})", rows.size() + 1), decided.statement, claim.source,
+                     verdict_of(decided.held), decided.found, decided.why},
+                    claim.figures});
   }
-  return table;
+  return with_figures(
+      {id,
+       "Claims of the paper",
+       "Each claim in our own words; the range that a number must keep to is in brackets. The "
+       "thresholds were set before any run was looked at. A claim cannot be confirmed where a run "
+       "is absent or failed, a number is NaN, or an interval reaches over a threshold.",
+       {"claim", "in our words", "source", "verdict", "result",
+        "evidence against it, or what is missing"},
+       {}},
+      rows, redrawn);
 }
 
 }  // namespace slosh

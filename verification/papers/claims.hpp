@@ -10,6 +10,7 @@
 
 #include "reports/model/report_model.hpp"
 #include "verification/fits/harmonic_fit.hpp"
+#include "verification/papers/paper_figures.hpp"
 
 namespace slosh {
 
@@ -53,8 +54,9 @@ struct Finding {
 using Find = std::function<Finding()>;
 
 struct Claim {
-  std::string statement;  // in our words
-  std::string source;     // where the paper makes it
+  std::string statement;             // in our words
+  std::string source;                // where the paper makes it
+  std::vector<std::string> figures;  // the paper's, that show it
   std::vector<Find> findings;
 };
 
@@ -78,6 +80,7 @@ struct Shown {
 // interval reaches over an end, and for NaN.
 Finding within(const Shown& shown, const Estimate& estimate, const Threshold& range);
 
-reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims);
+reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims,
+                            const RedrawnFigures& redrawn);
 
 }  // namespace slosh

@@ -33,15 +33,17 @@ double largest(const Function& f) {
   return value;
 }
 
-// Returns "run: x; run: y", a measure of a mode against linear theory for each run of the scheme
-// that has one.
+// Returns "run: x; run: y", a measure of a mode of the elevation against linear theory for each run
+// of the scheme that has one.
 template <class Format>
 std::string for_each_li2010_run(const CaseAssessment* assessment, const std::string& mode,
                                 const Format& format) {
   std::string text;
   if (assessment)
     for (const Comparison& pair : assessment->comparisons) {
-      if (!pair.candidate.starts_with("li2010") || pair.reference != "linear") continue;
+      if (!pair.candidate.starts_with("li2010") || pair.reference != "linear" ||
+          !pair.quantity.starts_with("elevation@"))
+        continue;
       for (const ModeComparison& one : pair.modes)
         if (one.mode == mode)
           text += (text.empty() ? "" : "; ") + pair.candidate + ": " + format(one);
@@ -56,8 +58,8 @@ std::string li2010_particles(const CaseAssessment* assessment) {
   return "not run";
 }
 
-Table printed_numbers(const std::vector<CaseAssessment>& cases) {
-  const CaseAssessment* small = find_case(cases, "li2010_small_amplitude");
+Table printed_numbers(const std::vector<CaseAssessment>& cases, const RedrawnFigures& redrawn) {
+  const CaseAssessment* small = find_case(cases, paper_cases::small);
   const double omega = reference::natural_frequency(li2010_tank, 1);
   const auto amplitude = [](const ModeComparison& mode) {
     return fmt::format("{:+.1f} ± {:.1f} %", 100 * mode.amplitude_error.value,
@@ -74,23 +76,29 @@ Table printed_numbers(const std::vector<CaseAssessment>& cases) {
                                          100 * mode.frequency_error.half_width)
                            : std::string("not resolved");
   };
-  return {"li2010-numbers",
-          "The paper's printed numbers and ours",
-          "",
-          {"quantity", "printed", "here"},
-          {{"first natural frequency", "4.94488 rad/s",
-            fmt::format("{:.5f} rad/s with g = 9.81 m/s2 ({:+.2f} %)", omega,
-                        100 * (omega / printed_natural_frequency - 1))},
-           {"particles at 2 cm", "900", li2010_particles(small)},
-           {"period of the forced motion", "agrees with theory",
-            "lag of the forced mode: " + for_each_li2010_run(small, "forced", lag)},
-           {"amplitude of the forced motion", "slightly below theory, crests flattened",
-            for_each_li2010_run(small, "forced", amplitude)},
-           {"first natural mode", "not given; alpha = 1 damps it",
-            "decay: " + for_each_li2010_run(small, "natural_1", damping)}}};
+  return with_figures(
+      {"li2010-numbers",
+       "The paper's printed numbers and ours",
+       "",
+       {"quantity", "printed", "here"},
+       {}},
+      {{{"first natural frequency", "4.94488 rad/s",
+         fmt::format("{:.5f} rad/s with g = 9.81 m/s2 ({:+.2f} %)", omega,
+                     100 * (omega / printed_natural_frequency - 1))}},
+       {{"particles at 2 cm", "900", li2010_particles(small)}},
+       {{"period of the forced motion", "agrees with theory",
+         "lag of the forced mode: " + for_each_li2010_run(small, "forced", lag)},
+        {"1"}},
+       {{"amplitude of the forced motion", "slightly below theory, crests flattened",
+         for_each_li2010_run(small, "forced", amplitude)},
+        {"1"}},
+       {{"first natural mode", "not given; alpha = 1 damps it",
+         "decay: " + for_each_li2010_run(small, "natural_1", damping)},
+        {"1"}}},
+      redrawn);
 }
 
-Table li2010_errata() {
+Table li2010_errata(const RedrawnFigures& redrawn) {
   const reference::LinearSurge ours(li2010_tank, reference::Start::earth, motion, modes);
   const reference::LinearSurge printed_sign(li2010_tank, reference::Start::earth,
                                             {-motion.amplitude, motion.angular_frequency}, modes);
@@ -102,59 +110,66 @@ Table li2010_errata() {
   const double misplaced =
       largest([&](double t) { return ours.elevation(gauge, t) - ours.elevation(0.05, t); });
   const double omega = reference::natural_frequency(li2010_tank, 1);
-  return {
-      "li2010-errata",
-      "Errata of Li et al. 2010",
-      "Each with the numbers computed here.",
-      {"the paper", "correction", "computed"},
-      {{"Eqs 16-20 use an undefined A",
-        "They match x_e = b sin(omega t) only with A = -b omega; A = +b omega gives -eta.",
-        fmt::format("largest |eta| {:.3f} mm; largest |eta(+b omega) + eta(-b omega)| {:.1e} mm",
-                    1000 * highest, 1000 * opposite)},
-       {"omega_0 = 4.94488 rad/s", "g = 9.81 m/s2 gives another value.",
-        fmt::format("{:.5f} rad/s, {:+.2f} % off", omega,
-                    100 * (printed_natural_frequency / omega - 1))},
-       {"excitation 0.787 Hz",
-        "That is omega_0 / 2 pi; the excitation of T = 1.3 s is the spectrum's first peak itself.",
-        fmt::format("omega_0 / 2 pi = {:.3f} Hz; 1 / 1.3 s = {:.3f} Hz",
-                    printed_natural_frequency / (2 * std::numbers::pi), 1 / 1.3)},
-       {"Eq. 16's x, and axes fixed to the earth at the tank's corner",
-        "x is fixed to the tank and counts from its centre.",
-        fmt::format("x = 0.95 m taken literally errs by up to {:.2f} mm within {:.0f} s",
-                    1000 * misplaced, shown)},
-       {"The momentum equation",
-        "As printed it has neither gravity nor the artificial viscosity; the scheme li2010 has "
-        "both.",
-        ""},
-       {"Mirror particles with equal and opposite velocity",
-        "That is a no-slip wall, though the case is called inviscid, and for a moving wall it must "
-        "be 2 v_wall - v.",
-        fmt::format("the wall moves at up to {:.4f} m/s",
-                    motion.amplitude * motion.angular_frequency)},
-       {"900 particles", "A spacing of 2 cm makes 875 cells of 4 cm2; 18 rows of 50 make 900.",
-        fmt::format("1 m x 0.35 m / (0.02 m)^2 = {:.0f}", 0.35 / 4e-4)},
-       {"Small amplitude is below 15 % of the depth", "The rule leaves out resonance.",
-        fmt::format("b / h = {:.1f} % at T = 1.3 s already breaks (b = 0.05 m)",
-                    100 * 0.05 / 0.35)}}};
+  return with_figures(
+      {"li2010-errata",
+       "Errata of Li et al. 2010",
+       "Each with the numbers computed here.",
+       {"the paper", "correction", "computed"},
+       {}},
+      {{{"Eqs 16-20 use an undefined A",
+         "They match x_e = b sin(omega t) only with A = -b omega; A = +b omega gives -eta.",
+         fmt::format("largest |eta| {:.3f} mm; largest |eta(+b omega) + eta(-b omega)| {:.1e} mm",
+                     1000 * highest, 1000 * opposite)},
+        {"1"}},
+       {{"omega_0 = 4.94488 rad/s", "g = 9.81 m/s2 gives another value.",
+         fmt::format("{:.5f} rad/s, {:+.2f} % off", omega,
+                     100 * (printed_natural_frequency / omega - 1))}},
+       {{"excitation 0.787 Hz",
+         "That is omega_0 / 2 pi; the excitation of T = 1.3 s is the spectrum's first peak itself.",
+         fmt::format("omega_0 / 2 pi = {:.3f} Hz; 1 / 1.3 s = {:.3f} Hz",
+                     printed_natural_frequency / (2 * std::numbers::pi), 1 / 1.3)},
+        {"7"}},
+       {{"Eq. 16's x, and axes fixed to the earth at the tank's corner",
+         "x is fixed to the tank and counts from its centre.",
+         fmt::format("x = 0.95 m taken literally errs by up to {:.2f} mm within {:.0f} s",
+                     1000 * misplaced, shown)},
+        {"1"}},
+       {{"The momentum equation",
+         "As printed it has neither gravity nor the artificial viscosity; the scheme li2010 has "
+         "both.",
+         ""}},
+       {{"Mirror particles with equal and opposite velocity",
+         "That is a no-slip wall, though the case is called inviscid, and for a moving wall it "
+         "must be 2 v_wall - v.",
+         fmt::format("the wall moves at up to {:.4f} m/s",
+                     motion.amplitude * motion.angular_frequency)}},
+       {{"900 particles", "A spacing of 2 cm makes 875 cells of 4 cm2; 18 rows of 50 make 900.",
+         fmt::format("1 m x 0.35 m / (0.02 m)^2 = {:.0f}", 0.35 / 4e-4)}},
+       {{"Small amplitude is below 15 % of the depth", "The rule leaves out resonance.",
+         fmt::format("b / h = {:.1f} % at T = 1.3 s already breaks (b = 0.05 m)",
+                     100 * 0.05 / 0.35)},
+        {"2 and 3"}}},
+      redrawn);
 }
 
 }  // namespace
 
-reports::Section li2010_section(const std::vector<CaseAssessment>& cases) {
+reports::Section li2010_section(const std::vector<CaseAssessment>& cases,
+                                const RedrawnFigures& redrawn) {
   reports::Section section{
       "li2010",
       "Comparison with the paper",
-      {"Li et al. 2010: sloshing in a surging tank by SPH with repulsive and mirror particles. Its "
-       "figure 1 corresponds to the page of the small-amplitude case, its figures 2 and 3 to those "
-       "of the resonant cases, its figures at b = 0.075 and 0.125 m to those of the "
-       "large-amplitude cases, as far as they are part of this campaign."},
-      {claims_table("li2010-claims", claims_of("li2010", cases))},
+      {"Li et al. 2010: sloshing in a surging tank by SPH with repulsive and mirror particles. The "
+       "rows below lead to the paper's figures as they are redrawn from this campaign's runs."},
+      {claims_table("li2010-claims", claims_of("li2010", cases), redrawn)},
       {}};
-  const CaseAssessment* smaller = find_case(cases, "li2010_large_b075");
-  const CaseAssessment* larger = find_case(cases, "li2010_large_b125");
-  if (smaller && larger) section.tables.push_back(surface_spectrum_table(*smaller, *larger));
-  section.tables.push_back(printed_numbers(cases));
-  section.tables.push_back(li2010_errata());
+  const CaseAssessment* smaller = find_case(cases, paper_cases::b075);
+  const CaseAssessment* larger = find_case(cases, paper_cases::b125);
+  if (smaller && larger)
+    section.tables.push_back(surface_spectrum_table(*smaller, *larger, redrawn));
+  section.tables.push_back(printed_numbers(cases, redrawn));
+  section.tables.push_back(li2010_errata(redrawn));
+  section.tables.push_back(paper_figures_table(paper_named("li2010"), redrawn));
   return section;
 }
 

@@ -55,21 +55,19 @@ const Threshold peaks_outside = at_most(1);
 // against it, and in between the two are alike.
 const Threshold smaller_by_a_fifth = at_most(0.8);
 
-const string small = "li2010_small_amplitude", b075 = "li2010_large_b075",
-             b125 = "li2010_large_b125", mild = "zhao2021_mild_roll",
-             violent = "zhao2021_violent_roll";
-
 }  // namespace
 
 // A claim on Li et al.'s scheme is decided by the paper's own scheme at its spacing, one on the
 // flow also by the finest interFoam run.
 const std::vector<PaperClaim>& paper_claims() {
   using namespace evidence;
+  using namespace paper_cases;
   static const std::vector<PaperClaim> claims{
       {"li2010",
        "SPH with repulsive and mirror particles follows linear theory at small amplitude: the same "
        "period, the amplitude slightly below theory, crests flattened.",
        "Li et al. 2010, conclusion (1), figure 1",
+       {"1"},
        {{.evidence = frequency_against_theory,
          .cases = {small},
          .runs = {"li2010_20mm", "linear"},
@@ -90,6 +88,7 @@ const std::vector<PaperClaim>& paper_claims() {
        "Near resonance and at large amplitude the motion is violent and nonlinear: crests far "
        "above linear theory's validity, higher than the troughs are deep.",
        "Li et al. 2010, conclusion (2)",
+       {"2 and 3", "5"},
        {{.evidence = violent_motion,
          .cases = {b075},
          .runs = {"li2010_20mm"},
@@ -104,6 +103,7 @@ const std::vector<PaperClaim>& paper_claims() {
        "The spectrum of the highest surface elevation at x = 0.95 m has two peaks, at the "
        "excitation (0.77 Hz) and at twice it (1.54 Hz), and both grow with the amplitude.",
        "Li et al. 2010, conclusion (3)",
+       {"7"},
        {{.evidence = peaks_at_multiples,
          .cases = {b075, b125},
          .runs = {"li2010_20mm"},
@@ -113,6 +113,7 @@ const std::vector<PaperClaim>& paper_claims() {
        "The power grows faster at the first peak: from b = 0.075 to 0.125 m the ratio of the first "
        "to the second grows from 2.00 to 4.915.",
        "Li et al. 2010, conclusion (4)",
+       {"7"},
        {{.evidence = growth_of_peak_ratio,
          .cases = {b075, b125},
          .runs = {"li2010_20mm"},
@@ -123,6 +124,7 @@ const std::vector<PaperClaim>& paper_claims() {
        "The pressure at the gauge of the mildly rolling tank agrees with the experiment in shape "
        "and phase.",
        "Zhao et al. 2021, conclusions, mild roll",
+       {"3"},
        {{.evidence = phase_against_record,
          .cases = {mild},
          .runs = {"moving_5mm", "akyildiz"},
@@ -142,6 +144,7 @@ const std::vector<PaperClaim>& paper_claims() {
       {"zhao2021",
        "Moving and fixed dynamic boundary particles give the same mild roll.",
        "Zhao et al. 2021, conclusions, mild roll",
+       {"3", "4"},
        {{.evidence = difference_of_runs,
          .cases = {mild},
          .runs = {"moving_5mm", "fixed_5mm"},
@@ -160,6 +163,7 @@ const std::vector<PaperClaim>& paper_claims() {
       {"zhao2021",
        "The violent roll's impact pressure agrees with the experiment.",
        "Zhao et al. 2021, conclusions, violent roll",
+       {"8"},
        {{.evidence = impact_times,
          .cases = {violent},
          .runs = {"fixed_2mm"},
@@ -175,6 +179,7 @@ const std::vector<PaperClaim>& paper_claims() {
       {"zhao2021",
        "Fixed boundary particles are more stable than moving ones.",
        "Zhao et al. 2021, conclusions, violent roll",
+       {"10", "11"},
        {{.evidence = fixed_more_stable,
          .cases = {violent},
          .runs = {"8mm", "4mm", "2mm", "4mm_cfl01", "4mm_cfl04"},
@@ -182,6 +187,7 @@ const std::vector<PaperClaim>& paper_claims() {
       {"zhao2021",
        "Fixed boundary particles converge better with time step and spacing.",
        "Zhao et al. 2021, conclusions, figures 10 and 11",
+       {"10", "11"},
        {{.evidence = fixed_converges_better,
          .cases = {violent},
          .runs = {"8mm", "4mm", "2mm"},
@@ -222,7 +228,7 @@ std::vector<Claim> claims_of(const string& paper, const std::vector<CaseAssessme
   std::vector<Claim> claims;
   for (const PaperClaim& one : paper_claims()) {
     if (one.paper != paper) continue;
-    Claim claim{one.statement, one.source, {}};
+    Claim claim{one.statement, one.source, one.figures, {}};
     for (const FindingRow& row : one.findings)
       for (const FindingRow& each : rows_to_evaluate(row, cases))
         claim.findings.push_back([each, &cases] { return each.evidence(cases, each); });

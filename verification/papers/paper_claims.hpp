@@ -10,9 +10,10 @@
 namespace slosh {
 
 struct PaperClaim {
-  std::string paper;      // the paper of a campaign file: "li2010", "zhao2021"
-  std::string statement;  // in our words
-  std::string source;     // where the paper makes it
+  std::string paper;                 // the paper of a campaign file: "li2010", "zhao2021"
+  std::string statement;             // in our words
+  std::string source;                // where the paper makes it
+  std::vector<std::string> figures;  // of the paper that show it (paper_figures.hpp)
   std::vector<FindingRow> findings;
 };
 

@@ -6,14 +6,18 @@
 
 #include "reports/model/report_model.hpp"
 #include "verification/assessment/case_assessment.hpp"
+#include "verification/papers/paper_figures.hpp"
 
 namespace slosh {
 
 // The claims of Li et al. 2010, its printed numbers and its errata, with the numbers computed here.
-reports::Section li2010_section(const std::vector<CaseAssessment>& cases);
+// Rows link to the panels that the paper's figures were redrawn in.
+reports::Section li2010_section(const std::vector<CaseAssessment>& cases,
+                                const RedrawnFigures& redrawn);
 
-// The claims of Zhao et al. 2021 and its errata, with the numbers computed here.
-reports::Section zhao2021_section(const std::vector<CaseAssessment>& cases);
+// The claims of Zhao et al. 2021 and its errata, likewise.
+reports::Section zhao2021_section(const std::vector<CaseAssessment>& cases,
+                                  const RedrawnFigures& redrawn);
 
 // The wall treatments, as runs are named: the walls of li2010, of zhao2021 in its two ways, and of
 // recommended.

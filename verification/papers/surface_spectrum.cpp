@@ -88,7 +88,8 @@ SurfaceSpectrum surface_spectrum(const CaseAssessment& assessment, const std::st
   return found;
 }
 
-reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger) {
+reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger,
+                                      const RedrawnFigures& redrawn) {
   reports::Table table{
       "li2010-spectrum",
       "Spectrum of the highest surface elevation",
@@ -109,6 +110,8 @@ reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseA
         larger.runs.status.contains(run.name))
       add_rows(smaller, larger, run.name, table);
   }
+  table.links.assign(table.rows.size(), std::vector<std::string>(table.header.size()));
+  for (std::vector<std::string>& row : table.links) row.front() = anchor_of(redrawn, "7");
   return table;
 }
 

@@ -9,6 +9,7 @@
 
 #include "reports/model/report_model.hpp"
 #include "verification/assessment/case_assessment.hpp"
+#include "verification/papers/paper_figures.hpp"
 
 namespace slosh {
 
@@ -24,7 +25,9 @@ struct SurfaceSpectrum {
 // power_spectrum() does.
 SurfaceSpectrum surface_spectrum(const CaseAssessment& assessment, const std::string& run);
 
-// The spectra of every run of a solver that the two cases share, and the printed numbers.
-reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger);
+// The spectra of every run of a solver that the two cases share, and the printed numbers. Its rows
+// link to the panel of figure 7.
+reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger,
+                                      const RedrawnFigures& redrawn);
 
 }  // namespace slosh

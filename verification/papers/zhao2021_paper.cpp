@@ -34,7 +34,7 @@ double kernel_integral() {
 
 // Compares the measured roll of one case with the sine of the other.
 std::string roll_beside_sine(const std::vector<CaseAssessment>& cases) try {
-  const CaseDefinition& measured = case_named(cases, "zhao2021_violent_roll").definition;
+  const CaseDefinition& measured = case_named(cases, paper_cases::violent).definition;
   const CaseDefinition& literal = case_named(cases, "zhao2021_violent_sine").definition;
   const auto roll = roll_motion(measured), sine = roll_motion(literal);
   if (!roll || !sine) throw std::runtime_error("a case does not roll");
@@ -56,49 +56,57 @@ std::string roll_beside_sine(const std::vector<CaseAssessment>& cases) try {
   return error.what();
 }
 
-reports::Table zhao2021_errata(const std::vector<CaseAssessment>& cases) {
+reports::Table zhao2021_errata(const std::vector<CaseAssessment>& cases,
+                               const RedrawnFigures& redrawn) {
   const double omega = reference::natural_frequency(rolling_tank, 1);
   const double forcing = 2 * pi / printed_forcing;
   const auto still_pressure = [](double height) {
     return rolling_tank.density * rolling_tank.gravity * (rolling_tank.fill_depth - height);
   };
   const double integral = kernel_integral();
-  return {
-      "zhao2021-errata",
-      "Errata of Zhao et al. 2021",
-      "Each with the numbers computed here.",
-      {"the paper", "correction", "computed"},
-      {{"omega_0 = 1.919 rad/s", "That is the first natural period in seconds.",
-        fmt::format("omega_1 = {:.3f} rad/s, period {:.3f} s ({:+.2f} % off {})", omega,
-                    2 * pi / omega, 100 * (2 * pi / omega / printed_natural - 1), printed_natural)},
-       {"omega_r = 1.631 rad/s",
-        "That is the period of the roll in seconds, and 0.85 is a ratio of "
-        "periods.",
-        fmt::format("omega = {:.3f} rad/s; periods {:.3f}, frequencies {:.3f}", forcing,
-                    printed_forcing / printed_natural, forcing / omega)},
-       {"probe B at 0.0093 m", "A misprint of 0.093 m, the still surface.",
-        fmt::format("still water presses with {:.0f} Pa at {} m and {:.0f} Pa at {} m, where the "
-                    "record begins",
-                    still_pressure(printed_probe), printed_probe, still_pressure(probe), probe)},
-       {"the roll is a sine from t = 0", "The experiment's starts from rest and is no pure sine.",
-        roll_beside_sine(cases)},
-       {"kernel constant 7/4 pi h^2", "7/(4 pi h^2) is meant.",
-        fmt::format(
-            "the kernel over its constant integrates to {:.6f} h^2, and 7/(4 pi) times that "
-            "is {:.6f}; 7/4 pi times it is {:.3f}",
-            integral, 7 / (4 * pi) * integral, 7.0 / 4 * pi * integral)}}};
+  return with_figures(
+      {"zhao2021-errata",
+       "Errata of Zhao et al. 2021",
+       "Each with the numbers computed here.",
+       {"the paper", "correction", "computed"},
+       {}},
+      {{{"omega_0 = 1.919 rad/s", "That is the first natural period in seconds.",
+         fmt::format("omega_1 = {:.3f} rad/s, period {:.3f} s ({:+.2f} % off {})", omega,
+                     2 * pi / omega, 100 * (2 * pi / omega / printed_natural - 1),
+                     printed_natural)}},
+       {{"omega_r = 1.631 rad/s",
+         "That is the period of the roll in seconds, and 0.85 is a ratio of "
+         "periods.",
+         fmt::format("omega = {:.3f} rad/s; periods {:.3f}, frequencies {:.3f}", forcing,
+                     printed_forcing / printed_natural, forcing / omega)}},
+       {{"probe B at 0.0093 m", "A misprint of 0.093 m, the still surface.",
+         fmt::format("still water presses with {:.0f} Pa at {} m and {:.0f} Pa at {} m, where the "
+                     "record begins",
+                     still_pressure(printed_probe), printed_probe, still_pressure(probe), probe)},
+        {"8"}},
+       {{"the roll is a sine from t = 0", "The experiment's starts from rest and is no pure sine.",
+         roll_beside_sine(cases)},
+        {"8"}},
+       {{"kernel constant 7/4 pi h^2", "7/(4 pi h^2) is meant.",
+         fmt::format(
+             "the kernel over its constant integrates to {:.6f} h^2, and 7/(4 pi) times that "
+             "is {:.6f}; 7/4 pi times it is {:.3f}",
+             integral, 7 / (4 * pi) * integral, 7.0 / 4 * pi * integral)}}},
+      redrawn);
 }
 
 }  // namespace
 
-reports::Section zhao2021_section(const std::vector<CaseAssessment>& cases) {
-  return {
-      "zhao2021",
-      "Comparison with the paper",
-      {"Zhao et al. 2021: sloshing in a rolling tank by SPH with dynamic boundary particles that "
-       "move with the tank or are fixed in its frame."},
-      {claims_table("zhao2021-claims", claims_of("zhao2021", cases)), zhao2021_errata(cases)},
-      {}};
+reports::Section zhao2021_section(const std::vector<CaseAssessment>& cases,
+                                  const RedrawnFigures& redrawn) {
+  return {"zhao2021",
+          "Comparison with the paper",
+          {"Zhao et al. 2021: sloshing in a rolling tank by SPH with dynamic boundary particles "
+           "that move with the tank or are fixed in its frame. The rows below lead to the paper's "
+           "figures as they are redrawn from this campaign's runs."},
+          {claims_table("zhao2021-claims", claims_of("zhao2021", cases), redrawn),
+           zhao2021_errata(cases, redrawn), paper_figures_table(paper_named("zhao2021"), redrawn)},
+          {}};
 }
 
 }  // namespace slosh

@@ -130,7 +130,7 @@ TEST(HighestSurface, IsShownOverTheDepthAndThePeriod) {
   const reports::Figure figure = figure_of(assess(surge_case(), runs), "highest_surface-right");
   ASSERT_EQ(labels(figure), (Names{"particles"}));
   EXPECT_EQ(figure.x_label, "time over the forcing period, t/T [1]");
-  EXPECT_EQ(figure.y_label, "highest surface over the still depth, η/h [1]");
+  EXPECT_EQ(figure.y_label, "highest surface, η/h [1]");
   EXPECT_NEAR(figure.curves[0].x.back(), 20 * forcing / (2 * std::numbers::pi), 1e-12);
   EXPECT_NEAR(figure.x_range.second, figure.curves[0].x.back(), 1e-12);
   EXPECT_NEAR(figure.curves[0].y.front(), 0.2, 1e-12);
