@@ -178,7 +178,7 @@ void add_fields(const CaseAssessment& assessment, const std::vector<reports::Sec
     for (const reports::FieldFigure& field : section.fields)
       if (field.id.starts_with(stem)) redrawn.anchors.push_back("figure-" + field.id);
   if (redrawn.anchors.size() == before)
-    redrawn.missing.push_back("no run of " + assessment.definition.name + " recorded fields");
+    redrawn.missing.push_back("the report has no fields of " + assessment.definition.name);
 }
 
 // Adds the panels of one case to those of the figure.

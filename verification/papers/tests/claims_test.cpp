@@ -28,7 +28,7 @@ Find missing(const std::string& text) {
 
 TEST(Claims, AreConfirmedByAllFindingsTogether) {
   const DecidedClaim claim =
-      decide({"water is wet", "", {finding(Held::yes, "a"), finding(Held::yes, "b")}});
+      decide({"water is wet", "", {}, {finding(Held::yes, "a"), finding(Held::yes, "b")}});
   EXPECT_EQ(claim.held, Held::yes);
   EXPECT_EQ(claim.found, "a; b");
   EXPECT_EQ(claim.why, "");
@@ -36,29 +36,37 @@ TEST(Claims, AreConfirmedByAllFindingsTogether) {
 
 TEST(Claims, AreRefutedByOneFindingWhateverElseIsMissing) {
   const DecidedClaim claim =
-      decide({"", "", {finding(Held::yes, "a"), missing("b"), finding(Held::no, "c")}});
+      decide({"", "", {}, {finding(Held::yes, "a"), missing("b"), finding(Held::no, "c")}});
   EXPECT_EQ(claim.held, Held::no);
   EXPECT_EQ(claim.why, "c");
 }
 
 TEST(Claims, AreNotDecidableWhereAFindingIsMissingOrThereIsNone) {
-  const DecidedClaim claim = decide({"", "", {finding(Held::yes, "a"), missing("no run")}});
+  const DecidedClaim claim = decide({"", "", {}, {finding(Held::yes, "a"), missing("no run")}});
   EXPECT_EQ(claim.held, Held::undecided);
   EXPECT_EQ(claim.why, "no run");
-  EXPECT_EQ(decide({"", "", {}}).held, Held::undecided);
+  EXPECT_EQ(decide({"", "", {}, {}}).held, Held::undecided);
 }
 
 TEST(Claims, StandInATableWithTheirVerdictsInWords) {
   const reports::Table table =
-      claims_table("papers-claims", {{"one", "figure 1", {finding(Held::yes, "a")}},
-                                     {"two", "figure 2", {finding(Held::no, "b")}},
-                                     {"three", "figure 3", {missing("c")}}});
+      claims_table("papers-claims",
+                   {{"one", "figure 1", {"1"}, {finding(Held::yes, "a")}},
+                    {"two", "figure 2", {"2", "3"}, {finding(Held::no, "b")}},
+                    {"three", "conclusion", {}, {missing("c")}}},
+                   {{"1"}, {"2"}, {"3", {"figure-three"}}});
   ASSERT_EQ(table.rows.size(), 3u);
   EXPECT_EQ(table.rows[0],
-            (std::vector<std::string>{"(1)", "one", "figure 1", "confirmed", "a", ""}));
+            (std::vector<std::string>{"(1)", "one", "figure 1", "confirmed", "a", "", "figure 1"}));
   EXPECT_EQ(table.rows[1][3], "refuted");
+  EXPECT_EQ(table.rows[1][6], "figure 2, figure 3");
   EXPECT_EQ(table.rows[2][3], "not decidable");
   EXPECT_EQ(table.rows[2][5], "c");
+  EXPECT_EQ(table.rows[2][6], "");
+  const std::vector<std::string> no_links(7);
+  EXPECT_EQ(table.links.at(0), no_links) << "figure 1 has no panel";
+  EXPECT_EQ(table.links.at(1), (std::vector<std::string>{"", "", "", "", "", "", "figure-three"}));
+  EXPECT_EQ(table.links.at(2), no_links);
 }
 
 TEST(Within, CountsTheIntervalOnEitherSide) {

@@ -208,7 +208,8 @@ TEST(SurfaceSpectrumTable, SetsEveryRunBesideThePrintedNumbers) {
   auto cases = good();
   cases[2].runs.results.erase("interfoam_50x50");
   cases[2].runs.status["interfoam_50x50"] = {RunState::failed, ""};
-  const reports::Table table = surface_spectrum_table(cases[1], cases[2]);
+  const reports::Table table =
+      surface_spectrum_table(cases[1], cases[2], {{"7", {"figure-seven"}}});
   ASSERT_EQ(table.rows.size(), 8u);
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"printed", "0.125", "0.77", "0.2423", "1.54",
                                                      "0.0493", "4.915", "5.05", "2.05"}));
@@ -217,6 +218,16 @@ TEST(SurfaceSpectrumTable, SetsEveryRunBesideThePrintedNumbers) {
   EXPECT_EQ(table.rows[3].at(7), "5.05");
   EXPECT_NE(table.rows[5].at(2).find("solver failed"), std::string::npos);
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
+  ASSERT_EQ(table.links.size(), 8u);
+  for (const auto& links : table.links) EXPECT_EQ(links.at(0), "figure-seven");
+}
+
+// What a report has of the paper's figures where none could be redrawn.
+RedrawnFigures nothing_redrawn() {
+  RedrawnFigures redrawn;
+  for (const PaperFigure& figure : paper_named("li2010").figures)
+    redrawn.push_back({.number = figure.number, .missing = {"no run"}});
+  return redrawn;
 }
 
 TEST(SectionOfLi2010, StandsWithAndWithoutItsCases) {
@@ -224,10 +235,53 @@ TEST(SectionOfLi2010, StandsWithAndWithoutItsCases) {
     reports::Report report;
     report.title = "t";
     report.results_json = "{}";
-    report.sections = {li2010_section(cases)};
+    report.sections = {li2010_section(cases, nothing_redrawn())};
     EXPECT_NO_THROW(reports::check_report(report));
-    EXPECT_EQ(report.sections[0].tables.size(), cases.empty() ? 3u : 4u);
+    EXPECT_EQ(report.sections[0].tables.size(), cases.empty() ? 4u : 5u);
   }
+}
+
+TEST(SectionOfLi2010, LinksEachRowToThePanelThatItSpeaksOf) {
+  RedrawnFigures redrawn = nothing_redrawn();
+  for (RedrawnFigure& one : redrawn) one.anchors = {"figure-" + one.number, "figure-second"};
+  std::vector<std::string> linked;
+  for (const reports::Table& table : li2010_section(good(), redrawn).tables)
+    for (const std::vector<std::string>& links : table.links)
+      linked.push_back(table.id + " " +
+                       links.at(table.id == "li2010-spectrum"  ? 0
+                                : table.id == "li2010-figures" ? 2
+                                                               : links.size() - 1));
+  const auto of = [&](const std::string& row) {
+    return std::count(linked.begin(), linked.end(), row);
+  };
+  EXPECT_EQ(of("li2010-claims figure-1"), 1);
+  EXPECT_EQ(of("li2010-claims figure-2 and 3"), 1);
+  EXPECT_EQ(of("li2010-claims figure-7"), 2);
+  EXPECT_EQ(of("li2010-spectrum figure-7"), 8);
+  EXPECT_EQ(of("li2010-numbers figure-1"), 3);
+  EXPECT_EQ(of("li2010-numbers "), 2) << "the natural frequency and the number of particles";
+  EXPECT_EQ(of("li2010-errata figure-1"), 2);
+  EXPECT_EQ(of("li2010-errata figure-7"), 1);
+  EXPECT_EQ(of("li2010-errata figure-2 and 3"), 1);
+  EXPECT_EQ(of("li2010-figures figure-4"), 1);
+}
+
+// A force that is lower than theory's must not be told as the wave's amplitude.
+TEST(PrintedNumbersOfLi2010, AreThoseOfTheElevationAlone) {
+  CaseAssessment both = small_case({});
+  for (const auto& [run, scale] : {std::pair{"linear", 100.0}, {"li2010_20mm", 50.0}}) {
+    RunResult& result = both.runs.results.at(run);
+    TimeSeries force = result.series[0];
+    force.name = "force_x";
+    force.unit = "N/m";
+    for (double& value : force.value) value *= scale;
+    result.series.push_back(force);
+  }
+  const auto numbers = [](const CaseAssessment& assessment) {
+    return li2010_section({assessment}, nothing_redrawn()).tables.at(1).rows;
+  };
+  EXPECT_GT(assess(both.definition, both.runs).comparisons.size(), both.comparisons.size());
+  EXPECT_EQ(numbers(assess(both.definition, both.runs)), numbers(small_case({})));
 }
 
 }  // namespace

@@ -257,21 +257,44 @@ const reports::Table& table_named(const reports::Section& section, const std::st
   throw std::logic_error("no table " + id);
 }
 
+// What a report has of the paper's figures where none could be redrawn.
+RedrawnFigures nothing_redrawn() {
+  RedrawnFigures redrawn;
+  for (const PaperFigure& figure : paper_named("zhao2021").figures)
+    redrawn.push_back({.number = figure.number, .missing = {"no run"}});
+  return redrawn;
+}
+
 TEST(SectionOfZhao2021, StandsWithAndWithoutItsCases) {
   for (const Cases& cases : {Cases{}, Cases{mild_roll(), violent_roll()}}) {
     reports::Report report;
     report.title = "t";
     report.results_json = "{}";
-    report.sections = {zhao2021_section(cases)};
+    report.sections = {zhao2021_section(cases, nothing_redrawn())};
     EXPECT_NO_THROW(reports::check_report(report));
     EXPECT_EQ(table_named(report.sections[0], "zhao2021-claims").rows.size(), 5u);
   }
 }
 
+TEST(SectionOfZhao2021, SaysOfEachFigureWhyItHasNoPanel) {
+  const reports::Table table =
+      table_named(zhao2021_section({}, nothing_redrawn()), "zhao2021-figures");
+  ASSERT_EQ(table.rows.size(), 9u);
+  EXPECT_EQ(table.rows[0].at(0), "figures 1 and 2");
+  EXPECT_EQ(table.rows[1],
+            (std::vector<std::string>{
+                "figure 3",
+                "pressure on the right wall 0.17 m above the bottom in the mildly rolling tank, "
+                "here the left wall, as its roll begins clockwise",
+                "no", "no run", "zhao2021_mild_roll", "the whole run; the paper's is not known",
+                "time [s]; pressure [Pa]", "whether its pressure is filtered: ours is not"}));
+  for (const auto& links : table.links) EXPECT_EQ(links, std::vector<std::string>(8));
+}
+
 // The numbers of the facts' section 6: 3.277 rad/s, 1.917 s, 3.85 rad/s, a ratio of periods of
 // 0.85.
 TEST(ErrataOfZhao2021, CarryTheComputedFigures) {
-  const auto rows = table_named(zhao2021_section({}), "zhao2021-errata").rows;
+  const auto rows = table_named(zhao2021_section({}, nothing_redrawn()), "zhao2021-errata").rows;
   ASSERT_EQ(rows.size(), 5u);
   EXPECT_EQ(rows[0].at(2), "omega_1 = 3.277 rad/s, period 1.917 s (-0.10 % off 1.919)");
   EXPECT_EQ(rows[1].at(2), "omega = 3.852 rad/s; periods 0.850, frequencies 1.175");
@@ -289,7 +312,8 @@ TEST(ErrataOfZhao2021, SetTheMeasuredRollBesideTheSine) {
   constexpr double degree = std::numbers::pi / 180;
   measured.definition.motion.roll->angle = SineMotion{2 * degree, 3.85};
   sine.definition.motion.roll->angle = SineMotion{4 * degree, 3.85};
-  const auto rows = table_named(zhao2021_section({measured, sine}), "zhao2021-errata").rows;
+  const auto rows =
+      table_named(zhao2021_section({measured, sine}, nothing_redrawn()), "zhao2021-errata").rows;
   EXPECT_TRUE(
       rows[3].at(2).starts_with("it starts at 7.7 deg/s, the sine at 15.4; apart by up to "
                                 "2.00 deg (at "))
