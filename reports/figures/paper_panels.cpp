@@ -1,6 +1,7 @@
 #include "reports/figures/paper_panels.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -209,12 +210,16 @@ PaperPanels paper_panels(const Paper& paper, const std::vector<CaseAssessment>& 
     if (figure.redrawn == Redrawn::not_known)
       redrawn.missing.emplace_back("what it shows is not known here");
     std::vector<Panel> panels;
+    std::vector<std::string> absent;
     for (const std::string& name : figure.cases) {
       if (const CaseAssessment* assessment = find_case(cases, name))
         add_case(*assessment, paper, figure, written, panels, redrawn);
       else
-        redrawn.missing.push_back("the case " + name + " is not part of this campaign");
+        absent.push_back(name);
     }
+    if (!absent.empty())
+      redrawn.missing.push_back(
+          fmt::format("not part of this campaign: {}", fmt::join(absent, ", ")));
     share_axes(panels);
     for (const Panel& whole : panels)
       for (Figure& part : in_panels(whole.figure)) {

@@ -89,6 +89,56 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
   EXPECT_EQ(first.desk.at("table_rows").at("table-worst"), 2);
 }
 
+// With a run of the paper's scheme, and a curve that the user digitised.
+TEST_F(CampaignInBrowser, ShowsThePapersFiguresThatItsRunsRedraw) {
+  if (!reports::browser_is_installed()) GTEST_SKIP() << "chromium is not installed";
+  const std::string paper_run = with(with(particles_run, "particles", "li2010_25mm"),
+                                     "scheme = \"recommended\"", "scheme = \"li2010\"");
+  const std::string digitised = R"([[run]]
+name = "figure_1"
+solver = "record"
+experiment = "li2010/figure_1.csv"
+time_column = "t_s"
+value_column = "eta_mm"
+quantity = "elevation@right"
+unit = "mm"
+)";
+  write("small.toml",
+        with(particles_case, "\"small\"", "\"li2010_small_amplitude\"") + paper_run + digitised);
+  write("surges.toml",
+        "schema_version = 1\nname = \"surges\"\ntitle = \"Small surges\"\npaper = \"li2010\"\n"
+        "source = \"made for a test\"\ncases = [\"./small.toml\"]\n");
+  std::filesystem::create_directories(directory() / "records/li2010");
+  write("records/li2010/figure_1.csv", "t_s,eta_mm\n0.1,1.0\n0.5,4.0\n2.0,-20.0\n8.0,9.0\n");
+  const Ended ended =
+      tool({"campaign", "./surges.toml", "--experiments", "records", "--output", "out"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  for (const bool dark : {false, true}) {
+    const reports::BrowserRun run =
+        reports::open_in_browser(directory(), "out/report/across.html", dark);
+    EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
+    for (const nlohmann::json& page : {run.phone, run.desk}) {
+      SCOPED_TRACE(page.dump(2));
+      EXPECT_EQ(page.at("drawings"), 1);
+      EXPECT_GE(page.at("drawn_curves"), 3) << "theory, particles and the paper's scheme";
+      EXPECT_EQ(page.at("texts_outside"), nlohmann::json::array());
+      EXPECT_EQ(page.at("texts_overlapping"), nlohmann::json::array());
+      EXPECT_EQ(page.at("cut_figures"), 0);
+      EXPECT_EQ(page.at("unhinted_boxes"), 0);
+      EXPECT_LE(page.at("scroll_width"), page.at("width"));
+      EXPECT_EQ(page.at("broken_links"), 0);
+      EXPECT_GE(page.at("curve_contrast"), 3.0);
+      EXPECT_EQ(page.at("table_rows").at("table-li2010-figures"), 6);
+    }
+  }
+  const std::string html = read(report() / "across.html");
+  const std::string panel = "figure-li2010-figure-1-li2010_small_amplitude-elevation-right";
+  EXPECT_TRUE(holds(html, "id=\"" + panel + "\""));
+  EXPECT_TRUE(holds(html, "href=\"#" + panel + "\""));
+  EXPECT_TRUE(holds(html, "1: published record"));
+  EXPECT_TRUE(holds(html, "not part of this campaign: "));
+}
+
 // The results of a campaign in which three models predict six amplitudes each.
 nlohmann::json results_with_predictions(const std::string& name, double off) {
   nlohmann::json sets = nlohmann::json::array();

@@ -126,16 +126,14 @@ TEST(PaperPanels, OfACaseThatIsNotInTheCampaignAreLeftOutAndItIsSaid) {
   const PaperPanels panels = paper_panels(li, {small_surge()}, {});
   EXPECT_EQ(redrawn(panels, "5").anchors, Names{});
   EXPECT_EQ(redrawn(panels, "5").missing,
-            (Names{"the case li2010_large_b075 is not part of this campaign",
-                   "the case li2010_large_b125 is not part of this campaign"}));
+            Names{"not part of this campaign: li2010_large_b075, li2010_large_b125"});
   const reports::Table table = paper_figures_table(li, panels.redrawn);
   EXPECT_EQ(table.rows.at(0).at(2), "in 1 panel");
   EXPECT_EQ(table.links.at(0).at(2), panels.redrawn.at(0).anchors.at(0));
   EXPECT_EQ(table.rows.at(3).at(0), "figure 5");
   EXPECT_EQ(table.rows.at(3).at(2), "no");
   EXPECT_EQ(table.rows.at(3).at(3),
-            "the case li2010_large_b075 is not part of this campaign; the case li2010_large_b125 "
-            "is not part of this campaign");
+            "not part of this campaign: li2010_large_b075, li2010_large_b125");
   EXPECT_EQ(table.links.at(3).at(2), "");
 }
 
