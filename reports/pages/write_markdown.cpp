@@ -132,7 +132,9 @@ mustache::data contents_data(const Report& report) {
         page.glance ? fmt::format(" ![{}](figures/{}.svg)", markdown_text(page.glance->title),
                                   page.glance->id)
                     : "";
-    add(page.title, "page-" + page.id, standing_text(page.outcome, page.verdict) + picture);
+    const std::string remark = page.remark.empty() ? "" : " " + markdown_text(page.remark);
+    add(page.title, "page-" + page.id,
+        standing_text(page.outcome, page.verdict) + remark + picture);
   }
   return list;
 }
