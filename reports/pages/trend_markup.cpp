@@ -41,6 +41,11 @@ class Scale {
 };
 
 std::string tolerance(const Trend& trend, const Scale& scale) {
+  const bool has_ends =
+      std::any_of(trend.points.begin(), trend.points.end(), [](const Trend::Point& point) {
+        return std::isfinite(point.lower) || std::isfinite(point.upper);
+      });
+  if (!has_ends) return "";
   std::string upper, lower;
   for (std::size_t i = 0; i < trend.points.size(); ++i) {
     upper += fmt::format("{:.1f},{:.1f} ", scale.x(i), scale.y(trend.points[i].upper));

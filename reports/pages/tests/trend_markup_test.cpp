@@ -64,6 +64,7 @@ TEST(TrendMarkup, DrawsAToleranceWithoutAnEndToTheEdge) {
 TEST(TrendMarkup, DrawsEqualValuesWithoutToleranceInTheMiddle) {
   const Trend one{{{3, 0, -unbounded, unbounded, false}, {3, 0, -unbounded, unbounded, false}}};
   EXPECT_EQ(points_of(trend_markup(one), "polyline"), "4.0,15.0 116.0,15.0 ");
+  EXPECT_EQ(points_of(trend_markup(one), "polygon"), "");
 }
 
 TEST(TrendMarkup, IsEmptyWithoutValues) { EXPECT_EQ(trend_markup({}), ""); }
