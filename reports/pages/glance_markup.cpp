@@ -57,11 +57,12 @@ mustache::data entry_data(const Page& page, const PageLinks& links, const DrawnF
   data.set("title", page.title);
   data.set("address", links.to_page(page.id));
   if (!page.verdict.empty()) data.set("outcome", outcome_data(page.outcome, page.verdict));
-  if (!page.glance || !glance) return data;
+  if (!glance) return data;
+  if (!page.remark.empty()) data.set("remark", html_text(page.remark));
+  if (!page.glance) return data;
   mustache::data figure{"svg", svg_element(*page.glance, *glance, SvgPlace::in_page)};
   figure.set("shows", html_text(page.glance->caption));
   data.set("glance", figure);
-  if (!page.remark.empty()) data.set("remark", html_text(page.remark));
   return data;
 }
 

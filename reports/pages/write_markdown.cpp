@@ -22,15 +22,21 @@ mustache::data cell_data(const std::string& cell, const std::string& anchor = ""
 
 mustache::data header_data(const Table& table) {
   mustache::data list(mustache::data::type::list);
-  for (const std::string& cell : table.header) list << cell_data(cell);
+  for (std::size_t i = 0; i < table.header.size(); ++i) {
+    if (i + 1 == table.header.size() && !table.trends.empty()) list << cell_data("trend");
+    list << cell_data(table.header[i]);
+  }
   if (!table.reasons.empty()) list << cell_data("reason");
   return list;
 }
 
 mustache::data row_data(const Table& table, std::size_t row) {
   mustache::data cells(mustache::data::type::list);
-  for (std::size_t i = 0; i < table.rows[row].size(); ++i)
+  for (std::size_t i = 0; i < table.rows[row].size(); ++i) {
+    if (i + 1 == table.rows[row].size() && !table.trends.empty())
+      cells << cell_data(table.trends[row].text);
     cells << cell_data(table.rows[row][i], table.links.empty() ? "" : table.links[row][i]);
+  }
   if (!table.reasons.empty()) cells << mustache::data{"text", markdown_text(table.reasons[row])};
   mustache::data data{"cells", cells};
   data.set("anchor",
@@ -126,7 +132,9 @@ mustache::data contents_data(const Report& report) {
         page.glance ? fmt::format(" ![{}](figures/{}.svg)", markdown_text(page.glance->title),
                                   page.glance->id)
                     : "";
-    add(page.title, "page-" + page.id, standing_text(page.outcome, page.verdict) + picture);
+    const std::string remark = page.remark.empty() ? "" : " " + markdown_text(page.remark);
+    add(page.title, "page-" + page.id,
+        standing_text(page.outcome, page.verdict) + remark + picture);
   }
   return list;
 }

@@ -87,21 +87,17 @@ bool has_selected(const std::vector<ProblemAssessment>& problems) {
   });
 }
 
-// What the rows of the cases judge and detect, for the first page.
+// What the rows of the cases detect, for the first page.
 std::string coverage_text(const std::vector<CaseCoverage>& covered) {
   if (covered.empty()) return "";
-  int judged = 0, declared = 0;
   std::vector<std::string> names, incomplete;
-  for (const CaseCoverage& one : covered) {
-    judged += one.rows_judged;
-    declared += one.rows_declared;
+  for (const CaseCoverage& one : covered)
     if (!one.is_complete()) incomplete.push_back(one.case_name);
-  }
   for (const RequiredDetection& one : required_detections) names.emplace_back(one.name);
   return fmt::format(
-      "Coverage: {} of {} declared gate rows are judged. The rows of {} of {} cases detect results "
-      "that are made wrong on purpose, in {}{}.",
-      judged, declared, covered.size() - incomplete.size(), covered.size(), fmt::join(names, ", "),
+      "Coverage: the gate rows of {} of {} cases detect results that are made wrong on purpose, in "
+      "{}{}.",
+      covered.size() - incomplete.size(), covered.size(), fmt::join(names, ", "),
       incomplete.empty() ? ""
                          : fmt::format("; those of {} miss some", fmt::join(incomplete, ", ")));
 }

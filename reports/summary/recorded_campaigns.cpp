@@ -109,20 +109,25 @@ RecordedCampaign recorded_campaign(const std::string& text, const std::string& p
 
 std::vector<PredictionSet> merged_predictions(const std::vector<RecordedCampaign>& campaigns) {
   std::vector<PredictionSet> merged;
-  std::set<std::tuple<std::string, std::string, std::string, std::string, std::string>> known;
+  using Key = std::tuple<std::string, std::string, std::string, std::string, std::string>;
+  std::set<Key> known;
   for (const bool quick : {false, true})
     for (const RecordedCampaign& campaign : campaigns) {
       if (campaign.is_quick != quick) continue;
+      std::set<Key> of_campaign;  // one campaign may compare a model with several references
       for (const PredictionSet& set : campaign.predictions) {
         auto into = std::find_if(merged.begin(), merged.end(), [&](const PredictionSet& one) {
           return one.kind == set.kind && one.model == set.model;
         });
         if (into == merged.end())
           into = merged.insert(into, {set.kind, set.unit, set.model, {}, {}});
-        for (const Prediction& one : set.predictions)
-          if (known.insert({set.kind, set.model, one.case_name, one.quantity, one.mode}).second)
-            into->predictions.push_back(one);
+        for (const Prediction& one : set.predictions) {
+          const Key key{set.kind, set.model, one.case_name, one.quantity, one.mode};
+          of_campaign.insert(key);
+          if (!known.contains(key)) into->predictions.push_back(one);
+        }
       }
+      known.merge(of_campaign);
     }
   settle(merged);
   return merged;

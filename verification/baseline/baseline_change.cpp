@@ -14,24 +14,30 @@ using Json = nlohmann::ordered_json;
 Json json_of(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
 Json json_of(const std::optional<BaselineValue>& value) {
-  if (!value) return nullptr;
-  return {{"value", value->value},
-          {"half_width_95", value->half_width},
-          {"lower", json_of(value->lower)},
-          {"upper", json_of(value->upper)}};
+  return value ? json_of(*value) : Json(nullptr);
 }
 
 std::optional<double> number_from(const Json& number) {
   return number.is_null() ? std::optional<double>() : number.get<double>();
 }
 
-std::optional<BaselineValue> value_from(const Json& value) {
-  if (value.is_null()) return {};
-  return BaselineValue{value.at("value").get<double>(), value.at("half_width_95").get<double>(),
-                       number_from(value.at("lower")), number_from(value.at("upper"))};
+std::optional<BaselineValue> optional_value_from(const Json& value) {
+  return value.is_null() ? std::optional<BaselineValue>() : value_from(value);
 }
 
 }  // namespace
+
+Json json_of(const BaselineValue& value) {
+  return {{"value", value.value},
+          {"half_width_95", value.half_width},
+          {"lower", json_of(value.lower)},
+          {"upper", json_of(value.upper)}};
+}
+
+BaselineValue value_from(const Json& value) {
+  return {value.at("value").get<double>(), value.at("half_width_95").get<double>(),
+          number_from(value.at("lower")), number_from(value.at("upper"))};
+}
 
 Json json_of(const std::vector<BaselineChange>& changes) {
   Json list = Json::array();
@@ -44,7 +50,8 @@ Json json_of(const std::vector<BaselineChange>& changes) {
 std::vector<BaselineChange> changes_from(const Json& changes) {
   std::vector<BaselineChange> list;
   for (const Json& change : changes)
-    list.push_back({change.at("row"), value_from(change.at("old")), value_from(change.at("new"))});
+    list.push_back({change.at("row"), optional_value_from(change.at("old")),
+                    optional_value_from(change.at("new"))});
   return list;
 }
 

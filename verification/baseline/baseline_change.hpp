@@ -32,9 +32,11 @@ struct BaselineChange {
   bool operator==(const BaselineChange&) const = default;
 };
 
+nlohmann::ordered_json json_of(const BaselineValue& value);
 nlohmann::ordered_json json_of(const std::vector<BaselineChange>& changes);
 
-// Throws nlohmann::ordered_json::exception for anything that json_of() does not write.
+// Both throw nlohmann::ordered_json::exception for anything that json_of() does not write.
+BaselineValue value_from(const nlohmann::ordered_json& value);
 std::vector<BaselineChange> changes_from(const nlohmann::ordered_json& changes);
 
 // A ledger or proposal cannot be read or written, the lines of a ledger do not follow from one

@@ -12,21 +12,6 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-std::optional<BaselineValue> value_of(const GateOutcome& outcome) {
-  if (!std::isfinite(outcome.value.value)) return {};
-  const double half_width = outcome.value.half_width;
-  BaselineValue value{outcome.value.value, std::isfinite(half_width) ? half_width : 0, {}, {}};
-  if (const auto& limit = outcome.row.limit) {
-    value.lower = -*limit;
-    value.upper = *limit;
-  }
-  if (const auto& between = outcome.row.between) {
-    value.lower = between->first;
-    value.upper = between->second;
-  }
-  return value;
-}
-
 double uncertainties_between(const BaselineValue& before, const BaselineValue& after) {
   const double moved = std::abs(after.value - before.value);
   return moved == 0 ? 0 : moved / std::hypot(before.half_width, after.half_width);
@@ -81,26 +66,48 @@ std::string row_name(const std::string& case_name, const GateRow& row) {
   return case_name + ": " + row_name(row);
 }
 
+std::optional<BaselineValue> baseline_value(const GateOutcome& outcome) {
+  if (!std::isfinite(outcome.value.value)) return {};
+  const double half_width = outcome.value.half_width;
+  BaselineValue value{outcome.value.value, std::isfinite(half_width) ? half_width : 0, {}, {}};
+  if (const auto& limit = outcome.row.limit) {
+    value.lower = -*limit;
+    value.upper = *limit;
+  }
+  if (const auto& between = outcome.row.between) {
+    value.lower = between->first;
+    value.upper = between->second;
+  }
+  return value;
+}
+
+RowMovement movement_of(const std::string& case_name, const GateOutcome& outcome,
+                        const std::optional<BaselineValue>& before) {
+  RowMovement movement{.row = row_name(case_name, outcome.row),
+                       .unit = outcome.row.unit,
+                       .before = before,
+                       .after = baseline_value(outcome)};
+  if (before && movement.after) {
+    movement.uncertainties = uncertainties_between(*before, *movement.after);
+    movement.loosened = is_loosened(*before, *movement.after);
+  }
+  return movement;
+}
+
 std::vector<RowMovement> movements(const Baseline& baseline,
                                    const std::vector<CaseAssessment>& cases) {
   std::vector<RowMovement> found;
   std::set<std::string> declared;
   for (const CaseAssessment& one : cases)
     for (const GateOutcome& outcome : one.gate) {
-      RowMovement movement{.row = row_name(one.definition.name, outcome.row),
-                           .unit = outcome.row.unit,
-                           .before = {},
-                           .after = value_of(outcome)};
-      declared.insert(movement.row);
+      const std::string row = row_name(one.definition.name, outcome.row);
+      declared.insert(row);
       // A cost is measured on one machine and says nothing about another.
       if (!is_judged_here(outcome) || is_cost(outcome.row.metric)) continue;
-      if (const auto known = baseline.find(movement.row); known != baseline.end())
-        movement.before = known->second;
-      if (movement.before && movement.after) {
-        movement.uncertainties = uncertainties_between(*movement.before, *movement.after);
-        movement.loosened = is_loosened(*movement.before, *movement.after);
-      }
-      found.push_back(std::move(movement));
+      const auto known = baseline.find(row);
+      found.push_back(
+          movement_of(one.definition.name, outcome,
+                      known == baseline.end() ? std::optional<BaselineValue>() : known->second));
     }
   for (const auto& [row, value] : baseline)
     if (!declared.contains(row))

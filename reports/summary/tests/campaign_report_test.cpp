@@ -236,9 +236,7 @@ TEST(CampaignReport, TellsTheCoverageOfTheGatesAndShowsEachCaseAtAGlance) {
   unjudged.definition.name = "third_surge";
   unjudged.gate.clear();
   const reports::Report report = report_of(surge_campaign(), {good(), unjudged});
-  EXPECT_NE(report.coverage.find("3 of 6 declared gate rows are judged."), std::string::npos)
-      << report.coverage;
-  EXPECT_NE(report.coverage.find("The rows of 0 of 2 cases detect"), std::string::npos)
+  EXPECT_NE(report.coverage.find("the gate rows of 0 of 2 cases detect"), std::string::npos)
       << report.coverage;
   EXPECT_NE(report.coverage.find("third_surge miss some"), std::string::npos) << report.coverage;
   ASSERT_TRUE(report.pages.at(0).glance);

@@ -65,6 +65,18 @@ TEST(RecordedCampaigns, CountAComparisonOnceThatOfTheWholeCampaignFirst) {
   EXPECT_NEAR(merged.bias->bias, 1.02, 1e-6);
 }
 
+TEST(RecordedCampaigns, CountEachReferenceThatOneCampaignComparesAModelWith) {
+  RecordedCampaign one = recorded_campaign(results_of("surges", false, 1.02), "a");
+  const std::size_t before = particles(merged_predictions({one})).predictions.size();
+  for (PredictionSet& set : one.predictions)
+    if (set.kind == "elevation amplitude" && set.model == "recommended") {
+      set.predictions.push_back(set.predictions.front());
+      set.predictions.back().reference = "another";
+    }
+  EXPECT_EQ(particles(merged_predictions({one})).predictions.size(), before + 1);
+  EXPECT_EQ(particles(merged_predictions({one, one})).predictions.size(), before + 1);
+}
+
 TEST(RecordedCampaigns, StandOnOnePageWithTheBandOfEachModel) {
   const std::vector<RecordedCampaign> campaigns{
       recorded_campaign(results_of("surges", false, 1.02), "surges/report/index.html"),

@@ -12,11 +12,11 @@
 #include "sph/threads.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/baseline/baseline_diff.hpp"
-#include "verification/baseline/baseline_figures.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/cached_verdict.hpp"
+#include "verification/cli/campaign/campaign_history.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
@@ -72,7 +72,7 @@ std::string report_lines(const fs::path& place, const CampaignOptions& options) 
 
 // What a report needs beside the assessment.
 struct ReportSources {
-  fs::path ledger;
+  CampaignPast past;
   std::string campaign;  // as a command line names it
   std::string judge;     // the hash of this program
 };
@@ -86,7 +86,7 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
   reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
                                            assessed.cases, assessed.problems, &known);
   known.write();
-  add_baseline_figures(read_ledger(sources.ledger), assessed.cases, report);
+  add_past(assessed, sources.past, report);
   KnownDrawings drawings(assessed.output / "drawings");
   reports::write_report(report, assessed.output / "report",
                         {.pdf = options.pdf,
@@ -121,13 +121,16 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     return requested_exit(cached->status, options);
   }
   const std::string judge = content_hash(read_bytes(campaign.settings.executable));
+  const CampaignPast past{ledger, campaign.settings.store,
+                          campaign.definition.name + form_of(options)};
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   const std::string rows = gate_lines(assessed.cases, assessed.problems);
   print_lines(rows);
   forget_cached_verdict(place);
+  if (options.solve && !options.selection.is_partial()) keep_state(assessed, past);
   leave_report(assessed, options,
-               {ledger, name_or_path(assessed.definition.file, installation.campaigns), judge});
+               {past, name_or_path(assessed.definition.file, installation.campaigns), judge});
   leave_table(assessed, movements(baseline_of(read_ledger(ledger)), assessed.cases), options,
               installation.source);
   const int status = exit_status(assessed.cases, assessed.problems);
