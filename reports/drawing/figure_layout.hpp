@@ -44,8 +44,23 @@ std::vector<PlacedMarker> placed_markers(const Figure& figure, const AxisRange& 
 
 int marker_rows(const std::vector<PlacedMarker>& placed);
 
+// The height of the legend at the canvas' foot [px].
+int legend_height(const Figure& figure);
+
 // The height of the canvas [px]: the plot's own, and that of its legend and of its rows of marker
 // labels.
 int canvas_height(const Figure& figure);
+
+// The frame of a figure with a cursor [px], from the left and from the top of its canvas.
+struct CursorFrame {
+  double left, right, top, bottom;
+
+  // The place of a moment of the horizontal axis.
+  double place(double time, const AxisRange& axis) const {
+    return left + (time - axis.lower) / (axis.upper - axis.lower) * (right - left);
+  }
+};
+
+CursorFrame cursor_frame(const Figure& figure);
 
 }  // namespace slosh::reports

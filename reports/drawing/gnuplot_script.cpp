@@ -14,8 +14,6 @@
 namespace slosh::reports {
 namespace {
 
-constexpr int foot = 8;  // px, below the legend: its descenders
-
 std::string terminal_command(const Canvas& canvas, int height, Terminal terminal) {
   if (terminal == Terminal::svg)
     return fmt::format("set terminal svg size {},{} dynamic enhanced font 'sans-serif,{}'\n",
@@ -39,8 +37,7 @@ std::string key_command(const Figure& figure, double top) {
 std::string canvas_commands(const Figure& figure, Terminal terminal) {
   const Canvas canvas = canvas_of(figure);
   const double height = canvas_height(figure);
-  const double key_height =
-      figure.is_small ? 0 : legend_row_height * key_layout(figure).rows + foot;
+  const double below = legend_height(figure);
   return fmt::format(
              "set encoding utf8\nset minussign\n{}"
              "set border 3 lc rgb '{}'\nset tics out nomirror scale 0.6 textcolor rgb '{}'\n"
@@ -49,9 +46,19 @@ std::string canvas_commands(const Figure& figure, Terminal terminal) {
              "set bmargin at screen {:.4f}\n{}"
              "set rmargin 3\n",
              terminal_command(canvas, canvas_height(figure), terminal), ink.light, ink.light,
-             grid.light, faint_ink.light, (canvas.below_frame + key_height) / height,
-             key_command(figure, key_height / height)) +
+             grid.light, faint_ink.light, (canvas.below_frame + below) / height,
+             key_command(figure, below / height)) +
          (figure.equal_axes ? "set size square\n" : "");
+}
+
+// The sides and the top of a frame that the page knows; the others are as wide as their labels.
+std::string known_margins(const Figure& figure) {
+  if (!figure.has_cursor) return "";
+  const CursorFrame frame = cursor_frame(figure);
+  const double width = canvas_of(figure).width, height = canvas_height(figure);
+  return fmt::format(
+      "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n",
+      frame.left / width, frame.right / width, 1 - frame.top / height);
 }
 
 std::string axis(char name, const std::string& label, const AxisRange& range, bool logarithmic) {
@@ -131,7 +138,7 @@ std::string gnuplot_script(const Figure& figure, Terminal terminal) {
   script += axis('x', figure.x_label, horizontal, figure.log_x) + named_ticks(figure);
   script += axis('y', figure.y_label, vertical, figure.log_y);
   script += span_objects(figure, horizontal) + band_objects(figure);
-  script += marker_lines(placed_markers(figure, horizontal));
+  script += marker_lines(placed_markers(figure, horizontal)) + known_margins(figure);
   return script + curve_data(figure, vertical) + plot_command(figure);
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "reports/drawing/axes.hpp"
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/drawing/run_gnuplot.hpp"
 #include "reports/fields/field_arrows.hpp"
@@ -80,16 +79,13 @@ std::string key_part(const FieldLayout& layout, double start, double length, int
 }
 
 std::string scale_bar(const FieldLayout& layout) {
-  const double length = round_tick(longest_scale_bar / layout.scale, false);  // [m]
-  return key_part(
-      layout, scale_start, length * layout.scale, 3,
-      length < 1 ? fmt::format("{:.6g} mm", 1000 * length) : fmt::format("{:.6g} m", length));
+  const double length = scale_bar_length(layout, longest_scale_bar);
+  return key_part(layout, scale_start, length * layout.scale, 3, scale_bar_text(length));
 }
 
 std::string arrow_legend(const FieldLayout& layout, const FieldArrows& arrows) {
-  if (!(arrows.pixels_per_speed > 0)) return "";
-  std::string words = fmt::format("{:.6g} m/s", arrows.legend_speed);
-  if (arrows.cut_speed > 0) words += fmt::format(" (cut at {:.2g} m/s)", arrows.cut_speed);
+  const std::string words = arrow_text(arrows);
+  if (words.empty()) return "";
   return key_part(layout, arrow_start, arrows.legend_speed * arrows.pixels_per_speed, 2, words);
 }
 
@@ -168,8 +164,6 @@ std::string description(const FieldFigure& figure) {
                      range.upper_label, has_arrows ? " Arrows: velocity." : "");
 }
 
-std::string data_address(const DrawnField& drawn) {
-  return "data:image/png;base64," + base64(drawn.png);
-}
+std::string data_address(const std::string& png) { return "data:image/png;base64," + base64(png); }
 
 }  // namespace slosh::reports

@@ -23,6 +23,6 @@ DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& sc
 std::string description(const FieldFigure& figure);
 
 // The data URL (RFC 2397) for an <img> of a page that holds its pictures itself.
-std::string data_address(const DrawnField& drawn);
+std::string data_address(const std::string& png);
 
 }  // namespace slosh::reports

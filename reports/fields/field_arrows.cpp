@@ -1,5 +1,7 @@
 #include "reports/fields/field_arrows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -51,6 +53,12 @@ std::vector<DrawnArrow> one_per_square(const std::vector<DrawnArrow>& arrows, do
 }
 
 }  // namespace
+
+std::string arrow_text(const FieldArrows& arrows) {
+  if (!(arrows.pixels_per_speed > 0)) return "";
+  return fmt::format("{:.6g} m/s", arrows.legend_speed) +
+         (arrows.cut_speed > 0 ? fmt::format(" (cut at {:.2g} m/s)", arrows.cut_speed) : "");
+}
 
 FieldArrows field_arrows(const FieldFigure& figure, const FieldLayout& layout) {
   std::vector<std::vector<DrawnArrow>> drawable;

@@ -1,6 +1,7 @@
 // Which velocity arrows of a flow field are drawn, and how long.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "reports/fields/field_layout.hpp"
@@ -18,6 +19,9 @@ struct FieldArrows {
   double cut_speed = 0;         // [m/s], faster arrows are cut to this one's length; 0: none was
   std::vector<std::vector<DrawnArrow>> panels;  // in the figure's order
 };
+
+// What the legend says of the arrow of legend_speed; empty where nothing moves.
+std::string arrow_text(const FieldArrows& arrows);
 
 inline constexpr std::size_t most_arrows = 300;  // in a panel
 

@@ -1,10 +1,13 @@
 #include "reports/fields/field_layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
+#include "reports/drawing/axes.hpp"
 #include "reports/drawing/run_gnuplot.hpp"
 
 namespace slosh::reports {
@@ -15,6 +18,7 @@ constexpr int narrowest_canvas = 1000;   // [px]: the key's parts stand side by 
 constexpr int tallest_cell = 560;        // [px]: two rows of the tallest tanks fit one screen
 constexpr int smallest_gap = 28;         // [px], between two columns; half of it at the sides
 constexpr double wall = 3;               // [px], between a tank and its cell's edge
+constexpr double round_off = 1e-9;       // [px]
 constexpr double label_character = 8.8;  // [px], of gnuplot's 'sans,12' on average (measured)
 
 // The rectangle that holds all tanks as they are rolled [m from the axis].
@@ -63,6 +67,14 @@ std::vector<std::string> wrapped(std::string rest, double width) {
 
 }  // namespace
 
+double scale_bar_length(const FieldLayout& layout, double longest) {
+  return round_tick(longest / layout.scale, false);
+}
+
+std::string scale_bar_text(double length) {
+  return length < 1 ? fmt::format("{:.6g} mm", 1000 * length) : fmt::format("{:.6g} m", length);
+}
+
 int most_columns() { return widest_canvas / (smallest_gap + 2 * static_cast<int>(wall) + 1); }
 
 int FieldLayout::row_height() const { return label_lines * label_line + cell_height + row_gap; }
@@ -83,20 +95,29 @@ bool FieldLayout::holds(const Pixel& place) const {
   return place.x >= 0 && place.x < cell_width && place.y >= 0 && place.y < cell_height;
 }
 
-FieldLayout field_layout(const FieldFigure& figure) {
+namespace {
+
+// The grid, and the cells as large as they may be.
+FieldLayout grid_of_cells(const FieldFigure& figure, double highest_tank, double widest_tank) {
   FieldLayout layout{};
   const int panels = static_cast<int>(figure.panels.size());
   layout.columns = std::min(figure.columns, panels);
   layout.rows = (panels + layout.columns - 1) / layout.columns;
   const Extent extent = rolled_tanks(figure);
   const double width = extent.right - extent.left, height = extent.top - extent.bottom;
-  const int highest_cell = figure.panel_height > 0 ? figure.panel_height : tallest_cell;
-  const int widest_cell = widest_canvas / layout.columns;
-  layout.scale =
-      std::min((widest_cell - smallest_gap - 2 * wall) / width, (highest_cell - 2 * wall) / height);
-  layout.cell_width = static_cast<int>(std::ceil(layout.scale * width + 2 * wall));
-  layout.cell_height = static_cast<int>(std::ceil(layout.scale * height + 2 * wall));
+  layout.scale = std::min(widest_tank / width, highest_tank / height);
+  layout.cell_width = static_cast<int>(std::ceil(layout.scale * width + 2 * wall - round_off));
+  layout.cell_height = static_cast<int>(std::ceil(layout.scale * height + 2 * wall - round_off));
   layout.axis = {wall - layout.scale * extent.left, wall - layout.scale * extent.bottom};
+  return layout;
+}
+
+}  // namespace
+
+FieldLayout field_layout(const FieldFigure& figure) {
+  const int columns = std::min(figure.columns, static_cast<int>(figure.panels.size()));
+  FieldLayout layout = grid_of_cells(figure, tallest_cell - 2 * wall,
+                                     widest_canvas / columns - smallest_gap - 2 * wall);
   layout.width = std::clamp(layout.columns * (layout.cell_width + smallest_gap), narrowest_canvas,
                             widest_canvas);
   layout.column_gap = layout.width / layout.columns - layout.cell_width;
@@ -107,6 +128,13 @@ FieldLayout field_layout(const FieldFigure& figure) {
         std::max(layout.label_lines, static_cast<int>(layout.labels.back().size()));
   }
   layout.height = layout.row_top(layout.rows);
+  return layout;
+}
+
+FieldLayout bare_layout(const FieldFigure& figure, int highest_cell, int widest_cell) {
+  FieldLayout layout = grid_of_cells(figure, highest_cell - 2 * wall, widest_cell - 2 * wall);
+  layout.width = layout.columns * layout.cell_width;
+  layout.height = layout.rows * layout.cell_height;
   return layout;
 }
 

@@ -1,5 +1,5 @@
-// The grid of panels in a picture of flow fields. gnuplot's multiplot places the panels; this
-// computes the sizes that it is given and that the arrows and the raster depend on.
+// The grid of panels in a picture of flow fields. In a still picture gnuplot's multiplot places the
+// panels; this computes the sizes that it is given and that the arrows and the raster depend on.
 //
 // All panels have one scale and cells of one size, which hold every tank as it is rolled. The
 // tank's axis stands at the same place of each cell, so that a roll shows from panel to panel.
@@ -40,10 +40,18 @@ inline constexpr int key_height = 96;  // [px], at the top: colour bar, arrow an
 inline constexpr int label_line = 21;  // [px], of gnuplot's 'sans,12'
 inline constexpr int row_gap = 16;     // [px], below a cell
 
+// Returns the length of a scale bar that is at most this long [px], in m: a round one.
+double scale_bar_length(const FieldLayout& layout, double longest);
+std::string scale_bar_text(double length);
+
 // The number of panels in a row for which the widest canvas leaves each tank a pixel.
 int most_columns();
 
 // The figure has at most that many panels in a row.
 FieldLayout field_layout(const FieldFigure& figure);
+
+// Cells alone, side by side without key, labels and gaps. Each is at most this high and this wide
+// [px].
+FieldLayout bare_layout(const FieldFigure& figure, int highest_cell, int widest_cell);
 
 }  // namespace slosh::reports

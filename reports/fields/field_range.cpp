@@ -19,10 +19,6 @@ constexpr int fewest_steps = 5;           // between the ticks of a bar
 constexpr double letter_width = 7.6;      // [px], of gnuplot's 'sans,12'
 constexpr double label_gap = 10;          // [px], between the labels of two ticks
 
-std::string tick_label(double value) {
-  return boost::replace_all_copy(fmt::format("{:.6g}", value), "-", "−");
-}
-
 // The smallest range that holds both values and ends at multiples of its step.
 ColourRange rounded(double lower, double upper) {
   const double step = round_tick((upper - lower) / fewest_steps, false);
@@ -59,11 +55,15 @@ double percentile(std::vector<double>& samples, double fraction) {
   return *place;
 }
 
+std::string bar_label(double value) {
+  return boost::replace_all_copy(fmt::format("{:.6g}", value), "-", "−");
+}
+
 BarTicks bar_ticks(const ColourRange& range, double bar_length) {
   const double value_of_pixel = (range.upper - range.lower) / bar_length;
   // Half of both labels beside each other and a gap, as a difference of values.
   const auto room = [&](const std::string& end, double neighbour) {
-    const double labels = text_width(end + tick_label(neighbour), letter_width);
+    const double labels = text_width(end + bar_label(neighbour), letter_width);
     return (labels / 2 + label_gap) * value_of_pixel;
   };
   const auto multiple = [&](double steps) { return range.step * steps; };
@@ -89,9 +89,9 @@ ColourRange colour_range(const FieldFigure& figure) {
   const auto is_below = [&](double value) { return value < range.lower; };
   const auto is_above = [&](double value) { return value > range.upper; };
   range.lower_label =
-      (std::any_of(samples.begin(), samples.end(), is_below) ? "≤ " : "") + tick_label(range.lower);
+      (std::any_of(samples.begin(), samples.end(), is_below) ? "≤ " : "") + bar_label(range.lower);
   range.upper_label =
-      (std::any_of(samples.begin(), samples.end(), is_above) ? "≥ " : "") + tick_label(range.upper);
+      (std::any_of(samples.begin(), samples.end(), is_above) ? "≥ " : "") + bar_label(range.upper);
   return range;
 }
 

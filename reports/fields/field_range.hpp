@@ -25,6 +25,9 @@ struct ColourRange {
   std::string lower_label, upper_label;  // "≤" or "≥" marks an end beyond which values lie
 };
 
+// Returns the value as a bar names it.
+std::string bar_label(double value);
+
 // The ticks between the two ends of a colour bar are first, first + step, and so on up to last.
 struct BarTicks {
   double first, last;

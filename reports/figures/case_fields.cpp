@@ -1,9 +1,12 @@
 // Flow fields side by side: one row for each time, one column for the finest run of each scheme and
 // of interFoam.
+#include "reports/figures/case_fields.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
@@ -18,53 +21,6 @@ using reports::FieldPanel;
 
 // More columns would make the panels too small to read, more rows would not fit on a screen.
 constexpr std::size_t most_columns = 4, most_rows = 4;
-
-// All frames of an animation are stored in one picture.
-constexpr std::size_t animated_columns = 2;
-constexpr int animated_height = 180;  // px: 27 frames weigh less than a megabyte
-
-// Returns null where the run recorded none at that time.
-const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::string& run,
-                                 double time) {
-  const auto& snapshots = assessment.runs.results.at(run).snapshots;
-  const double tolerance = 0.5 * assessment.definition.sample_interval;
-  const auto found = std::find_if(snapshots.begin(), snapshots.end(), [&](const auto& snapshot) {
-    return std::abs(snapshot.time - time) < tolerance;
-  });
-  return found == snapshots.end() ? nullptr : &*found;
-}
-
-FieldPanel empty_tank(const CaseDefinition& definition, const std::string& run, double time) {
-  FieldPanel panel;
-  panel.label = fmt::format("{}, t = {:g} s", run, time);
-  panel.tank_length = panel.point_width = definition.tank.length;
-  panel.tank_height = panel.point_height = definition.tank.height;
-  if (const auto roll = roll_motion(definition)) {
-    panel.angle = roll->angle(time);
-    panel.axis_x = roll->axis_x;
-    panel.axis_z = roll->axis_z;
-    const double degrees = panel.angle / radians_per_degree;
-    panel.label += fmt::format(", roll {}{:.2f}°", degrees < 0 ? "−" : "", std::abs(degrees));
-  }
-  return panel;
-}
-
-FieldPanel panel_of(const CaseAssessment& assessment, const std::string& run, double time) {
-  FieldPanel panel = empty_tank(assessment.definition, run, time);
-  const FieldSnapshot* snapshot = snapshot_at(assessment, run, time);
-  if (!snapshot) {
-    panel.label += ", not recorded";
-    return panel;
-  }
-  panel.point_width = snapshot->width;
-  panel.point_height = snapshot->height;
-  panel.x = panel.arrow_x = snapshot->x;
-  panel.z = panel.arrow_z = snapshot->z;
-  panel.value = snapshot->pressure;
-  panel.arrow_u = snapshot->velocity_x;
-  panel.arrow_w = snapshot->velocity_z;
-  return panel;
-}
 
 // Splits into as few parts as possible of at most `most` values each, of nearly equal size.
 template <class Value>
@@ -84,36 +40,74 @@ FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<dou
   figure.title = times.size() == 1 ? fmt::format("Pressure and velocity at {:g} s", times.front())
                                    : fmt::format("Pressure and velocity from {:g} to {:g} s",
                                                  times.front(), times.back());
-  figure.caption = fmt::format(
-      "Each row is a time, each column a run: the finest of each scheme and solver. Colour: "
-      "pressure above that of the gas. Arrows: velocity relative to the tank{}. SPH: all "
-      "particles; interFoam: the cells that are at least half liquid. {} {}.",
-      definition.motion.roll ? ", drawn at its roll angle" : "", who_is_who(definition, runs),
-      definition.source);
-  figure.value_label = "pressure [Pa]";
+  figure.caption = "Each row is a time, each column a run: the finest of each scheme and solver. " +
+                   field_caption(definition, runs);
+  figure.value_label = field_quantity;
   figure.columns = static_cast<int>(runs.size());
   for (const double time : times)
     for (const std::string& run : runs) figure.panels.push_back(panel_of(assessment, run, time));
   return figure;
 }
 
-// One frame for each time; the first two runs side by side.
-FieldFigure animation(const CaseAssessment& assessment, std::vector<std::string> runs) {
-  const CaseDefinition& definition = assessment.definition;
-  const std::vector<double>& times = definition.animation_times;
-  runs.resize(std::min(runs.size(), animated_columns));
-  FieldFigure figure = field_figure(assessment, times, runs);
-  figure.id = definition.name + "-animation";
-  figure.title = fmt::format("The flow from {:g} to {:g} s", times.front(), times.back());
-  figure.caption =
-      fmt::format("Animation of {} frames, {:g} s apart; press Play to start it. {}", times.size(),
-                  times[1] - times[0], figure.caption.substr(figure.caption.find("Colour:")));
-  figure.panel_height = animated_height;
-  for (const double time : times) figure.frames.push_back(fmt::format("t = {:.2f} s", time));
-  return figure;
+}  // namespace
+
+const FieldSnapshot* snapshot_at(const CaseDefinition& definition, const RunResult& result,
+                                 double time) {
+  const auto& snapshots = result.snapshots;
+  const double tolerance = 0.5 * definition.sample_interval;
+  const auto found = std::find_if(snapshots.begin(), snapshots.end(), [&](const auto& snapshot) {
+    return std::abs(snapshot.time - time) < tolerance;
+  });
+  return found == snapshots.end() ? nullptr : &*found;
 }
 
-}  // namespace
+const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::string& run,
+                                 double time) {
+  return snapshot_at(assessment.definition, assessment.runs.results.at(run), time);
+}
+
+std::string moment_label(const CaseDefinition& definition, double time, int decimals) {
+  const std::string label =
+      decimals < 0 ? fmt::format("t = {:g} s", time) : fmt::format("t = {:.{}f} s", time, decimals);
+  const auto roll = roll_motion(definition);
+  if (!roll) return label;
+  const double degrees = roll->angle(time) / radians_per_degree;
+  return fmt::format("{}, roll {}{:.2f}°", label, degrees < 0 ? "−" : "", std::abs(degrees));
+}
+
+FieldPanel panel_of(const CaseAssessment& assessment, const std::string& run, double time) {
+  const CaseDefinition& definition = assessment.definition;
+  FieldPanel panel;
+  panel.label = run + ", " + moment_label(definition, time);
+  panel.tank_length = panel.point_width = definition.tank.length;
+  panel.tank_height = panel.point_height = definition.tank.height;
+  if (const auto roll = roll_motion(definition)) {
+    panel.angle = roll->angle(time);
+    panel.axis_x = roll->axis_x;
+    panel.axis_z = roll->axis_z;
+  }
+  const FieldSnapshot* snapshot = snapshot_at(assessment, run, time);
+  if (!snapshot) {
+    panel.label += ", not recorded";
+    return panel;
+  }
+  panel.point_width = snapshot->width;
+  panel.point_height = snapshot->height;
+  panel.x = panel.arrow_x = snapshot->x;
+  panel.z = panel.arrow_z = snapshot->z;
+  panel.value = snapshot->pressure;
+  panel.arrow_u = snapshot->velocity_x;
+  panel.arrow_w = snapshot->velocity_z;
+  return panel;
+}
+
+std::string field_caption(const CaseDefinition& definition, const std::vector<std::string>& runs) {
+  return fmt::format(
+      "Colour: pressure above that of the gas. Arrows: velocity relative to the tank{}. SPH: all "
+      "particles; interFoam: the cells that are at least half liquid. {} {}.",
+      definition.motion.roll ? ", drawn at its roll angle" : "", who_is_who(definition, runs),
+      definition.source);
+}
 
 std::vector<FieldFigure> case_fields(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
@@ -130,13 +124,7 @@ std::vector<FieldFigure> case_fields(const CaseAssessment& assessment) {
       figures.push_back(field_figure(assessment, times_shown, columns));
       figures.back().id = fmt::format("{}-fields-{}", definition.name, figures.size());
     }
-  std::vector<std::string> moving = runs;
-  std::erase_if(moving, [&](const std::string& run) {
-    return std::any_of(definition.animation_times.begin(), definition.animation_times.end(),
-                       [&](double time) { return !snapshot_at(assessment, run, time); });
-  });
-  if (!definition.animation_times.empty() && !moving.empty())
-    figures.push_back(animation(assessment, moving));
+  if (std::optional<FieldFigure> film = case_film(assessment)) figures.push_back(std::move(*film));
   return figures;
 }
 

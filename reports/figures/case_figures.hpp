@@ -25,8 +25,7 @@ std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment);
 std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs);
 
 // Returns pressure and velocity at the case's snapshot times, one row for each time and one column
-// for each solver or scheme, and last the case's animation, of the first two runs with all its
-// times.
+// for each solver or scheme, and last the case's animation (case_fields.hpp).
 std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);
 
 // The kinds of figures that these combine. Each omits figures for which no run has data.

@@ -82,6 +82,9 @@ struct Figure {
   std::vector<std::pair<double, std::string>> x_ticks = {};  // place and label; empty: automatic
   std::pair<double, double> y_range{0, 0};  // of several figures with one scale; else automatic
   bool is_small = false;  // one of small multiples: its page draws one legend for them all
+  // A page moves a vertical line along it, so that its frame stands at places that the page knows
+  // (cursor_frame() in figure_layout.hpp). It has no markers, no named ticks and linear axes.
+  bool has_cursor = false;
 };
 
 // A tank at one moment, its water coloured by a scalar (the pressure, the speed). The places are
@@ -98,7 +101,18 @@ struct FieldPanel {
   std::vector<double> arrow_u, arrow_w;      // [m/s], the velocity in the tank's own directions
 };
 
-// Panels in rows, with one scale, one colour bar and one scale of the arrows.
+// What makes a field figure an animation. Its rows are moments, its columns runs; a page shows one
+// moment of all runs at a time, and where it is in their history.
+struct Film {
+  std::vector<double> times;        // [s], of the rows, increasing
+  std::vector<std::string> labels;  // of the rows: "t = 3.45 s"
+  std::vector<std::string> names;   // of the columns
+  std::size_t poster = 0;           // the row that is shown until the film is played
+  Figure history = {};              // over the time [s]; has_cursor is set
+};
+
+// Panels in rows, with one scale, one colour bar and one scale of the arrows. A panel without
+// places was not recorded.
 struct FieldFigure {
   std::string id;  // unique among the figures too: file name stem, and the anchor is "figure-<id>"
   std::string title, caption;
@@ -107,10 +121,7 @@ struct FieldFigure {
   double arrow_scale = 0;                       // m of the tank per m/s; 0: automatic
   int columns = 1;                              // panels in a row
   std::vector<FieldPanel> panels;               // row by row
-  int panel_height = 0;                         // [px], at most; 0: automatic
-  // One label per row: the rows are the frames of an animation, which a page shows one at a time.
-  // Empty: a still picture.
-  std::vector<std::string> frames = {};
+  std::optional<Film> film = {};                // absent: a still picture
 };
 
 // What a row's value was before and is now. It is drawn beside the row, without axes.

@@ -174,6 +174,28 @@ void check_panel(const FieldFigure& figure, const FieldPanel& panel) {
   }
 }
 
+void check_film(const FieldFigure& figure, const Film& film) {
+  const std::size_t moments = film.times.size();
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  if (film.labels.size() != moments || film.names.size() != columns ||
+      moments * columns != figure.panels.size())
+    throw ReportError(fmt::format(
+        "figure '{}': an animation of {} times, {} labels, {} names of {} columns and {} panels, "
+        "expected a label for each time, a name for each column and a panel for each of both",
+        figure.id, moments, film.labels.size(), film.names.size(), columns, figure.panels.size()));
+  if (film.poster >= moments)
+    throw ReportError(fmt::format("figure '{}': poster {}, expected one of the {} moments",
+                                  figure.id, film.poster, moments));
+  const Figure& history = film.history;
+  check_figure(history);
+  if (!history.has_cursor || history.is_small || history.equal_axes || history.log_x ||
+      !history.markers.empty())
+    throw ReportError(fmt::format(
+        "figure '{}': an animation's history, expected a figure of its own size with a cursor, a "
+        "linear time axis and no markers",
+        history.id));
+}
+
 void check_field(const FieldFigure& figure) {
   if (figure.panels.empty()) throw ReportError(fmt::format("figure '{}': no panels", figure.id));
   if (figure.columns < 1) {
@@ -186,13 +208,7 @@ void check_field(const FieldFigure& figure) {
     throw ReportError(fmt::format("figure '{}': {} panels in a row, expected at most {}", figure.id,
                                   in_a_row, most_columns()));
   }
-  if (!figure.frames.empty() &&
-      figure.frames.size() * static_cast<std::size_t>(figure.columns) != figure.panels.size()) {
-    throw ReportError(
-        fmt::format("figure '{}': {} frames of {} panels each, expected as many as "
-                    "there are panels ({})",
-                    figure.id, figure.frames.size(), figure.columns, figure.panels.size()));
-  }
+  if (figure.film) check_film(figure, *figure.film);
   if (!(figure.arrow_scale >= 0) || !std::isfinite(figure.arrow_scale)) {
     throw ReportError(
         fmt::format("figure '{}': arrow_scale {}, expected 0 (automatic) or metres "
@@ -230,6 +246,7 @@ void check_report(const Report& report) {
     for (const FieldFigure& figure : section.fields) {
       check_id("figure", figure.id, figures);
       check_field(figure);
+      if (figure.film) check_id("figure", figure.film->history.id, figures);
     }
   }
   for (const Page& page : report.pages) {

@@ -26,17 +26,28 @@ Report with_legible_figures(Report report) {
 Drawings draw_report(const Report& report, int threads, const Gnuplot& gnuplot,
                      const fs::path& scratch, const fs::path& directory) {
   std::vector<const Figure*> figures;
-  std::vector<const FieldFigure*> fields;
+  std::vector<const FieldFigure*> fields, films;
   for (const Section& section : report.sections) {
     for (const Figure& figure : section.figures) figures.push_back(&figure);
-    for (const FieldFigure& figure : section.fields) fields.push_back(&figure);
+    for (const FieldFigure& figure : section.fields) {
+      fields.push_back(&figure);
+      if (figure.film) films.push_back(&figure);
+    }
   }
   Drawings drawings;
   drawings.fields.resize(fields.size());
+  drawings.films.resize(films.size());
   drawings.figures.resize(figures.size());
   const auto draw_one_field = [&](std::size_t i) {
-    drawings.fields[i] = draw_field(*fields[i], scratch, gnuplot);
+    const FieldFigure& figure = *fields[i];
+    drawings.fields[i] = draw_field(figure.film ? poster_of(figure) : figure, scratch, gnuplot);
     write_text(directory / (fields[i]->id + ".png"), drawings.fields[i].png);
+  };
+  const auto draw_one_film = [&](std::size_t i) {
+    const Figure& history = films[i]->film->history;
+    drawings.films[i] = draw_film(*films[i], scratch, gnuplot);
+    write_text(directory / (history.id + ".svg"),
+               svg_element(history, drawings.films[i].history, SvgPlace::own_file));
   };
   const auto draw_one = [&](const Figure& figure) {
     DrawnFigure drawn = draw_figure(figure, scratch, gnuplot);
@@ -44,10 +55,10 @@ Drawings draw_report(const Report& report, int threads, const Gnuplot& gnuplot,
     return drawn;
   };
   const auto draw_one_figure = [&](std::size_t i) { drawings.figures[i] = draw_one(*figures[i]); };
-  // An animation takes seconds, a figure a tenth of a second: the fields are drawn first.
-  side_by_side(fields.size() + figures.size(), threads, [&](std::size_t i) {
-    i < fields.size() ? draw_one_field(i) : draw_one_figure(i - fields.size());
-  });
+  // A field takes seconds, a figure a tenth of a second: the fields are drawn first.
+  side_by_side(fields.size(), threads, draw_one_field);
+  side_by_side(films.size(), threads, draw_one_film);
+  side_by_side(figures.size(), threads, draw_one_figure);
   drawings.glances.resize(report.pages.size());
   side_by_side(report.pages.size(), threads, [&](std::size_t i) {
     if (const std::optional<Figure>& glance = report.pages[i].glance)

@@ -70,7 +70,8 @@ class SectionWriter {
       : links_(report, layout),
         is_printed_(layout == Layout::whole),
         drawn_figure_(drawings.figures.begin()),
-        drawn_field_(drawings.fields.begin()) {}
+        drawn_field_(drawings.fields.begin()),
+        drawn_film_(drawings.films.begin()) {}
 
   // Must be called once for each section, in the report's order.
   mustache::data operator()(const Section& section) {
@@ -166,7 +167,7 @@ class SectionWriter {
     picture.set("width", std::to_string(drawn.width));
     picture.set("height", std::to_string(drawn.height));
     picture.set("description", description(figure));
-    picture.set("address", data_address(drawn));
+    picture.set("address", data_address(drawn.png));
     picture.set("file", "figures/" + figure.id + ".png");
     picture.set("is_linked", !is_printed_);
     return picture;
@@ -182,11 +183,13 @@ class SectionWriter {
   mustache::data field_data(const FieldFigure& figure, const std::string& page) {
     const DrawnField& drawn = *drawn_field_++;
     mustache::data data = caption_data(figure, ++numbers_[page].figure);
-    if (figure.frames.empty()) {
+    if (figure.film) {
+      const DrawnFilm& film = *drawn_film_++;
+      data.set("film", film_element(figure, film));
+      data.set("caption", html_text(film_caption(figure, film)));
+    } else {
       data.set("picture", picture_data(figure, drawn));
       data.set("film", mustache::data(mustache::data::type::bool_false));
-    } else {
-      data.set("film", film_element(figure, drawn));
     }
     return data;
   }
@@ -195,6 +198,7 @@ class SectionWriter {
   bool is_printed_;
   std::vector<DrawnFigure>::const_iterator drawn_figure_;
   std::vector<DrawnField>::const_iterator drawn_field_;
+  std::vector<DrawnFilm>::const_iterator drawn_film_;
   std::map<std::string, Numbers> numbers_;  // of each page
 };
 

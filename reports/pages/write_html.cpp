@@ -84,7 +84,7 @@ bool has_film(const Report& report, const std::string& page) {
   return std::any_of(report.sections.begin(), report.sections.end(), [&](const Section& section) {
     return section.page == page &&
            std::any_of(section.fields.begin(), section.fields.end(),
-                       [](const FieldFigure& figure) { return !figure.frames.empty(); });
+                       [](const FieldFigure& figure) { return figure.film.has_value(); });
   });
 }
 

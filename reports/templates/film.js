@@ -1,15 +1,16 @@
-
 "use strict";
 const msPerFrame = 120;
 for (const film of document.querySelectorAll(".film")) {
-  const frame = film.querySelector(".film-frame");
-  const controls = film.nextElementSibling;
-  const [button, slider, output] = controls.children;
-  const positions = film.dataset.positions.split(" "), labels = film.dataset.labels.split("|");
-  let timer;
+  const [button, slider, output] = film.querySelector(".film-controls").children;
+  const cursor = film.querySelector(".film-cursor"), missing = film.querySelectorAll(".film-missing");
+  const labels = film.dataset.labels.split("|"), places = film.dataset.cursor.split(" ");
+  const poster = Number(film.dataset.poster);
+  let timer, isPlayed = false;
   const show = (number) => {
     slider.value = number;
-    frame.style.backgroundPositionY = positions[number] + "%";
+    film.style.setProperty("--row", `${(100 * number) / Math.max(1, labels.length - 1)}%`);
+    for (const end of ["x1", "x2"]) cursor.setAttribute(end, places[number]);
+    for (const note of missing) note.hidden = !note.dataset.moments.split(" ").includes(String(number));
     output.value = labels[number];
     slider.setAttribute("aria-valuetext", labels[number]);
   };
@@ -19,13 +20,23 @@ for (const film of document.querySelectorAll(".film")) {
     button.textContent = "Play";
   };
   const play = () => {
-    timer = setInterval(() => show((Number(slider.value) + 1) % positions.length), msPerFrame);
+    if (!isPlayed) show(0);
+    isPlayed = true;
+    timer = setInterval(() => show((Number(slider.value) + 1) % labels.length), msPerFrame);
     button.textContent = "Pause";
   };
   button.addEventListener("click", () => (timer ? stop() : play()));
   slider.addEventListener("input", () => {
     stop();
+    isPlayed = true;
     show(Number(slider.value));
   });
-  controls.hidden = false;
+  let shown = poster;
+  addEventListener("beforeprint", () => {
+    stop();
+    shown = Number(slider.value);
+    show(poster);
+  });
+  addEventListener("afterprint", () => show(shown));
+  button.hidden = slider.hidden = false;
 }

@@ -123,7 +123,7 @@ const measure = frame => {
     words: words(page),
     wide_boxes: all('.scroll').filter(box => box.scrollWidth > box.clientWidth).length,
     unhinted_boxes: all('.scroll').filter(box => (box.scrollWidth > box.clientWidth) != (box.querySelector('.hint').getBoundingClientRect().height > 10)).length,
-    cut_figures: all('figure svg, figure img, .film').filter(part => part.getBoundingClientRect().left < 0 || part.getBoundingClientRect().right > page.documentElement.clientWidth).length,
+    cut_figures: all('figure svg, figure img, .film, .film-panel').filter(part => part.getBoundingClientRect().left < 0 || part.getBoundingClientRect().right > page.documentElement.clientWidth).length,
     lowest_label: lowest(all('figure svg text').map(text => text.getBoundingClientRect().height)),
     figure_numbers: all('figcaption b').map(text => +text.textContent.match(/^Figure (\d+)\./)[1]),
     table_numbers: all('caption b').map(text => +text.textContent.match(/^Table (\d+)\./)[1]),
@@ -151,11 +151,9 @@ std::string file_url(const fs::path& file) {
 
 bool browser_is_installed() { return !process::search_path("chromium").empty(); }
 
-BrowserRun open_in_browser(const fs::path& directory, const std::string& page, bool dark) {
-  std::string frame = measuring_page;
-  for (auto at = frame.find("PAGE"); at != std::string::npos; at = frame.find("PAGE"))
-    frame.replace(at, 4, page);
-  write_text(directory / "measure.html", frame);
+MeasuredPage measure_in_browser(const fs::path& directory, const std::string& document,
+                                bool dark) {
+  write_text(directory / "measure.html", document);
   const auto output = directory / "dom.html", log = directory / "browser.log";
   const std::vector<std::string> arguments{
       "--headless",
@@ -190,9 +188,16 @@ BrowserRun open_in_browser(const fs::path& directory, const std::string& page, b
   const auto start = dom.find(opening), end = dom.find("</pre>");
   if (start == std::string::npos || end == std::string::npos)
     throw std::runtime_error("no measures in: " + dom);
-  const auto measures =
-      nlohmann::json::parse(dom.substr(start + opening.size(), end - start - opening.size()));
-  return {measures.at(0), measures.at(1), read_text(log)};
+  return {nlohmann::json::parse(dom.substr(start + opening.size(), end - start - opening.size())),
+          read_text(log)};
+}
+
+BrowserRun open_in_browser(const fs::path& directory, const std::string& page, bool dark) {
+  std::string document = measuring_page;
+  for (auto at = document.find("PAGE"); at != std::string::npos; at = document.find("PAGE"))
+    document.replace(at, 4, page);
+  const MeasuredPage run = measure_in_browser(directory, document, dark);
+  return {run.measures.at(0), run.measures.at(1), run.log};
 }
 
 }  // namespace slosh::reports

@@ -12,10 +12,21 @@ struct BrowserRun {
   std::string log;             // holds "CONSOLE" where a script or a resource failed
 };
 
+// What a page of a test's own measured.
+struct MeasuredPage {
+  nlohmann::json measures;
+  std::string log;  // as above
+};
+
 bool browser_is_installed();
 
-// Opens the page, whose path is relative to the directory. The browser's own files stay in the
-// directory. Throws std::runtime_error if the browser does not answer within a minute.
+// Opens an HTML document that writes JSON into its <pre id="measures">, in at most five seconds of
+// its own clock; files beside it are relative to the directory. The browser's own files stay there.
+// Throws std::runtime_error if the browser does not answer within a minute.
+MeasuredPage measure_in_browser(const std::filesystem::path& directory, const std::string& document,
+                                bool dark);
+
+// Opens the page, whose path is relative to the directory, as measure_in_browser() does.
 BrowserRun open_in_browser(const std::filesystem::path& directory, const std::string& page,
                            bool dark);
 

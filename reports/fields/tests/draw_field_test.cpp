@@ -257,9 +257,9 @@ TEST(DataAddress, IsBase64AsTheStandardsExamplesAre) {
   // RFC 4648, 10.
   for (const auto& [bytes, base64] : {std::pair{"", ""}, std::pair{"f", "Zg=="},
                                       std::pair{"fo", "Zm8="}, std::pair{"foobar", "Zm9vYmFy"}}) {
-    EXPECT_EQ(data_address({bytes, 1, 1}), std::string("data:image/png;base64,") + base64);
+    EXPECT_EQ(data_address(bytes), std::string("data:image/png;base64,") + base64);
   }
-  EXPECT_EQ(data_address({"\xff\xfe\x80", 1, 1}), "data:image/png;base64,//6A");
+  EXPECT_EQ(data_address("\xff\xfe\x80"), "data:image/png;base64,//6A");
 }
 
 TEST(IncompletePicture, IsAnErrorThatNamesTheFigure) {

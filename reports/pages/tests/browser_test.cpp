@@ -247,22 +247,6 @@ TEST_F(Browser, ThatDoesNotPrintInTimeIsEndedAndTold) {
   EXPECT_TRUE(std::filesystem::exists(scratch_ / "a.pdf.log"));
 }
 
-TEST_F(Browser, RunsTheScriptOfAFilmAndFitsItIntoThePage) {
-  Report report = sample_report();
-  FieldFigure film = sloshing_field("film", 3, 0.03);
-  film.panel_height = 120;
-  film.frames = {"t = 0 s", "t = 1 s", "t = 2 s"};
-  report.sections[1].fields = {film};
-  write_report(report, scratch_ / "report");
-  const BrowserRun run = open_in_browser(scratch_.path(), "report/index.html", false);
-  // The log names a script that the page's policy does not allow.
-  EXPECT_EQ(run.log.find("CONSOLE"), std::string::npos) << run.log;
-  for (const nlohmann::json& page : {run.phone, run.desk}) {
-    EXPECT_EQ(page.at("scripts"), 1);
-    expect_fitting(page);
-  }
-}
-
 TEST_F(Browser, SeesAPageThatIsBroken) {
   write_text(
       scratch_ / "broken.html",

@@ -365,7 +365,6 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
   spoilt_field("more panels in a row than fit", [](FieldFigure& f) {
     f.columns = 35;
     f.panels.resize(35, f.panels[0]);
-    f.frames.clear();
   });
   spoilt_field("turned colours", [](FieldFigure& f) { f.value_range = {1, 0}; });
   spoilt_field("undefined colours", [&](FieldFigure& f) { f.value_range = {nan, nan}; });
