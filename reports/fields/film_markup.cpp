@@ -20,8 +20,9 @@ namespace mustache = kainjow::mustache;
 
 // The colour bar's text does not shrink with the panels.
 constexpr double bar_canvas = 340, bar_length = 270;  // [px]: a phone's width, and room for labels
-constexpr double longest_scale_bar = 0.4;             // of a cell
-constexpr double wide_cell = 1.5;  // width over height: two of these are stacked on a phone
+constexpr double seam = 0.5;               // [px], by which a colour reaches under the next
+constexpr double longest_scale_bar = 0.4;  // of a cell
+constexpr double wide_cell = 1.5;          // width over height: two of these are stacked on a phone
 
 std::string number(double value) { return fmt::format("{:.4g}", value); }
 
@@ -59,7 +60,7 @@ void set_key(const FieldFigure& figure, const FilmStrip& strip, mustache::data& 
     steps << one;
   }
   data.set("steps", steps);
-  data.set("step", number(step));
+  data.set("step", number(step + seam));
   data.set("ticks", bar_ticks_data(strip.range));
   data.set("bar_canvas", number(bar_canvas));
   data.set("bar_middle", number(bar_canvas / 2));

@@ -91,12 +91,16 @@ Figure film_history(const CaseAssessment& assessment, const std::string& quantit
 }
 
 // The run whose highest value chooses the poster: the first reference inside its range, or else the
-// last of the film's runs, which is a mesh where there is one.
+// mesh, or else the film's first run.
 std::string guiding_run(const CaseAssessment& assessment, const Names& followed) {
-  for (const std::string& name : followed)
-    if (!is_simulation(run_named(assessment.definition, name)) && is_in_range(assessment, name))
-      return name;
-  return followed.back();
+  const auto rank = [&](const std::string& name) {
+    const RunDefinition& run = run_named(assessment.definition, name);
+    if (!is_simulation(run)) return is_in_range(assessment, name) ? 0 : 3;
+    return std::holds_alternative<InterFoamRun>(run.solver) ? 1 : 2;
+  };
+  return *std::min_element(
+      followed.begin(), followed.end(),
+      [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
 }
 
 struct Poster {

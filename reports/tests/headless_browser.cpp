@@ -151,8 +151,7 @@ std::string file_url(const fs::path& file) {
 
 bool browser_is_installed() { return !process::search_path("chromium").empty(); }
 
-MeasuredPage measure_in_browser(const fs::path& directory, const std::string& document,
-                                bool dark) {
+MeasuredPage measure_in_browser(const fs::path& directory, const std::string& document, bool dark) {
   write_text(directory / "measure.html", document);
   const auto output = directory / "dom.html", log = directory / "browser.log";
   const std::vector<std::string> arguments{

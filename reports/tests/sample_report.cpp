@@ -221,11 +221,14 @@ FieldFigure sloshing_film(const std::string& id, int moments, int runs, double s
   }
   film.history = {.id = id + "-history",
                   .title = "Elevation during the animation",
+                  .caption = "",
                   .x_label = "time (s)",
                   .y_label = "elevation (mm)",
                   .x_range = {film.times.front(), film.times.back()},
                   .curves = {elevation_curve("li2010_20mm", 1.0, 0.0, 2001, Curve::Style::line),
                              elevation_curve("linear", 0.9, 0.0, 2001, Curve::Style::line)},
+                  .bands = {},
+                  .markers = {},
                   .has_cursor = true};
   return figure;
 }

@@ -62,7 +62,8 @@ TEST(FilmPage, HoldsOnePictureOneKeyOneControlAndTheScriptThatItsPolicyAllows) {
   EXPECT_TRUE(holds(page, "img-src data:; " + film_script_policy() + "\">"));
   EXPECT_EQ(film_script_policy().size(), std::string("script-src 'sha256-'").size() + 44);
   EXPECT_TRUE(holds(page, "t = &lt;1&gt; s|t = 250 cs"));
-  EXPECT_TRUE(holds(page, "role=\"img\" aria-label=\"SPH &lt;recommended&gt;. Colour: pressure (Pa)"));
+  EXPECT_TRUE(
+      holds(page, "role=\"img\" aria-label=\"SPH &lt;recommended&gt;. Colour: pressure (Pa)"));
 }
 
 TEST(FilmPage, StandsAtItsPosterWithItsTimeAndHidesWhatNeedsTheScript) {

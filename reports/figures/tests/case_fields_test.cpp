@@ -142,31 +142,5 @@ TEST(CaseFields, AreNoneWithoutSnapshots) {
   EXPECT_TRUE(case_fields(assess(surge_case(), surge_runs())).empty());
 }
 
-TEST(CaseAnimation, IsLastAndHasAFrameForEachMoment) {
-  CaseDefinition definition = rolling_case();
-  definition.animation_times = {1, 1.5, 2};
-  const CaseRuns runs = runs_with_snapshots({"particles", "coarse_mesh", "fine_mesh"}, {1, 1.5, 2});
-  const auto fields = case_fields(assess(definition, runs));
-  ASSERT_EQ(fields.size(), 2u);
-  EXPECT_TRUE(fields[0].frames.empty());
-  EXPECT_EQ(fields[0].panels.size(), 4u);  // of the two snapshot times alone
-  EXPECT_EQ(fields[1].id, "small_surge-animation");
-  EXPECT_EQ(fields[1].frames, (Names{"t = 1.00 s", "t = 1.50 s", "t = 2.00 s"}));
-  EXPECT_EQ(fields[1].columns, 2);
-  EXPECT_EQ(fields[1].panels.size(), 6u);
-  EXPECT_NE(fields[1].caption.find("3 frames, 0.5 s apart"), std::string::npos);
-}
-
-TEST(CaseAnimation, LeavesOutARunThatLacksAMoment) {
-  CaseDefinition definition = rolling_case();
-  definition.animation_times = {1, 1.5, 2};
-  CaseRuns runs = runs_with_snapshots({"particles", "fine_mesh"}, {1, 1.5, 2});
-  runs.results.at("fine_mesh").snapshots.pop_back();
-  const auto fields = case_fields(assess(definition, runs));
-  ASSERT_EQ(fields.back().columns, 1);
-  runs.results.at("particles").snapshots.pop_back();
-  for (const auto& field : case_fields(assess(definition, runs))) EXPECT_TRUE(field.frames.empty());
-}
-
 }  // namespace
 }  // namespace slosh::case_fields_test
