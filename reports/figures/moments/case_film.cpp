@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "reports/figures/case_fields.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "reports/figures/moments/case_fields.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/quantities.hpp"

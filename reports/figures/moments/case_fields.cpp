@@ -1,6 +1,6 @@
 // Flow fields side by side: one row for each time, one column for the finest run of each scheme and
 // of interFoam.
-#include "reports/figures/case_fields.hpp"
+#include "reports/figures/moments/case_fields.hpp"
 
 #include <fmt/format.h>
 
