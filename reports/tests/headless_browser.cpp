@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/process.hpp>
 #include <cctype>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "reports/model/report_files.hpp"
@@ -187,8 +189,11 @@ MeasuredPage measure_in_browser(const fs::path& directory, const std::string& do
   const auto start = dom.find(opening), end = dom.find("</pre>");
   if (start == std::string::npos || end == std::string::npos)
     throw std::runtime_error("no measures in: " + dom);
-  return {nlohmann::json::parse(dom.substr(start + opening.size(), end - start - opening.size())),
-          read_text(log)};
+  std::string measures = dom.substr(start + opening.size(), end - start - opening.size());
+  const std::vector<std::pair<std::string, std::string>> entities{
+      {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}};
+  for (const auto& [entity, sign] : entities) boost::replace_all(measures, entity, sign);
+  return {nlohmann::json::parse(measures), read_text(log)};
 }
 
 BrowserRun open_in_browser(const fs::path& directory, const std::string& page, bool dark) {

@@ -50,8 +50,8 @@ TEST_F(ToolHistory, ShowsTheEarlierResultWhereARowDoesNotHoldAnyMore) {
   const std::string page = read("out/report/report.md");
   EXPECT_TRUE(holds(page, "| trend |"));
   EXPECT_TRUE(holds(page, " uncertainties)"));
-  EXPECT_TRUE(holds(page, "small-earlier-particles-history.svg")) << page;
-  EXPECT_TRUE(fs::exists(report() / "figures/small-earlier-particles-history.svg"));
+  EXPECT_TRUE(holds(page, "small-earlier-particles-elevation-right.svg"));
+  EXPECT_TRUE(fs::exists(report() / "figures/small-earlier-particles-elevation-right.svg"));
   EXPECT_TRUE(holds(page, "it held."));
 }
 
@@ -66,7 +66,7 @@ TEST_F(ToolHistory, ShowsNoEarlierResultThatTheStoreHasLost) {
 TEST_F(ToolHistory, LeavesTheEarlierRunsOutWhereItsFileIsDamaged) {
   ASSERT_EQ(campaign().status, 0);
   write("out/store/history/surges.jsonl", "{");
-  const Ended judged = report_again();
+  const Ended judged = tool({"campaign", "./surges.toml", "--output", "elsewhere"});
   EXPECT_EQ(judged.status, 0);
   EXPECT_TRUE(holds(judged.err, "surges.jsonl:1: not a line of a campaign's history"));
   EXPECT_TRUE(holds(judged.err, "Remove the file to begin a new history."));
