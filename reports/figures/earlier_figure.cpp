@@ -37,8 +37,7 @@ reports::Figure earlier_figure(const CaseAssessment& assessment, const GateRow& 
   figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
   figure.x_range = {0, definition.duration};
   figure.spans = outside_window(definition);
-  if (assessment.runs.results.contains(row.reference) &&
-      has_series(assessment.runs, row.reference, row.quantity))
+  if (has_series(assessment.runs, row.reference, row.quantity))
     figure.curves.push_back(history_curve(assessment, row.reference, row.quantity, scales));
   figure.curves.push_back(earlier_curve(earlier.result.at(row.quantity),
                                         row.candidate + " on " + earlier.date, shown.scale));

@@ -9,8 +9,9 @@
 namespace slosh {
 
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity) {
-  const auto& series = runs.results.at(run).series;
-  return std::any_of(series.begin(), series.end(),
+  const auto result = runs.results.find(run);
+  return result != runs.results.end() &&
+         std::any_of(result->second.series.begin(), result->second.series.end(),
                      [&](const TimeSeries& one) { return one.name == quantity; });
 }
 

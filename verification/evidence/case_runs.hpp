@@ -25,6 +25,7 @@ struct CaseRuns {
   std::map<Input, InputBounds> input_bounds = {};  // input_uncertainty.hpp
 };
 
+// Whether the run has a result, and the result has the series.
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
 // The part of a result that rows on the quantity are judged by: its name, its cost, its

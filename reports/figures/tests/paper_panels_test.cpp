@@ -113,6 +113,18 @@ TEST(PaperPanels, ShowACurveThatTheUserDigitised) {
   EXPECT_EQ(figure.curves.back().style, reports::Curve::Style::points);
 }
 
+TEST(PaperPanels, LeaveOutARunWithoutAResult) {
+  CaseAssessment assessment = small_surge();
+  add_record(assessment, "digitised");
+  const auto curves = [&] {
+    return paper_panels(li, {assessment}, {}).figures.at(0).curves.size();
+  };
+  const std::size_t before = curves();
+  assessment.runs.results.erase("digitised");
+  assessment.runs.status["digitised"] = {RunState::not_supplied, ""};
+  EXPECT_EQ(curves(), before - 1);
+}
+
 TEST(PaperPanels, OfMoreThanSixCurvesAreTwo) {
   CaseAssessment assessment = small_surge();
   for (const char* name : {"a", "b", "c"}) add_record(assessment, name);

@@ -78,7 +78,6 @@ std::vector<reports::Figure> earlier_figures(const std::vector<CampaignState>& h
     const std::vector<std::string> quantities = compared_quantities(assessment.definition);
     const bool is_compared =
         std::find(quantities.begin(), quantities.end(), row.quantity) != quantities.end() &&
-        assessment.runs.results.contains(row.candidate) &&
         has_series(assessment.runs, row.candidate, row.quantity);
     if (!is_compared || shown.contains({row.candidate, row.quantity})) continue;
     if (const auto earlier = earlier_result(history, assessment, row, store)) {
