@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "reports/model/report_files.hpp"
 #include "reports/model/side_by_side.hpp"
@@ -55,10 +57,13 @@ Drawings draw_report(const Report& report, int threads, const Gnuplot& gnuplot,
     return drawn;
   };
   const auto draw_one_figure = [&](std::size_t i) { drawings.figures[i] = draw_one(*figures[i]); };
-  // A field takes seconds, a figure a tenth of a second: the fields are drawn first.
-  side_by_side(fields.size(), threads, draw_one_field);
-  side_by_side(films.size(), threads, draw_one_film);
-  side_by_side(figures.size(), threads, draw_one_figure);
+  // A film or a field takes seconds, a figure a tenth of a second: the long ones are drawn first.
+  std::vector<std::function<void()>> drawn;
+  for (std::size_t i = 0; i < films.size(); ++i) drawn.emplace_back([&, i] { draw_one_film(i); });
+  for (std::size_t i = 0; i < fields.size(); ++i) drawn.emplace_back([&, i] { draw_one_field(i); });
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    drawn.emplace_back([&, i] { draw_one_figure(i); });
+  side_by_side(drawn.size(), threads, [&](std::size_t i) { drawn[i](); });
   drawings.glances.resize(report.pages.size());
   side_by_side(report.pages.size(), threads, [&](std::size_t i) {
     if (const std::optional<Figure>& glance = report.pages[i].glance)
