@@ -4,7 +4,7 @@ for (const film of document.querySelectorAll(".film")) {
   const [button, slider, output] = film.querySelector(".film-controls").children;
   const cursor = film.querySelector(".film-cursor"), missing = film.querySelectorAll(".film-missing");
   const labels = film.dataset.labels.split("|"), places = film.dataset.cursor.split(" ");
-  const poster = Number(film.dataset.poster);
+  const poster = Number(slider.defaultValue);
   let timer, isPlayed = false;
   const show = (number) => {
     slider.value = number;

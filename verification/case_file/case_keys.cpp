@@ -145,8 +145,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "[animation]",
        "no",
        "SPH and interFoam keep their fields at 3 to 60 moments, and the report plays the finest "
-       "run "
-       "of each scheme and of interFoam side by side.",
+       "run of each scheme and of interFoam side by side.",
        {{"begin_s", "number > 0 and <= duration_s, s", "yes",
          "A multiple of sample_interval_s, as are the others."},
         {"end_s", "number > 0 and <= duration_s, s", "yes", ""},

@@ -200,7 +200,7 @@ TEST(PaperPanels, OfOneFigureHaveOneScaleWithoutDimensionsWhereThePaperHasNone) 
     EXPECT_EQ(labels(figure), (Names{"li2010_20mm", "interfoam_50x100"}));
     EXPECT_TRUE(figure.caption.starts_with("h = 0.35 m, T = 4.235 s. ")) << figure.caption;
     EXPECT_TRUE(figure.caption.ends_with(
-        " Not known of the paper's figure: what it is divided by: the still depth and the "
+        " Of the paper's figure we do not know what it is divided by: the still depth and the "
         "forcing's period are ours."))
         << figure.caption;
   }
