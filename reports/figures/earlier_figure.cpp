@@ -25,7 +25,7 @@ reports::Figure earlier_figure(const CaseAssessment& assessment, const GateRow& 
                                const EarlierResult& earlier) {
   const CaseDefinition& definition = assessment.definition;
   const ShownQuantity shown = shown_quantity(definition, row.quantity);
-  const AxisScales scales{.value = shown.scale};
+  const HistoryAxes axes = axes_with_units(definition, row.quantity);
   reports::Figure figure;
   figure.id = fmt::format("{}-earlier-{}-{}", definition.name, row.candidate, id_of(row.quantity));
   figure.title = fmt::format("{}: {} now and on {}", shown.title, row.candidate, earlier.date);
@@ -33,15 +33,15 @@ reports::Figure earlier_figure(const CaseAssessment& assessment, const GateRow& 
       "The row \"{}\" does not hold now. With the result of {} it {}. The case and the settings of "
       "the run are the same; its program has changed.",
       row_name(row), earlier.date, earlier.row_held ? "held" : "did not hold either");
-  figure.x_label = "time [s]";
-  figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
+  figure.x_label = axes.x_label;
+  figure.y_label = axes.y_label;
   figure.x_range = {0, definition.duration};
   figure.spans = outside_window(definition);
   if (has_series(assessment.runs, row.reference, row.quantity))
-    figure.curves.push_back(history_curve(assessment, row.reference, row.quantity, scales));
+    figure.curves.push_back(history_curve(assessment, row.reference, row.quantity, axes.scales));
   figure.curves.push_back(earlier_curve(earlier.result.at(row.quantity),
-                                        row.candidate + " on " + earlier.date, shown.scale));
-  figure.curves.push_back(history_curve(assessment, row.candidate, row.quantity, scales));
+                                        row.candidate + " on " + earlier.date, axes.scales.value));
+  figure.curves.push_back(history_curve(assessment, row.candidate, row.quantity, axes.scales));
   figure.curves.back().label = row.candidate + " now";
   figure.caption += cut_off_text(figure);
   return figure;

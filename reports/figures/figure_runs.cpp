@@ -144,9 +144,7 @@ std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessmen
   const std::vector<std::string> finest =
       finest_runs(assessment, compared_quantities(assessment.definition).front());
   std::vector<const Comparison*> shown = judging_comparisons(assessment);
-  std::erase_if(shown, [&](const Comparison* one) {
-    return std::find(finest.begin(), finest.end(), one->candidate) == finest.end();
-  });
+  std::erase_if(shown, [&](const Comparison* one) { return !is_one_of(one->candidate, finest); });
   return shown;
 }
 

@@ -79,12 +79,13 @@ std::optional<reports::Figure> glance_figure(const CaseAssessment& assessment,
   std::vector<std::string> names;
   for (const std::string& run : runs) names.push_back(run_label(assessment, run));
   figure.caption = fmt::format("{} of {}", shown.word, fmt::join(names, ", "));
-  figure.x_label = "time [s]";
-  figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
+  const HistoryAxes axes = axes_with_units(definition, quantity);
+  figure.x_label = axes.x_label;
+  figure.y_label = axes.y_label;
   figure.x_range = shown_times(definition);
   figure.is_small = true;
   for (const std::string& run : runs) {
-    figure.curves.push_back(history_curve(assessment, run, quantity, {.value = shown.scale}));
+    figure.curves.push_back(history_curve(assessment, run, quantity, axes.scales));
     figure.curves.back().label = legend_text(run_named(definition, run));
   }
   return figure;

@@ -30,10 +30,6 @@ struct Panel {
   std::string quantity;
 };
 
-bool holds(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // Returns the scheme's run at the paper's spacing, the same near the surface, or else `finest`.
 std::string run_of_scheme(const CaseAssessment& assessment, const Paper& paper,
                           const std::string& finest, const std::string& quantity) {
@@ -62,7 +58,7 @@ std::vector<std::string> shown_runs(const CaseAssessment& assessment, const Pape
       if (!std::exchange(has_theory, true)) shown.push_back(name);
     } else if (const auto* record = std::get_if<RecordRun>(&run.solver)) {
       if (!record->earlier_run) shown.push_back(name);
-    } else if (holds(paper.schemes, family(run))) {
+    } else if (is_one_of(family(run), paper.schemes)) {
       shown.push_back(run_of_scheme(assessment, paper, name, quantity));
       has_simulation = true;
     } else if (family(run) == "recommended" || family(run) == "interFoam") {
@@ -89,7 +85,7 @@ std::string id_stem(const Paper& paper, const PaperFigure& figure, const std::st
 std::string not_known_text(const PaperFigure& figure) {
   return figure.not_known.empty()
              ? ""
-             : fmt::format(" Not known of the paper's figure: {}.", figure.not_known);
+             : fmt::format(" Of the paper's figure we do not know {}.", figure.not_known);
 }
 
 // Draws the time series, or the spectrum, of one quantity; without a curve where none can be.
@@ -98,12 +94,12 @@ Figure drawn(const CaseAssessment& assessment, const Paper& paper, const PaperFi
   const CaseDefinition& definition = assessment.definition;
   const std::vector<std::string> runs = shown_runs(assessment, paper, quantity);
   if (runs.empty()) return {};
-  const ShownQuantity shown = shown_quantity(definition, quantity);
   Figure panel;
   if (figure.redrawn == Redrawn::spectrum) {
     panel = spectrum_figure(assessment, quantity, runs);
     panel.title = title_of(paper, figure, panel.title, definition);
   } else {
+    const ShownQuantity shown = shown_quantity(definition, quantity);
     const auto over_depth = figure.without_dimensions ? axes_over_depth(definition, quantity)
                                                       : std::optional<HistoryAxes>{};
     const HistoryAxes axes = over_depth.value_or(axes_with_units(definition, quantity));

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "reports/figures/figure_runs.hpp"
 #include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
@@ -14,11 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 6> known_families{
     "recommended", "interFoam", "li2010", "zhao2021_moving", "zhao2021_fixed", "delta_sph"};
 
-template <class List, class Name>
-bool holds(const List& names, const Name& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // A family that is not known takes a hue that no known family among `families` has, in their order.
 std::size_t hue_of(const std::string& family, const std::vector<std::string>& families) {
   const auto known = std::find(known_families.begin(), known_families.end(), family);
@@ -26,17 +22,17 @@ std::size_t hue_of(const std::string& family, const std::vector<std::string>& fa
     return static_cast<std::size_t>(known - known_families.begin());
   std::vector<std::size_t> free;
   for (std::size_t hue = 0; hue < known_families.size(); ++hue)
-    if (!holds(families, known_families[hue])) free.push_back(hue);
+    if (!is_one_of(known_families[hue], families)) free.push_back(hue);
   std::size_t number = 0;
   for (const std::string& other : families) {
     if (other == family) break;
-    number += !holds(known_families, other);
+    number += !is_one_of(other, known_families);
   }
   return free.empty() ? number : free[number % free.size()];
 }
 
 void add_once(const std::string& name, std::vector<std::string>& names) {
-  if (!holds(names, name)) names.push_back(name);
+  if (!is_one_of(name, names)) names.push_back(name);
 }
 
 // Returns how many runs of the family come before the run: those with less of the scheme changed,

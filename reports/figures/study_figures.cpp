@@ -79,7 +79,6 @@ std::vector<Study> studies(const CaseAssessment& assessment, const std::string& 
   std::map<Common, std::size_t> places;
   for (const RunDefinition& run : assessment.definition.runs) {
     if (!can_be_studied(run, studied) || is_later_member(run) ||
-        !assessment.runs.results.contains(run.name) ||
         !has_series(assessment.runs, run.name, quantity))
       continue;
     const auto [place, is_new] = places.try_emplace(common(run, studied), found.size());
@@ -128,12 +127,12 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
       "{}. Runs of one scheme or method that differ only in their {}. {}{} {}.", shown.title,
       studied == Studied::time_step ? "time step" : "particle spacing",
       measured_how(shown, definition, names), who_is_who(definition, names), definition.source);
-  figure.x_label = "time [s]";
-  figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
+  const HistoryAxes axes = axes_with_units(definition, quantity);
+  figure.x_label = axes.x_label;
+  figure.y_label = axes.y_label;
   figure.x_range = {0, definition.duration};
-  const AxisScales scales{.value = shown.scale};
   for (const std::string& name : names)
-    figure.curves.push_back(history_curve(assessment, name, quantity, scales));
+    figure.curves.push_back(history_curve(assessment, name, quantity, axes.scales));
   for (std::size_t i = 0; i < runs.size(); ++i)
     figure.curves[recorded + i].label =
         fmt::format("{} ({})", value_text(*runs[i], studied), runs[i]->name);
@@ -148,8 +147,7 @@ std::vector<Figure> studies_of(const CaseAssessment& assessment, Studied studied
                                const std::vector<std::string>& schemes) {
   std::vector<Study> found = studies(assessment, quantity, studied);
   std::erase_if(found, [&](const Study& runs) {
-    return !schemes.empty() &&
-           std::find(schemes.begin(), schemes.end(), family(*runs.front())) == schemes.end();
+    return !schemes.empty() && !is_one_of(family(*runs.front()), schemes);
   });
   const bool of_step = studied == Studied::time_step;
   std::map<std::string, int> of_scheme, numbers;

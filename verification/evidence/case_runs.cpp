@@ -30,8 +30,7 @@ const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseR
                                    const std::string& quantity) {
   for (const RunDefinition& run : definition.runs) {
     const RecordRun* record = std::get_if<RecordRun>(&run.solver);
-    if (record && !record->earlier_run && runs.results.contains(run.name) &&
-        has_series(runs, run.name, quantity))
+    if (record && !record->earlier_run && has_series(runs, run.name, quantity))
       return &runs.results.at(run.name).at(quantity);
   }
   return nullptr;

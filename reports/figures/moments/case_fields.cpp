@@ -66,9 +66,10 @@ const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::st
   return snapshot_at(assessment.definition, assessment.runs.results.at(run), time);
 }
 
-std::string moment_label(const CaseDefinition& definition, double time, int decimals) {
+std::string moment_label(const CaseDefinition& definition, double time,
+                         std::optional<int> decimals) {
   const std::string label =
-      decimals < 0 ? fmt::format("t = {:g} s", time) : fmt::format("t = {:.{}f} s", time, decimals);
+      decimals ? fmt::format("t = {:.{}f} s", time, *decimals) : fmt::format("t = {:g} s", time);
   const auto roll = roll_motion(definition);
   if (!roll) return label;
   const double degrees = roll->angle(time) / radians_per_degree;

@@ -18,7 +18,8 @@ const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::st
 
 // Returns "t = 3.4 s" and, where the tank rolls, its angle. The time has as many decimals as it
 // needs, or a given number of them.
-std::string moment_label(const CaseDefinition& definition, double time, int decimals = -1);
+std::string moment_label(const CaseDefinition& definition, double time,
+                         std::optional<int> decimals = {});
 
 inline constexpr const char* field_quantity = "pressure [Pa]";
 
@@ -32,8 +33,8 @@ std::string field_caption(const CaseDefinition& definition, const std::vector<st
 
 // Returns the case's animation: the finest run of each scheme and solver that recorded any of its
 // moments, in step, with their history and that of the references. The poster is the moment of the
-// highest elevation at the first gauge.
-// Returns std::nullopt where runs recorded fewer than two moments.
+// highest elevation at the first gauge. Returns std::nullopt where the runs recorded fewer than two
+// moments.
 std::optional<reports::FieldFigure> case_film(const CaseAssessment& assessment);
 
 }  // namespace slosh

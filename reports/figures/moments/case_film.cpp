@@ -24,10 +24,6 @@ using reports::Film;
 
 using Names = std::vector<std::string>;
 
-bool holds(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // The elevation at the first gauge or, where nothing recorded one, the first quantity that was
 // recorded.
 std::string followed_quantity(const CaseAssessment& assessment) {
@@ -40,11 +36,6 @@ std::string followed_quantity(const CaseAssessment& assessment) {
   return "";
 }
 
-bool has_series(const RunResult& result, const std::string& quantity) {
-  return std::any_of(result.series.begin(), result.series.end(),
-                     [&](const TimeSeries& series) { return series.name == quantity; });
-}
-
 // The references and the film's own runs that have the quantity, references first.
 Names followed_runs(const CaseAssessment& assessment, const std::string& quantity,
                     const Names& runs) {
@@ -52,7 +43,7 @@ Names followed_runs(const CaseAssessment& assessment, const std::string& quantit
   for (const std::string& name : finest_runs(assessment, quantity))
     if (!is_simulation(run_named(assessment.definition, name))) followed.push_back(name);
   for (const std::string& name : runs)
-    if (has_series(assessment.runs.results.at(name), quantity)) followed.push_back(name);
+    if (has_series(assessment.runs, name, quantity)) followed.push_back(name);
   return followed;
 }
 
@@ -74,16 +65,16 @@ void cut_to(const std::pair<double, double>& times, Curve& curve) {
 Figure film_history(const CaseAssessment& assessment, const std::string& quantity,
                     const Names& runs, const std::pair<double, double>& times) {
   const CaseDefinition& definition = assessment.definition;
-  const ShownQuantity shown = shown_quantity(definition, quantity);
+  const HistoryAxes axes = axes_with_units(definition, quantity);
   Figure figure;
   figure.id = definition.name + "-animation-history";
-  figure.title = shown.title + " during the animation";
-  figure.x_label = "time [s]";
-  figure.y_label = fmt::format("{} [{}]", shown.word, shown.unit);
+  figure.title = shown_quantity(definition, quantity).title + " during the animation";
+  figure.x_label = axes.x_label;
+  figure.y_label = axes.y_label;
   figure.x_range = times;
   figure.has_cursor = true;
   for (const std::string& run : runs) {
-    Curve curve = history_curve(assessment, run, quantity, {.value = shown.scale});
+    Curve curve = history_curve(assessment, run, quantity, axes.scales);
     cut_to(times, curve);
     if (!curve.x.empty()) figure.curves.push_back(std::move(curve));
   }
@@ -146,7 +137,7 @@ std::string recorded_text(const CaseAssessment& assessment, const Names& runs,
   }
   for (const std::string& run : finest_runs(assessment, [](const RunResult&) { return true; }))
     if (is_simulation(run_named(assessment.definition, run)) &&
-        !holds(families, family(run_named(assessment.definition, run))))
+        !is_one_of(family(run_named(assessment.definition, run)), families))
       text += fmt::format(" {} recorded none of them.", run);
   return text;
 }

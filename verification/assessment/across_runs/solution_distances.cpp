@@ -29,9 +29,7 @@ std::vector<std::string> finest_unchanged_runs(const CaseAssessment& assessment,
                                                const std::string& quantity) {
   std::map<std::string, const RunDefinition*> finest;
   for (const RunDefinition& run : assessment.definition.runs) {
-    if (!assessment.runs.results.contains(run.name) || is_changed(run) ||
-        !has_series(assessment.runs, run.name, quantity))
-      continue;
+    if (is_changed(run) || !has_series(assessment.runs, run.name, quantity)) continue;
     const RunDefinition*& standing = finest[family(run)];
     if (!standing || resolution(run) > resolution(*standing)) standing = &run;
   }
