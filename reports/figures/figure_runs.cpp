@@ -12,6 +12,7 @@
 
 #include "reports/drawing/axes.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/model/is_one_of.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"

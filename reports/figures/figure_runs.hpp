@@ -1,7 +1,6 @@
 // Which runs of a case a figure shows, how each is drawn, and what captions call it.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,11 +10,6 @@
 #include "verification/assessment/case_assessment.hpp"
 
 namespace slosh {
-
-template <class Name, class List>
-bool is_one_of(const Name& name, const List& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 // Returns the finest run of each family whose result fulfils `has`, in the order of the case file.
 // A run that changes something of its scheme is taken only where the family has no other, then the

@@ -14,6 +14,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_panels.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "reports/model/is_one_of.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/papers/claim_evidence.hpp"

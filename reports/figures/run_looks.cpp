@@ -5,7 +5,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "reports/figures/figure_runs.hpp"
+#include "reports/model/is_one_of.hpp"
 #include "verification/case/solver_kinds.hpp"
 
 namespace slosh {

@@ -11,6 +11,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
+#include "reports/model/is_one_of.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/quantities.hpp"

@@ -9,6 +9,7 @@
 
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/moments/case_fields.hpp"
+#include "reports/model/is_one_of.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/quantities.hpp"
