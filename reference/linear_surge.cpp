@@ -35,11 +35,12 @@ const SineSurge& checked(const SineSurge& motion) {
           "a finite length, m");
   require(motion.angular_frequency > 0 && std::isfinite(motion.angular_frequency), where,
           "angular frequency", motion.angular_frequency, "a frequency > 0 rad/s");
+  require(std::isfinite(motion.phase), where, "phase", motion.phase, "a finite angle, rad");
   return motion;
 }
 
 double initial_velocity(const SineSurge& motion) {
-  return motion.amplitude * motion.angular_frequency;
+  return motion.amplitude * motion.angular_frequency * std::cos(motion.phase);
 }
 double initial_velocity(const AnySurge& motion) { return motion.initial_velocity; }
 
@@ -73,8 +74,8 @@ struct LinearSurge::Modes {
     if (const auto* duhamel = std::get_if<DuhamelModes>(&motion)) {
       return duhamel->acceleration(t);
     }
-    const auto& [amplitude, omega] = std::get<SineSurge>(motion);
-    return -amplitude * omega * omega * std::sin(omega * t);
+    const auto& [amplitude, omega, phase] = std::get<SineSurge>(motion);
+    return -amplitude * omega * omega * std::sin(omega * t + phase);
   }
 
   // Calls visit(n, the n-th mode's state at t) for every mode.

@@ -42,14 +42,20 @@ ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
   const double omega_n = mode.natural_frequency;
   const double force = mode.coupling * motion.amplitude * omega * omega;
   const double sigma = omega_n + omega;
-  const double forcing = std::sin(omega * t);
-  const double beat = omega * t * sinc((omega_n - omega) * t / 2);
+  const double of_sine = force / sigma * std::cos(motion.phase),
+               of_cosine = force / sigma * std::sin(motion.phase);
+  const double beat = t * sinc((omega_n - omega) * t / 2);
+  const double fast_sine = std::sin(sigma * t / 2), fast_cosine = std::cos(sigma * t / 2);
 
   const double elevation = mode.initial_rate / omega_n * std::sin(omega_n * t) +
-                           force / (omega_n * sigma) * (forcing - beat * std::cos(sigma * t / 2));
+                           of_sine / omega_n * (std::sin(omega * t) - omega * beat * fast_cosine) +
+                           of_cosine * beat * fast_sine;
   const double rate =
-      mode.initial_rate * std::cos(omega_n * t) + force / sigma * beat * std::sin(sigma * t / 2);
-  return {elevation, rate, force * forcing - omega_n * omega_n * elevation};
+      mode.initial_rate * std::cos(omega_n * t) + of_sine * omega * beat * fast_sine +
+      of_cosine *
+          (sigma / 2 * beat * fast_cosine + fast_sine * std::cos((omega_n - omega) * t / 2));
+  return {elevation, rate,
+          force * std::sin(omega * t + motion.phase) - omega_n * omega_n * elevation};
 }
 
 DuhamelModes::DuhamelModes(std::vector<TankMode> modes, const SampledMotion& motion)

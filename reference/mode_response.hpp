@@ -11,16 +11,22 @@
 
 namespace slosh::reference {
 
-// Returns the mode's state at t [s] >= 0 under X(t) = b sin(omega t). With F = coupling b omega^2,
-// delta = omega_n - omega, sigma = omega_n + omega and sinc(x) = sin(x)/x, sinc(0) = 1:
+// Returns the mode's state at t [s] >= 0 under X(t) = b sin(omega t + phi). With
+// F = coupling b omega^2, delta = omega_n - omega, sigma = omega_n + omega and sinc(x) = sin(x)/x,
+// sinc(0) = 1:
 //   eta_n   = eta_n'(0)/omega_n sin(omega_n t)
-//             + F/(omega_n sigma) [sin(omega t) - omega t cos(sigma t/2) sinc(delta t/2)]
-//   eta_n'  = eta_n'(0) cos(omega_n t) + F omega t/sigma sin(sigma t/2) sinc(delta t/2)
-//   eta_n'' = F sin(omega t) - omega_n^2 eta_n
-// This equals the usual P sin(omega t) + (eta_n'(0) - P omega)/omega_n sin(omega_n t) with
-// P = F/(omega_n^2 - omega^2). The difference of two sines is written as a product, which removes
-// the small divisor: nothing cancels near resonance, and omega = omega_n gives the growing wave
-//   F/(2 omega^2) [sin(omega t) - omega t cos(omega t)].
+//             + F cos(phi)/(omega_n sigma) [sin(omega t) - omega t cos(sigma t/2) sinc(delta t/2)]
+//             + F sin(phi)/sigma t sin(sigma t/2) sinc(delta t/2)
+//   eta_n'  = eta_n'(0) cos(omega_n t)
+//             + F cos(phi)/sigma omega t sin(sigma t/2) sinc(delta t/2)
+//             + F sin(phi)/sigma [sigma t/2 cos(sigma t/2) sinc(delta t/2)
+//                                 + sin(sigma t/2) cos(delta t/2)]
+//   eta_n'' = F sin(omega t + phi) - omega_n^2 eta_n
+// For phi = 0 this equals the usual P sin(omega t) + (eta_n'(0) - P omega)/omega_n sin(omega_n t)
+// with P = F/(omega_n^2 - omega^2), and the part of sin(phi) is P (cos(omega t) - cos(omega_n t)).
+// The difference of two sines or cosines is written as a product, which removes the small divisor:
+// nothing cancels near resonance, and omega = omega_n gives growing waves, of the first part
+//   F cos(phi)/(2 omega^2) [sin(omega t) - omega t cos(omega t)].
 ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t);
 
 // The tank's displacement [m] or angle [rad] q(t), given by its second derivative at 0, step,

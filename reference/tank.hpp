@@ -21,10 +21,11 @@ struct Gas {
 // its initial velocity, or the tank's.
 enum class Start { earth, tank };
 
-// X(t) = amplitude sin(angular_frequency t).
+// X(t) = amplitude sin(angular_frequency t + phase).
 struct SineSurge {
   double amplitude;          // [m]
   double angular_frequency;  // [rad/s]
+  double phase = 0;          // [rad]
 };
 
 }  // namespace slosh::reference

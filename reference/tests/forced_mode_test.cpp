@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "reference/mode_response.hpp"
@@ -12,7 +13,9 @@ namespace {
 
 const std::vector<double> times{0.01, 0.3, 1, 2.7, 5, 8, 12};
 
-double initial_velocity(const SineSurge& sine) { return sine.amplitude * sine.angular_frequency; }
+double initial_velocity(const SineSurge& sine) {
+  return sine.amplitude * sine.angular_frequency * std::cos(sine.phase);
+}
 
 void expect_solves_the_modes(const SineSurge& sine, double start_velocity) {
   const auto modes = surge_modes(li_tank, std::nullopt, start_velocity, 6);
@@ -38,6 +41,24 @@ TEST(ForcedMode, SolvesTheModesEquationAtExactResonance) {
     expect_solves_the_modes(resonant, initial_velocity(resonant));
     expect_solves_the_modes(resonant, 0);
   }
+}
+
+TEST(ForcedMode, SolvesTheModesEquationOfASineWithAnyPhase) {
+  for (const double phase : {-2.5, 0.4, std::numbers::pi / 2, 3.0})
+    for (const double omega : {li_surge.angular_frequency, natural_frequency(li_tank, 1)}) {
+      const SineSurge shifted{0.02, omega, phase};
+      expect_solves_the_modes(shifted, initial_velocity(shifted));
+      expect_solves_the_modes(shifted, 0);
+    }
+}
+
+TEST(ForcedMode, OfASineHalfATurnLaterIsItsNegative) {
+  const TankMode mode = surge_modes(li_tank, std::nullopt, 0, 2).back();
+  SineSurge opposite = li_surge;
+  opposite.phase = std::numbers::pi;
+  for (const double t : times)
+    EXPECT_NEAR(forced_mode(mode, opposite, t).elevation, -forced_mode(mode, li_surge, t).elevation,
+                1e-16);
 }
 
 TEST(ForcedMode, GrowsLinearlyAtExactResonance) {
@@ -76,10 +97,11 @@ TEST(ForcedMode, PassesThroughResonanceWithoutCancellation) {
 }
 
 TEST(ForcedMode, HasRatesThatAreItsDerivatives) {
-  const TankMode mode = surge_modes(li_tank, std::nullopt, initial_velocity(li_surge), 3).back();
+  const SineSurge shifted{li_surge.amplitude, li_surge.angular_frequency, 0.7};
+  const TankMode mode = surge_modes(li_tank, std::nullopt, initial_velocity(shifted), 3).back();
   const double step = 1e-4;
   for (const double t : times) {
-    const auto at = [&](double time) { return forced_mode(mode, li_surge, time); };
+    const auto at = [&](double time) { return forced_mode(mode, shifted, time); };
     EXPECT_NEAR(at(t).rate, (at(t + step).elevation - at(t - step).elevation) / (2 * step), 1e-8);
     EXPECT_NEAR(at(t).acceleration, (at(t + step).rate - at(t - step).rate) / (2 * step), 1e-6);
   }

@@ -14,11 +14,11 @@ inline constexpr double li_gauge = 0.45;  // [m] from the tank's centre
 
 // Returns the same motion, sampled for Duhamel's integral.
 inline AnySurge sampled(const SineSurge& sine, double duration, double step) {
-  return {.initial_velocity = sine.amplitude * sine.angular_frequency,
+  return {.initial_velocity = sine.amplitude * sine.angular_frequency * std::cos(sine.phase),
           .acceleration =
               [sine](double t) {
                 const double omega = sine.angular_frequency;
-                return -sine.amplitude * omega * omega * std::sin(omega * t);
+                return -sine.amplitude * omega * omega * std::sin(omega * t + sine.phase);
               },
           .duration = duration,
           .step = step};

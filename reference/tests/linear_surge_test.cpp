@@ -104,16 +104,19 @@ TEST(LinearSurge, StartsAtRestInTheFrameThatIsNamed) {
   EXPECT_EQ(tank.velocity(0.2, -0.1, 0).z, 0);
 }
 
-TEST(LinearSurge, TakesASampledMotionAsTheClosedForm) {
-  for (const Start start : {Start::earth, Start::tank}) {
-    const LinearSurge closed(li_tank, start, li_surge, 500);
-    const LinearSurge any(li_tank, start, sampled(li_surge, 12, 2e-3), 500);
-    for (const double t : {0.0, 0.3337, 4.0, 12.0}) {
-      EXPECT_NEAR(any.elevation(li_gauge, t), closed.elevation(li_gauge, t), 1e-8);
-      EXPECT_NEAR(any.pressure(0.5, -0.1, t), closed.pressure(0.5, -0.1, t), 1e-3);
-      EXPECT_NEAR(any.horizontal_force(t), closed.horizontal_force(t), 1e-3);
+TEST(LinearSurge, TakesASampledMotionAsTheClosedFormOfAnyPhase) {
+  for (const Start start : {Start::earth, Start::tank})
+    for (const double phase : {0.0, 1.3, std::numbers::pi}) {
+      SineSurge sine = li_surge;
+      sine.phase = phase;
+      const LinearSurge closed(li_tank, start, sine, 500);
+      const LinearSurge any(li_tank, start, sampled(sine, 12, 2e-3), 500);
+      for (const double t : {0.0, 0.3337, 4.0, 12.0}) {
+        EXPECT_NEAR(any.elevation(li_gauge, t), closed.elevation(li_gauge, t), 1e-8);
+        EXPECT_NEAR(any.pressure(0.5, -0.1, t), closed.pressure(0.5, -0.1, t), 1e-3);
+        EXPECT_NEAR(any.horizontal_force(t), closed.horizontal_force(t), 1e-3);
+      }
     }
-  }
 }
 
 TEST(LinearSurge, NoticesAWrongGravity) {

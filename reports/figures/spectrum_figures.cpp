@@ -83,10 +83,12 @@ Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quan
     figure.curves.back().sets_scale = is_in_range(assessment, run);
   }
   figure.caption = fmt::format(
-      "One-sided, detrended, Hann window from {} to {} s. Vertical lines mark the forcing "
-      "frequency, twice that, and the natural frequencies of linear theory{}. The frequency "
-      "resolution is {:.2g} Hz; zero-padding does not improve it. {}",
+      "One-sided, detrended, Hann window from {} to {} s. Vertical lines mark {} and the natural "
+      "frequencies of linear theory{}. The frequency resolution is {:.2g} Hz; zero-padding does "
+      "not improve it. {}",
       definition.window_begin, definition.window_end,
+      forced_modes(definition).size() > 1 ? "the frequencies of the motion"
+                                          : "the forcing frequency, twice that,",
       definition.obstacles.empty() ? "" : " (without the obstacles)", resolution_hz,
       who_is_who(definition, runs));
   figure.caption += cut_off_text(figure);

@@ -6,6 +6,7 @@
 
 #include "reports/tables/case_tables.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/interval_text.hpp"
 
@@ -103,9 +104,17 @@ std::string mode_cell(const Comparison& comparison, const std::string& name,
   return "";
 }
 
+// The first of several forced modes.
+std::string forced_mode_of(const Comparison& comparison) {
+  for (const ModeComparison& mode : comparison.modes)
+    if (is_forced(mode.mode)) return mode.mode;
+  return "forced";
+}
+
 std::vector<std::string> error_cells(const AblationRun& one, const AblationRun* plain) {
   if (!one.comparison) return {"", "", "", "", "", "", ""};
   const Comparison& comparison = *one.comparison;
+  const std::string forced = forced_mode_of(comparison);
   const bool same_reference =
       plain && plain->comparison && plain->comparison->reference == comparison.reference;
   return {comparison.reference,
@@ -113,8 +122,8 @@ std::vector<std::string> error_cells(const AblationRun& one, const AblationRun* 
           same_reference
               ? ratio(comparison.normalised_rms.value, plain->comparison->normalised_rms.value)
               : "",
-          mode_cell(comparison, "forced", &ModeComparison::amplitude_error, 100),
-          mode_cell(comparison, "forced", &ModeComparison::phase_lag_degrees, 1),
+          mode_cell(comparison, forced, &ModeComparison::amplitude_error, 100),
+          mode_cell(comparison, forced, &ModeComparison::phase_lag_degrees, 1),
           mode_cell(comparison, "natural_1", &ModeComparison::frequency_error, 100),
           mode_cell(comparison, "natural_1", &ModeComparison::decay_rate, 1)};
 }

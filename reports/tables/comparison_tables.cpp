@@ -8,6 +8,7 @@
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/across_runs/solution_distances.hpp"
 #include "verification/assessment/observed_order.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/series/interval_text.hpp"
 
 namespace slosh {
@@ -28,7 +29,7 @@ std::string with_interval(const Estimate& estimate, double scale = 1) {
 // be distinguished from noise has none of them.
 std::vector<std::string> mode_measures(const ModeComparison& mode) {
   if (!mode.candidate.resolved) return {"not resolved", "", "", "", "", ""};
-  const bool forced = mode.mode == "forced";  // its frequency is given and it does not decay
+  const bool forced = is_forced(mode.mode);  // its frequency is given and it does not decay
   return {with_interval(mode.amplitude_error, 100),
           with_interval(mode.phase_lag_degrees),
           with_interval(mode.phase_lag),

@@ -3,19 +3,41 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "verification/case/case_definition.hpp"
 
 namespace slosh {
 namespace {
 
 std::string history_text(const SineMotion& sine, double si_per_unit, const char* unit) {
+  const double degrees = sine.phase / radians_per_degree;
+  const std::string phase =
+      degrees == 0 ? "" : fmt::format(" {} {:.6g} deg", degrees < 0 ? '-' : '+', std::abs(degrees));
   return fmt::format(
-      "{:.6g} {} sin({:.6g} rad/s t){}", sine.amplitude / si_per_unit, unit, sine.angular_frequency,
+      "{:.6g} {} sin({:.6g} rad/s t{}){}", sine.amplitude / si_per_unit, unit,
+      sine.angular_frequency, phase,
       sine.ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine.ramp_periods) : "");
+}
+
+std::string history_text(const SumOfSines& sum, double si_per_unit, const char* unit) {
+  std::vector<std::string> sines;
+  for (const SineMotion& sine : sum.sines) sines.push_back(history_text(sine, si_per_unit, unit));
+  return fmt::format("{}", fmt::join(sines, " + "));
 }
 
 std::string history_text(const TableMotion& table, double, const char*) {
   return "the table " + table.file.filename().string();
+}
+
+// What a reader must know of a forcing frequency that nobody gave.
+std::string found_forcing_text(const CaseDefinition& definition) {
+  if (!definition.found_forcing) return "";
+  return fmt::format(
+      "; its forcing frequency, {:.6g} ± {:.1g} rad/s, was found from the table's spectrum from "
+      "{:g} to {:g} s, where the rest of the motion is {:.2g} % of that sine (rms)",
+      definition.declared_forcing_frequency.value(), definition.found_forcing->half_width,
+      definition.window_begin, definition.window_end, 100 * definition.found_forcing->rest);
 }
 
 }  // namespace
@@ -32,7 +54,8 @@ std::string motion_text(const CaseDefinition& definition) {
     parts.push_back(
         fmt::format("roll = {} about the point {} m from the left wall and {} m above the bottom",
                     text(roll->angle, radians_per_degree, "deg"), roll->axis_x, roll->axis_z));
-  return parts.empty() ? "at rest" : fmt::format("{}", fmt::join(parts, " and "));
+  if (parts.empty()) return "at rest";
+  return fmt::format("{}{}", fmt::join(parts, " and "), found_forcing_text(definition));
 }
 
 std::string liquid_text(const CaseDefinition& definition) {

@@ -105,8 +105,10 @@ struct Tone {
 
 std::vector<Tone> fitted_tones(const CaseDefinition& definition) {
   std::vector<Tone> tones;
-  if (const double forcing = forcing_frequency(definition); forcing > 0)
-    tones.push_back({"the motion", 2 * std::numbers::pi / forcing});
+  const std::vector<ForcedMode> forced = forced_modes(definition);
+  for (const ForcedMode& mode : forced)
+    tones.push_back({forced.size() == 1 ? "the motion" : mode.name,
+                     2 * std::numbers::pi / mode.angular_frequency});
   if (definition.gravity == 0) return tones;
   int number = 0;
   for (const int half_waves : natural_modes(definition, definition.natural_modes))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/gate/measured_value.hpp"
 
@@ -22,8 +23,8 @@ std::vector<std::pair<std::string, Metric>> metrics_of(const CaseDefinition& def
     return metrics;
   }
   for (const ToneRequest& mode : fitted_modes(definition))
-    add(mode.name, mode.name == "forced" ? ConvergenceShown::of_forced_mode
-                                         : ConvergenceShown::of_natural_modes);
+    add(mode.name, is_forced(mode.name) ? ConvergenceShown::of_forced_mode
+                                        : ConvergenceShown::of_natural_modes);
   add("whole", ConvergenceShown::of_oscillation);
   return metrics;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "verification/assessment/work_points.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/record_uncertainty.hpp"
@@ -82,7 +83,7 @@ class Collection {
                amplitude_deviation(definition, *pair, mode)},
               mode.amplitude_error.half_width);
         // All quantities oscillate at the same natural frequencies; the case's first one is used.
-        if (mode.mode != "forced" && pair->quantity == first)
+        if (!is_forced(mode.mode) && pair->quantity == first)
           add("natural frequency", "Hz", definition, *pair, mode,
               {mode.candidate.angular_frequency.value / (2 * std::numbers::pi),
                mode.reference.angular_frequency.value / (2 * std::numbers::pi)},

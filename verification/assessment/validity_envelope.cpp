@@ -21,8 +21,11 @@ double recorded(const RunResult& result, const char* name) {
 }
 
 double amplitude_of(const MotionHistory& history) {
-  if (const auto* sine = std::get_if<SineMotion>(&history)) return sine->amplitude;
-  return largest_magnitude(std::get<TableMotion>(history).value);
+  if (const auto* table = std::get_if<TableMotion>(&history))
+    return largest_magnitude(table->value);
+  double amplitude = 0;
+  for (const SineMotion& sine : sines_of(history)) amplitude += sine.amplitude;
+  return amplitude;
 }
 
 // The amplitude of the motion [m]; a roll counts as the surge of the tank's ends, theta L / 2.
@@ -41,18 +44,19 @@ double least_detuning(const CaseDefinition& definition) {
 
 // Names a natural mode, of those that surge and roll excite, that is too near to the forcing.
 std::optional<std::string> too_near_resonance(const CaseDefinition& definition) {
-  const double forcing = forcing_frequency(definition);
-  if (!(forcing > 0)) return {};
   const reference::Tank tank = tank_of(definition);
   const double least = least_detuning(definition);
-  for (int m = 1; m == 1 || reference::natural_frequency(tank, m) < 2 * forcing; m += 2) {
-    const double ratio = forcing / reference::natural_frequency(tank, m);
-    const double detuning = std::abs(ratio * ratio - 1);
-    if (!(detuning >= least))
-      return fmt::format(
-          "is forced at {:.3g} times its natural mode {}: a detuning of {:.2g} where the response "
-          "stays proportional to the motion from {:.2g} on",
-          ratio, m, detuning, least);
+  for (const ForcedMode& forced : forced_modes(definition)) {
+    const double forcing = forced.angular_frequency;
+    for (int m = 1; m == 1 || reference::natural_frequency(tank, m) < 2 * forcing; m += 2) {
+      const double ratio = forcing / reference::natural_frequency(tank, m);
+      const double detuning = std::abs(ratio * ratio - 1);
+      if (!(detuning >= least))
+        return fmt::format(
+            "is forced at {:.3g} times its natural mode {}: a detuning of {:.2g} where the "
+            "response stays proportional to the motion from {:.2g} on",
+            ratio, m, detuning, least);
+    }
   }
   return {};
 }
@@ -104,7 +108,7 @@ std::string small_wave_range(double valid_elevation_over_depth, const CaseDefini
 std::string range_of(const LinearRun& linear, const CaseDefinition& definition,
                      const RunResult& result) {
   std::string text = small_wave_range(linear.valid_elevation_over_depth, definition, result);
-  if (forcing_frequency(definition) > 0)
+  if (!forced_modes(definition).empty())
     text += fmt::format(
         "; a detuning |(omega / omega_n)^2 - 1| of at least {:.2g} from each natural mode n that "
         "the motion excites",

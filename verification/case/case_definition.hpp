@@ -57,11 +57,18 @@ struct GasDefinition {
   double kinematic_viscosity;  // [m2/s]
 };
 
-// amplitude sin(omega t), times a smooth ramp over the first ramp_periods periods (0: no ramp).
+// amplitude sin(omega t + phase), times a smooth ramp over the first ramp_periods periods (0: no
+// ramp).
 struct SineMotion {
   double amplitude;          // [m], or [rad]
   double angular_frequency;  // [rad/s]
   double ramp_periods = 0;
+  double phase = 0;  // [rad]
+};
+
+// The sum of two sines or more, each with its own ramp.
+struct SumOfSines {
+  std::vector<SineMotion> sines;
 };
 
 // A motion read from a CSV file (path relative to the case file), of at least four points.
@@ -70,13 +77,20 @@ struct TableMotion {
   std::vector<double> time, value;  // [s]; [m], or [rad]
 };
 
-using MotionHistory = std::variant<SineMotion, TableMotion>;
+using MotionHistory = std::variant<SineMotion, SumOfSines, TableMotion>;
 
 // theta(t), positive counter-clockwise, about an axis that is fixed to the tank and may lie outside
 // it.
 struct RollDefinition {
   MotionHistory angle;
   double axis_x, axis_z;  // [m] from the left wall and from the bottom
+};
+
+// How well the frequency is known that was found from the spectrum of a motion's table, within the
+// window of the comparison.
+struct FoundForcing {
+  double half_width;  // [rad/s], of its 95 % interval
+  double rest;        // the rms of the rest of the motion over that of the sine
 };
 
 // The tank surges, rolls, does both or stands still.
@@ -379,6 +393,7 @@ struct CaseDefinition {
   double window_begin, window_end;  // [s]
   // [rad/s], for a motion table that is nearly a sine
   std::optional<double> declared_forcing_frequency;
+  std::optional<FoundForcing> found_forcing = {};  // where it was found from the table's spectrum
   int natural_modes;
   std::vector<RunDefinition> runs;
   std::vector<RefinementDefinition> refinements = {};

@@ -14,24 +14,34 @@ namespace {
 
 using std::numbers::pi;
 
+void stretch(SineMotion& sine, double factor) { sine.angular_frequency /= factor; }
+void stretch(SumOfSines& sum, double factor) {
+  for (SineMotion& sine : sum.sines) stretch(sine, factor);
+}
+void stretch(TableMotion& table, double factor) {
+  for (double& time : table.time) time *= factor;
+}
+
 void stretch_time(MotionHistory& motion, double factor) {
-  if (auto* sine = std::get_if<SineMotion>(&motion)) {
-    sine->angular_frequency /= factor;
-  } else {
-    for (double& time : std::get<TableMotion>(motion).time) time *= factor;
-  }
+  std::visit([&](auto& one) { stretch(one, factor); }, motion);
 }
 
 // The change has the motion's own unit, [m] or [rad].
-void raise_amplitude(MotionHistory& motion, double change) {
-  if (auto* sine = std::get_if<SineMotion>(&motion)) {
-    sine->amplitude += change;
-    return;
-  }
-  std::vector<double>& values = std::get<TableMotion>(motion).value;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+void raise(SineMotion& sine, double change) { sine.amplitude += change; }
+// The amplitude of a sum is that of the sines together; they keep their ratios.
+void raise(SumOfSines& sum, double change) {
+  double amplitude = 0;
+  for (const SineMotion& sine : sum.sines) amplitude += sine.amplitude;
+  for (SineMotion& sine : sum.sines) sine.amplitude *= 1 + change / amplitude;
+}
+void raise(TableMotion& table, double change) {
+  const auto [low, high] = std::minmax_element(table.value.begin(), table.value.end());
   const double factor = 1 + change / std::max(std::abs(*low), std::abs(*high));
-  for (double& value : values) value *= factor;
+  for (double& value : table.value) value *= factor;
+}
+
+void raise_amplitude(MotionHistory& motion, double change) {
+  std::visit([&](auto& one) { raise(one, change); }, motion);
 }
 
 void stretch_period(CaseDefinition& definition, double change) {

@@ -1,5 +1,8 @@
 #include "verification/case/motion.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -28,24 +31,40 @@ struct History {
 };
 
 History history_of(const SineMotion& sine) {
-  const double amplitude = sine.amplitude, omega = sine.angular_frequency;
+  const double amplitude = sine.amplitude, omega = sine.angular_frequency, phase = sine.phase;
   const double length = sine.ramp_periods * 2 * std::numbers::pi / omega;
-  return {
-      .value =
-          [=](double t) { return amplitude * smooth_ramp(t, length).value * std::sin(omega * t); },
-      .rate =
-          [=](double t) {
-            const Ramp ramp = smooth_ramp(t, length);
-            return amplitude *
-                   (ramp.rate * std::sin(omega * t) + ramp.value * omega * std::cos(omega * t));
-          },
-      .acceleration =
-          [=](double t) {
-            const Ramp ramp = smooth_ramp(t, length);
-            return amplitude *
-                   ((ramp.curvature - ramp.value * omega * omega) * std::sin(omega * t) +
-                    2 * ramp.rate * omega * std::cos(omega * t));
-          }};
+  return {.value =
+              [=](double t) {
+                return amplitude * smooth_ramp(t, length).value * std::sin(omega * t + phase);
+              },
+          .rate =
+              [=](double t) {
+                const Ramp ramp = smooth_ramp(t, length);
+                return amplitude * (ramp.rate * std::sin(omega * t + phase) +
+                                    ramp.value * omega * std::cos(omega * t + phase));
+              },
+          .acceleration =
+              [=](double t) {
+                const Ramp ramp = smooth_ramp(t, length);
+                return amplitude * ((ramp.curvature - ramp.value * omega * omega) *
+                                        std::sin(omega * t + phase) +
+                                    2 * ramp.rate * omega * std::cos(omega * t + phase));
+              }};
+}
+
+History history_of(const SumOfSines& sum) {
+  const auto parts = std::make_shared<std::vector<History>>();
+  for (const SineMotion& sine : sum.sines) parts->push_back(history_of(sine));
+  const auto summed = [parts](std::function<double(double)> History::*part) {
+    return [parts, part](double t) {
+      double total = 0;
+      for (const History& one : *parts) total += (one.*part)(t);
+      return total;
+    };
+  };
+  return {.value = summed(&History::value),
+          .rate = summed(&History::rate),
+          .acceleration = summed(&History::acceleration)};
 }
 
 History history_of(const TableMotion& table) {
@@ -59,12 +78,13 @@ History history_of(const MotionHistory& history) {
   return std::visit([](const auto& chosen) { return history_of(chosen); }, history);
 }
 
-double frequency_of(const MotionHistory& history) {
-  const auto* sine = std::get_if<SineMotion>(&history);
-  return sine ? sine->angular_frequency : 0;
-}
-
 }  // namespace
+
+std::vector<SineMotion> sines_of(const MotionHistory& history) {
+  if (const auto* sine = std::get_if<SineMotion>(&history)) return {*sine};
+  const auto* sum = std::get_if<SumOfSines>(&history);
+  return sum ? sum->sines : std::vector<SineMotion>{};
+}
 
 SurgeMotion surge_motion(const CaseDefinition& definition) {
   if (!definition.motion.surge) {
@@ -88,13 +108,33 @@ std::optional<RollMotion> roll_motion(const CaseDefinition& definition) {
                     .axis_z = roll.axis_z};
 }
 
+std::vector<ForcedMode> forced_modes(const CaseDefinition& definition) {
+  std::vector<double> frequencies;
+  const auto add = [&](double frequency) {
+    if (std::find(frequencies.begin(), frequencies.end(), frequency) == frequencies.end())
+      frequencies.push_back(frequency);
+  };
+  const auto add_of = [&](const MotionHistory& history) {
+    if (std::holds_alternative<TableMotion>(history) && definition.declared_forcing_frequency)
+      add(*definition.declared_forcing_frequency);
+    for (const SineMotion& sine : sines_of(history)) add(sine.angular_frequency);
+  };
+  if (definition.motion.surge) add_of(*definition.motion.surge);
+  if (definition.motion.roll) add_of(definition.motion.roll->angle);
+
+  std::vector<ForcedMode> modes;
+  for (const double frequency : frequencies)
+    modes.push_back(
+        {frequencies.size() == 1 ? "forced" : fmt::format("forced_{}", modes.size() + 1),
+         frequency});
+  return modes;
+}
+
+bool is_forced(const std::string& mode) { return mode.starts_with("forced"); }
+
 double forcing_frequency(const CaseDefinition& definition) {
-  if (definition.declared_forcing_frequency) return *definition.declared_forcing_frequency;
-  const auto& [surge, roll] = definition.motion;
-  if (!surge && !roll) return 0;
-  if (!surge) return frequency_of(roll->angle);
-  if (!roll) return frequency_of(*surge);
-  return frequency_of(*surge) == frequency_of(roll->angle) ? frequency_of(*surge) : 0;
+  const std::vector<ForcedMode> modes = forced_modes(definition);
+  return modes.size() == 1 ? modes.front().angular_frequency : 0;
 }
 
 }  // namespace slosh

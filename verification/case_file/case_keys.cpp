@@ -102,39 +102,74 @@ const std::vector<KeyTable>& case_key_tables() {
        "[motion.surge]",
        "no",
        "The tank's horizontal displacement.",
-       {{"type", "\"sine\" or \"table\"", "yes", ""},
+       {{"type", "\"sine\", \"sines\" or \"table\"", "yes", ""},
         {"amplitude_m", "number > 0, m", "with type = \"sine\"", ""},
         {"angular_frequency_rad_s", "number > 0, rad/s", "one of the three with type = \"sine\"",
          ""},
         {"frequency_Hz", "number > 0, Hz", "one of the three with type = \"sine\"", ""},
         {"period_s", "number > 0, s", "one of the three with type = \"sine\"", ""},
+        {"phase_deg", "number from -360 to 360, deg", "no",
+         "The phase of A sin(omega t + phase); refused with a table. Default: 0."},
         {"ramp_periods", "number >= 0, periods", "no",
          "The time over which a sine grows to its amplitude; refused with a table. Default: 0."},
+        {"sines", "the table [[motion.surge.sines]]", "with type = \"sines\"", ""},
         {"file", "path, relative to the case file", "with type = \"table\"",
          "A CSV file with the columns time_s,displacement_m, from the time 0 to duration_s or "
          "beyond, joined by a cubic spline."}}},
+      {"surge.sines",
+       "[[motion.surge.sines]]",
+       "with type = \"sines\"",
+       "The motion is the sum of two sines or more, each with its own ramp. They read best as one "
+       "list, "
+       "`sines = [{ amplitude_m = 0.02, period_s = 1.3 }, { amplitude_m = 0.005, period_s = 0.7, "
+       "phase_deg = 90 }]`, which TOML lets run over several lines. Each frequency has a forced "
+       "mode: "
+       "forced_1, forced_2, ...",
+       {{"amplitude_m", "number > 0, m", "yes", ""},
+        {"angular_frequency_rad_s", "number > 0, rad/s", "one of the three", ""},
+        {"frequency_Hz", "number > 0, Hz", "one of the three", ""},
+        {"period_s", "number > 0, s", "one of the three", ""},
+        {"phase_deg", "number from -360 to 360, deg", "no", ""},
+        {"ramp_periods", "number >= 0, periods", "no", "Periods of this sine."}}},
       {"roll",
        "[motion.roll]",
        "no",
        "The tank's rotation about an axis, which moves with a surge and may lie outside the tank.",
-       {{"type", "\"sine\" or \"table\"", "yes", ""},
+       {{"type", "\"sine\", \"sines\" or \"table\"", "yes", ""},
         {"amplitude_deg", "number > 0 and <= 360, deg", "with type = \"sine\"", ""},
         {"angular_frequency_rad_s", "number > 0, rad/s", "one of the three with type = \"sine\"",
          ""},
         {"frequency_Hz", "number > 0, Hz", "one of the three with type = \"sine\"", ""},
         {"period_s", "number > 0, s", "one of the three with type = \"sine\"", ""},
+        {"phase_deg", "number from -360 to 360, deg", "no",
+         "The same as for a surge. The tank starts level, so that another phase than 0 or 180 "
+         "needs "
+         "a ramp."},
         {"ramp_periods", "number >= 0, periods", "no", "The same as for a surge."},
+        {"sines", "the table [[motion.roll.sines]]", "with type = \"sines\"", ""},
         {"file", "path, relative to the case file", "with type = \"table\"",
          "A CSV file with the columns time_s,angle_deg, from the time and the angle 0 to "
          "duration_s or beyond."},
         {"axis_x_m", "number, m from the left wall", "yes", "Within 1000 tank lengths."},
         {"axis_z_m", "number, m from the bottom", "yes", "Within 1000 tank lengths."}}},
+      {"roll.sines",
+       "[[motion.roll.sines]]",
+       "with type = \"sines\"",
+       "As for a surge. The forced modes of a surge come first.",
+       {{"amplitude_deg", "number > 0 and <= 360, deg", "yes", ""},
+        {"angular_frequency_rad_s", "number > 0, rad/s", "one of the three", ""},
+        {"frequency_Hz", "number > 0, Hz", "one of the three", ""},
+        {"period_s", "number > 0, s", "one of the three", ""},
+        {"phase_deg", "number from -360 to 360, deg", "no", ""},
+        {"ramp_periods", "number >= 0, periods", "no", "Periods of this sine."}}},
       {"time",
        "[time]",
        "yes",
        "",
        {{"start", "\"earth\" or \"tank\"", "yes",
-         "The frame in which the liquid is at rest at the start."},
+         "The frame in which the liquid is at rest at the start. Earth: it stands still, and a "
+         "tank "
+         "that moves off at once strikes it. Tank: it moves off with the tank."},
         {"duration_s", "number > 0, s", "yes", ""},
         {"sample_interval_s", "number > 0 and <= duration_s, s", "yes",
          "The interval of the recorded samples. SPH lands on each, so a short one shortens its "
@@ -213,6 +248,9 @@ const std::vector<KeyTable>& case_key_tables() {
         {"natural_modes", "integer >= 0", "yes",
          "The number of natural modes that are fitted beside the forced one: 0 for a dam or "
          "without gravity, at most 1 for a still tank's initial wave."},
+        {"forcing", "\"from_spectrum\"", "no",
+         "Finds the forcing frequency of a motion table from its spectrum in this window, and "
+         "refuses a table that is not nearly one sine there."},
         {"forcing_angular_frequency_rad_s", "number > 0, rad/s", "no",
          "The forcing frequency of a motion table that is nearly a sine; refused where no motion "
          "is a table."},

@@ -282,10 +282,11 @@ class CaseReader {
       each_named("refinement", definition_.refinements, [&](const TomlTable& refinement) {
         return read_refinement(refinement, definition_);
       });
-      inputs = each("input", [&](const TomlTable& input) {
-        definition_.inputs.push_back(read_whole(
-            input, [&](const TomlTable& table) { return read_input(table, definition_); }));
-      });
+      inputs = comparison_ && each("input", [&](const TomlTable& input) {
+                 definition_.inputs.push_back(read_whole(input, [&](const TomlTable& table) {
+                   return read_input(table, definition_);
+                 }));
+               });
     }
     each("gate", [&](const TomlTable& group) {
       if (can_judge_group(group))

@@ -49,6 +49,10 @@ FrequencyKeys frequency_keys(const std::string& prefix = "");
 std::optional<double> find_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
 double read_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
 
+// Reads the keys of [comparison] that tell the forcing frequency of a motion table. The
+// definition's motion and its comparison's window must have been read.
+void read_forcing(const TomlTable& comparison, CaseDefinition& definition);
+
 // Reads [animation] and returns its times [s]. The definition's time must have been read.
 std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition);
 
@@ -106,7 +110,7 @@ void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
 // Reads [[refinement]]. The definition's runs must have been read.
 RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefinition& definition);
 
-// Reads [[input]]. The definition's motion and the earlier inputs must have been read.
+// Reads [[input]]. The definition's motion, comparison and earlier inputs must have been read.
 InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition);
 
 // Returns the rows of a [[gate]] (row_group.hpp). The definition's runs must have been read.

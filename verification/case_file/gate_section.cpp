@@ -52,7 +52,7 @@ std::vector<std::string> impact_names(const ImpactsDefinition& impacts) {
 std::vector<std::string> fitted_to(const std::string& quantity, const CaseDefinition& definition) {
   if (!has_modes(quantity)) return {};
   std::vector<std::string> modes;
-  if (forcing_frequency(definition) > 0) modes.push_back("forced");
+  for (const ForcedMode& forced : forced_modes(definition)) modes.push_back(forced.name);
   for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
   return modes;
 }
@@ -177,14 +177,24 @@ std::string choice_or_first(const TomlTable& row, const char* key, const std::st
   return row.has(key) || known.empty() ? row.choice(key, expected, known) : known.front();
 }
 
+// What to write where a row asks for a forced mode of a motion that has none, which is a table.
+std::string where_forced_is_named(const TomlTable& row, const CaseDefinition& definition) {
+  const bool asks = row.has("mode") && is_forced(row.written("mode"));
+  if (!asks || definition.motion.still() || !forced_modes(definition).empty()) return "";
+  return " (the table has a forced mode where [comparison] gives forcing_frequency_Hz, or "
+         "forcing = \"from_spectrum\")";
+}
+
 // The default is the forced mode, where there is one, else the first natural mode. Of several
-// impacts one must be named.
+// impacts or forced modes one must be named.
 std::string read_mode(const TomlTable& row, const MetricEntry& metric, const std::string& quantity,
                       const CaseDefinition& definition) {
   const std::vector<std::string> modes = modes_of(metric, quantity, definition);
-  const std::string expected = measured_on_text(metric);
-  return metric.measured_on == MeasuredOn::impact ? row.choice("mode", expected, modes)
-                                                  : choice_or_first(row, "mode", expected, modes);
+  const std::string expected = measured_on_text(metric) + where_forced_is_named(row, definition);
+  const bool must_be_named = metric.measured_on == MeasuredOn::impact ||
+                             std::count_if(modes.begin(), modes.end(), is_forced) > 1;
+  return must_be_named ? row.choice("mode", expected, modes)
+                       : choice_or_first(row, "mode", expected, modes);
 }
 
 std::string read_unit(const TomlTable& row, const std::string& of, const std::string& unit) {

@@ -26,11 +26,6 @@ Rule<double> sampled(const CaseDefinition& definition) {
       }};
 }
 
-bool follows_a_table(const MotionDefinition& motion) {
-  return (motion.surge && std::holds_alternative<TableMotion>(*motion.surge)) ||
-         (motion.roll && std::holds_alternative<TableMotion>(motion.roll->angle));
-}
-
 Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
   if (definition.gravity == 0)
     return {"0 without gravity: there is no natural mode", [](int modes) { return modes == 0; }, 0};
@@ -51,7 +46,11 @@ constexpr long fewest_times = 3, most_times = 60;
 void read_time(const TomlTable& time, CaseDefinition& definition) {
   time.allow_only(keys_of("time"));
   definition.start =
-      time.choice("start", "the frame in which the liquid is first at rest", start_names);
+      time.choice("start",
+                  "the frame in which the liquid is first at rest (earth: the liquid stands still "
+                  "and a tank that moves off at once strikes it; tank: the liquid moves off with "
+                  "the tank)",
+                  start_names);
   definition.duration = time.get("duration_s", positive("s"));
   definition.sample_interval = time.get<double>(
       "sample_interval_s",
@@ -69,11 +68,7 @@ void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
           ? comparison.find("window_end_s", before_end).value_or(definition.duration)
           : comparison.get("window_end_s", before_end);
   definition.natural_modes = comparison.get("natural_modes", natural_modes_to_fit(definition));
-  const FrequencyKeys forcing = frequency_keys("forcing_");
-  definition.declared_forcing_frequency = find_angular_frequency(comparison, forcing);
-  for (const std::string& key : forcing.all())
-    if (comparison.has(key) && !follows_a_table(definition.motion))
-      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
+  read_forcing(comparison, definition);
 }
 
 std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition) {

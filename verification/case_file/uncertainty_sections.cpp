@@ -4,6 +4,7 @@
 
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
@@ -110,6 +111,10 @@ InputUncertainty read_input(const TomlTable& table, const CaseDefinition& defini
   const Input input = read_name(table, definition);
   if (input == Input::amplitude && definition.motion.surge && definition.motion.roll)
     table.refuse("name", "an input of one motion: this tank surges and rolls");
+  if (input == Input::period && !(forcing_frequency(definition) > 0))
+    table.refuse("name",
+                 "an input that this case has: its motion has no single period (a table names one "
+                 "by forcing_period_s in [comparison])");
   const std::string unit = table.choice("unit", fmt::format("the unit of {}", input_name(input)),
                                         {input_unit(input, definition.motion)});
   for (const InputUncertainty& other : definition.inputs)

@@ -48,8 +48,8 @@ const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
 std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
   const reference::Tank tank = tank_of(definition);
   std::vector<ToneRequest> modes;
-  if (const double forcing = forcing_frequency(definition); forcing > 0)
-    modes.push_back({"forced", forcing, false});
+  for (const ForcedMode& forced : forced_modes(definition))
+    modes.push_back({forced.name, forced.angular_frequency, false});
   const std::vector<int> natural = natural_modes(definition, count);
   for (std::size_t n = 0; n < natural.size(); ++n)
     modes.push_back(

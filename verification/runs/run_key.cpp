@@ -23,7 +23,13 @@ json number_or_null(const std::optional<double>& number) {
 }
 
 json description(const SineMotion& motion) {
-  return {{"sine", {motion.amplitude, motion.angular_frequency, motion.ramp_periods}}};
+  return {
+      {"sine", {motion.amplitude, motion.angular_frequency, motion.ramp_periods, motion.phase}}};
+}
+json description(const SumOfSines& motion) {
+  json sines = json::array();
+  for (const SineMotion& sine : motion.sines) sines.push_back(description(sine));
+  return {{"sines", sines}};
 }
 json description(const TableMotion& motion) { return {{"table", {motion.time, motion.value}}}; }
 

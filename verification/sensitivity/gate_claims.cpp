@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "verification/case/metric_table.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/fits/harmonic_fit.hpp"
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
@@ -160,7 +161,7 @@ std::optional<Prediction> of_addition(const GateRow& row, const JudgedCandidate&
                                   deviation_in_window(candidate.series, frame.window)};
       break;
     case MutationKind::chirped:
-      if (response == MutationResponse::as_phase && row.mode == "forced")
+      if (response == MutationResponse::as_phase && is_forced(row.mode))
         return Prediction{wrap_degrees(e - counted_part * s / 3 * whole_turn)};
       break;
     case MutationKind::mode_gained:
@@ -186,7 +187,7 @@ std::optional<Prediction> after(const GateRow& row, const JudgedCandidate& candi
   if (const auto periods = change_of(mutation, MutationKind::late, MutationKind::early))
     return of_shift(row, e, *periods, frame.period);
   if (const auto gain = change_of(mutation, MutationKind::faster, MutationKind::slower);
-      gain && response == MutationResponse::as_frequency && row.mode != "forced")
+      gain && response == MutationResponse::as_frequency && !is_forced(row.mode))
     return Prediction{(1 + e) * (1 + *gain) - 1};
   if (mutation.kind == MutationKind::noisy && response == MutationResponse::as_noise)
     return Prediction{counted_part * mutation.strength / std::hypot(1, mutation.strength), true};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "reference/linear_roll.hpp"
 #include "reference/linear_surge.hpp"
@@ -21,11 +22,14 @@ constexpr int motion_samples_per_sample = 4;
 // no more memory.
 constexpr double shortest_motion_step = 2.5e-3;
 
-// Returns the surge where it has a closed form (a sine without a ramp), else nullptr.
-const SineMotion* sine_surge(const CaseDefinition& definition) {
-  if (!definition.motion.surge) return nullptr;
-  const auto* sine = std::get_if<SineMotion>(&*definition.motion.surge);
-  return sine && sine->ramp_periods == 0 ? sine : nullptr;
+// Returns the sines of the surge where it has a closed form, as sines without a ramp have, else
+// none.
+std::vector<SineMotion> closed_form_sines(const CaseDefinition& definition) {
+  if (!definition.motion.surge) return {};
+  std::vector<SineMotion> sines = sines_of(*definition.motion.surge);
+  const bool ramped = std::any_of(sines.begin(), sines.end(),
+                                  [](const SineMotion& sine) { return sine.ramp_periods > 0; });
+  return ramped ? std::vector<SineMotion>{} : sines;
 }
 
 std::optional<reference::Gas> gas_of(const LinearRun& linear, const CaseDefinition& definition) {
@@ -46,17 +50,22 @@ double motion_step(const CaseDefinition& definition) {
   return std::max(shortest_motion_step, definition.sample_interval / motion_samples_per_sample);
 }
 
-std::optional<reference::LinearSurge> surge_of(const LinearRun& linear,
-                                               const CaseDefinition& definition) {
-  if (!definition.motion.surge) return {};
-  if (const SineMotion* sine = sine_surge(definition))
-    return solution<reference::LinearSurge>(
-        linear, definition, reference::SineSurge{sine->amplitude, sine->angular_frequency});
+// Returns the solutions whose sum is the surge: one for each sine, or one for the whole motion.
+std::vector<reference::LinearSurge> surges_of(const LinearRun& linear,
+                                              const CaseDefinition& definition) {
+  std::vector<reference::LinearSurge> surges;
+  if (!definition.motion.surge) return surges;
+  for (const SineMotion& sine : closed_form_sines(definition))
+    surges.push_back(solution<reference::LinearSurge>(
+        linear, definition,
+        reference::SineSurge{sine.amplitude, sine.angular_frequency, sine.phase}));
+  if (!surges.empty()) return surges;
   const SurgeMotion motion = surge_motion(definition);
-  return solution<reference::LinearSurge>(
+  surges.push_back(solution<reference::LinearSurge>(
       linear, definition,
       reference::AnySurge{motion.velocity(0), motion.acceleration, definition.duration,
-                          motion_step(definition)});
+                          motion_step(definition)}));
+  return surges;
 }
 
 std::optional<reference::LinearRoll> roll_of(const LinearRun& linear,
@@ -79,14 +88,14 @@ std::optional<reference::StandingWave> wave_of(const LinearRun& linear,
       {definition.initial_wave->mode, definition.initial_wave->amplitude});
 }
 
-// Surge, roll and the initial wave together: the sum of the three solutions, as linear theory has
-// it. The hydrostatic pressure, which each of them contains, counts once.
+// The surge's sines, the roll and the initial wave together: the sum of the solutions, as linear
+// theory has it. The hydrostatic pressure, which each of them contains, counts once.
 class LinearTank {
  public:
   LinearTank(const LinearRun& linear, const CaseDefinition& definition)
       : definition_(definition),
         times_(sample_times(definition)),
-        surge_(surge_of(linear, definition)),
+        surges_(surges_of(linear, definition)),
         roll_(roll_of(linear, definition)),
         wave_(wave_of(linear, definition)) {}
 
@@ -95,7 +104,7 @@ class LinearTank {
   // x is measured from the tank's centre [m].
   std::vector<double> elevation(double x) const {
     std::vector<double> sum(times_.size(), 0.0);
-    if (surge_) add(sum, surge_->elevation(x, times_));
+    for (const auto& surge : surges_) add(sum, surge.elevation(x, times_));
     if (roll_) add(sum, roll_->elevation(x, times_));
     if (wave_) add(sum, series([&](double t) { return wave_->elevation(x, t); }));
     return sum;
@@ -118,10 +127,11 @@ class LinearTank {
   std::vector<double> pressure(Place place) const {
     std::vector<double> sum(times_.size(), 0.0);
     if (roll_) add(sum, roll_->pressure(place.x, place.z, times_));
-    if (surge_) add(sum, series([&](double t) { return surge_->pressure(place.x, place.z, t); }));
+    for (const auto& surge : surges_)
+      add(sum, series([&](double t) { return surge.pressure(place.x, place.z, t); }));
     if (wave_) add(sum, series([&](double t) { return wave_->pressure(place.x, place.z, t); }));
     const double still = -definition_.liquid.density * definition_.gravity * place.z;
-    const int counted = surge_.has_value() + roll_.has_value() + wave_.has_value();
+    const int counted = static_cast<int>(surges_.size()) + roll_.has_value() + wave_.has_value();
     for (double& value : sum) value -= (counted - 1) * still;
     return sum;
   }
@@ -136,12 +146,13 @@ class LinearTank {
 
   std::vector<double> force_x() const {
     return series([&](double t) {
-      return (surge_ ? surge_->horizontal_force(t) : 0) + (roll_ ? roll_->force(t).x : 0) +
-             (wave_ ? wave_->horizontal_force(t) : 0);
+      double sum = (roll_ ? roll_->force(t).x : 0) + (wave_ ? wave_->horizontal_force(t) : 0);
+      for (const auto& surge : surges_) sum += surge.horizontal_force(t);
+      return sum;
     });
   }
   // The moment is known where nothing but roll excites the liquid.
-  bool has_moment() const { return roll_ && !surge_ && !wave_; }
+  bool has_moment() const { return roll_ && surges_.empty() && !wave_; }
   std::vector<double> moment() const {
     return series([&](double t) { return roll_->moment(t); });
   }
@@ -156,9 +167,10 @@ class LinearTank {
   template <class Component>
   std::vector<double> velocity(Place place, const Component& of) const {
     return series([&](double t) {
-      return (surge_ ? of(surge_->velocity(place.x, place.z, t)) : 0) +
-             (roll_ ? of(roll_->velocity(place.x, place.z, t)) : 0) +
-             (wave_ ? of(wave_->velocity(place.x, place.z, t)) : 0);
+      double sum = (roll_ ? of(roll_->velocity(place.x, place.z, t)) : 0) +
+                   (wave_ ? of(wave_->velocity(place.x, place.z, t)) : 0);
+      for (const auto& surge : surges_) sum += of(surge.velocity(place.x, place.z, t));
+      return sum;
     });
   }
 
@@ -171,7 +183,7 @@ class LinearTank {
 
   const CaseDefinition& definition_;
   std::vector<double> times_;
-  std::optional<reference::LinearSurge> surge_;
+  std::vector<reference::LinearSurge> surges_;
   std::optional<reference::LinearRoll> roll_;
   std::optional<reference::StandingWave> wave_;
 };
@@ -233,9 +245,11 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
   result.active_terms = {"linear potential flow"};
   if (!definition.motion.still()) {
     result.active_terms.push_back(fmt::format("{} antisymmetric modes", linear.modes));
-    result.active_terms.push_back(sine_surge(definition) && !definition.motion.roll
+    const std::size_t closed = definition.motion.roll ? 0 : closed_form_sines(definition).size();
+    result.active_terms.push_back(closed == 0 ? "Duhamel's integral of the motion"
+                                  : closed == 1
                                       ? "closed form of a sine surge"
-                                      : "Duhamel's integral of the motion");
+                                      : fmt::format("closed form of {} sine surges", closed));
   }
   if (definition.initial_wave) result.active_terms.push_back("closed form of the standing wave");
   if (linear.two_layer) result.active_terms.push_back("gas in the dispersion relation");

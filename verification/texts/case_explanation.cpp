@@ -80,9 +80,12 @@ std::string frequencies_text(const CaseDefinition& definition) {
     text += fmt::format("{}{} {}", m == 1 ? "" : "; ", m,
                         frequency_text(reference::natural_frequency(tank, m)));
   text += " for 1, 2 and 3 half waves between the walls, linear theory of still water";
-  if (const double forcing = forcing_frequency(definition); forcing > 0)
-    text += fmt::format("; the motion has {:.3g} times the first",
-                        forcing / reference::natural_frequency(tank, 1));
+  std::vector<std::string> ratios;
+  for (const ForcedMode& forced : forced_modes(definition))
+    ratios.push_back(
+        fmt::format("{:.3g}", forced.angular_frequency / reference::natural_frequency(tank, 1)));
+  if (!ratios.empty())
+    text += fmt::format("; the motion has {} times the first", fmt::join(ratios, " and "));
   return text;
 }
 

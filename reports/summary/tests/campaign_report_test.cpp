@@ -410,7 +410,27 @@ TEST(CampaignReport, TellsHowTheTankMoves) {
   EXPECT_EQ(motion({surge, roll}),
             "surge X = 0.02 m sin(1.5 rad/s t) and roll = 4 deg sin(2 rad/s t), ramped over 1 "
             "periods about the point 0.5 m from the left wall and 0.1 m above the bottom");
+  EXPECT_EQ(motion({SumOfSines{{SineMotion{0.02, 1.5, 0, 3.14159265358979 / 2},
+                                SineMotion{0.01, 2, 1, -3.14159265358979 / 6}}},
+                    {}}),
+            "surge X = 0.02 m sin(1.5 rad/s t + 90 deg) + 0.01 m sin(2 rad/s t - 30 deg), ramped "
+            "over 1 periods");
   EXPECT_EQ(motion({TableMotion{"tables/a.csv", {}, {}}, {}}), "surge X = the table a.csv");
+}
+
+TEST(CampaignReport, TellsThatAForcingFrequencyWasFound) {
+  CaseAssessment assessment = good();
+  assessment.definition.motion = {TableMotion{"tables/a.csv", {0, 20}, {0, 0}}, {}};
+  assessment.definition.declared_forcing_frequency = 1.50002;
+  assessment.definition.found_forcing = {0.0003, 0.021};
+  const std::string text =
+      section_of(report_of(surge_campaign(), {assessment}), "small_surge").paragraphs.at(0);
+  EXPECT_NE(text.find("the table a.csv; its forcing frequency, 1.50002 ± 0.0003 rad/s, was found "
+                      "from the table's spectrum from "),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("where the rest of the motion is 2.1 % of that sine (rms)"),
+            std::string::npos);
 }
 
 // The surge's elevations taken for pressures, a thousand pascals to the metre.

@@ -93,6 +93,36 @@ TEST(RampedSineMotion, JoinsTheSineSmoothlyWhereTheRampEnds) {
   EXPECT_GT(std::abs(ramped.displacement(period / 4) - sine.displacement(period / 4)), 0.015);
 }
 
+TEST(SineMotionOfASurge, StartsWhereItsPhaseSays) {
+  const double phase = std::numbers::pi / 2;  // a cosine
+  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 0, phase}));
+  EXPECT_DOUBLE_EQ(motion.displacement(0), 0.02);
+  EXPECT_NEAR(motion.velocity(0), 0, 1e-17);
+  EXPECT_DOUBLE_EQ(motion.acceleration(0), -0.02 * omega * omega);
+  expect_consistent_derivatives(motion, 0, 20, 1);
+}
+
+TEST(RampedSineMotion, StartsAtRestWithAnyPhase) {
+  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 2, 1.1}));
+  EXPECT_EQ(motion.displacement(0), 0);
+  EXPECT_EQ(motion.velocity(0), 0);
+  EXPECT_EQ(motion.acceleration(0), 0);
+  EXPECT_NEAR(motion.displacement(5 * period), 0.02 * std::sin(1.1), 1e-15);
+  expect_consistent_derivatives(motion, 0.1, 20, 1);
+}
+
+TEST(SumOfSines, IsTheSumOfItsSinesAndOfTheirDerivatives) {
+  const SineMotion one{0.02, omega, 0, 0.3}, two{0.005, 2.7 * omega, 1.5, -1.2};
+  const SurgeMotion sum = surge_motion(surging(SumOfSines{{one, two}})),
+                    first = surge_motion(surging(one)), second = surge_motion(surging(two));
+  for (double t = 0; t < 20; t += 0.37) {
+    EXPECT_DOUBLE_EQ(sum.displacement(t), first.displacement(t) + second.displacement(t));
+    EXPECT_DOUBLE_EQ(sum.velocity(t), first.velocity(t) + second.velocity(t));
+    EXPECT_DOUBLE_EQ(sum.acceleration(t), first.acceleration(t) + second.acceleration(t));
+  }
+  expect_consistent_derivatives(sum, 0.1, 20, 1);
+}
+
 TEST(TableMotionOfASurge, HasExactDerivativesBetweenItsPoints) {
   const SurgeMotion motion = surge_motion(surging(irregular_sine()));
   expect_consistent_derivatives(motion, 0.001, 9.5, 1);
@@ -178,13 +208,42 @@ TEST(ForcingFrequency, IsTheSinesAndZeroForATable) {
   EXPECT_EQ(forcing_frequency(surging(irregular_sine())), 0);
 }
 
+TEST(ForcedModes, AreOneForEachFrequencyInTheOrderOfTheMotions) {
+  CaseDefinition both = rolling(SumOfSines{{SineMotion{0.07, 3}, SineMotion{0.01, omega}}});
+  both.motion.surge = SumOfSines{{SineMotion{0.02, omega}, SineMotion{0.01, 5}}};
+  const std::vector<ForcedMode> modes = forced_modes(both);
+  ASSERT_EQ(modes.size(), 3u);
+  EXPECT_EQ(modes[0].name, "forced_1");
+  EXPECT_EQ(modes[0].angular_frequency, omega);
+  EXPECT_EQ(modes[1].name, "forced_2");
+  EXPECT_EQ(modes[1].angular_frequency, 5);
+  EXPECT_EQ(modes[2].name, "forced_3");
+  EXPECT_EQ(modes[2].angular_frequency, 3);
+  EXPECT_EQ(forcing_frequency(both), 0);
+}
+
+TEST(ForcedModes, OfATableBesideASineAreTheDeclaredOneAndTheSines) {
+  CaseDefinition both = rolling(irregular_sine());
+  both.motion.surge = SineMotion{0.02, omega};
+  ASSERT_EQ(forced_modes(both).size(), 1u);
+  EXPECT_EQ(forced_modes(both)[0].name, "forced");
+  both.declared_forcing_frequency = 3.84;
+  ASSERT_EQ(forced_modes(both).size(), 2u);
+  EXPECT_EQ(forced_modes(both)[1].angular_frequency, 3.84);
+}
+
+TEST(ForcedModes, AreKnownByTheirNames) {
+  EXPECT_TRUE(is_forced("forced"));
+  EXPECT_TRUE(is_forced("forced_2"));
+  EXPECT_FALSE(is_forced("natural_1"));
+  EXPECT_FALSE(is_forced("whole"));
+}
+
 TEST(ForcingFrequency, OfTwoMotionsIsTheOneThatTheyShare) {
   CaseDefinition both = rolling(SineMotion{0.07, omega});
   both.motion.surge = SineMotion{0.02, omega};
   EXPECT_EQ(forcing_frequency(both), omega);
   both.motion.surge = SineMotion{0.02, 2 * omega};
-  EXPECT_EQ(forcing_frequency(both), 0);
-  both.motion.surge = irregular_sine();
   EXPECT_EQ(forcing_frequency(both), 0);
 }
 

@@ -200,7 +200,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownStart",
                 {"\"earth\"", "\"Earth\""},
                 "trial.toml:22: time.start = \"Earth\": expected the frame in which the liquid is "
-                "first at rest, one of earth, tank; nearest: earth"},
+                "first at rest (earth: the liquid stands still and a tank that moves off at once "
+                "strikes it; tank: the liquid moves off with the tank), one of earth, tank; "
+                "nearest: earth"},
+        Mistake{"StartInWords",
+                {"\"earth\"", "\"at_rest_in_tank\""},
+                "trial.toml:22: time.start = \"at_rest_in_tank\": expected the frame in which the "
+                "liquid is first at rest (earth: the liquid stands still and a tank that moves off "
+                "at once strikes it; tank: the liquid moves off with the tank), one of earth, "
+                "tank; nearest: tank"},
         Mistake{"NoDuration",
                 {"duration_s = 20.0", "duration_s = 0"},
                 "trial.toml:23: time.duration_s = 0: expected a number > 0, in s"},

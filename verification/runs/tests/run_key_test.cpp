@@ -64,6 +64,13 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
       [](auto& c) { std::get<SineMotion>(*c.motion.surge).amplitude += 1e-15; },
       [](auto& c) { std::get<SineMotion>(*c.motion.surge).ramp_periods = 2; },
+      [](auto& c) { std::get<SineMotion>(*c.motion.surge).phase = 0.1; },
+      [](auto& c) {
+        c.motion.surge = SumOfSines{{SineMotion{0.02, 2}, SineMotion{0.01, 3}}};
+      },
+      [](auto& c) {
+        c.motion.surge = SumOfSines{{SineMotion{0.02, 2}, SineMotion{0.01, 3, 0, 0.1}}};
+      },
       [](auto& c) {
         c.motion.surge = TableMotion{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
       },

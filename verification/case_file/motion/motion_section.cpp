@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "verification/case/motion.hpp"
+#include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
+#include "verification/case_file/motion/roll_limits.hpp"
+
+namespace slosh {
+namespace {
+
+// [tank lengths]. With an axis further away, a roll becomes a surge and rounding errors become
+// noise.
+constexpr double farthest_axis = 1000;
+
+// Where the motion's table lies, and how long it must last.
+struct TableScope {
+  std::filesystem::path case_file;
+  double duration;  // [s]
+};
+
+// The differences between the motions of a surge and a roll.
+struct HistoryForm {
+  std::string amplitude_key;
+  Rule<double> amplitude;
+  double si_per_unit;
+  TableMotion (*read_table)(const std::filesystem::path&, double);
+  std::vector<std::string> other_keys;
+  std::string table;  // of key_table.hpp
+};
+
+std::filesystem::path file_beside(const TomlTable& table, const std::filesystem::path& case_file) {
+  std::filesystem::path file = case_file.parent_path() / table.get("file", any_text());
+  if (!std::filesystem::is_regular_file(file)) {
+    table.refuse("file",
+                 "a CSV file's path relative to the case file; there is no " + file.string());
+  }
+  return file;
+}
+
+std::vector<std::string> sine_keys(const HistoryForm& form) {
+  std::vector<std::string> keys{form.amplitude_key, "phase_deg", "ramp_periods"};
+  for (const std::string& key : frequency_keys().all()) keys.push_back(key);
+  return keys;
+}
+
+SineMotion read_sine(const TomlTable& table, const HistoryForm& form) {
+  const Rule<double> phase{"a number from -360 to 360, in deg",
+                           [](double degrees) { return std::abs(degrees) <= 360; }, 0};
+  return {.amplitude = table.get(form.amplitude_key, form.amplitude) * form.si_per_unit,
+          .angular_frequency = read_angular_frequency(table, frequency_keys()),
+          .ramp_periods = table.find("ramp_periods", not_negative("periods")).value_or(0),
+          .phase = table.find("phase_deg", phase).value_or(0) * radians_per_degree};
+}
+
+SumOfSines read_sines(const TomlTable& table, const HistoryForm& form) {
+  SumOfSines sum;
+  for (const TomlTable& sine : table.tables("sines")) {
+    sine.allow_only(sine_keys(form));
+    sum.sines.push_back(read_sine(sine, form));
+  }
+  if (sum.sines.size() < 2)
+    table.refuse("sines", "two sines or more; a single one is type = \"sine\"");
+  return sum;
+}
+
+MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
+                           const TableScope& scope) {
+  const auto allow = [&](std::vector<std::string> keys) {
+    keys.insert(keys.end(), form.other_keys.begin(), form.other_keys.end());
+    table.allow_only(keys);
+  };
+  table.allow_only(keys_of(form.table));
+  const std::string type = table.choice("type", "a motion", {"sine", "sines", "table"});
+  if (type == "table") {
+    allow({"type", "file"});
+    return form.read_table(file_beside(table, scope.case_file), scope.duration);
+  }
+  if (type == "sines") {
+    allow({"type", "sines"});
+    return read_sines(table, form);
+  }
+  std::vector<std::string> keys = sine_keys(form);
+  keys.insert(keys.begin(), "type");
+  allow(keys);
+  return read_sine(table, form);
+}
+
+MotionHistory read_surge(const TomlTable& surge, const TableScope& scope) {
+  return read_history(surge, {"amplitude_m", positive("m"), 1, read_surge_table, {}, "surge"},
+                      scope);
+}
+
+Rule<double> near_the_tank(double tank_length, const char* unit) {
+  const double farthest = farthest_axis * tank_length;
+  return {fmt::format("a number from -{0} to {0} ({1} tank lengths), in {2}", farthest,
+                      farthest_axis, unit),
+          [farthest](double place) { return place >= -farthest && place <= farthest; }, 0};
+}
+
+// A tank that starts tilted has a surface that is not parallel to its bottom, which neither SPH's
+// lattice nor interFoam's mesh starts from. The reader of a table refuses it itself.
+void refuse_tilted_start(const TomlTable& roll, const MotionHistory& angle) {
+  double start = 0;  // [deg]
+  for (const SineMotion& sine : sines_of(angle))
+    if (sine.ramp_periods == 0) start += sine.amplitude * std::sin(sine.phase) / radians_per_degree;
+  if (!(std::abs(start) <= level_angle))
+    roll.refuse(
+        roll.has("sines") ? "sines" : "phase_deg",
+        fmt::format("an angle of 0 to within {} at the start, in deg, where this is {:.4g}: "
+                    "the tank starts level; ramp_periods > 0 lets any phase begin level",
+                    level_angle, start));
+}
+
+RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double tank_length) {
+  const Rule<double> amplitude{
+      fmt::format("a number > 0 and <= {}, in deg", largest_angle),
+      [](double degrees) { return degrees > 0 && degrees <= largest_angle; }, largest_angle};
+  const HistoryForm form{"amplitude_deg",          amplitude, radians_per_degree, read_roll_table,
+                         {"axis_x_m", "axis_z_m"}, "roll"};
+  RollDefinition read{
+      .angle = read_history(roll, form, scope),
+      .axis_x = roll.get("axis_x_m", near_the_tank(tank_length, "m from the left wall")),
+      .axis_z = roll.get("axis_z_m", near_the_tank(tank_length, "m from the bottom"))};
+  refuse_tilted_start(roll, read.angle);
+  return read;
+}
+
+}  // namespace
+
+MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition) {
+  motion.allow_only(keys_of("motion"));
+  const TableScope scope{definition.file, definition.duration};
+  MotionDefinition read;
+  if (motion.has("surge")) read.surge = read_surge(motion.table("surge"), scope);
+  if (motion.has("roll"))
+    read.roll = read_roll(motion.table("roll"), scope, definition.tank.length);
+  const bool says_still = motion.flag("still");
+  if (motion.has("still") && says_still != read.still())
+    motion.refuse("still", read.still() ? "true, or [motion.surge] or [motion.roll] instead"
+                                        : "no such key beside [motion.surge] or [motion.roll]");
+  if (read.still() && !says_still)
+    motion.refuse_table("{}", "still = true, [motion.surge], [motion.roll] or both of these");
+  return read;
+}
+
+}  // namespace slosh

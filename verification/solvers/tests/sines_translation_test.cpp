@@ -1,0 +1,174 @@
+// A motion of two sines, one of which begins at its crest, as each solver receives it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "openfoam_cases/run_case.hpp"
+#include "sph/scene.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/solvers/sph_scene.hpp"
+#include "verification/tests/sample_case.hpp"
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::sines_translation_test {
+namespace {
+
+constexpr SineMotion first{.amplitude = 0.01, .angular_frequency = 2, .phase = 0.6},
+    second{.amplitude = 0.004, .angular_frequency = 7, .phase = std::numbers::pi / 2};
+constexpr LinearRun linear{.modes = 500, .valid_elevation_over_depth = 0.1};
+
+CaseDefinition case_of(const MotionHistory& surge, Start start) {
+  CaseDefinition definition = sample_case();
+  definition.motion.surge = surge;
+  definition.start = start;
+  definition.pressure_gauges = {{.name = "low", .wall = Wall::left, .position = 0.1}};
+  return definition;
+}
+
+RunResult run(const CaseDefinition& definition, const decltype(RunDefinition::solver)& solver,
+              const std::filesystem::path& directory) {
+  return execute(definition, sample_run(solver),
+                 {.work_directory = directory,
+                  .openfoam_templates = SLOSH_SOURCE_DIR "/openfoam_cases/sloshing_tank",
+                  .key = {},
+                  .command = {}},
+                 [](double, double) {});
+}
+
+RunResult run(const CaseDefinition& definition, const decltype(RunDefinition::solver)& solver) {
+  const TemporaryDirectory directory;
+  return run(definition, solver, directory.path());
+}
+
+// The rms of the difference over that of the exact series, from the first samples on that the
+// impulse of an abrupt start no longer shapes.
+double normalised_difference(const TimeSeries& series, const TimeSeries& exact) {
+  constexpr double impulse_end = 0.1;  // [s]
+  double difference = 0, norm = 0;
+  for (std::size_t i = 0; i < exact.value.size(); ++i) {
+    if (exact.time[i] < impulse_end) continue;
+    difference += std::pow(series.value.at(i) - exact.value[i], 2);
+    norm += std::pow(exact.value[i], 2);
+  }
+  return std::sqrt(difference / norm);
+}
+
+TEST(SinesTranslation, LinearTheoryAddsTheClosedFormsOfTheSines) {
+  for (const Start start : {Start::earth, Start::tank}) {
+    const RunResult sum = run(case_of(SumOfSines{{first, second}}, start), linear),
+                    one = run(case_of(first, start), linear),
+                    two = run(case_of(second, start), linear);
+    EXPECT_EQ(sum.active_terms.back(), "closed form of 2 sine surges");
+    const double still = 1000 * 9.81 * 0.25;  // counted once
+    for (const std::size_t i : {0u, 40u, 77u}) {
+      EXPECT_NEAR(sum.at("elevation@left").value[i],
+                  one.at("elevation@left").value[i] + two.at("elevation@left").value[i], 1e-14);
+      EXPECT_NEAR(
+          sum.at("wall_pressure@low").value[i],
+          one.at("wall_pressure@low").value[i] + two.at("wall_pressure@low").value[i] - still,
+          1e-9);
+      EXPECT_NEAR(sum.at("force_x").value[i],
+                  one.at("force_x").value[i] + two.at("force_x").value[i], 1e-9);
+    }
+  }
+}
+
+// A ramp of no length in all but name leaves the motion as it is and makes the run take Duhamel's
+// integral. Its error is (omega step)^2 / 12 of the faster sine, 1e-4 with the step of 5 ms.
+TEST(SinesTranslation, LinearTheoryByDuhamelsIntegralEqualsTheClosedForms) {
+  for (const Start start : {Start::earth, Start::tank}) {
+    const CaseDefinition closed = case_of(SumOfSines{{first, second}}, start);
+    CaseDefinition integrated = closed;
+    TableMotion table{"two_sines.csv", {}, {}};
+    const SurgeMotion motion = surge_motion(closed);
+    for (int i = 0; i <= 2100; ++i) {
+      table.time.push_back(1e-3 * i);
+      table.value.push_back(motion.displacement(1e-3 * i));
+    }
+    integrated.motion.surge = table;
+    const RunResult exact = run(closed, linear), by_integral = run(integrated, linear);
+    EXPECT_EQ(by_integral.active_terms.back(), "Duhamel's integral of the motion");
+    for (const char* name : {"elevation@left", "elevation@right", "force_x"}) {
+      const double difference = normalised_difference(by_integral.at(name), exact.at(name));
+      EXPECT_LE(difference, 4e-4) << name;
+    }
+  }
+}
+
+TEST(SinesTranslation, SphReceivesTheSumAndItsDerivatives) {
+  const CaseDefinition definition = case_of(SumOfSines{{first, second}}, Start::tank);
+  const sph::Scene scene = sph_scene(definition, SphRun{"recommended", 0.025, 0.025});
+  for (const double t : {0.0, 0.31, 1.7}) {
+    const double a = 2 * t + 0.6, b = 7 * t + std::numbers::pi / 2;
+    EXPECT_NEAR(scene.displacement(t), 0.01 * std::sin(a) + 0.004 * std::sin(b), 1e-15);
+    EXPECT_NEAR(scene.velocity(t), 0.02 * std::cos(a) + 0.028 * std::cos(b), 1e-15);
+    EXPECT_NEAR(scene.acceleration(t), -0.04 * std::sin(a) - 0.196 * std::sin(b), 1e-15);
+  }
+}
+
+// At a hundredth of the amplitude nonlinear flow is linear to a share of it. The faster sine
+// starts with an acceleration, which the grid cannot resolve at the wall.
+TEST(SinesTranslation, PotentialFlowFollowsLinearTheoryAtASmallAmplitude) {
+  SineMotion slow = first, fast = second;
+  slow.amplitude /= 100;
+  fast.amplitude /= 100;
+  for (const Start start : {Start::earth, Start::tank}) {
+    const CaseDefinition definition = case_of(SumOfSines{{slow, fast}}, start);
+    const RunResult exact = run(definition, linear),
+                    result = run(definition, PotentialRun{.nodes_x = 48, .nodes_z = 16});
+    ASSERT_EQ(result.at("elevation@left").value.size(), exact.at("elevation@left").value.size());
+    for (const char* name : {"elevation@left", "elevation@right", "force_x"}) {
+      const double difference = normalised_difference(result.at(name), exact.at(name));
+      EXPECT_LE(difference, 5e-3) << name;
+    }
+  }
+}
+
+TEST(SinesTranslation, SphFollowsLinearTheory) {
+  const CaseDefinition definition = case_of(SumOfSines{{first, second}}, Start::tank);
+  const RunResult exact = run(definition, linear),
+                  result = run(definition, SphRun{"recommended", 0.025, 0.025});
+  for (const char* name : {"elevation@left", "elevation@right"})
+    EXPECT_LE(normalised_difference(result.at(name), exact.at(name)), 0.3) << name;
+}
+
+// Returns the times and accelerations along x of a case's table "(t ((x y z) (...) (...)))".
+std::vector<std::array<double, 2>> acceleration_table(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  text.erase(0, text.find_first_of('('));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '(' || c == ')'; }, ' ');
+  std::istringstream numbers(text);
+  std::vector<double> all;
+  for (double number = 0; numbers >> number;) all.push_back(number);
+  std::vector<std::array<double, 2>> rows;
+  for (std::size_t i = 0; i + 10 <= all.size(); i += 10) rows.push_back({all[i], all[i + 1]});
+  return rows;
+}
+
+TEST(SinesTranslation, InterFoamReceivesTheSumsAccelerationAndFollowsLinearTheory) {
+  if (openfoam::installed_version().empty()) GTEST_SKIP() << "interFoam is not installed";
+  for (const Start start : {Start::earth, Start::tank}) {
+    const TemporaryDirectory directory;
+    const CaseDefinition definition = case_of(SumOfSines{{first, second}}, start);
+    const RunResult exact = run(definition, linear),
+                    result = run(definition, InterFoamRun{40, 80, 1}, directory.path());
+    for (const char* name : {"elevation@left", "elevation@right"})
+      EXPECT_LE(normalised_difference(result.at(name), exact.at(name)), 0.3) << name;
+    const auto rows =
+        acceleration_table(directory.path() / "a_run.openfoam" / "constant" / "acceleration");
+    ASSERT_GE(rows.size(), 2000u);
+    for (const auto& [t, along_x] : rows)
+      EXPECT_NEAR(along_x,
+                  -0.04 * std::sin(2 * t + 0.6) - 0.196 * std::sin(7 * t + std::numbers::pi / 2),
+                  1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace slosh::sines_translation_test
