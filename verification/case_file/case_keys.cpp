@@ -120,11 +120,9 @@ const std::vector<KeyTable>& case_key_tables() {
        "[[motion.surge.sines]]",
        "with type = \"sines\"",
        "The motion is the sum of two sines or more, each with its own ramp. They read best as one "
-       "list, "
-       "`sines = [{ amplitude_m = 0.02, period_s = 1.3 }, { amplitude_m = 0.005, period_s = 0.7, "
-       "phase_deg = 90 }]`, which TOML lets run over several lines. Each frequency has a forced "
-       "mode: "
-       "forced_1, forced_2, ...",
+       "list, which may run over several lines: `sines = [{ amplitude_m = 0.02, period_s = 1.3 }, "
+       "{ amplitude_m = 0.005, period_s = 0.7, phase_deg = 90 }]`. Each frequency has a forced "
+       "mode: forced_1, forced_2, ...",
        {{"amplitude_m", "number > 0, m", "yes", ""},
         {"angular_frequency_rad_s", "number > 0, rad/s", "one of the three", ""},
         {"frequency_Hz", "number > 0, Hz", "one of the three", ""},
@@ -143,8 +141,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"period_s", "number > 0, s", "one of the three with type = \"sine\"", ""},
         {"phase_deg", "number from -360 to 360, deg", "no",
          "The same as for a surge. The tank starts level, so that another phase than 0 or 180 "
-         "needs "
-         "a ramp."},
+         "needs a ramp."},
         {"ramp_periods", "number >= 0, periods", "no", "The same as for a surge."},
         {"sines", "the table [[motion.roll.sines]]", "with type = \"sines\"", ""},
         {"file", "path, relative to the case file", "with type = \"table\"",
@@ -168,8 +165,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "",
        {{"start", "\"earth\" or \"tank\"", "yes",
          "The frame in which the liquid is at rest at the start. Earth: it stands still, and a "
-         "tank "
-         "that moves off at once strikes it. Tank: it moves off with the tank."},
+         "tank that moves off at once strikes it. Tank: it moves off with the tank."},
         {"duration_s", "number > 0, s", "yes", ""},
         {"sample_interval_s", "number > 0 and <= duration_s, s", "yes",
          "The interval of the recorded samples. SPH lands on each, so a short one shortens its "
@@ -481,8 +477,9 @@ const std::vector<KeyTable>& case_key_tables() {
          "impacts the pressure at their gauge, and a row against a record the record's quantity. "
          "Default: the case's first, which is that of its first gauge but for a dam's front."},
         {"mode", "text", "no",
-         "forced, natural_1, ..., impact_1, ..., or whole, as the metric asks. Of impacts one must "
-         "be named. Default: forced where the tank moves and the metric can be of it, else "
+         "forced, forced_1, ..., natural_1, ..., impact_1, ..., or whole, as the metric asks. Of "
+         "impacts and of several forced modes one must be named. Default: forced where the tank "
+         "moves and the metric can be of it, else "
          "natural_1; whole for the other metrics."},
         {"modes", "list of texts", "no", "In place of mode: a row for each."},
         {"metric", "text", "where limits is absent", "One of the metrics below."},

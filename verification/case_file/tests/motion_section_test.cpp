@@ -56,6 +56,111 @@ TEST(MotionSection, ReadsARollAboutAnyPoint) {
   EXPECT_EQ(roll.axis_z, -0.5);
 }
 
+TEST(MotionSection, ReadsThePhaseOfASine) {
+  const CaseDefinition definition = read_text(moved_by(sine_surge + "phase_deg = -90\n"));
+  EXPECT_DOUBLE_EQ(std::get<SineMotion>(definition.motion.surge.value()).phase, -90 * degree);
+}
+
+const std::string two_sines =
+    "[motion.surge]\ntype = \"sines\"\nsines = [{ amplitude_m = 0.02, period_s = 4 },\n"
+    "  { amplitude_m = 0.005, frequency_Hz = 0.75, phase_deg = 90, ramp_periods = 2 }]\n";
+
+TEST(MotionSection, ReadsSinesAsAListOrAsTables) {
+  const std::string as_tables =
+      "[motion.surge]\ntype = \"sines\"\n[[motion.surge.sines]]\namplitude_m = 0.02\n"
+      "period_s = 4\n[[motion.surge.sines]]\namplitude_m = 0.005\nfrequency_Hz = 0.75\n"
+      "phase_deg = 90\nramp_periods = 2\n";
+  for (const std::string& text : {two_sines, as_tables}) {
+    const CaseDefinition definition = read_text(moved_by(text));
+    const auto& sines = std::get<SumOfSines>(definition.motion.surge.value()).sines;
+    ASSERT_EQ(sines.size(), 2u);
+    EXPECT_EQ(sines[0].amplitude, 0.02);
+    EXPECT_DOUBLE_EQ(sines[0].angular_frequency, std::numbers::pi / 2);
+    EXPECT_EQ(sines[0].phase, 0);
+    EXPECT_EQ(sines[1].amplitude, 0.005);
+    EXPECT_DOUBLE_EQ(sines[1].angular_frequency, 1.5 * std::numbers::pi);
+    EXPECT_DOUBLE_EQ(sines[1].phase, std::numbers::pi / 2);
+    EXPECT_EQ(sines[1].ramp_periods, 2);
+    EXPECT_EQ(forced_modes(definition).size(), 2u);
+  }
+}
+
+TEST(MotionSection, ReadsTheSinesOfARollInDegrees) {
+  const std::string sines =
+      "sines = [{ amplitude_deg = 4, period_s = 2 }, { amplitude_deg = 1, period_s = 0.7 }]\n";
+  const CaseDefinition definition =
+      read_text(moved_by("[motion.roll]\ntype = \"sines\"\n" + axis + sines));
+  EXPECT_DOUBLE_EQ(std::get<SumOfSines>(definition.motion.roll.value().angle).sines.at(1).amplitude,
+                   degree);
+}
+
+TEST(MotionSection, RefusesSinesThatMakeNoSense) {
+  const std::string head = "[motion.surge]\ntype = \"sines\"\n";
+  const Complaints motions{
+      {head,
+       "trial.toml:17: motion.surge.sines is missing: expected two sines or more; a single "
+       "one is type = \"sine\""},
+      {head + "sines = [{ amplitude_m = 0.02, period_s = 4 }]\n",
+       "trial.toml:19: motion.surge.sines = (an array of tables): expected two sines or more"},
+      {head + "sines = [{ amplitude_m = 0.02, period_s = 4 }, { amplitude_m = 0, period_s = 1 }]\n",
+       "trial.toml:19: motion.surge.sines.amplitude_m = 0: expected a number > 0, in m"},
+      {head + "sines = [{ amplitude_m = 0.02 }, { amplitude_m = 0.1, period_s = 1 }]\n",
+       "trial.toml:19: motion.surge.sines.angular_frequency_rad_s is missing"},
+      {head + "sines = [{ amplitude_deg = 2, period_s = 4 }, { amplitude_m = 1, period_s = 1 }]\n",
+       "trial.toml:19: motion.surge.sines.amplitude_deg = 2: expected only these keys here: "
+       "amplitude_m, phase_deg, ramp_periods, angular_frequency_rad_s, frequency_Hz, period_s"},
+      {head + "sines = [0.02, 4]\n", "trial.toml:19: motion.surge.sines"},
+      {two_sines + "phase_deg = 3\n",
+       "trial.toml:21: motion.surge.phase_deg = 3: expected only these keys here: type, sines"},
+      {sine_surge + "phase_deg = 361\n",
+       "trial.toml:21: motion.surge.phase_deg = 361: expected a number from -360 to 360, in deg"},
+      {table_surge + "phase_deg = 1\n",
+       "trial.toml:20: motion.surge.phase_deg = 1: expected only these keys here: type, file"}};
+  for (const auto& [motion, wanted] : motions) {
+    const std::string message = complaint_about_motion(motion);
+    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  }
+}
+
+// Solvers start from a surface that is parallel to the bottom.
+TEST(MotionSection, RefusesARollThatStartsTilted) {
+  EXPECT_EQ(complaint_about_motion(sine_roll + "phase_deg = 30\n"),
+            "trial.toml:23: motion.roll.phase_deg = 30: expected an angle of 0 to within 0.001 at "
+            "the start, in deg, where this is 2: the tank starts level; ramp_periods > 0 lets any "
+            "phase begin level");
+  EXPECT_EQ(complaint_about_motion(sine_roll + "phase_deg = 30\nramp_periods = 1\n"), "");
+  EXPECT_EQ(complaint_about_motion(sine_roll + "phase_deg = 180\n"), "");
+  const std::string sines =
+      "[motion.roll]\ntype = \"sines\"\n" + axis +
+      "sines = [{ amplitude_deg = 4, period_s = 2, phase_deg = 90 }, { amplitude_deg = ";
+  EXPECT_NE(complaint_about_motion(sines + "1, period_s = 1 }]\n").find("where this is 4"),
+            std::string::npos);
+  EXPECT_EQ(complaint_about_motion(sines + "4, period_s = 1, phase_deg = -90 }]\n"), "");
+}
+
+TEST(MotionSection, WantsTheForcedModeOfSeveralToBeNamed) {
+  std::string text = edited({sine_surge, two_sines});
+  const std::string message = [&] {
+    const Workspace workspace;
+    return complaint(workspace.write("trial.toml", text));
+  }();
+  EXPECT_NE(
+      message.find("gate.mode = \"forced\": expected what amplitude_error is measured on, one "
+                   "of forced_1, forced_2, natural_1, natural_2"),
+      std::string::npos)
+      << message;
+  const std::string mode = "mode = \"forced\"\n";
+  std::string unnamed = text;
+  unnamed.erase(unnamed.find(mode), mode.size());
+  const Workspace workspace;
+  EXPECT_NE(complaint(workspace.write("trial.toml", unnamed))
+                .find("gate.mode is missing: expected what amplitude_error is measured on, one of "
+                      "forced_1, forced_2"),
+            std::string::npos);
+  text.replace(text.find(mode), mode.size(), "mode = \"forced_2\"\n");
+  EXPECT_EQ(read_text(text).gate.at(0).mode, "forced_2");
+}
+
 TEST(MotionSection, ReadsASurgeAndARollTogether) {
   const CaseDefinition definition = read_text(moved_by(sine_surge + sine_roll));
   EXPECT_EQ(std::get<SineMotion>(definition.motion.surge.value()).amplitude, 0.02);
@@ -128,9 +233,8 @@ TEST(MotionSection, RefusesARollThatMakesNoSense) {
        "trial.toml:21: motion.roll.axis_x_m = nan: expected"},
       {sine_roll + "axis_y_m = 0\n",
        "trial.toml:23: motion.roll.axis_y_m = 0: expected only these keys here: type, "
-       "amplitude_deg, angular_frequency_rad_s, frequency_Hz, period_s, ramp_periods, file, "
-       "axis_x_m, axis_z_m; nearest "
-       "known key: axis_x_m"},
+       "amplitude_deg, angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, ramp_periods, "
+       "sines, file, axis_x_m, axis_z_m; nearest known key: axis_x_m"},
       {sine_roll + "file = \"roll.csv\"\n",
        "trial.toml:23: motion.roll.file = \"roll.csv\": expected only these keys here: type, "
        "amplitude_deg"},

@@ -1,0 +1,170 @@
+// The forcing frequency of a motion table: named, or found from its spectrum.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+#include "verification/case/motion.hpp"
+#include "verification/tests/published_records.hpp"
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh::forcing_section_test {
+namespace {
+
+const std::string table_surge = "[motion.surge]\ntype = \"table\"\nfile = \"surge.csv\"\n";
+const std::string from_spectrum = "natural_modes = 2\nforcing = \"from_spectrum\"\n";
+
+std::string table_of(const std::function<double(double)>& displacement) {
+  std::ostringstream csv;
+  csv.precision(12);
+  csv << "time_s,displacement_m\n";
+  for (int i = 0; i <= 1000; ++i) csv << 0.02 * i << ',' << displacement(0.02 * i) << '\n';
+  return csv.str();
+}
+
+std::string with_comparison(const std::string& keys) {
+  const std::string text = edited({"natural_modes = 2\n", keys});
+  return std::string(text).replace(text.find(sine_surge), sine_surge.size(), table_surge);
+}
+
+CaseDefinition read_with(const std::string& csv, const std::string& keys) {
+  const Workspace workspace;
+  workspace.write("surge.csv", csv);
+  return read_case(workspace.write("trial.toml", with_comparison(keys)));
+}
+
+std::string complaint_with(const std::string& csv, const std::string& keys) {
+  const Workspace workspace;
+  workspace.write("surge.csv", csv);
+  return complaint(workspace.write("trial.toml", with_comparison(keys)));
+}
+
+double sine(double t) { return 0.02 * std::sin(2.9 * t + 1); }
+
+TEST(ForcingSection, FindsTheFrequencyOfATableFromItsSpectrum) {
+  const CaseDefinition definition = read_with(table_of(sine), from_spectrum);
+  EXPECT_NEAR(forcing_frequency(definition), 2.9, 1e-6);
+  ASSERT_TRUE(definition.found_forcing);
+  EXPECT_LT(definition.found_forcing->half_width, 1e-4);
+  EXPECT_LT(definition.found_forcing->rest, 1e-4);
+  EXPECT_EQ(definition.gate.at(0).mode, "forced");
+}
+
+TEST(ForcingSection, FindsItBehindNoise) {
+  std::mt19937 generator(3);
+  std::normal_distribution<double> noise(0, 0.002);
+  const CaseDefinition definition =
+      read_with(table_of([&](double t) { return sine(t) + noise(generator); }), from_spectrum);
+  EXPECT_NEAR(forcing_frequency(definition), 2.9, 2e-3);
+  EXPECT_NEAR(definition.found_forcing->rest, 0.002 / (0.02 / std::numbers::sqrt2), 0.02);
+}
+
+TEST(ForcingSection, NamesWhatToWriteForATableOfTwoSines) {
+  const auto two = [](double t) { return sine(t) + 0.015 * std::sin(5 * t); };
+  const std::string message = complaint_with(table_of(two), from_spectrum);
+  EXPECT_TRUE(
+      message.starts_with("trial.toml:35: comparison.forcing = \"from_spectrum\": expected "
+                          "a motion table that is nearly one sine from 1 to 20 s, the "
+                          "window of the comparison; surge.csv: the rest beside the sine "
+                          "of 0.461"))
+      << message;
+  EXPECT_NE(message.find("the next peak is at 0.79"), std::string::npos) << message;
+  EXPECT_NE(message.find("Write forcing_frequency_Hz or forcing_period_s instead to name the "
+                         "frequency that is meant"),
+            std::string::npos);
+  EXPECT_NEAR(forcing_frequency(read_with(table_of(two),
+                                          "natural_modes = 2\nforcing_angular_frequency_rad_s = "
+                                          "5\n")),
+              5, 0);
+}
+
+TEST(ForcingSection, RefusesASpectrumThatIsNotATablesOrIsNamedBeside) {
+  EXPECT_EQ(complaint_about({"natural_modes = 2\n", from_spectrum}),
+            "trial.toml:36: comparison.forcing = \"from_spectrum\": expected no such key without a "
+            "motion table: a sine has its own frequency");
+  EXPECT_EQ(complaint_with(table_of(sine), from_spectrum + "forcing_period_s = 2\n"),
+            "trial.toml:36: comparison.forcing_period_s = 2: expected no such key beside forcing");
+  EXPECT_NE(complaint_with(table_of(sine), "natural_modes = 2\nforcing = \"spectrum\"\n")
+                .find("comparison.forcing = \"spectrum\": expected how the frequency of a motion "
+                      "table is known, one of from_spectrum"),
+            std::string::npos);
+}
+
+TEST(ForcingSection, NamesTheKeysWhereARowAsksForTheForcedModeOfATable) {
+  const std::string message = complaint_with(table_of(sine), "natural_modes = 2\n");
+  EXPECT_NE(message.find("gate.mode = \"forced\": expected"), std::string::npos) << message;
+  EXPECT_NE(message.find("the table has a forced mode where [comparison] gives "
+                         "forcing_frequency_Hz, or forcing = \"from_spectrum\""),
+            std::string::npos)
+      << message;
+}
+
+// A period can be uncertain only where the motion has one.
+TEST(ForcingSection, HasAnUncertainPeriodOnlyOfATableWhosePeriodIsKnown) {
+  const std::string input =
+      "[[input]]\nname = \"period\"\nunit = \"s\"\nhalf_width = 0.01\nsource = \"none\"\n";
+  const std::string text = with_comparison(from_spectrum) + input;
+  const Workspace workspace;
+  workspace.write("surge.csv", table_of(sine));
+  EXPECT_EQ(read_case(workspace.write("trial.toml", text)).inputs.size(), 1u);
+  std::string unnamed = with_comparison("natural_modes = 2\n");
+  unnamed.resize(unnamed.find("[[gate]]"));
+  EXPECT_NE(complaint(workspace.write("trial.toml", unnamed + input))
+                .find("input.name = \"period\": expected an input that this case has: its motion "
+                      "has no single period"),
+            std::string::npos);
+}
+
+// The shipped roll of SPHERIC benchmark 10 declares 3.840445 rad/s, fitted to the whole record.
+TEST(ForcingSection, FindsTheFrequencyOfTheShippedRoll) {
+  std::ifstream stream(SLOSH_SOURCE_DIR "/verification/cases/zhao2021_violent_roll.toml");
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string declared = "forcing_angular_frequency_rad_s = 3.840445";
+  ASSERT_NE(text.find(declared), std::string::npos);
+  text.replace(text.find(declared), declared.size(), "forcing = \"from_spectrum\"");
+  const Workspace workspace;
+  const std::filesystem::path cases = SLOSH_SOURCE_DIR "/verification/cases";
+  for (const auto& entry : std::filesystem::directory_iterator(cases))
+    if (entry.path().extension() == ".csv")
+      std::filesystem::copy_file(entry.path(), workspace.path() / entry.path().filename());
+  const CaseDefinition definition = read_case(workspace.write("trial.toml", text));
+  EXPECT_NEAR(forcing_frequency(definition), 3.840445, 2e-3);
+  EXPECT_LT(definition.found_forcing->rest, 0.05);
+}
+
+// The records as measured, with their start from rest left out by the window.
+TEST(ForcingSection, FindsThePeriodsOfTheMeasuredRolls) {
+  // SPHERIC benchmark 10, lateral impacts: 0.85 times the first natural period with water, 0.8
+  // times with oil, as the names of the files of peaks say.
+  const double natural =
+      2 * std::numbers::pi /
+      std::sqrt(9.81 * std::numbers::pi / 0.9 * std::tanh(std::numbers::pi * 0.093 / 0.9));
+  for (const auto& [name, share] : {std::pair{"spheric_test10/roll_lateral_water_10ms.csv", 0.85},
+                                    std::pair{"spheric_test10/roll_lateral_oil.csv", 0.8}}) {
+    const auto file = published_record(name);
+    if (!file) GTEST_SKIP() << name << record_missing;
+    std::ifstream record(*file);
+    std::string csv{std::istreambuf_iterator<char>(record), {}};
+    csv.replace(0, csv.find('\n'), "time_s,angle_deg");
+    std::string text = with_comparison(from_spectrum);
+    text.replace(text.find(table_surge), table_surge.size(),
+                 "[motion.roll]\ntype = \"table\"\nfile = \"surge.csv\"\naxis_x_m = 1\naxis_z_m = "
+                 "0\n");
+    for (const char* end : {"duration_s = 20.0", "window_end_s = 20.0"})
+      text.replace(text.find(end), std::string(end).size(),
+                   std::string(end).replace(std::string(end).find("20.0"), 4, "7.5"));
+    const Workspace workspace;
+    workspace.write("surge.csv", csv);
+    const CaseDefinition definition = read_case(workspace.write("trial.toml", text));
+    EXPECT_NEAR(2 * std::numbers::pi / forcing_frequency(definition) / natural, share, 0.01)
+        << name;
+    EXPECT_LT(definition.found_forcing->rest, 0.1) << name;
+  }
+}
+
+}  // namespace
+}  // namespace slosh::forcing_section_test
