@@ -19,7 +19,7 @@ const LinearSurge& waves(Start start) {
 }
 
 double tank_acceleration(double time) {
-  const auto [b, omega] = li_surge;
+  const double b = li_surge.amplitude, omega = li_surge.angular_frequency;
   return -b * omega * omega * std::sin(omega * time);
 }
 

@@ -70,7 +70,7 @@ TEST(NonlinearConvergence, ReachesTenToTheMinusTenWithAForcedWave) {
 // no grid resolves, it is 0.47 mm and 0.171 mm.
 TEST(NonlinearConvergence, FollowsThePapersCaseForTwentySeconds) {
   NonlinearSloshing paper{.tank = li_tank, .roof = 0.65};
-  const auto [b, omega] = li_surge;
+  const double b = li_surge.amplitude, omega = li_surge.angular_frequency;
   paper.motion.surge_velocity = [=](double t) { return b * omega * std::cos(omega * t); };
   paper.motion.surge_acceleration = [=](double t) {
     return -b * omega * omega * std::sin(omega * t);
