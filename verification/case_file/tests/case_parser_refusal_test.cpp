@@ -54,13 +54,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherMotion",
                 {"amplitude_m", "amplitude_deg"},
                 "trial.toml:19: motion.surge.amplitude_deg = 0.02: expected only these keys here: "
-                "type, amplitude_m, angular_frequency_rad_s, frequency_Hz, period_s, ramp_periods, "
-                "file; nearest known key: "
-                "amplitude_m"},
+                "type, amplitude_m, angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, "
+                "ramp_periods, sines, file; nearest known key: amplitude_m"},
         Mistake{"MissingType",
                 {"type = \"sine\"\n", ""},
                 "trial.toml:17: motion.surge.type is missing: expected a motion, one of sine, "
-                "table"},
+                "sines, table"},
         Mistake{"MissingNumber",
                 {"height_m = 1.0\n", ""},
                 "trial.toml:7: tank.height_m is missing: expected a number > 0, in m"},
@@ -189,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownMotion",
                 {"\"sine\"", "\"sin\""},
                 "trial.toml:18: motion.surge.type = \"sin\": expected a motion, one of sine, "
-                "table; nearest: sine"},
+                "sines, table; nearest: sine"},
         Mistake{"NoAmplitude",
                 {"amplitude_m = 0.02", "amplitude_m = 0"},
                 "trial.toml:19: motion.surge.amplitude_m = 0: expected a number > 0, in m"},

@@ -67,7 +67,7 @@ TEST(ForcingSection, NamesWhatToWriteForATableOfTwoSines) {
   const auto two = [](double t) { return sine(t) + 0.015 * std::sin(5 * t); };
   const std::string message = complaint_with(table_of(two), from_spectrum);
   EXPECT_TRUE(
-      message.starts_with("trial.toml:35: comparison.forcing = \"from_spectrum\": expected "
+      message.starts_with("trial.toml:34: comparison.forcing = \"from_spectrum\": expected "
                           "a motion table that is nearly one sine from 1 to 20 s, the "
                           "window of the comparison; surge.csv: the rest beside the sine "
                           "of 0.461"))
@@ -84,13 +84,13 @@ TEST(ForcingSection, NamesWhatToWriteForATableOfTwoSines) {
 
 TEST(ForcingSection, RefusesASpectrumThatIsNotATablesOrIsNamedBeside) {
   EXPECT_EQ(complaint_about({"natural_modes = 2\n", from_spectrum}),
-            "trial.toml:36: comparison.forcing = \"from_spectrum\": expected no such key without a "
+            "trial.toml:35: comparison.forcing = \"from_spectrum\": expected no such key without a "
             "motion table: a sine has its own frequency");
   EXPECT_EQ(complaint_with(table_of(sine), from_spectrum + "forcing_period_s = 2\n"),
-            "trial.toml:36: comparison.forcing_period_s = 2: expected no such key beside forcing");
+            "trial.toml:35: comparison.forcing_period_s = 2: expected no such key beside forcing");
   EXPECT_NE(complaint_with(table_of(sine), "natural_modes = 2\nforcing = \"spectrum\"\n")
                 .find("comparison.forcing = \"spectrum\": expected how the frequency of a motion "
-                      "table is known, one of from_spectrum"),
+                      "table is known, which is from_spectrum"),
             std::string::npos);
 }
 
