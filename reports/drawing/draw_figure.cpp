@@ -14,6 +14,7 @@
 #include "reports/drawing/figure_layout.hpp"
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
+#include "reports/drawing/relative_places.hpp"
 #include "reports/model/file_formats.hpp"
 #include "reports/templates.hpp"
 
@@ -61,8 +62,9 @@ void drop_filters(std::string& drawing) {
 
 // Returns the drawing inside gnuplot's <svg> element as markup that many figures of one page can
 // share: every id and every reference to one starts with "plot-<figure_id>-", the palette's colours
-// are #rrggbb (so that dark_rules() match them), the font is the page's, and no group is empty.
-// Text between tags is left as it is. Throws ReportError where there is no drawing.
+// are #rrggbb (so that dark_rules() match them), the font is the page's, no group is empty, and
+// long lines are short text. Text between tags is left as it is. Throws ReportError where there is
+// no drawing.
 std::string shared_markup(const std::string& gnuplot_svg, const std::string& figure_id) {
   const auto start = gnuplot_svg.find("<g id=\"gnuplot_canvas\"");
   const auto end = gnuplot_svg.rfind("</svg>");
@@ -93,6 +95,7 @@ std::string shared_markup(const std::string& gnuplot_svg, const std::string& fig
     if (boost::starts_with(piece, "<use ") && boost::contains(piece, "'white'")) continue;
     if (is_tag) {
       for (const auto& [from, to] : in_tags) boost::replace_all(piece, from, to);
+      piece = with_relative_places(piece);
     }
     if (is_tag && boost::starts_with(piece, "<g ")) {
       markup += std::exchange(opened_group, piece);
