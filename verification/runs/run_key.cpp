@@ -22,9 +22,11 @@ json number_or_null(const std::optional<double>& number) {
   return number ? json(*number) : json(nullptr);
 }
 
+// A phase of 0 is left out, so that results of cases without a phase keep their key.
 json description(const SineMotion& motion) {
-  return {
-      {"sine", {motion.amplitude, motion.angular_frequency, motion.ramp_periods, motion.phase}}};
+  json sine{motion.amplitude, motion.angular_frequency, motion.ramp_periods};
+  if (motion.phase != 0) sine.push_back(motion.phase);
+  return {{"sine", sine}};
 }
 json description(const SumOfSines& motion) {
   json sines = json::array();
