@@ -87,6 +87,12 @@ TEST(Documents, BeginWithAPageThatIsReadInMinutes) {
   EXPECT_LT(fs::file_size(source / "README.md"), 10'000u);
 }
 
+TEST(Documents, HaveACaseFileOfAsManyLinesAsTheirFirstPageSays) {
+  const std::string text = read_text(source / "docs/tutorial/own_tank.toml");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 30);
+  EXPECT_TRUE(holds(read_text(source / "README.md"), "a case file of 30 lines"));
+}
+
 TEST(Documents, ShowTheFilesOfTheTutorialAsTheyAre) {
   const std::string tutorial = read_text(source / "docs/tutorial.md");
   for (const char* file : {"own_tank.toml", "campaign.toml"})
