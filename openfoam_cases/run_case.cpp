@@ -7,10 +7,9 @@
 #include <boost/process/search_path.hpp>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <memory>
 #include <thread>
 
 #include "openfoam_cases/child_program.hpp"
@@ -87,6 +86,25 @@ void run_stage(const Stage& stage, const fs::path& directory, const Progress& pr
   }
 }
 
+// A directory of its own for a program that is no run, since each program leaves a link where it
+// runs (child_program.cpp).
+struct ScratchDirectory {
+  fs::path path;
+
+  ScratchDirectory() {
+    std::string name = (fs::temp_directory_path() / "slosh.XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw RunError(fmt::format("{}: no temporary directory: {}", name, strerror(errno)));
+    path = name;
+  }
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+  ~ScratchDirectory() {
+    std::error_code none;
+    fs::remove_all(path, none);
+  }
+};
+
 }  // namespace
 
 void run_case(const SloshingTank& tank, const fs::path& case_directory, const Progress& progress,
@@ -96,17 +114,18 @@ void run_case(const SloshingTank& tank, const fs::path& case_directory, const Pr
   };
   run_utility("blockMesh");
   run_utility("topoSet");
+  const char* program = program_of(tank);
   if (tank.processes == 1) {
-    run_stage({"interFoam", {"interFoam"}, limits.solver}, case_directory, progress);
+    run_stage({program, {program}, limits.solver}, case_directory, progress);
     return;
   }
   run_utility("decomposePar");
-  find_program("interFoam");
+  find_program(program);
   // mpirun sets the PWD of its ranks itself. Ranks that are bound to cores would share the first
   // cores with those of another run at the same time.
-  run_stage({"interFoam",
+  run_stage({program,
              {"mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-np",
-              std::to_string(tank.processes), "env", fmt::format("PWD={}", plain_path), "interFoam",
+              std::to_string(tank.processes), "env", fmt::format("PWD={}", plain_path), program,
               "-parallel"},
              limits.solver},
             case_directory, progress);
@@ -115,10 +134,9 @@ void run_case(const SloshingTank& tank, const fs::path& case_directory, const Pr
 
 std::string installed_version() {
   if (bp::search_path("interFoam").empty()) return "";
-  const std::unique_ptr<FILE, int (*)(FILE*)> file(std::tmpfile(), std::fclose);
-  if (!file) throw RunError(fmt::format("no temporary file: {}", strerror(errno)));
-  const std::string output = fmt::format("/proc/self/fd/{}", fileno(file.get()));
-  ChildProgram child({"interFoam", "-help"}, ".", output);
+  const ScratchDirectory scratch;
+  const fs::path output = scratch.path / "log.help";
+  ChildProgram child({"interFoam", "-help"}, scratch.path, output);
   while (child.running()) {
     if (child.wall_time() > TimeLimits().utility)
       throw RunError("interFoam -help: ended at its time limit");

@@ -58,6 +58,12 @@ struct Roll {
                                  // start at rest in the earth's frame
 };
 
+// How the interface is kept sharp, which is what the two programs differ in.
+enum class InterfaceMethod {
+  mules,        // interFoam: an algebraic flux with compression
+  iso_advector  // interIsoFoam: the interface is a polygon in each cell (Roenby et al. 2016)
+};
+
 struct SloshingTank {
   double length, height, fill_depth;  // [m]
   // The liquid stands from the left wall to here [m]; empty where it reaches from wall to wall.
@@ -87,7 +93,13 @@ struct SloshingTank {
   std::vector<double> snapshot_times = {};  // [s]
   int cells_x, cells_z;
   int processes = 1;
+  InterfaceMethod interface_method = InterfaceMethod::mules;
 };
+
+// The program that solves the case. Its output is in log.<program>.
+inline const char* program_of(const SloshingTank& tank) {
+  return tank.interface_method == InterfaceMethod::mules ? "interFoam" : "interIsoFoam";
+}
 
 // Whether a pressure is wanted, which is one above that of the gas.
 inline bool reads_gas_pressure(const SloshingTank& tank) {

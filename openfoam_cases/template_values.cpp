@@ -221,6 +221,7 @@ data template_values(const SloshingTank& tank) {
   set("gas_kinematic_viscosity", tank.gas.kinematic_viscosity);
   values.set("porous_medium", porous_medium(tank));
   values.set("initial_velocity", initial_field(tank, mesh));
+  values.set("program", program_of(tank));
   set("duration", tank.duration);
   set("sample_interval", tank.sample_interval);
   set("max_time_step", max_time_step(tank));

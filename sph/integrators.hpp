@@ -4,6 +4,7 @@
 // densities; kick_and_drift and update_density_and_drift do two of these in one pass over the
 // memory. The neighbour search is renewed, and the particles thereby reordered, only at the start
 // of a step.
+//   evaluations            how often a step evaluates the momentum and the continuity sum
 //   advances_solids        whether the density of dynamic boundary particles is integrated too
 //   carries_earlier_state  whether the previous step's velocities and densities are kept
 //   for_each_number        visits the numbers that are kept from step to step
@@ -26,6 +27,7 @@ inline void add_scaled(Array<double>& y, double dt, const Array<double>& rate) {
 // stable up to dt c0 / h of about 1.4 on a calm lattice.
 struct StaggeredLeapfrog {
   static constexpr const char* name = "staggered leapfrog";
+  static constexpr int evaluations = 1;
   static constexpr bool advances_solids = true, carries_earlier_state = false;
   double previous_dt = 0;
 
@@ -72,6 +74,7 @@ void move_from_start(Liquid& liquid, double dt) {
 // Predictor-corrector with the midpoint rule (Monaghan 1989; Li et al. 2010).
 struct PredictorCorrector {
   static constexpr const char* name = "predictor-corrector";
+  static constexpr int evaluations = 2;
   static constexpr bool advances_solids = true, carries_earlier_state = false;
 
   template <class Visit>
@@ -90,6 +93,7 @@ struct PredictorCorrector {
 // which cannot become negative for |e| < 2.
 struct Symplectic {
   static constexpr const char* name = "symplectic, two evaluations";
+  static constexpr int evaluations = 2;
   static constexpr bool advances_solids = false, carries_earlier_state = false;
 
   template <class Visit>
@@ -110,6 +114,7 @@ struct Symplectic {
 // of odd and even steps together.
 struct Verlet {
   static constexpr const char* name = "Verlet, one evaluation";
+  static constexpr int evaluations = 1;
   static constexpr bool advances_solids = false, carries_earlier_state = true;
   double previous_dt = 0;
   int since_euler = 0;

@@ -142,6 +142,7 @@ void add_diagnostics(RunMemory<Choice>& run, RunOutput& output) {
   output.exchanged_at_walls = run.liquid.exchanged_at_walls();
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
   output.diagnostics["smoothing_length_ratio"] = scheme.setting.smoothing_length_ratio;
+  output.diagnostics["evaluations_per_step"] = Choice::Integrator::evaluations;
   if constexpr (Choice::TimeStep::adapts)
     output.diagnostics["courant_number"] = scheme.setting.courant_number;
   output.diagnostics["smallest_time_step_s"] = run.smallest_step;

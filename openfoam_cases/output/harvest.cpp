@@ -130,7 +130,7 @@ void set_momentum(const SloshingTank& tank, const TankMesh& mesh, const fs::path
 }  // namespace
 
 Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
-  const fs::path log_file = case_directory / "log.interFoam";
+  const fs::path log_file = case_directory / (std::string("log.") + program_of(tank));
   const LogReader log = read_log(log_file);
   if (const std::string failure = log.failure(); !failure.empty()) {
     refuse(log_file, failure + "\n" + log.meaningful_lines());
@@ -170,6 +170,7 @@ Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
   harvest.steps = log.steps();
   harvest.max_courant_number = log.max_courant_number();
   harvest.mean_pressure_iterations = log.mean_pressure_iterations();
+  harvest.faces_in_interface = log.faces_in_interface();
   harvest.version = log.version();
   return harvest;
 }

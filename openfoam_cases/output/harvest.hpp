@@ -43,6 +43,7 @@ struct Harvest {
   double steps = 0;
   double max_courant_number = 0;
   double mean_pressure_iterations = 0;  // per time step
+  double faces_in_interface = 0;        // of interIsoFoam (read_log.hpp)
   double relative_mass_loss = 0;        // (first - last volume) / first
   std::string version;                  // as the log's banner gives it
 };

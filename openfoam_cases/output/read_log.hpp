@@ -1,6 +1,8 @@
 // Reads what an OpenFOAM program printed: how far it got, what its steps cost, and whether it
 // failed. An exit status of 0 is not enough: a run has succeeded only if its log also ends with the
-// line "End" and contains neither an error nor a warning.
+// line "End" and contains neither an error nor a warning. One warning is counted and lets the run
+// go on: interIsoFoam's isoCutFace::cutPoints finds a face whose corners all have the interface's
+// value, to 1e-14, and takes the whole face as its cut.
 #pragma once
 
 #include <deque>
@@ -22,7 +24,8 @@ class LogReader {
     return third_step_time_;
   }  // [s]; infinite before the third step
   double max_courant_number() const { return max_courant_number_; }
-  double mean_pressure_iterations() const;  // per step
+  double mean_pressure_iterations() const;                           // per step
+  double faces_in_interface() const { return faces_in_interface_; }  // of interIsoFoam's warning
   const std::string& version() const { return version_; }
 
   // Returns why the run that printed this log failed; empty where it succeeded.
@@ -37,7 +40,7 @@ class LogReader {
 
   double time_ = 0, steps_ = 0;
   double third_step_time_ = std::numeric_limits<double>::infinity();
-  double max_courant_number_ = 0, pressure_iterations_ = 0;
+  double max_courant_number_ = 0, pressure_iterations_ = 0, faces_in_interface_ = 0;
   std::string version_, failure_;
   std::deque<std::string> last_lines_, failure_lines_;
   bool ended_ = false;

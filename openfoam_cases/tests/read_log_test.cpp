@@ -87,6 +87,12 @@ const std::string warning = R"(--> FOAM Warning :
     Could not load "libfroces.so"
 )";
 
+const std::string face_in_interface = R"(--> FOAM Warning : 
+    From function void Foam::isoCutFace::cutPoints(const pointField&, const scalarField&, Foam::scalar, Foam::DynamicList<Foam::Vector<double> >&)
+    in file fvMatrices/solvers/isoAdvection/isoCutFace/isoCutFace.C at line 666
+    cutPoints = 4((0.9 0 0.275) (0.9 1 0.275) (0.9 1 0.3) (0.9 0 0.3)) for pts = 4((0.9 0 0.275) (0.9 1 0.275) (0.9 1 0.3) (0.9 0 0.3)), f - f0 = 4(5.44634307678e-15 0 0 5.44634307678e-15) and f0 = 3.49196591746e-06
+)";
+
 LogReader read(const std::string& text) {
   LogReader reader;
   std::istringstream in(text);
@@ -137,6 +143,18 @@ TEST(Log, WithAWarningIsAFailureThoughTheRunEndsAsUsual) {
   const LogReader log = read(banner + warning + two_steps + end);
   EXPECT_EQ(log.failure(), "a warning");
   EXPECT_NE(log.meaningful_lines().find("Could not load"), std::string::npos);
+}
+
+TEST(Log, CountsTheFacesInTheInterfaceThatInterIsoFoamWarnsOf) {
+  const std::string twice = banner + face_in_interface + two_steps + face_in_interface;
+  EXPECT_EQ(read(twice + end).failure(), "");
+  EXPECT_EQ(read(twice + end).faces_in_interface(), 2);
+  EXPECT_EQ(read(banner + two_steps + end).faces_in_interface(), 0);
+  const LogReader also_another = read(twice + warning + end);
+  EXPECT_EQ(also_another.failure(), "a warning");
+  EXPECT_NE(also_another.meaningful_lines().find("Could not load"), std::string::npos);
+  EXPECT_NE(read(twice).failure(), "") << "the run has not ended";
+  EXPECT_EQ(read(twice + fatal_end).failure(), "a fatal error");
 }
 
 TEST(Log, WithAFatalErrorAfterAWarningShowsTheErrorWithAllItsLines) {

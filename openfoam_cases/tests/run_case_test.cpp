@@ -65,6 +65,37 @@ TEST_F(RunCase, GivesAWholeRecordOfAWaveAndKeepsTheLiquid) {
   EXPECT_LT(std::sqrt(error / size), 0.25);
 }
 
+// Both programs solve the same equations, so that they agree on a small wave but not to the last
+// digit.
+TEST_F(RunCase, GivesNearlyTheSameWaveByInterIsoFoam) {
+  SloshingTank tank = small_tank();
+  const Harvest algebraic = run(tank);
+  const TemporaryDirectory other;
+  tank.interface_method = InterfaceMethod::iso_advector;
+  const Harvest geometric = run_in(other, tank);
+  EXPECT_TRUE(fs::exists(other.path() / "log.interIsoFoam"));
+  EXPECT_LT(std::abs(geometric.relative_mass_loss), 1e-6) << "it clips what is beyond 0 and 1";
+  const std::vector<double>&a = algebraic.elevation.at("right").value,
+        &b = geometric.elevation.at("right").value;
+  ASSERT_EQ(a.size(), b.size());
+  double difference = 0, size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference += std::pow(a[i] - b[i], 2);
+    size += std::pow(a[i], 2);
+  }
+  EXPECT_GT(difference, 0) << "it is another program";
+  EXPECT_LT(std::sqrt(difference / size), 0.1);
+}
+
+TEST_F(RunCase, LeavesNothingWhereTheVersionIsAskedFor) {
+  const fs::path before = fs::current_path();
+  fs::current_path(directory_.path());
+  const std::string version = installed_version();
+  fs::current_path(before);
+  EXPECT_FALSE(version.empty());
+  EXPECT_TRUE(fs::is_empty(directory_.path()));
+}
+
 TEST_F(RunCase, ReportsItsProgress) {
   const SloshingTank tank = small_tank();
   write_case(tank, template_directory, directory_.path());

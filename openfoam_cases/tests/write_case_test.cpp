@@ -70,6 +70,18 @@ TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
   EXPECT_EQ(entry(file("constant/g"), "value"), "(0 0 -9.81)");
 }
 
+TEST_F(WrittenCase, NamesTheProgramOfItsInterface) {
+  SloshingTank tank = small_tank();
+  tank.interface_method = InterfaceMethod::iso_advector;
+  write(tank);
+  EXPECT_EQ(entry(file("system/controlDict"), "application"), "interIsoFoam");
+  const TemporaryDirectory plain;
+  write_case(small_tank(), template_directory, plain.path());
+  EXPECT_EQ(entry(contents(plain.path() / "system/controlDict"), "application"), "interFoam");
+  EXPECT_EQ(contents(plain.path() / "system/fvSolution"), file("system/fvSolution"))
+      << "interIsoFoam has its own defaults";
+}
+
 TEST_F(WrittenCase, SlowsTheLiquidDownInAPorousMediumWhereTheWallsCauseFriction) {
   SloshingTank tank = small_tank();
   tank.gap_friction = 0.3;

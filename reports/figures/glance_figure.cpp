@@ -38,7 +38,7 @@ std::pair<double, double> shown_times(const CaseDefinition& definition) {
 
 std::string legend_text(const RunDefinition& run) {
   if (!is_simulation(run)) return "reference";
-  return is_mesh(run) ? "interFoam (VOF)" : "SPH " + family(run);
+  return is_mesh(run) ? family(run) + " (VOF)" : "SPH " + family(run);
 }
 
 // The runs that are shown, the reference first.
@@ -53,7 +53,7 @@ std::vector<std::string> shown_runs(const CaseAssessment& assessment, const std:
     if (!is_simulation(run)) {
       if (reference.empty() || (in_range && !is_in_range(assessment, reference))) reference = name;
     } else if (is_mesh(run)) {
-      mesh = name;
+      if (mesh.empty() || family(run) == "interFoam") mesh = name;
     } else if (particles.empty() ||
                (!candidate.empty() && family(run) == family(run_named(definition, candidate)))) {
       particles = name;

@@ -1,7 +1,7 @@
 #include "reports/figures/run_looks.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string_view>
 #include <tuple>
 
@@ -11,24 +11,57 @@
 namespace slosh {
 namespace {
 
-// The families of the shipped cases, in the order of the hues.
-constexpr std::array<std::string_view, 6> known_families{
-    "recommended", "interFoam", "li2010", "zhao2021_moving", "zhao2021_fixed", "delta_sph"};
+constexpr std::size_t hues = 6, shapes = 10;
 
-// A family that is not known takes a hue that no known family among `families` has, in their order.
-std::size_t hue_of(const std::string& family, const std::vector<std::string>& families) {
-  const auto known = std::find(known_families.begin(), known_families.end(), family);
-  if (known != known_families.end())
-    return static_cast<std::size_t>(known - known_families.begin());
-  std::vector<std::size_t> free;
-  for (std::size_t hue = 0; hue < known_families.size(); ++hue)
-    if (!is_one_of(known_families[hue], families)) free.push_back(hue);
-  std::size_t number = 0;
-  for (const std::string& other : families) {
-    if (other == family) break;
-    number += !is_one_of(other, known_families);
+// A family's hue, and the marker and dash of its finest run.
+struct FamilyLook {
+  std::string_view family;
+  std::size_t hue, shape;
+
+  bool is_alike(const FamilyLook& other) const { return hue == other.hue && shape == other.shape; }
+};
+
+// The families of the shipped cases. There are more than hues that the colour-blind tell apart:
+// those that share a hue have other markers, filled and hollow.
+constexpr FamilyLook known_families[] = {{"recommended", 0, 0},    {"interFoam", 1, 1},
+                                         {"li2010", 2, 2},         {"zhao2021_moving", 3, 3},
+                                         {"zhao2021_fixed", 4, 4}, {"delta_sph", 5, 5},
+                                         {"interIsoFoam", 1, 6},   {"pysph_delta_sph", 3, 8},
+                                         {"pysph_edac", 4, 9},     {"dualsphysics_mdbc", 2, 7}};
+
+const FamilyLook* known_look(std::string_view family) {
+  const auto found = std::find_if(std::begin(known_families), std::end(known_families),
+                                  [&](const FamilyLook& known) { return known.family == family; });
+  return found == std::end(known_families) ? nullptr : &*found;
+}
+
+// The first look that none of these has: of a hue that none of them has, else of any.
+FamilyLook free_look(const std::string& family, const std::vector<FamilyLook>& taken) {
+  const auto is_none = [&](const auto& is_like) {
+    return std::none_of(taken.begin(), taken.end(), is_like);
+  };
+  for (std::size_t hue = 0; hue < hues; ++hue)
+    if (is_none([&](const FamilyLook& one) { return one.hue == hue; })) return {family, hue, hue};
+  for (std::size_t shape = 0; shape < shapes; ++shape)
+    for (std::size_t hue = 0; hue < hues; ++hue) {
+      const FamilyLook look{family, hue, (hue + shape) % shapes};
+      if (is_none([&](const FamilyLook& one) { return one.is_alike(look); })) return look;
+    }
+  return {family, 0, 0};  // more than 60 families
+}
+
+// The look of a family among others: its own where it is known, else one that no known family and
+// no earlier one has.
+FamilyLook look_among(const std::string& family, const std::vector<std::string>& families) {
+  if (const FamilyLook* known = known_look(family)) return *known;
+  std::vector<FamilyLook> taken;
+  for (const std::string& one : families)
+    if (const FamilyLook* known = known_look(one)) taken.push_back(*known);
+  for (const std::string& one : families) {
+    if (one == family) break;
+    if (!known_look(one)) taken.push_back(free_look(one, taken));
   }
-  return free.empty() ? number : free[number % free.size()];
+  return free_look(family, taken);
 }
 
 void add_once(const std::string& name, std::vector<std::string>& names) {
@@ -66,8 +99,8 @@ reports::Look look_of(const CaseDefinition& definition, const std::string& name)
       references_before += is_earlier;
   }
   if (!is_simulation(run)) return {true, references_before, references_before / 2};
-  const std::size_t hue = hue_of(family(run), families);
-  return {false, hue, hue + rank_of(definition, run)};
+  const FamilyLook own = look_among(family(run), families);
+  return {false, own.hue, own.shape + rank_of(definition, run)};
 }
 
 reports::Look look_of_family(const CaseDefinition& definition, const std::string& name) {
@@ -76,8 +109,8 @@ reports::Look look_of_family(const CaseDefinition& definition, const std::string
     if (is_simulation(run) && family(run) == name && (!first || rank_of(definition, run) == 0))
       first = &run;
   if (first) return look_of(definition, first->name);
-  const std::size_t hue = hue_of("interFoam", {});
-  return {false, hue, hue};
+  const FamilyLook mesh = look_among("interFoam", {});
+  return {false, mesh.hue, mesh.shape};
 }
 
 std::vector<reports::Look> looks_of_models(const std::vector<std::string>& models) {
@@ -86,11 +119,11 @@ std::vector<reports::Look> looks_of_models(const std::vector<std::string>& model
   for (const std::string& model : models) add_once(family_of(model), families);
   std::vector<reports::Look> looks;
   for (std::size_t i = 0; i < models.size(); ++i) {
-    const std::size_t hue = hue_of(family_of(models[i]), families);
+    const FamilyLook own = look_among(family_of(models[i]), families);
     const auto before = std::count_if(
         models.begin(), models.begin() + static_cast<long>(i),
         [&](const std::string& other) { return family_of(other) == family_of(models[i]); });
-    looks.push_back({false, hue, hue + static_cast<std::size_t>(before)});
+    looks.push_back({false, own.hue, own.shape + static_cast<std::size_t>(before)});
   }
   return looks;
 }

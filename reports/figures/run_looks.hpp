@@ -1,7 +1,8 @@
 // The colour, the marker and the dash of each run: the one place that assigns them, for all figures
-// of all pages. Theory and records are black and grey. Each SPH scheme, interFoam and each method
-// of an external program has a hue; the runs of one family differ in marker and dash, the finest
-// unchanged run first.
+// of all pages. Theory and records are black and grey. Each SPH scheme, each of
+// OpenFOAM's programs and each method of another code has a hue and a marker, and shares at most
+// one of the two with another (up to 60 of them); the runs of one family differ in marker and dash,
+// the finest unchanged run first.
 #pragma once
 
 #include <string>

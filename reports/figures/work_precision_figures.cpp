@@ -64,15 +64,26 @@ std::string slope_label(const std::optional<Estimate>& slope) {
   return slope ? ", slope " + slope_text(*slope) : "";
 }
 
-Curve curve_of(const CaseDefinition& definition, const WorkFamily& family, const CostAxis& axis) {
+// The reference of all of these families; empty where they have several.
+std::string common_reference(const std::vector<WorkFamily>& families) {
+  const bool is_common = std::all_of(families.begin(), families.end(), [&](const WorkFamily& one) {
+    return one.reference == families.front().reference;
+  });
+  return is_common && !families.empty() ? families.front().reference : "";
+}
+
+// The label names the reference where the figure has several.
+Curve curve_of(const CaseDefinition& definition, const WorkFamily& family, const CostAxis& axis,
+               bool names_reference) {
   const std::vector<WorkPoint> points = axis.points(family);
   const bool is_one_method = !family.name.ends_with(many_changes);
   const auto slope = is_one_method ? work_slope(points) : std::nullopt;
-  Curve curve{family.name + " against " + family.reference + slope_label(slope),
-              {},
-              {},
-              {},
-              slope ? Curve::Style::line_points : Curve::Style::points};
+  Curve curve{
+      family.name + (names_reference ? " against " + family.reference : "") + slope_label(slope),
+      {},
+      {},
+      {},
+      slope ? Curve::Style::line_points : Curve::Style::points};
   curve.look = look_of(definition, family.runs.back().run);
   for (const WorkPoint& point : points) {
     curve.x.push_back(axis.scale * point.cost.value);
@@ -107,11 +118,22 @@ Curve front_curve(const std::vector<WorkPoint>& points, const CostAxis& axis) {
   return curve;
 }
 
+// Names the stored results: their costs stand in the figure, but were measured on other machines.
+std::string of_other_machines(const std::vector<WorkFamily>& families) {
+  std::vector<std::string> names;
+  for (const WorkFamily& family : families)
+    for (const WorkRun& run : family.runs)
+      if (run.cost.elsewhere) names.push_back(run.run);
+  if (names.empty()) return "";
+  return fmt::format(" Stored results, with costs of other machines: {}.", fmt::join(names, ", "));
+}
+
 std::string not_timed_alone(const std::vector<WorkFamily>& families) {
   std::size_t timed = 0, all = 0;
   std::vector<std::string> names;
   for (const WorkFamily& family : families)
     for (const WorkRun& run : family.runs) {
+      if (run.cost.elsewhere) continue;
       ++all;
       timed += run.cost.timings > 0;
       if (run.cost.timings == 0) names.push_back(run.run);
@@ -140,18 +162,21 @@ Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
   }
   if (candidates.size() > 1 && !pareto_front(candidates).empty())
     figure.curves.push_back(front_curve(candidates, axis));
+  const std::string reference = references.empty() ? common_reference(families) : "";
   for (const auto* group : {&families, &references})
     for (const WorkFamily& family : *group)
-      figure.curves.push_back(curve_of(assessment.definition, family, axis));
+      if (!axis.points(family).empty())
+        figure.curves.push_back(curve_of(assessment.definition, family, axis, reference.empty()));
   figure.caption = fmt::format(
-      "Normalised rms error over the comparison window against {}. Bars are 95 % intervals: of the "
+      "Normalised rms error{} over the comparison window against {}. Bars are 95 % intervals: of "
+      "the "
       "mean cost of repeats that had a core to themselves, and of the error over blocks of the "
       "window. The Pareto front includes all candidates; the slope is that of ln(error) over "
-      "ln(cost).{}{}",
-      axis.what,
+      "ln(cost).{}{}{}",
+      reference.empty() ? "" : " from " + reference, axis.what,
       references.empty() ? ""
                          : " The error of a reference is its difference from another reference.",
-      not_timed_alone(families));
+      not_timed_alone(families), of_other_machines(families));
   return figure;
 }
 

@@ -25,7 +25,7 @@ struct GateEntry {
   std::string kind = {};               // "validation" or "regression"
   std::string uncertainties = {};      // "u_num 1 %, u_input 0 %, u_reference unknown"
   bool loosened = false;               // the tolerance, against the baseline's
-  std::string file;                    // of the row, relative to the source tree where it is in it
+  std::string file;                    // of the row, relative to its repository where that is known
   int line = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "reports/figures/case_figures.hpp"
 #include "reports/figures/glance_figure.hpp"
 #include "reports/figures/paper_panels.hpp"
 #include "reports/model/side_by_side.hpp"
@@ -167,11 +168,30 @@ void add_paper_sections(const Paper& paper, const std::vector<CaseAssessment>& c
                       std::move(panels.figures)});
 }
 
+// The choices on the basket, and the error of each method against its run time in each of the
+// basket's cases.
+Section basket_with_costs(const BasketAssessment& basket,
+                          const std::vector<CaseAssessment>& cases) {
+  Section section = basket_section(basket);
+  for (const CaseAssessment& one : cases) {
+    const bool is_in_basket =
+        std::any_of(basket.measures.begin(), basket.measures.end(),
+                    [&](const BasketMeasure& of) { return of.case_name == one.definition.name; });
+    if (!is_in_basket) continue;
+    std::vector<reports::Figure> costs = cost_figures(one);
+    if (costs.empty()) continue;
+    costs.front().id += "-side-by-side";
+    costs.front().title += ": " + one.definition.title;
+    section.figures.push_back(std::move(costs.front()));
+  }
+  return section;
+}
+
 // Adds the page of results across several cases, where there are any.
 void add_across_page(const CampaignDefinition& campaign, const std::vector<CaseAssessment>& cases,
                      const BasketAssessment& basket, reports::Report& report) {
   std::vector<Section> sections;
-  if (!basket.measures.empty()) sections.push_back(basket_section(basket));
+  if (!basket.measures.empty()) sections.push_back(basket_with_costs(basket, cases));
   if (auto walls = wall_treatment_section(cases)) sections.push_back(std::move(*walls));
   if (!campaign.paper.empty())
     add_paper_sections(paper_named(campaign.paper), cases, report, sections);

@@ -69,6 +69,9 @@ std::string timed_text(const WorkFamily& family) {
     fewest = std::min(fewest, run.cost.timings);
     most = std::max(most, run.cost.timings);
   }
+  if (std::all_of(family.runs.begin(), family.runs.end(),
+                  [](const WorkRun& run) { return run.cost.elsewhere; }))
+    return "once, on another machine";
   if (timed == 0) return "once, while other runs were running";
   const std::string times = fewest == most ? fmt::format("alone, {} times", most)
                                            : fmt::format("alone, {} to {} times", fewest, most);
@@ -88,6 +91,10 @@ std::string made_on(const CaseAssessment& assessment, const std::vector<WorkFami
         const auto found = origin.find(key);
         return found == origin.end() || found->second.empty() ? "unknown" : found->second;
       };
+      if (origin.contains("stored_software")) {
+        places.insert(fmt::format("{}; {}", value_of("stored_machine"), software_text(origin)));
+        continue;
+      }
       if (origin.contains("external_command")) {
         places.insert(fmt::format("{}; {}", value_of("processor"), software_text(origin)));
         continue;
@@ -103,6 +110,7 @@ Table cost_at_errors(const CaseAssessment& assessment, const std::vector<WorkFam
   Table table{"", "", "", {"method", "reference", "measured", "runs", "slope"}, {}};
   for (const double error : stated_errors()) table.header.push_back(percent(error));
   for (const WorkFamily& family : families) {
+    if (column.points(family).empty()) continue;
     std::vector<std::string> row{family.name, family.reference, timed_text(family),
                                  fmt::format("{}", family.runs.size()), slope_cell(family, column)};
     for (const double error : stated_errors())

@@ -26,6 +26,16 @@ std::string timed_text(const MeasuredCost& cost) {
 
 std::string count_text(double count) { return count > 0 ? fmt::format("{}", count) : ""; }
 
+// What a stored result does not tell stays blank.
+std::vector<std::string> time_and_memory(const RunCost& cost, bool is_stored) {
+  if (!is_stored)
+    return {fmt::format("{:.2f}", cost.user_time), fmt::format("{:.2f}", cost.system_time),
+            fmt::format("{:.2f}", cost.wall_time),
+            fmt::format("{:.0f}", cost.peak_memory / 1048576)};
+  return {fmt::format("{:.2f}", cost.user_time), "",
+          cost.wall_time > 0 ? fmt::format("{:.2f}", cost.wall_time) : "", ""};
+}
+
 // Returns the largest magnitude within the window; "not available" where a value is not finite.
 std::string largest(const TimeSeries& series, TimeWindow window) {
   double largest = 0;
@@ -37,9 +47,21 @@ std::string largest(const TimeSeries& series, TimeWindow window) {
   return fmt::format("{:.2g}", largest);
 }
 
+// Those of a stored result are when and where it was computed, with its remark.
+std::string date_and_processor(const std::map<std::string, std::string>& origin) {
+  if (!origin.contains("stored_software"))
+    return fmt::format("{}, {}", origin.at("date_utc"), origin.at("processor"));
+  const auto remark = origin.find("stored_remark");
+  return fmt::format("{}, {}{}", origin.at("stored_date"), origin.at("stored_machine"),
+                     remark == origin.end() ? "" : ". " + remark->second);
+}
+
 }  // namespace
 
 std::string software_text(const std::map<std::string, std::string>& origin) {
+  if (const auto stored = origin.find("stored_software"); stored != origin.end())
+    return fmt::format("{}, computed elsewhere, read by Slosh {}", stored->second,
+                       origin.at("slosh_version"));
   if (origin.contains("external_command")) {
     const auto version = origin.find("external_version");
     return fmt::format(
@@ -94,7 +116,8 @@ Table cost_table(const CaseAssessment& assessment) {
       assessment.definition.name + "-cost-table",
       "Cost of the runs",
       "Times and peak memory as the operating system reports them for the run's process and its "
-      "children. Timed alone: user plus system time, averaged over repeated runs that had a core "
+      "children; those of a stored result are its own code's, with all its processor time as "
+      "user time. Timed alone: user plus system time, averaged over repeated runs that had a core "
       "to themselves, with its 95 % interval and the number of repeats.",
       {"run", "state", "solver", "particles or cells", "steps", "user [s]", "system [s]",
        "wall [s]", "peak memory [MiB]", "timed alone [core-s]", "remark"},
@@ -107,12 +130,11 @@ Table cost_table(const CaseAssessment& assessment) {
       row.insert(row.end(), 8, "");
     } else {
       const RunCost& cost = result->second.cost;
-      row.insert(
-          row.end(),
-          {result->second.solver, count_text(cost.elements), count_text(cost.steps),
-           fmt::format("{:.2f}", cost.user_time), fmt::format("{:.2f}", cost.system_time),
-           fmt::format("{:.2f}", cost.wall_time), fmt::format("{:.0f}", cost.peak_memory / 1048576),
-           timed_text(cost_of(assessment.runs, run.name))});
+      row.insert(row.end(),
+                 {result->second.solver, count_text(cost.elements), count_text(cost.steps)});
+      for (std::string& cell : time_and_memory(cost, is_stored(run)))
+        row.push_back(std::move(cell));
+      row.push_back(timed_text(cost_of(assessment.runs, run.name)));
     }
     row.push_back(status.message);
     table.rows.push_back(std::move(row));
@@ -168,8 +190,7 @@ Table provenance_table(const CaseAssessment& assessment) {
     if (found == assessment.runs.results.end()) continue;
     const auto& origin = found->second.provenance;
     if (const auto of = origin.find("compiler_flags"); of != origin.end()) flags.insert(of->second);
-    table.rows.push_back({run.name, software_text(origin),
-                          fmt::format("{}, {}", origin.at("date_utc"), origin.at("processor")),
+    table.rows.push_back({run.name, software_text(origin), date_and_processor(origin),
                           fmt::format("`{}`", found->second.key.substr(0, 8)),
                           fmt::format("`{}`", origin.at("command"))});
   }

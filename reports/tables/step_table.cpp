@@ -35,6 +35,7 @@ std::vector<std::string> row_of(const std::string& run, const RunResult& result,
                                 double core_seconds_of_run) {
   const auto loop = value_of(result.diagnostics, "loop_processor_time_s");
   const auto walls = value_of(result.diagnostics, "wall_particles");
+  const auto evaluations = value_of(result.diagnostics, "evaluations_per_step");
   const auto sound = value_of(result.diagnostics, "speed_of_sound_m_s");
   const double seconds = loop.value_or(core_seconds_of_run);
   const double liquid = result.cost.elements, steps = result.cost.steps;
@@ -42,6 +43,7 @@ std::vector<std::string> row_of(const std::string& run, const RunResult& result,
           fmt::format("{:.0f}", liquid),
           walls ? fmt::format("{:.0f}", *walls) : "",
           fmt::format("{:.0f}", steps),
+          evaluations ? fmt::format("{:.0f}", *evaluations) : "",
           loop ? "time loop" : "whole run",
           nanoseconds(seconds, liquid * steps),
           walls ? nanoseconds(seconds, (liquid + *walls) * steps) : "",
@@ -58,9 +60,9 @@ std::optional<Table> step_table(const CaseAssessment& assessment) {
               "cells, and those of the liquid and the walls. A code that tells the time of its "
               "time loop is counted by that, another by the whole run. What a code does not tell "
               "is blank.",
-              {"run", "liquid particles or cells", "wall particles", "steps", "counted",
-               "per liquid particle and step [ns]", "per particle and step [ns]",
-               "speed of sound [m/s]", "compiler flags"},
+              {"run", "liquid particles or cells", "wall particles", "steps",
+               "evaluations of the forces per step", "counted", "per liquid particle and step [ns]",
+               "per particle and step [ns]", "speed of sound [m/s]", "compiler flags"},
               {}};
   const CaseRuns& runs = assessment.runs;
   bool compares_codes = false;
@@ -69,7 +71,8 @@ std::optional<Table> step_table(const CaseAssessment& assessment) {
     if (is_later_member(run) || !is_simulation(run) || result == runs.results.end()) continue;
     const RunCost& cost = result->second.cost;
     if (!(cost.elements > 0 && cost.steps > 0)) continue;
-    compares_codes = compares_codes || std::holds_alternative<ExternalRun>(run.solver);
+    compares_codes =
+        compares_codes || std::holds_alternative<ExternalRun>(run.solver) || is_stored(run);
     table.rows.push_back(
         row_of(run.name, result->second, cost_of(runs, run.name).core_seconds.value));
   }

@@ -40,7 +40,9 @@ std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& r
   int most_cells = 0;
   for (const auto& [name, result] : runs.results) {
     const InterFoamRun* mesh = solver_as<InterFoamRun>(definition, name);
-    if (!mesh || mesh->cells_x * mesh->cells_z <= most_cells) continue;
+    if (!mesh || mesh->interface_method != InterfaceMethod::mules ||
+        mesh->cells_x * mesh->cells_z <= most_cells)
+      continue;
     most_cells = mesh->cells_x * mesh->cells_z;
     finest = name;
   }
@@ -127,7 +129,7 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
 
 CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
   mark_out_of_range(definition, runs);
-  mark_left_cores(definition, runs);
+  mark_other_costs(definition, runs);
   runs.input_bounds = predict_input_bounds(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
   collect_input_bounds(definition, runs);

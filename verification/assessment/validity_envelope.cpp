@@ -129,7 +129,7 @@ std::string range_of(const PotentialRun&, const CaseDefinition&, const RunResult
 
 std::string range_of(const auto&, const CaseDefinition&, const RunResult&) { return ""; }
 
-// Simulations, records and programs of the user's declare no range.
+// Simulations, records, programs of the user's and stored results declare no range.
 std::optional<std::string> outside(const SphRun&, const CaseDefinition&, const RunResult&) {
   return {};
 }
@@ -140,6 +140,9 @@ std::optional<std::string> outside(const RecordRun&, const CaseDefinition&, cons
   return {};
 }
 std::optional<std::string> outside(const ExternalRun&, const CaseDefinition&, const RunResult&) {
+  return {};
+}
+std::optional<std::string> outside(const StoredRun&, const CaseDefinition&, const RunResult&) {
   return {};
 }
 

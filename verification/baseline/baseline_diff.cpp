@@ -34,9 +34,19 @@ bool has_moved(const BaselineValue& before, const BaselineValue& after) {
          uncertainties_between(before, after) > 1;
 }
 
-std::string signed_in_unit(double value, const std::string& unit) {
-  return unit == "1" ? fmt::format("{:+.3g} %", 100 * value)
-                     : fmt::format("{:+.3g} {}", value, unit);
+std::string signed_in_unit(double value, const std::string& unit, int digits = 3) {
+  return unit == "1" ? fmt::format("{:+.{}g} %", 100 * value, digits)
+                     : fmt::format("{:+.{}g} {}", value, digits, unit);
+}
+
+// Both values, with as many digits as tell them apart.
+std::string change_text(double before, double after, const std::string& unit) {
+  constexpr int most = std::numeric_limits<double>::max_digits10;
+  int digits = 3;
+  while (digits < most &&
+         signed_in_unit(before, unit, digits) == signed_in_unit(after, unit, digits))
+    ++digits;
+  return signed_in_unit(before, unit, digits) + " -> " + signed_in_unit(after, unit, digits);
 }
 
 std::string range(const BaselineValue& value, const std::string& unit) {
@@ -132,10 +142,11 @@ std::string movement_text(const RowMovement& movement) {
   if (!after) return "no value any more";
   if (!before) return "new: " + signed_in_unit(after->value, unit);
   std::string text =
-      before->value == after->value
-          ? "unmoved"
-          : fmt::format("{} -> {} ({:.2g} uncertainties)", signed_in_unit(before->value, unit),
-                        signed_in_unit(after->value, unit), uncertainties);
+      before->value == after->value ? "unmoved"
+      : std::isinf(uncertainties)
+          ? change_text(before->value, after->value, unit) + " (no interval)"
+          : fmt::format("{} ({:.2g} uncertainties)", change_text(before->value, after->value, unit),
+                        uncertainties);
   if (loosened)
     text +=
         fmt::format(", tolerance loosened: {} -> {}", range(*before, unit), range(*after, unit));

@@ -65,7 +65,7 @@ Job job_of(const PlannedRun& planned, const CampaignSettings& settings, const Ex
 }
 
 bool is_timed(const PlannedRun& planned, const TimingDefinition& timing) {
-  return !is_record(*planned.run) &&
+  return !is_record(*planned.run) && !is_stored(*planned.run) &&
          names_run({.only = timing.only}, *planned.definition, *planned.run);
 }
 

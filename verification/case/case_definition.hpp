@@ -178,6 +178,12 @@ struct SphRun {
   bool operator==(const SphRun&) const = default;
 };
 
+// How OpenFOAM keeps the interface sharp: interFoam by MULES, interIsoFoam by isoAdvector.
+enum class InterfaceMethod { mules, iso_advector };
+
+inline constexpr EnumName<InterfaceMethod> interface_method_names[] = {
+    {InterfaceMethod::mules, "MULES"}, {InterfaceMethod::iso_advector, "isoAdvector"}};
+
 struct InterFoamRun {
   int cells_x, cells_z;
   int processes = 1;  // above 1: decomposePar and mpirun
@@ -185,6 +191,7 @@ struct InterFoamRun {
   // repeats of one run.
   double start_disorder = 0;
   int start_seed = 0;
+  InterfaceMethod interface_method = InterfaceMethod::mules;
 };
 
 // Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the
@@ -255,6 +262,16 @@ struct ExternalRun {
   std::optional<int> cores = {};  // to which it is bound
 };
 
+// Series that another code left elsewhere and that are only read: the result of a code that is not
+// installed. It is a candidate of its method.
+struct StoredRun {
+  std::vector<SeriesSource> series;  // their files lie beside the case file
+  std::string method;                // as of an external run
+  double particle_spacing;           // [m]
+  // Which code, when and on which machine, and what it took (external_facts.hpp).
+  std::filesystem::path facts;
+};
+
 enum class RefinedNumber {
   particle_spacing,
   smoothing_length_ratio,  // the step is its inverse: more neighbours
@@ -305,7 +322,7 @@ struct InputEnd {
 struct RunDefinition {
   std::string name;
   std::variant<SphRun, InterFoamRun, LinearRun, ViscousWaveRun, PotentialRun, RecordRun,
-               ExternalRun>
+               ExternalRun, StoredRun>
       solver;
   bool quick = false;  // part of the campaign's --quick form
   SourceLocation where;

@@ -18,7 +18,16 @@ struct CommonRow {
   static std::string family(const RunDefinition& run) { return run.name; }
   static double resolution(const auto&) { return 0; }
   static std::optional<double> particle_spacing(const auto&) { return {}; }
+  static std::string method_of(const auto&) { return ""; }
 };
+
+json hashed_series(const std::vector<SeriesSource>& sources) {
+  json series = json::array();
+  for (const SeriesSource& one : sources)
+    series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
+                      one.time_column, one.time_unit, one.scale, one.offset, one.first_is_zero});
+  return series;
+}
 
 // The row of a kind of solver; a kind without one does not compile.
 template <class Run>
@@ -78,17 +87,24 @@ struct Row<InterFoamRun> : CommonRow {
                                    .solves_flow = true,
                                    .takes_time_limit = true};
   static bool sees_gas(const InterFoamRun&) { return true; }
-  static std::string family(const RunDefinition&) { return "interFoam"; }
+  static const char* program(const InterFoamRun& mesh) {
+    return mesh.interface_method == InterfaceMethod::mules ? "interFoam" : "interIsoFoam";
+  }
+  static std::string family(const RunDefinition& run) {
+    return program(std::get<InterFoamRun>(run.solver));
+  }
   static double resolution(const InterFoamRun& mesh) { return 1.0 * mesh.cells_x * mesh.cells_z; }
   static std::string text(const InterFoamRun& mesh) {
     return caption(mesh) +
            (mesh.processes > 1 ? fmt::format(", {} processes", mesh.processes) : "");
   }
   static std::string caption(const InterFoamRun& mesh) {
-    return fmt::format("interFoam, {} x {} cells", mesh.cells_x, mesh.cells_z);
+    return fmt::format("{}, {} x {} cells", program(mesh), mesh.cells_x, mesh.cells_z);
   }
   static json hashed(const InterFoamRun& mesh) {
     json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
+    if (mesh.interface_method != InterfaceMethod::mules)
+      settings["interface_method"] = name_of(mesh.interface_method, interface_method_names);
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
     return settings;
   }
@@ -181,6 +197,7 @@ struct Row<ExternalRun> : CommonRow {
   static std::optional<double> particle_spacing(const ExternalRun& external) {
     return external.particle_spacing;
   }
+  static std::string method_of(const ExternalRun& external) { return external.method; }
   // ", method `pysph`, spacing 10 mm" with these marks around the method.
   static std::string method(const ExternalRun& external, const char* mark) {
     std::string text;
@@ -197,18 +214,46 @@ struct Row<ExternalRun> : CommonRow {
   static std::string text(const ExternalRun& external) { return named(external, "`"); }
   static std::string caption(const ExternalRun& external) { return named(external, ""); }
   static json hashed(const ExternalRun& external) {
-    json series = json::array();
-    for (const SeriesSource& one : external.series)
-      series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
-                        one.time_column, one.time_unit, one.scale, one.offset, one.first_is_zero});
-    json settings = {
-        {"external", {external.command, external.directory.filename().string(), series}}};
+    json settings = {{"external",
+                      {external.command, external.directory.filename().string(),
+                       hashed_series(external.series)}}};
     if (external.particle_spacing) settings["particle_spacing"] = *external.particle_spacing;
     if (!external.facts.empty()) settings["facts"] = external.facts.string();
     if (!external.version_command.empty()) settings["version"] = external.version_command;
     if (!external.fail_on.empty()) settings["fail_on"] = external.fail_on;
     if (external.cores) settings["cores"] = *external.cores;
     return settings;
+  }
+};
+
+template <>
+struct Row<StoredRun> : CommonRow {
+  static constexpr SolverKind kind{.name = "stored",
+                                   .role = SolverRole::simulation,
+                                   .answered_with = AnsweredWith::stored_files,
+                                   .elements = "particles",
+                                   .can_refer = false,
+                                   .declares_quantities = true};
+  static std::string family(const RunDefinition& run) {
+    return std::get<StoredRun>(run.solver).method;
+  }
+  static double resolution(const StoredRun& stored) {
+    return std::pow(stored.particle_spacing, -2);
+  }
+  static std::optional<double> particle_spacing(const StoredRun& stored) {
+    return stored.particle_spacing;
+  }
+  static std::string method_of(const StoredRun& stored) { return stored.method; }
+  static std::string named(const StoredRun& stored, const char* mark) {
+    return fmt::format("stored result, method {0}{1}{0}, spacing {2:.4g} mm", mark, stored.method,
+                       1000 * stored.particle_spacing);
+  }
+  static std::string text(const StoredRun& stored) { return named(stored, "`"); }
+  static std::string caption(const StoredRun& stored) { return named(stored, ""); }
+  static json hashed(const StoredRun& stored) {
+    std::vector<SeriesSource> series = stored.series;  // whose contents the key hashes too
+    for (SeriesSource& one : series) one.file = one.file.filename();
+    return {{"stored", {hashed_series(series), stored.method, stored.particle_spacing}}};
   }
 };
 
@@ -264,6 +309,11 @@ std::string family(const RunDefinition& run) {
 
 std::optional<double> particle_spacing(const RunDefinition& run) {
   return std::visit([](const auto& solver) { return row_of(solver).particle_spacing(solver); },
+                    run.solver);
+}
+
+std::string method_of(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).method_of(solver); },
                     run.solver);
 }
 

@@ -13,13 +13,13 @@
 namespace slosh {
 
 enum class SolverRole {
-  simulation,  // a candidate: SPH, interFoam, an external program
+  simulation,  // a candidate: SPH, interFoam, an external program, a stored result of one
   theory,      // an exact solution inside its range
   record       // a published or earlier time series
 };
 
 // What determines a solver's answer beside its own code.
-enum class AnsweredWith { own_code, openfoam, user_program };
+enum class AnsweredWith { own_code, openfoam, user_program, stored_files };
 
 // What holds for every run of a kind.
 struct SolverKind {
@@ -55,6 +55,12 @@ inline bool is_record(const RunDefinition& run) {
   return solver_kind(run).role == SolverRole::record;
 }
 
+// Whether the run only reads what another code left elsewhere, so that its cost is not of this
+// machine.
+inline bool is_stored(const RunDefinition& run) {
+  return solver_kind(run).answered_with == AnsweredWith::stored_files;
+}
+
 // Whether the run counts the gas above the liquid: interFoam and two-layer linear theory.
 bool sees_gas(const RunDefinition& run);
 
@@ -66,12 +72,16 @@ std::string caption_text(const RunDefinition& run);
 // The solver's settings that determine the result's numbers, for the hash in the run's key.
 nlohmann::json hashed_settings(const RunDefinition& run);
 
-// Runs of a family differ in resolution alone: SPH by its scheme, an external program by its
-// method, interFoam as such, any other run by itself.
+// Runs of a family differ in resolution alone: SPH by its scheme, an external program and a stored
+// result by its method, interFoam and interIsoFoam as such, any other run by itself.
 std::string family(const RunDefinition& run);
 
-// The spacing inside the liquid [m], of SPH and of an external program that has one.
+// The spacing inside the liquid [m], of SPH, of a stored result, and of an external program that
+// has one.
 std::optional<double> particle_spacing(const RunDefinition& run);
+
+// The method of an external program or of a stored result; empty for a run without one.
+std::string method_of(const RunDefinition& run);
 
 // Grows with the resolution; comparable within a family.
 double resolution(const RunDefinition& run);

@@ -97,6 +97,9 @@ Rule<double> a_particle_spacing(const LiquidDefinition& liquid);
 // Reads the keys of [[run]] with solver = "external". The files are relative to the case file.
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);
 
+// Reads the keys of [[run]] with solver = "stored". Its files must be there.
+StoredRun read_stored_run(const TomlTable& run, const CaseDefinition& definition);
+
 // Reads the keys of [[run]] with solver = "pysph": an external run of the driver that Slosh ships.
 // The definition's tank, obstacles and initial wave must have been read.
 ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definition);

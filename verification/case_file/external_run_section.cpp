@@ -18,13 +18,30 @@ namespace fs = std::filesystem;
 
 constexpr const char* work_directory = "the run's work directory";
 
-SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition) {
+fs::path beside_case(const CaseDefinition& definition, const std::string& path) {
+  return plain_path(fs::absolute(definition.file).parent_path() / path);
+}
+
+// A file that must be there, relative to the case file.
+fs::path stored_file(const TomlTable& table, const char* key, const CaseDefinition& definition) {
+  const fs::path file = beside_case(definition, table.get(key, any_text()));
+  if (!fs::is_regular_file(file))
+    table.refuse(key, "a file relative to the case file; there is no " + file.string());
+  return file;
+}
+
+// Where the files of a run's series lie.
+enum class Files { below_work_directory, beside_case_file };
+
+SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition, Files files) {
   series.allow_only(keys_of("run.series"));
   SeriesSource source;
   source.quantity =
       series.choice("quantity", "a compared quantity", compared_quantities(definition));
   const std::string unit = unit_of(source.quantity);
-  source.file = series.get("file", path_below("a file's", work_directory));
+  source.file = files == Files::beside_case_file
+                    ? stored_file(series, "file", definition)
+                    : fs::path(series.get("file", path_below("a file's", work_directory)));
   source.format = series.get("format", any_text());
   source.column = series.get("column", any_text());
   if (series.has("unit"))
@@ -44,10 +61,11 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
   return source;
 }
 
-std::vector<SeriesSource> read_all_series(const TomlTable& run, const CaseDefinition& definition) {
+std::vector<SeriesSource> read_all_series(const TomlTable& run, const CaseDefinition& definition,
+                                          Files files) {
   std::vector<SeriesSource> all;
   for (const TomlTable& table : run.tables("series")) {
-    SeriesSource source = read_series(table, definition);
+    SeriesSource source = read_series(table, definition, files);
     if (std::any_of(all.begin(), all.end(),
                     [&](const SeriesSource& other) { return other.quantity == source.quantity; }))
       table.refuse("quantity", "a quantity that no other series of the run has");
@@ -85,10 +103,6 @@ void read_method(const TomlTable& run, const CaseDefinition& definition, Externa
     run.refuse("particle_spacing_m", "the method's spacing in this run, in m, beside method");
 }
 
-fs::path beside_case(const CaseDefinition& definition, const std::string& path) {
-  return plain_path(fs::absolute(definition.file).parent_path() / path);
-}
-
 }  // namespace
 
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition) {
@@ -115,8 +129,15 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
   external.cores = run.find("cores", at_least(1));
   read_method(run, definition, external);
   if (run.has("facts")) external.facts = run.get("facts", path_below("a file's", work_directory));
-  external.series = read_all_series(run, definition);
+  external.series = read_all_series(run, definition, Files::below_work_directory);
   return external;
+}
+
+StoredRun read_stored_run(const TomlTable& run, const CaseDefinition& definition) {
+  return {.series = read_all_series(run, definition, Files::beside_case_file),
+          .method = run.get("method", file_safe_name()),
+          .particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition.liquid)),
+          .facts = stored_file(run, "facts", definition)};
 }
 
 ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definition) {
@@ -156,10 +177,6 @@ ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definitio
 
 void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
                           const CaseDefinition& definition) {
-  const auto method_of = [](const RunDefinition& one) {
-    const auto* external = std::get_if<ExternalRun>(&one.solver);
-    return external ? external->method : "";
-  };
   const std::string method = method_of(run);
   for (const RunDefinition& other : definition.runs) {
     if (family(other) != family(run) || (method.empty() && method_of(other).empty())) continue;

@@ -91,11 +91,15 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
     run.refuse("start_disorder",
                "no such key for interFoam with [initial_wave], column_width_m or an obstacle: only "
                "a plain level can be disturbed");
-  return {.cells_x = cells_x,
-          .cells_z = cells_z,
-          .processes = processes.value_or(1),
-          .start_disorder = start.disorder,
-          .start_seed = start.seed};
+  return {
+      .cells_x = cells_x,
+      .cells_z = cells_z,
+      .processes = processes.value_or(1),
+      .start_disorder = start.disorder,
+      .start_seed = start.seed,
+      .interface_method = run.has("interface_method")
+                              ? run.choice("interface_method", "a method", interface_method_names)
+                              : InterfaceMethod::mules};
 }
 
 double read_valid_elevation(const TomlTable& run) {
@@ -217,6 +221,8 @@ const std::vector<SolverSection> solver_sections{
      "experiment"},
     {"external", [](const auto& run, const auto& definition,
                     const auto&) { return read_external_run(run, definition); }},
+    {"stored", [](const auto& run, const auto& definition,
+                  const auto&) { return read_stored_run(run, definition); }},
     {"pysph", [](const auto& run, const auto& definition, const auto&) {
        return read_pysph_run(run, definition);
      }}};

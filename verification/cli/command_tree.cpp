@@ -131,6 +131,7 @@ void add_all_commands(const CommandTree& tree) {
   add_show_command(tree);
   add_store_command(tree);
   add_new_command(tree);
+  add_case_command(tree);
   add_check_command(tree);
   add_list_command(tree);
   add_explain_command(tree);

@@ -43,6 +43,7 @@ void add_export_command(const CommandTree& tree);
 void add_show_command(const CommandTree& tree);
 void add_store_command(const CommandTree& tree);
 void add_new_command(const CommandTree& tree);
+void add_case_command(const CommandTree& tree);
 void add_check_command(const CommandTree& tree);
 void add_list_command(const CommandTree& tree);
 void add_explain_command(const CommandTree& tree);

@@ -25,8 +25,8 @@
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
+#include "verification/solvers/particles/state_file.hpp"
 #include "verification/solvers/snapshots.hpp"
-#include "verification/solvers/state_file.hpp"
 #include "verification/texts/run_summary.hpp"
 
 namespace slosh {

@@ -72,14 +72,33 @@ void require_timings(const WorkFamily& family, const CostAtError& found) {
         lacking.size() == 1 ? "its" : "their"));
 }
 
+std::string measured_elsewhere(const RunResult& result) {
+  return fmt::format("stored result of {}: its cost was measured on another machine, {}",
+                     result.provenance.at("stored_software"),
+                     result.provenance.at("stored_machine"));
+}
+
+// Empty where the run has kept to its cores, or is not bound.
+std::string left_cores(const RunDefinition& run, const RunCost& cost) {
+  constexpr double allowance = 1.05;
+  const auto* external = std::get_if<ExternalRun>(&run.solver);
+  if (!external || !external->cores ||
+      core_seconds(cost) <= allowance * cost.wall_time * *external->cores)
+    return "";
+  return fmt::format("{:.3g} core-seconds in {:.3g} s: more than its cores = {} have",
+                     core_seconds(cost), cost.wall_time, *external->cores);
+}
+
 }  // namespace
 
 MeasuredCost cost_of(const CaseRuns& runs, const std::string& run) {
   const auto timed = runs.timings.find(run);
   if (timed == runs.timings.end() || timed->second.empty()) {
-    const RunCost& beside_others = runs.results.at(run).cost;
-    return {
-        {core_seconds(beside_others), not_a_number}, {beside_others.peak_memory, not_a_number}, 0};
+    const RunResult& result = runs.results.at(run);
+    return {.core_seconds = {core_seconds(result.cost), not_a_number},
+            .memory = {result.cost.peak_memory, not_a_number},
+            .timings = 0,
+            .elsewhere = result.provenance.contains("stored_software")};
   }
   std::vector<double> times, memories;
   for (const RunCost& one : timed->second) {
@@ -89,18 +108,14 @@ MeasuredCost cost_of(const CaseRuns& runs, const std::string& run) {
   return {mean_with_interval(times), mean_with_interval(memories), times.size()};
 }
 
-void mark_left_cores(const CaseDefinition& definition, CaseRuns& runs) {
-  constexpr double allowance = 1.05;
+void mark_other_costs(const CaseDefinition& definition, CaseRuns& runs) {
   for (const RunDefinition& run : definition.runs) {
-    const auto* external = std::get_if<ExternalRun>(&run.solver);
     const auto result = runs.results.find(run.name);
-    if (!external || !external->cores || result == runs.results.end()) continue;
-    const RunCost& cost = result->second.cost;
-    if (core_seconds(cost) <= allowance * cost.wall_time * *external->cores) continue;
+    if (result == runs.results.end()) continue;
+    const std::string remark =
+        is_stored(run) ? measured_elsewhere(result->second) : left_cores(run, result->second.cost);
     std::string& message = runs.status.at(run.name).message;
-    message += fmt::format("{}{:.3g} core-seconds in {:.3g} s: more than its cores = {} have",
-                           message.empty() ? "" : "; ", core_seconds(cost), cost.wall_time,
-                           *external->cores);
+    if (!remark.empty()) message += (message.empty() ? "" : "; ") + remark;
   }
 }
 
@@ -118,7 +133,9 @@ std::vector<WorkPoint> by_core_seconds(const WorkFamily& family) {
 }
 
 std::vector<WorkPoint> by_memory(const WorkFamily& family) {
-  return points_of(family, &MeasuredCost::memory);
+  std::vector<WorkPoint> points = points_of(family, &MeasuredCost::memory);
+  std::erase_if(points, [](const WorkPoint& point) { return point.cost.value == 0; });
+  return points;
 }
 
 CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,

@@ -16,9 +16,10 @@ namespace slosh {
 
 struct MeasuredCost {
   // Half widths of NaN where there are fewer than two timings.
-  Estimate core_seconds;  // [s]
-  Estimate memory;        // the largest process at its peak [byte]
-  std::size_t timings;    // repeats alone on a core; 0: the run ran beside others
+  Estimate core_seconds;   // [s]
+  Estimate memory;         // the largest process at its peak [byte]
+  std::size_t timings;     // repeats alone on a core; 0: the run ran beside others
+  bool elsewhere = false;  // of a stored result: measured on another machine
 
   bool has_interval() const { return timings >= 2; }
 };
@@ -26,10 +27,10 @@ struct MeasuredCost {
 // The cost of a run that left a result.
 MeasuredCost cost_of(const CaseRuns& runs, const std::string& run);
 
-// Says in the status of each external run that is bound to cores where it took more processor time
-// than these cores have in its wall time, by more than 5 %: then it has left them, and its costs
-// are those of more cores.
-void mark_left_cores(const CaseDefinition& definition, CaseRuns& runs);
+// Says in the status of each run where its cost does not compare with the others': a stored
+// result's was measured on another machine, and an external run that is bound to cores may have
+// taken more processor time than these cores have in its wall time, by more than 5 %.
+void mark_other_costs(const CaseDefinition& definition, CaseRuns& runs);
 
 struct WorkRun {
   std::string run;
@@ -51,6 +52,7 @@ struct WorkFamily {
 void sort_by_resolution(WorkFamily& family);
 
 std::vector<WorkPoint> by_core_seconds(const WorkFamily& family);
+// Without the runs whose memory is not known.
 std::vector<WorkPoint> by_memory(const WorkFamily& family);
 
 // The cost at which the candidate's family reaches the row's error, from those runs of the family

@@ -12,7 +12,7 @@
 #include "verification/fuzz/hdf5_edits.hpp"
 #include "verification/fuzz/memory_file.hpp"
 #include "verification/results/result_file.hpp"
-#include "verification/solvers/state_file.hpp"
+#include "verification/solvers/particles/state_file.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace {

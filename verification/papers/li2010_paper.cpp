@@ -10,6 +10,7 @@
 #include "verification/papers/paper_claims.hpp"
 #include "verification/papers/paper_sections.hpp"
 #include "verification/papers/surface_spectrum.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -61,20 +62,17 @@ std::string li2010_particles(const CaseAssessment* assessment) {
 Table printed_numbers(const std::vector<CaseAssessment>& cases, const RedrawnFigures& redrawn) {
   const CaseAssessment* small = find_case(cases, paper_cases::small);
   const double omega = reference::natural_frequency(li2010_tank, 1);
-  const auto amplitude = [](const ModeComparison& mode) {
-    return fmt::format("{:+.1f} ± {:.1f} %", 100 * mode.amplitude_error.value,
-                       100 * mode.amplitude_error.half_width);
+  const std::string not_resolved = "not resolved";
+  const auto amplitude = [&](const ModeComparison& mode) {
+    return mode.resolved() ? percent_interval_text(mode.amplitude_error) : not_resolved;
   };
-  const auto lag = [](const ModeComparison& mode) {
-    return fmt::format("{:+.1f} ± {:.1f} deg", mode.phase_lag_degrees.value,
-                       mode.phase_lag_degrees.half_width);
+  const auto lag = [&](const ModeComparison& mode) {
+    return mode.resolved() ? interval_text(mode.phase_lag_degrees) + " deg" : not_resolved;
   };
-  const auto damping = [](const ModeComparison& mode) {
-    return mode.resolved() ? fmt::format("{:.2f} ± {:.2f} 1/s, frequency {:+.1f} ± {:.1f} %",
-                                         mode.decay_rate.value, mode.decay_rate.half_width,
-                                         100 * mode.frequency_error.value,
-                                         100 * mode.frequency_error.half_width)
-                           : std::string("not resolved");
+  const auto damping = [&](const ModeComparison& mode) {
+    return mode.resolved() ? fmt::format("{} 1/s, frequency {}", interval_text(mode.decay_rate),
+                                         percent_interval_text(mode.frequency_error))
+                           : not_resolved;
   };
   return with_figures(
       {"li2010-numbers",

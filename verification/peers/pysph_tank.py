@@ -14,6 +14,7 @@ mirror images in the walls, falls below 0.5. It takes the rest density, since ED
 the surface is half of it. Exit status: 1 for a failed run, 3 where PySPH is not installed.
 """
 import csv
+import inspect
 import json
 import os
 import sys
@@ -196,6 +197,12 @@ def computed(tank, directory, scheme, spacing):
     return app
 
 
+def evaluations(integrator):
+    """Counts those of the forces in a step of one of PySPH's integrators."""
+    step = inspect.getsource(type(integrator).one_timestep)
+    return step.count("self.compute_accelerations(")
+
+
 def run(tank, directory, scheme, spacing):
     started = time.time(), processor_time()
     app = computed(tank, directory, scheme, spacing)
@@ -206,6 +213,7 @@ def run(tank, directory, scheme, spacing):
         table.writerows([f"{value:.9g}" for value in row] for row in rows)
     cost = {"schema_version": 1, "liquid_particles": app.liquid.get_number_of_particles(),
             "wall_particles": app.walls.get_number_of_particles(), "steps": app.solver.count,
+            "evaluations_per_step": evaluations(app.solver.integrator),
             "speed_of_sound_m_s": float(app.c0), "smoothing_length_ratio": H_OVER_DP,
             "loop_wall_time_s": ended[0] - began[0],
             "loop_processor_time_s": ended[1] - began[1],

@@ -69,10 +69,11 @@ double time_of(const LinearRun&, const RunEffort& effort, const CaseDefinition&)
   return effort.steps * effort.elements * 0.2 * microsecond;
 }
 
-// Nothing is known of an external program. A record or a formula takes no more than the start of
-// its process.
+// Nothing is known of an external program. A record, a stored result or a formula takes no more
+// than the start of its process.
 double time_of(const ExternalRun&, const RunEffort&, const CaseDefinition&) { return 0; }
 double time_of(const RecordRun&, const RunEffort&, const CaseDefinition&) { return 0; }
+double time_of(const StoredRun&, const RunEffort&, const CaseDefinition&) { return 0; }
 double time_of(const ViscousWaveRun&, const RunEffort&, const CaseDefinition&) { return 0; }
 
 }  // namespace

@@ -81,20 +81,22 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
   const CaseDefinition solved = definition_solved_by(run, definition);
   RunResult result = run_chosen_solver({solved, run, settings, progress});
   const RunCost own = result.cost;
-  result.cost = meter.cost();
-  result.cost.wall_time -= own.wall_time;
-  result.cost.user_time -= own.user_time;
-  result.cost.system_time -= own.system_time;
-  result.cost.steps = own.steps;
-  result.cost.elements = own.elements;
+  if (!is_stored(run)) {  // a stored result keeps the cost that it had on another machine
+    result.cost = meter.cost();
+    result.cost.wall_time -= own.wall_time;
+    result.cost.user_time -= own.user_time;
+    result.cost.system_time -= own.system_time;
+    result.cost.steps = own.steps;
+    result.cost.elements = own.elements;
+  }
   result.case_name = definition.name;
   result.run_name = run.name;
   result.solver = solver_name(run);
   result.case_text = definition.text;
   result.key = settings.key;
   result.provenance.merge(provenance(settings.command));
-  // What compiled Slosh has compiled no program of the user's.
-  if (solver_kind(run).answered_with == AnsweredWith::user_program)
+  // What compiled Slosh has compiled no other code.
+  if (is_stored(run) || solver_kind(run).answered_with == AnsweredWith::user_program)
     for (const char* of_slosh : {"compiler", "compiler_flags"}) result.provenance.erase(of_slosh);
   return result;
 }

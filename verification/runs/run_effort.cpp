@@ -73,8 +73,9 @@ RunEffort effort_of(const ViscousWaveRun&, const CaseDefinition& definition, con
   return {.steps = samples(definition), .elements = 1};
 }
 
-// A record is only read.
+// A record and a stored result are only read.
 RunEffort effort_of(const RecordRun&, const CaseDefinition&, const RunDefinition&) { return {}; }
+RunEffort effort_of(const StoredRun&, const CaseDefinition&, const RunDefinition&) { return {}; }
 
 // Nothing is known of an external program.
 RunEffort effort_of(const ExternalRun&, const CaseDefinition&, const RunDefinition&) { return {}; }

@@ -139,6 +139,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   if (solver_kind(run).solves_flow) asked["snapshot_times"] = field_times(definition);
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external) asked["inputs"] = contents(external_inputs(*external, definition));
+  if (const auto* stored = std::get_if<StoredRun>(&run.solver))
+    asked["inputs"] = contents(stored_files(*stored));
   question.add(asked.dump());
   add_answer(answer, solver_name(run), builds, openfoam_templates);
   if (external) {

@@ -42,8 +42,11 @@ bool CaseCoverage::is_complete() const {
 }
 
 std::string hash_of_rows(const CaseDefinition& definition) {
+  std::vector<std::string> rows;
+  for (const GateRow& row : definition.gate) rows.push_back(row_identity(row));
+  std::sort(rows.begin(), rows.end());
   std::string text;
-  for (const GateRow& row : definition.gate) text += row_identity(row);
+  for (const std::string& row : rows) text += row;
   return content_hash(text);
 }
 

@@ -47,7 +47,8 @@ struct CaseCoverage {
   bool is_complete() const;  // nothing is missed
 };
 
-// The hash of the declared rows: candidate, reference, quantity, metric and bounds.
+// The hash of the declared rows, in whatever order: candidate, reference, quantity, metric and
+// bounds.
 std::string hash_of_rows(const CaseDefinition& definition);
 
 std::string coverage_name(Coverage coverage);  // "detected", "MISSED", "not applicable"

@@ -46,14 +46,29 @@ json read_object(const fs::path& file) {
   }
 }
 
-void refuse_unknown_keys(const json& document, const fs::path& file) {
+// Throws for a key that is neither the version's nor one of `facts`, and for another version.
+void require_known_form(const json& document, const std::vector<std::string>& facts,
+                        const fs::path& file) {
   std::vector<std::string> known{version};
-  for (const ExternalFact& fact : external_facts()) known.push_back(fact.name);
+  known.insert(known.end(), facts.begin(), facts.end());
   for (const auto& [key, value] : document.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
       throw CaseFileError(fmt::format("{}: {} = {}: expected only these keys: {}{}", file.string(),
                                       key, value.dump(), fmt::join(known, ", "),
                                       nearest_text(key, known)));
+  const auto written = document.find(version);
+  if (written == document.end() || *written != 1)
+    throw CaseFileError(fmt::format("{}: {} = {}: expected 1", file.string(), version,
+                                    written == document.end() ? "(missing)" : written->dump()));
+}
+
+void keep(const ExternalFact& fact, double value, RunResult& result) {
+  if (fact.name == liquid_particles)
+    result.cost.elements = value;
+  else if (fact.name == steps)
+    result.cost.steps = value;
+  else
+    result.diagnostics[fact.name] = value;
 }
 
 // Returns nullopt where the program does not know it.
@@ -70,6 +85,37 @@ std::optional<double> value_of(const ExternalFact& fact, const json& document,
   return value;
 }
 
+// What a stored result must or may say beside the facts of a program.
+constexpr const char *simulated_time = "simulated_time_s", *processor_time = "processor_time_s",
+                     *wall_time = "wall_time_s", *remark = "remark";
+constexpr const char* origins[] = {"software", "date", "machine"};
+
+std::string text_of(const char* key, const json& document, const fs::path& file) {
+  const auto found = document.find(key);
+  if (found == document.end() || !found->is_string() || found->get<std::string>().empty())
+    throw CaseFileError(fmt::format("{}: {} = {}: expected a text", file.string(), key,
+                                    found == document.end() ? "(missing)" : found->dump()));
+  return found->get<std::string>();
+}
+
+double time_of(const char* key, const json& document, const fs::path& file) {
+  const auto value = value_of({key, false, false, ""}, document, file);
+  if (!value)
+    throw CaseFileError(
+        fmt::format("{}: {} = (missing): expected a number > 0", file.string(), key));
+  return *value;
+}
+
+bool is_of_compiling(const ExternalFact& fact) {
+  return fact.name == compile_wall || fact.name == compile_processor;
+}
+
+// Whether the fact grows with the time that is simulated.
+bool grows_with_time(const ExternalFact& fact) {
+  return fact.name == steps || fact.name == "loop_wall_time_s" ||
+         fact.name == "loop_processor_time_s";
+}
+
 }  // namespace
 
 const std::vector<ExternalFact>& external_facts() {
@@ -77,6 +123,7 @@ const std::vector<ExternalFact>& external_facts() {
       {liquid_particles, true, false, "number of particles of the liquid"},
       {"wall_particles", true, true, "number of particles of the walls"},
       {steps, true, false, "number of time steps"},
+      {"evaluations_per_step", true, false, "number of evaluations of the forces in a time step"},
       {"speed_of_sound_m_s", false, false, "speed of sound of the liquid"},
       {"smoothing_length_ratio", false, false, "smoothing length over particle spacing, h / dp"},
       {"loop_wall_time_s", false, false, "wall-clock time of the time loop, without set-up"},
@@ -91,20 +138,13 @@ const std::vector<ExternalFact>& external_facts() {
 
 void add_external_facts(const fs::path& file, const RunCost& taken, RunResult& result) {
   const json document = read_object(file);
-  refuse_unknown_keys(document, file);
-  const auto written = document.find(version);
-  if (written == document.end() || *written != 1)
-    throw CaseFileError(fmt::format("{}: {} = {}: expected 1", file.string(), version,
-                                    written == document.end() ? "(missing)" : written->dump()));
+  std::vector<std::string> names;
+  for (const ExternalFact& fact : external_facts()) names.push_back(fact.name);
+  require_known_form(document, names, file);
   for (const ExternalFact& fact : external_facts()) {
     const auto value = value_of(fact, document, file);
     if (!value) continue;
-    if (fact.name == liquid_particles)
-      result.cost.elements = *value;
-    else if (fact.name == steps)
-      result.cost.steps = *value;
-    else
-      result.diagnostics[fact.name] = *value;
+    keep(fact, *value, result);
     const auto count_apart = [&](double whole, double& apart) {
       if (*value > whole)
         throw CaseFileError(
@@ -115,6 +155,34 @@ void add_external_facts(const fs::path& file, const RunCost& taken, RunResult& r
     if (fact.name == compile_wall) count_apart(taken.wall_time, result.cost.wall_time);
     if (fact.name == compile_processor)
       count_apart(taken.user_time + taken.system_time, result.cost.user_time);
+  }
+}
+
+void add_stored_facts(const fs::path& file, double duration, RunResult& result) {
+  const json document = read_object(file);
+  std::vector<std::string> names{simulated_time, processor_time, wall_time, remark};
+  names.insert(names.end(), std::begin(origins), std::end(origins));
+  for (const ExternalFact& fact : external_facts())
+    if (!is_of_compiling(fact)) names.push_back(fact.name);
+  require_known_form(document, names, file);
+  for (const char* origin : origins)
+    result.provenance[std::string("stored_") + origin] = text_of(origin, document, file);
+  if (document.contains(remark))
+    result.provenance[std::string("stored_") + remark] = text_of(remark, document, file);
+  const double simulated = time_of(simulated_time, document, file);
+  if (simulated < duration)
+    throw CaseFileError(fmt::format("{}: {} = {:g}: expected at least the case's {:g} s",
+                                    file.string(), simulated_time, simulated, duration));
+  const double share = duration / simulated;
+  result.cost.user_time = share * time_of(processor_time, document, file);
+  if (const auto wall = value_of({wall_time, false, false, ""}, document, file))
+    result.cost.wall_time = share * *wall;
+  for (const ExternalFact& fact : external_facts()) {
+    if (is_of_compiling(fact)) continue;
+    const auto value = value_of(fact, document, file);
+    if (!value) continue;
+    const double counted = grows_with_time(fact) ? share * *value : *value;
+    keep(fact, fact.is_count ? std::round(counted) : counted, result);
   }
 }
 

@@ -1,5 +1,7 @@
 // What an external program tells of its run in a JSON file beside its series: the sizes and costs
-// that only it knows. external_facts.schema.json is the published form of this file.
+// that only it knows. external_facts.schema.json is the published form of this file. The file of a
+// stored result has entries beyond this form: it also says which code it was, and when, where and
+// at what cost it ran.
 #pragma once
 
 #include <filesystem>
@@ -29,5 +31,13 @@ const std::vector<ExternalFact>& external_facts();
 // file is missing, no JSON object of this form, or has another key, and where compiling took longer
 // than the whole program with the cost `taken`.
 void add_external_facts(const std::filesystem::path& file, const RunCost& taken, RunResult& result);
+
+// Adds what the file of a stored result says. It has the same entries, without those of compiling,
+// and must have `software`, `date` and `machine` (texts, which become the provenance
+// stored_software, ...), `simulated_time_s` and `processor_time_s`, and may have `wall_time_s` and
+// `remark`. A run that went on beyond the case's duration [s] counts by its share: its steps and
+// times are multiplied by the duration over the simulated time. Throws CaseFileError as above, and
+// where the run simulated less than the duration.
+void add_stored_facts(const std::filesystem::path& file, double duration, RunResult& result);
 
 }  // namespace slosh

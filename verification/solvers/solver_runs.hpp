@@ -84,6 +84,14 @@ void require_scene(const ExternalRun& external, const CaseDefinition& definition
                    const RunDefinition& run);
 RunResult run_solver(const ExternalRun& external, const RunRequest& request);
 
+void require_scene(const StoredRun& stored, const CaseDefinition& definition,
+                   const RunDefinition& run);
+// The whole cost of the result is what the code took elsewhere.
+RunResult run_solver(const StoredRun& stored, const RunRequest& request);
+
+// The files that a stored result is read from.
+std::vector<std::filesystem::path> stored_files(const StoredRun& stored);
+
 // What an SPH run starts as.
 struct SphOutline {
   std::size_t particles;                  // of the liquid

@@ -9,10 +9,10 @@
 #include "verification/case/field_times.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/results/taken_series.hpp"
+#include "verification/solvers/particles/state_file.hpp"
 #include "verification/solvers/snapshots.hpp"
 #include "verification/solvers/solver_runs.hpp"
 #include "verification/solvers/sph_scene.hpp"
-#include "verification/solvers/state_file.hpp"
 
 namespace slosh {
 namespace {

@@ -127,6 +127,14 @@ const std::vector<CommandRun> runs{
     {"new NAME --like CASE [-o FILE]",
      {{"new", "my_tank", "--like", "./small.toml"},
       {"new", "other_tank", "--like", "./small.toml", "-o", "tank.toml"}}},
+    {"case CASE --for CODE -o DIRECTORY [--spacing DP]",
+     {{"case", "./small.toml", "--for", "csv", "-o", "tables"},
+      {"case", "./small.toml", "--for", "pysph", "--spacing", "0.05", "-o", "for_pysph"},
+      {"case", "./small.toml", "--for", "openfoam", "-o", "for_openfoam"},
+      {"case", "./small.toml", "--for", "sphinxsys", "-o", "for_sphinxsys"}}},
+    {"case li2010_small_amplitude --for dualsphysics --spacing 0.01 -o li2010_dualsphysics",
+     {{"case", "li2010_small_amplitude", "--for", "dualsphysics", "--spacing", "0.01", "-o",
+       "li2010_dualsphysics"}}},
     {"check CASE", {{"check", "./small.toml"}, {"check", "./my_tank.toml"}}},
     {"explain docs/tutorial/own_tank.toml", {{"explain", "docs/tutorial/own_tank.toml"}}},
     {"run CASE RUN [-o FILE]",
@@ -211,6 +219,8 @@ const std::vector<CommandRun> runs{
     {"store", {{"store"}}},
     {"store --remove", {{"store", "--remove"}}},
     {"store [--remove]", {{"store"}}},
+    {"campaign codes", {{"campaign", "codes", "--dry-run"}}},
+    {"campaign codes --quick", {{"campaign", "codes", "--quick", "--dry-run"}}},
     {"campaign small_amplitude", {{"campaign", "small_amplitude", "--dry-run"}}},
     {"campaign stability", {{"campaign", "stability", "--dry-run"}}},
     {"campaign verification", {{"campaign", "verification", "--dry-run"}}},
@@ -228,6 +238,20 @@ const std::set<std::string> of_the_tutorial{
     "li2010_small_amplitude --gauge right --limit amplitude_error=0.03 --limit phase_lag=2 --json "
     "compared.json"};
 
+// your_code_test.cpp runs these, and your_code_study_test.cpp the last two.
+const std::string of_my_sph = " ../my_sph/campaign.toml --quick -o ../my_sph/gated";
+const std::string of_its_ledger = of_my_sph + " --ledger ../my_sph/figures.jsonl";
+const std::set<std::string> of_your_code{
+    "gate" + of_my_sph,
+    "gate" + of_its_ledger,
+    "baseline propose" + of_its_ledger + " --new",
+    "baseline approve" + of_its_ledger + " --new --who 'A. Name' --reason 'The first figures.'",
+    "baseline diff" + of_its_ledger,
+    "selftest" + of_my_sph,
+    "campaign ../my_sph/campaign.toml -o ../my_sph/whole",
+    "converge ../my_sph/wave.toml --family small_sph --spacings 0.05,0.04,0.02 -o "
+    "../my_sph/orders"};
+
 // python_page_test.cpp runs these before the page's code.
 const std::set<std::string> of_the_python_page{
     "run li2010_small_amplitude linear -o linear.h5",
@@ -238,9 +262,9 @@ const std::set<std::string> of_the_python_page{
 const std::set<std::string> of_the_launcher{"test", "fuzz", "bench", "doctor"};
 
 // The names of commands that a page speaks of.
-const std::set<std::string> mentioned{
-    "baseline approve", "baseline diff", "compare", "explain", "gate",
-    "import",           "new",           "report",  "run",     "show"};
+const std::set<std::string> mentioned{"baseline approve", "baseline diff", "case",   "compare",
+                                      "explain",          "gate",          "import", "new",
+                                      "report",           "run",           "show"};
 
 // "./slosh  list   # all" -> "list"; a line that goes on after a backslash is one.
 std::string command_of(const std::string& line) {
@@ -255,6 +279,7 @@ TEST_F(DocumentedCommands, HaveEachARunOfTheirOwnAndNoOtherHasOne) {
   std::set<std::string> known = of_the_tutorial, documented;
   known.insert(mentioned.begin(), mentioned.end());
   known.insert(of_the_python_page.begin(), of_the_python_page.end());
+  known.insert(of_your_code.begin(), of_your_code.end());
   for (const CommandRun& run : runs) known.insert(run.documented);
   for (const fs::path& document : documents::files(source))
     for (const std::string& line : command_lines(reports::read_text(document))) {

@@ -53,8 +53,8 @@ bool any_in(const std::set<std::string>& files, const std::string& folder) {
   return first != files.end() && first->starts_with(folder);
 }
 
-const std::vector<std::string> kinds{"sph",          "interfoam", "linear",  "potential",
-                                     "viscous_wave", "record",    "external"};
+const std::vector<std::string> kinds{"sph",          "interfoam", "linear",   "potential",
+                                     "viscous_wave", "record",    "external", "stored"};
 
 TEST(SolverBuilds, RestOnNoGateMetricReportOrCampaign) {
   const std::vector<std::string> others{"verification/gate/",
@@ -86,11 +86,14 @@ TEST(SolverBuilds, RestOnNoGateMetricReportOrCampaign) {
 }
 
 TEST(SolverBuilds, RestOnTheirOwnSolverAlone) {
-  const std::vector<std::pair<std::string, std::string>> folders{
-      {"sph", "sph/"}, {"interfoam", "openfoam_cases/"}, {"external", "verification/import/"}};
+  const std::vector<std::pair<std::string, std::string>> folders{{"sph", "sph/"},
+                                                                 {"interfoam", "openfoam_cases/"}};
   for (const auto& [owner, folder] : folders)
     for (const std::string& kind : kinds)
       EXPECT_EQ(any_in(files_behind(kind), folder), kind == owner) << kind << ": " << folder;
+  const std::set<std::string> importing{"external", "stored"};
+  for (const std::string& kind : kinds)
+    EXPECT_EQ(any_in(files_behind(kind), "verification/import/"), importing.contains(kind)) << kind;
   for (const std::string kind : {"linear", "potential", "viscous_wave"})
     EXPECT_TRUE(any_in(files_behind(kind), "reference/")) << kind;
   for (const std::string kind : {"sph", "interfoam", "external"})

@@ -9,6 +9,7 @@
 
 #include "reports/figures/figure_panels.hpp"
 #include "reports/figures/glance_figure.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/tests/figure_results.hpp"
 
 namespace slosh::run_looks_test {
@@ -55,6 +56,37 @@ TEST(RunLook, OfAProgramOfTheUsersTakesAHueThatNoSchemeOfTheCaseHas) {
   EXPECT_NE(look_of(definition, "one").colour, taken);
   EXPECT_NE(look_of(definition, "other").colour, taken);
   EXPECT_NE(look_of(definition, "one").colour, look_of(definition, "other").colour);
+}
+
+// The league has more codes than there are hues.
+TEST(RunLook, TellsMoreCodesThanHuesApartByTheirMarkers) {
+  const auto method = [](const std::string& name) {
+    return ExternalRun{{"program"}, {}, {}, {}, {}, name, 0.01};
+  };
+  InterFoamRun sharp{9, 9};
+  sharp.interface_method = InterfaceMethod::iso_advector;
+  const CaseDefinition definition =
+      assess_scaled({{"recommended", scheme("recommended", 0.01), 1, {}},
+                     {"delta_sph", scheme("delta_sph", 0.01), 1, {}},
+                     {"li2010", scheme("li2010", 0.01), 1, {}},
+                     {"mesh", InterFoamRun{9, 9}, 1, {}},
+                     {"sharp", sharp, 1, {}},
+                     {"theirs", method("pysph_delta_sph"), 1, {}},
+                     {"edac", method("pysph_edac"), 1, {}},
+                     {"mdbc", method("dualsphysics_mdbc"), 1, {}},
+                     {"one", method("one"), 1, {}},
+                     {"two", method("two"), 1, {}},
+                     {"three", method("three"), 1, {}}})
+          .definition;
+  std::set<std::pair<std::size_t, std::size_t>> looks;
+  std::size_t runs = 0;
+  for (const RunDefinition& run : definition.runs) {
+    if (!is_simulation(run)) continue;
+    const reports::Look look = look_of(definition, run.name);
+    EXPECT_TRUE(looks.insert({look.colour, look.shape % 10}).second) << run.name;
+    ++runs;
+  }
+  EXPECT_EQ(looks.size(), runs);
 }
 
 TEST(RunLook, OfAModelIsThatOfItsSchemeAndTellsItsVariantsApart) {

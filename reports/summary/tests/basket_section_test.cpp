@@ -96,6 +96,11 @@ TEST(BasketSection, StandsOnThePageAcrossTheCasesAndDecidesNoVerdict) {
   EXPECT_EQ(report.sections.back().id, "basket");
   EXPECT_EQ(report.sections.back().page, "across");
   EXPECT_EQ(report.sections.back().tables.at(0).rows.at(0).at(3), "50");
+  const std::vector<reports::Figure>& costs = report.sections.back().figures;
+  ASSERT_EQ(costs.size(), 2u) << "the error against the run time in each case";
+  EXPECT_EQ(costs[0].id, "deep-cost-side-by-side");
+  EXPECT_EQ(costs[1].id, "shallow-cost-side-by-side");
+  EXPECT_TRUE(costs[0].title.starts_with("Error against run time: ")) << costs[0].title;
   EXPECT_EQ(report.verdict, without.verdict);
   EXPECT_EQ(report.outcome, without.outcome);
   EXPECT_EQ(without.pages.size() + 1, report.pages.size());

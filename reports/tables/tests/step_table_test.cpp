@@ -16,7 +16,7 @@ CaseAssessment own_run() {
   add_run(assessment, "own", SphRun{"recommended", 0.01, 0.01}, {});
   RunResult& own = result_of(assessment, "own");
   own.cost = {.user_time = 3, .system_time = 1, .steps = 1000, .elements = 4000};
-  own.diagnostics = {{"speed_of_sound_m_s", 20}};
+  own.diagnostics = {{"speed_of_sound_m_s", 20}, {"evaluations_per_step", 1}};
   own.provenance = {{"compiler_flags", "-O3"}};
   return assessment;
 }
@@ -44,11 +44,12 @@ TEST(StepTable, CountsTheTimeLoopWhereItIsToldAndTheWholeRunElse) {
   const auto table = step_table(with_peer());
   ASSERT_TRUE(table);
   ASSERT_EQ(table->rows.size(), 2u);
-  EXPECT_EQ(table->rows[0], (std::vector<std::string>{"own", "4000", "", "1000", "whole run",
+  EXPECT_EQ(table->rows[0], (std::vector<std::string>{"own", "4000", "", "1000", "1", "whole run",
                                                       "1e+03", "", "20", "-O3"}));
   // 16 s over 8 million steps of the liquid's particles, and 10 million of all.
-  EXPECT_EQ(table->rows[1], (std::vector<std::string>{"peer", "4000", "1000", "2000", "time loop",
-                                                      "2e+03", "1.6e+03", "18.5", ""}));
+  EXPECT_EQ(table->rows[1],
+            (std::vector<std::string>{"peer", "4000", "1000", "2000", "", "time loop", "2e+03",
+                                      "1.6e+03", "18.5", ""}));
 }
 
 // Slosh's flags did not build it.

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "reports/figures/case_figures.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "reports/tables/case_tables.hpp"
@@ -113,6 +115,42 @@ TEST(ExternalCosts, AreMarkedWhereTheyAreThoseOfMoreCores) {
             "18 core-seconds in 8 s: more than its cores = "
             "2 have");
   EXPECT_EQ(marked.runs.status.at("coarse").message, "");
+}
+
+// Beside the runs of this machine.
+CaseAssessment with_a_stored_result() {
+  CaseAssessment assessment =
+      assess_scaled({{"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
+                     {"theirs", SphRun{"li2010", 0.02, 0.02}, 1.1, cost(64)}});
+  for (RunDefinition& run : assessment.definition.runs)
+    if (run.name == "theirs") run.solver = StoredRun{{}, "their_sph", 0.02, "cost.json"};
+  assessment.runs.results.at("theirs").provenance = {{"stored_software", "their SPH 5.4"},
+                                                     {"stored_date", "2026-11-22"},
+                                                     {"stored_machine", "one core"},
+                                                     {"stored_remark", "Built by themselves."},
+                                                     {"slosh_version", "1"},
+                                                     {"command", "cat"}};
+  return assess(assessment.definition, assessment.runs);
+}
+
+TEST(CostsOfStoredResults, AreToldAsThoseOfAnotherMachine) {
+  const CaseAssessment assessment = with_a_stored_result();
+  EXPECT_EQ(assessment.runs.status.at("theirs").message,
+            "stored result of their SPH 5.4: its cost was measured on another machine, one core");
+  EXPECT_EQ(assessment.runs.status.at("coarse").message, "");
+  EXPECT_TRUE(cost_of(assessment.runs, "theirs").elsewhere);
+  EXPECT_FALSE(cost_of(assessment.runs, "coarse").elsewhere);
+  const auto figures = cost_figures(assessment);
+  ASSERT_FALSE(figures.empty());
+  EXPECT_NE(figures[0].caption.find("Stored results, with costs of other machines: theirs."),
+            std::string::npos)
+      << figures[0].caption;
+  const reports::Table origin = provenance_table(assessment);
+  const auto theirs = std::find_if(origin.rows.begin(), origin.rows.end(),
+                                   [](const auto& row) { return row.at(0) == "theirs"; });
+  ASSERT_NE(theirs, origin.rows.end());
+  EXPECT_EQ(theirs->at(1), "their SPH 5.4, computed elsewhere, read by Slosh 1");
+  EXPECT_EQ(theirs->at(2), "2026-11-22, one core. Built by themselves.");
 }
 
 TEST(CostToReach, IsJudgedOfAnExternalProgramsMethodAsOfAScheme) {
@@ -267,7 +305,7 @@ TEST(CostFigures, HaveBarsWhereRunsWereTimedAndSayWhereTheyWereNot) {
   timings.erase("coarse");
   const reports::Figure figure = figure_of(judged({}, timings), "cost");
   const reports::Curve& family = figure.curves.at(1);
-  EXPECT_EQ(family.label.find("recommended against theory, slope -0."), 0U) << family.label;
+  EXPECT_EQ(family.label.find("recommended, slope -0."), 0U) << family.label;
   EXPECT_EQ(family.style, reports::Curve::Style::line_points);
   ASSERT_EQ(family.x_error.size(), 3U);
   EXPECT_TRUE(std::isnan(family.x_error[0]));

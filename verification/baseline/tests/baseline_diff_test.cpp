@@ -118,6 +118,13 @@ TEST(BaselineDiff, AMetricWithoutIntervalsThatMovedDidSoBeyondAllUncertainty) {
   const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
   const auto moved = movements(exact, campaign(outcome(0.02, 0, 0.05))).at(0);
   EXPECT_TRUE(std::isinf(moved.uncertainties));
+  EXPECT_EQ(movement_text(moved), "+1 % -> +2 % (no interval)");
+}
+
+TEST(BaselineDiff, WritesAsManyDigitsAsTellTheValuesApart) {
+  const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
+  const auto moved = movements(exact, campaign(outcome(0.0100004, 0, 0.05))).at(0);
+  EXPECT_EQ(movement_text(moved), "+1 % -> +1.00004 % (no interval)");
 }
 
 TEST(BaselineDiff, LeavesAloneWhatThisFormOfTheCampaignLeavesOut) {

@@ -19,7 +19,8 @@ const std::map<std::string, RunDefinition> runs{
     {"viscous_wave", run_of(ViscousWaveRun{0.1})},
     {"potential", run_of(PotentialRun{})},
     {"record", run_of(RecordRun{"front.csv", "front_position", "m", {0.2}, {0.1}, {}})},
-    {"external", run_of(ExternalRun{{"bin/my_sph"}, {}, {}, {}, {}})}};
+    {"external", run_of(ExternalRun{{"bin/my_sph"}, {}, {}, {}, {}})},
+    {"stored", run_of(StoredRun{{}, "their_sph", 0.02, "cost.json"})}};
 
 TEST(SolverKinds, AreFoundByTheirNames) {
   EXPECT_EQ(runs.size(), std::variant_size_v<decltype(RunDefinition::solver)>);
@@ -56,6 +57,30 @@ TEST(SolverKinds, GroupRunsInFamiliesByResolution) {
   EXPECT_DOUBLE_EQ(resolution(runs.at("sph")), 1e4);
   EXPECT_DOUBLE_EQ(resolution(runs.at("interfoam")), 2000);
   EXPECT_EQ(resolution(runs.at("record")), 0);
+}
+
+TEST(SolverKinds, TellTheTwoProgramsOfOpenFoamApart) {
+  const RunDefinition sharp = run_of(InterFoamRun{
+      .cells_x = 50, .cells_z = 40, .interface_method = InterfaceMethod::iso_advector});
+  EXPECT_EQ(family(sharp), "interIsoFoam");
+  EXPECT_EQ(caption_text(sharp), "interIsoFoam, 50 x 40 cells");
+  const RunDefinition plain = run_of(InterFoamRun{50, 40});
+  EXPECT_NE(hashed_settings(sharp), hashed_settings(plain));
+  EXPECT_EQ(hashed_settings(plain).dump(), "{\"interfoam\":[50,40,1]}")
+      << "the results of interFoam keep their keys";
+}
+
+TEST(SolverKinds, KnowAStoredResultByItsMethod) {
+  const RunDefinition& stored = runs.at("stored");
+  EXPECT_TRUE(is_stored(stored));
+  EXPECT_FALSE(is_stored(runs.at("external")));
+  EXPECT_TRUE(is_simulation(stored)) << "it is a candidate";
+  EXPECT_EQ(family(stored), "their_sph");
+  EXPECT_EQ(method_of(stored), "their_sph");
+  EXPECT_EQ(method_of(runs.at("sph")), "");
+  EXPECT_DOUBLE_EQ(resolution(stored), 2500);
+  EXPECT_EQ(particle_spacing(stored), 0.02);
+  EXPECT_EQ(solver_text(stored), "stored result, method `their_sph`, spacing 20 mm");
 }
 
 TEST(SolverKinds, TakeAnExternalProgramsMethodForAScheme) {

@@ -49,7 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes, start_disorder, start_seed, repeats; nearest known "
+                "cells_x, cells_z, processes, interface_method, start_disorder, start_seed, "
+                "repeats; nearest known "
                 "key: "},
         Mistake{"OfAnotherMotion",
                 {"amplitude_m", "amplitude_deg"},
@@ -295,11 +296,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Twice",
                 {"\"mesh\"", "\"coarse\""},
                 "trial.toml:48: run.name = \"coarse\": expected a name that no other run has"},
-        Mistake{"UnknownSolver",
-                {"\"interfoam\"", "\"interFoam\""},
-                "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
-                "interfoam, linear, viscous_wave, potential, record, external, pysph; nearest: "
-                "interfoam"},
+        Mistake{
+            "UnknownSolver",
+            {"\"interfoam\"", "\"interFoam\""},
+            "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
+            "interfoam, linear, viscous_wave, potential, record, external, stored, pysph; nearest: "
+            "interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
                 "trial.toml:38: run.modes = 0: expected an integer >= 1"},

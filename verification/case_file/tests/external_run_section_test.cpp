@@ -223,5 +223,55 @@ TEST(PysphRunSection, IsRefusedWhereTheDriverCannotFollow) {
       << complaint_about(twice);
 }
 
+std::string stored_keys(const std::string& facts, const std::string& file) {
+  return "facts = \"" + facts + "\"\nmethod = \"their_sph\"\nparticle_spacing_m = 0.02\n" +
+         "[[run.series]]\nquantity = \"elevation@right\"\nfile = \"" + file +
+         "\"\nformat = \"csv\"\ncolumn = \"eta\"\n";
+}
+
+std::string stored_text(const std::string& keys) {
+  const std::string text = valid_text.substr(0, valid_text.find("[[gate]]"));
+  return text + "[[run]]\nname = \"theirs\"\nsolver = \"stored\"\n" + keys;
+}
+
+TEST(StoredRunSection, NamesFilesBesideTheCaseFile) {
+  const Workspace workspace;
+  workspace.write("swl.csv", "t,eta\n");
+  workspace.write("cost.json", "{}");
+  const CaseDefinition definition =
+      read_case(workspace.write("trial.toml", stored_text(stored_keys("cost.json", "swl.csv"))));
+  const StoredRun run = std::get<StoredRun>(definition.runs.back().solver);
+  EXPECT_EQ(run.method, "their_sph");
+  EXPECT_EQ(run.particle_spacing, 0.02);
+  EXPECT_EQ(run.facts, workspace.path() / "cost.json");
+  ASSERT_EQ(run.series.size(), 1u);
+  EXPECT_EQ(run.series[0].file, workspace.path() / "swl.csv");
+}
+
+TEST(StoredRunSection, IsRefusedWhereAFileIsMissingOrAMethodShared) {
+  const Workspace workspace;
+  workspace.write("swl.csv", "t,eta\n");
+  workspace.write("cost.json", "{}");
+  const auto complaint_about = [&](const std::string& keys) {
+    return complaint(workspace.write("trial.toml", stored_text(keys)));
+  };
+  EXPECT_NE(complaint_about(stored_keys("none.json", "swl.csv"))
+                .find("trial.toml:55: run.facts = \"none.json\": expected a file relative to the "
+                      "case file; there is no "),
+            std::string::npos);
+  EXPECT_NE(complaint_about(stored_keys("cost.json", "none.csv"))
+                .find("run.series.file = \"none.csv\": expected a file relative to the case file"),
+            std::string::npos);
+  const std::string keys = stored_keys("cost.json", "swl.csv");
+  const std::string again = "[[run]]\nname = \"again\"\nsolver = \"stored\"\n" + keys;
+  EXPECT_NE(complaint_about(keys + again)
+                .find("run.particle_spacing_m = 0.02: expected a spacing that no other run of the "
+                      "method has; theirs has this one"),
+            std::string::npos)
+      << complaint_about(keys + again);
+  EXPECT_NE(complaint_about("command = [\"a\"]\n" + keys).find("run.command = "), std::string::npos)
+      << "no program is started";
+}
+
 }  // namespace
 }  // namespace slosh::external_run_section_test

@@ -37,9 +37,14 @@ GateOutcomeKind kind_of(Verdict verdict) {
   throw std::logic_error("a verdict without a kind");
 }
 
-std::string relative_to(const fs::path& source, const fs::path& file) {
-  const fs::path relative = file.lexically_relative(source);
-  return relative.empty() || *relative.begin() == ".." ? file.string() : relative.string();
+// The path that a code forge knows the file by: relative to the source tree, or to the current
+// directory, whichever it lies below; for a case of another repository that is the latter.
+std::string path_in_repository(const fs::path& source, const fs::path& file) {
+  for (const fs::path& root : {source, fs::current_path()}) {
+    const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(root);
+    if (!relative.empty() && *relative.begin() != "..") return relative.string();
+  }
+  return file.string();
 }
 
 // Fills in what rows of cases and of problems have in common: all but the name, the value and the
@@ -56,7 +61,7 @@ reports::GateEntry entry_in(const std::string& group, const Outcome& outcome,
           .upper = {},
           .moved = "",
           .kind = kind_name(outcome.row.kind),
-          .file = relative_to(source, outcome.row.where.file),
+          .file = path_in_repository(source, outcome.row.where.file),
           .line = outcome.row.where.line};
 }
 

@@ -11,7 +11,8 @@
 namespace slosh {
 
 // Returns the gate rows with their changes since the baseline (movements() of the cases). The paths
-// of files below `source` are relative to it, as code forges require.
+// of files below `source` are relative to it, and those of other files below the current directory
+// to that, as code forges require.
 reports::GateDocument gate_document(const AssessedCampaign& assessed,
                                     const std::vector<RowMovement>& movements,
                                     const std::filesystem::path& source);

@@ -8,7 +8,7 @@
 #include "verification/files/content_hash.hpp"
 #include "verification/fuzz/memory_file.hpp"
 #include "verification/results/result_file.hpp"
-#include "verification/solvers/state_file.hpp"
+#include "verification/solvers/particles/state_file.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::sealed_file_test {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "reports/pages/check_report.hpp"
 #include "verification/papers/paper_claims.hpp"
@@ -282,6 +283,24 @@ TEST(PrintedNumbersOfLi2010, AreThoseOfTheElevationAlone) {
   };
   EXPECT_GT(assess(both.definition, both.runs).comparisons.size(), both.comparisons.size());
   EXPECT_EQ(numbers(assess(both.definition, both.runs)), numbers(small_case({})));
+}
+
+// "+12.3 ± 180.0 deg" would be no number.
+TEST(PrintedNumbersOfLi2010, AreNotResolvedWhereTheRunHasNoSuchMode) {
+  CaseAssessment noisy = small_case({});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> noise(-0.01, 0.01);
+  for (double& value : noisy.runs.results.at("li2010_20mm").series.at(0).value)
+    value = noise(random);
+  const auto rows = [](const CaseAssessment& assessment) {
+    return li2010_section({assessment}, nothing_redrawn()).tables.at(1).rows;
+  };
+  const auto clear = rows(small_case({})), spoiled = rows(assess(noisy.definition, noisy.runs));
+  for (const std::size_t row : {2u, 3u, 4u}) {
+    EXPECT_NE(spoiled.at(row).at(2).find("li2010_20mm: not resolved"), std::string::npos)
+        << spoiled[row][2];
+    EXPECT_EQ(clear.at(row).at(2).find("not resolved"), std::string::npos) << clear[row][2];
+  }
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
 #include "verification/runs/run_case.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "verification/case_file/case_parser.hpp"
 #include "verification/files/hdf5_handles.hpp"
-#include "verification/solvers/state_file.hpp"
+#include "verification/solvers/particles/state_file.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -243,6 +245,70 @@ TEST(RecordRunOfACase, StandsInACaseThatNoSolverTakes) {
   rolling.motion.roll = {.angle = SineMotion{0.07, 2}, .axis_x = 0.5, .axis_z = 0};
   const RecordRun record{"a.csv", "moment", "N", {0.5, 0.7, 1.0, 1.1}, {1, 2, 3, 4}, {}};
   EXPECT_EQ(execute(rolling, sample_run(record), {}, no_progress).at("moment").value, record.value);
+}
+
+// A stored result of 10 s of another code: 2 mm high where it begins.
+class StoredRunOfACase : public ::testing::Test {
+ protected:
+  StoredRun written(const std::string& rows) const {
+    std::ofstream(directory_.path() / "swl.csv") << "t,eta\n" << rows;
+    std::ofstream(directory_.path() / "cost.json")
+        << R"({"schema_version": 1, "software": "their SPH 5.4", "date": "2026-11-22",
+               "machine": "one core", "simulated_time_s": 10, "processor_time_s": 776,
+               "steps": 1000, "liquid_particles": 3500})";
+    return {.series = {{.quantity = "elevation@left",
+                        .file = directory_.path() / "swl.csv",
+                        .format = "csv",
+                        .column = "eta",
+                        .unit = "m",
+                        .time_column = "t",
+                        .time_unit = "s",
+                        .first_is_zero = true}},
+            .method = "their_sph",
+            .particle_spacing = 0.02,
+            .facts = directory_.path() / "cost.json"};
+  }
+
+  std::string rows(double end) const {
+    std::string text;
+    for (int i = 0; 0.01 * i < end + 0.005; ++i)
+      text += fmt::format("{:.2f},{}\n", 0.01 * i, 0.002 + 0.001 * i);
+    return text;
+  }
+
+  TemporaryDirectory directory_;
+};
+
+TEST_F(StoredRunOfACase, GivesTheSeriesAndTheCostOfTheCodeThatMadeIt) {
+  const CaseDefinition definition = sample_case();
+  const StoredRun stored = written(rows(definition.duration));
+  const RunResult result = execute(definition, sample_run(stored), {}, no_progress);
+  EXPECT_EQ(result.solver, "stored");
+  EXPECT_NEAR(result.at("elevation@left").value.at(3), 0.003, 1e-12) << "less the first reading";
+  const double share = definition.duration / 10;
+  EXPECT_DOUBLE_EQ(result.cost.user_time, 776 * share) << "not what reading it took";
+  EXPECT_EQ(result.cost.elements, 3500);
+  EXPECT_EQ(result.provenance.at("stored_software"), "their SPH 5.4");
+  EXPECT_FALSE(result.provenance.contains("compiler_flags")) << "Slosh's compiled no other code";
+}
+
+TEST_F(StoredRunOfACase, FailsWhereASeriesIsCutShortOrPoisoned) {
+  const CaseDefinition definition = sample_case();
+  const auto failure = [&](const std::string& text) -> std::string {
+    try {
+      execute(definition, sample_run(written(text)), {}, no_progress);
+      return "";
+    } catch (const SolverError& error) {
+      return error.what();
+    }
+  };
+  const std::string whole = rows(definition.duration);
+  EXPECT_EQ(failure(whole), "");
+  EXPECT_NE(failure(rows(definition.duration / 2)).find("elevation@left ends at"),
+            std::string::npos);
+  std::string poisoned = whole;
+  poisoned.replace(poisoned.find("0.05,") + 5, 5, "nan\n0");
+  EXPECT_NE(failure(poisoned).find("swl.csv:"), std::string::npos) << failure(poisoned);
 }
 
 TEST(RecordRunOfACase, IsRefusedWhereItIsNotSupplied) {

@@ -17,8 +17,8 @@ class RunKey : public ::testing::Test {
   RunKey() {
     std::filesystem::create_directories(templates / "system");
     std::filesystem::create_directories(builds);
-    for (const char* kind :
-         {"sph", "interfoam", "linear", "potential", "viscous_wave", "record", "external"})
+    for (const char* kind : {"sph", "interfoam", "linear", "potential", "viscous_wave", "record",
+                             "external", "stored"})
       std::ofstream(builds / kind) << "one build of it";
     std::ofstream(templates / "system" / "fvSolution") << "nOuterCorrectors 1;";
   }
@@ -302,6 +302,22 @@ TEST_F(RunKey, OfAnExternalRunChangesWithItsProgramItsInputsAndWhatIsReadOfIt) {
   EXPECT_TRUE(asks_the_same(rebuilt, before));
   std::ofstream(input) << "dp = 0.02";
   EXPECT_FALSE(asks_the_same(key_of(external), before));
+}
+
+TEST_F(RunKey, OfAStoredResultChangesWithEachOfItsFiles) {
+  const std::filesystem::path facts = directory.path() / "cost.json",
+                              series = directory.path() / "swl.csv";
+  std::ofstream(facts) << "{}";
+  std::ofstream(series) << "t,eta";
+  const RunDefinition run =
+      sample_run(StoredRun{{{"elevation@right", series, "csv", "eta"}}, "their_sph", 0.02, facts});
+  const std::string before = key(sample_case(), run);
+  EXPECT_EQ(key(sample_case(), run), before);
+  std::ofstream(facts) << "{ }";
+  const std::string after = key(sample_case(), run);
+  EXPECT_FALSE(asks_the_same(after, before));
+  std::ofstream(series) << "t,swl";
+  EXPECT_FALSE(asks_the_same(key(sample_case(), run), after));
 }
 
 TEST_F(RunKey, OfAnExternalRunChangesWithAnArgumentThatIsAFile) {

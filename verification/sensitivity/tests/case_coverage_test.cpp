@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "verification/sensitivity/selftest_record.hpp"
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -48,6 +50,19 @@ TEST(CaseCoverage, OfAPhaseAloneMissesTheAmplitudeTheDatumAndNoise) {
   for (const char* missed : {"amplitude", "datum", "noise"})
     EXPECT_EQ(of(coverage, missed), Coverage::missed) << missed;
   EXPECT_FALSE(coverage.is_complete());
+}
+
+TEST(HashOfRows, IsThatOfTheRowsInWhateverOrder) {
+  CaseDefinition definition = surge_case();
+  definition.gate = complete;
+  const std::string hash = hash_of_rows(definition);
+  std::reverse(definition.gate.begin(), definition.gate.end());
+  EXPECT_EQ(hash_of_rows(definition), hash);
+  definition.gate[0].limit = 0.06;
+  EXPECT_NE(hash_of_rows(definition), hash) << "a limit has changed";
+  definition.gate = complete;
+  definition.gate.pop_back();
+  EXPECT_NE(hash_of_rows(definition), hash) << "a row is gone";
 }
 
 TEST(CaseCoverage, WithoutRowsMissesEverything) {

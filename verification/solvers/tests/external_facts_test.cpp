@@ -93,6 +93,78 @@ TEST(ExternalFacts, AreRefusedByTheKeyThatIsWrong) {
   EXPECT_THROW(add_external_facts("/none/cost.json", took_ten_seconds, result), CaseFileError);
 }
 
+const std::string origin =
+    R"({"schema_version": 1, "software": "their SPH 5.4", "date": "2026-11-22",
+        "machine": "one core", "processor_time_s": 776)";
+
+RunResult stored(const std::string& rest, double duration) {
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "cost.json") << origin << rest << "}";
+  RunResult result;
+  add_stored_facts(directory.path() / "cost.json", duration, result);
+  return result;
+}
+
+std::string complaint_of_stored(const std::string& text) try {
+  const TemporaryDirectory directory;
+  std::ofstream(directory.path() / "cost.json") << text;
+  RunResult result;
+  add_stored_facts(directory.path() / "cost.json", 2, result);
+  return "";
+} catch (const CaseFileError& error) {
+  return error.what();
+}
+
+TEST(FactsOfAStoredResult, SayWhichCodeRanWhenWhereAndAtWhatCost) {
+  const RunResult result = stored(
+      R"(, "simulated_time_s": 10, "wall_time_s": 800, "liquid_particles": 3500, "steps": 107691,
+          "wall_particles": 924, "speed_of_sound_m_s": 37)",
+      10);
+  EXPECT_EQ(result.provenance,
+            (std::map<std::string, std::string>{{"stored_software", "their SPH 5.4"},
+                                                {"stored_date", "2026-11-22"},
+                                                {"stored_machine", "one core"}}));
+  EXPECT_DOUBLE_EQ(result.cost.user_time + result.cost.system_time, 776);
+  EXPECT_DOUBLE_EQ(result.cost.wall_time, 800);
+  EXPECT_EQ(result.cost.elements, 3500);
+  EXPECT_EQ(result.cost.steps, 107691);
+  EXPECT_EQ(result.diagnostics,
+            (std::map<std::string, double>{{"wall_particles", 924}, {"speed_of_sound_m_s", 37}}));
+}
+
+// A run that went on longer is counted by its share.
+TEST(FactsOfAStoredResult, CountTheShareOfARunThatWentOn) {
+  const RunResult result = stored(
+      R"(, "simulated_time_s": 10, "liquid_particles": 3500, "steps": 1001,
+          "loop_processor_time_s": 700, "smoothing_length_ratio": 1.7)",
+      2);
+  EXPECT_DOUBLE_EQ(result.cost.user_time, 776.0 / 5);
+  EXPECT_EQ(result.cost.steps, 200) << "whole steps";
+  EXPECT_EQ(result.cost.elements, 3500);
+  EXPECT_DOUBLE_EQ(result.diagnostics.at("loop_processor_time_s"), 140);
+  EXPECT_DOUBLE_EQ(result.diagnostics.at("smoothing_length_ratio"), 1.7);
+}
+
+TEST(FactsOfAStoredResult, AreRefusedByTheKeyThatIsWrong) {
+  const std::string long_enough = R"(, "simulated_time_s": 10)";
+  const std::vector<std::pair<std::string, std::string>> texts{
+      {R"({"schema_version": 1})", "software = (missing): expected a text"},
+      {R"({"schema_version": 1, "software": 5})", "software = 5: expected a text"},
+      {R"({"schema_version": 1, "software": ""})", "software = \"\": expected a text"},
+      {origin + "}", "simulated_time_s = (missing): expected a number > 0"},
+      {origin + R"(, "simulated_time_s": 1.5})",
+       "simulated_time_s = 1.5: expected at least the case's 2 s"},
+      {origin + R"(, "simulated_time_s": 0})", "simulated_time_s = 0: expected a number > 0"},
+      {origin + long_enough + R"(, "compile_wall_time_s": 1})",
+       "compile_wall_time_s = 1: expected only these keys"},
+      {origin + long_enough + R"(, "steps": 1.5})", "steps = 1.5: expected an integer > 0"}};
+  for (const auto& [text, wanted] : texts) {
+    const std::string said = complaint_of_stored(text);
+    EXPECT_NE(said.find("cost.json: " + wanted), std::string::npos)
+        << said << "\nwanted: " << wanted;
+  }
+}
+
 TEST(ExternalFacts, AreThoseOfThePublishedSchema) {
   std::ifstream stream(SLOSH_SOURCE_DIR "/verification/solvers/external_facts.schema.json");
   const nlohmann::json properties = nlohmann::json::parse(stream).at("properties");

@@ -1,4 +1,4 @@
-#include "verification/solvers/state_file.hpp"
+#include "verification/solvers/particles/state_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,177 @@
+// The cases for other codes that are tables, a header of C++ or the file of a driver, read again.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "verification/import/import_series.hpp"
+#include "verification/peers/tests/handed.hpp"
+
+namespace slosh::tables_case_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string all_kinds = R"([[obstacle]]
+name = "baffle"
+left_m = 0.5
+right_m = 0.6
+bottom_m = 0.0
+top_m = 0.1
+[[pressure_gauge]]
+name = "P"
+wall = "right"
+position_m = 0.15
+width_m = 0.02
+[[probe]]
+name = "middle"
+x_m = 0.3
+z_m = 0.2
+)";
+
+TEST(CsvCase, HoldsTheGeometryCounterClockwise) {
+  Handed handed(plain_case + all_kinds);
+  const auto table = handed.to("csv").table("geometry.csv");
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(table.at("part"),
+            (Texts{"tank", "tank", "tank", "tank", "liquid", "liquid", "liquid", "liquid",
+                   "obstacle_baffle", "obstacle_baffle", "obstacle_baffle", "obstacle_baffle"}));
+  EXPECT_EQ(table.at("x_m"),
+            (Texts{"0", "1", "1", "0", "0", "1", "1", "0", "0.5", "0.6", "0.6", "0.5"}));
+  EXPECT_EQ(table.at("z_m"),
+            (Texts{"0", "0", "0.6", "0.6", "0", "0", "0.35", "0.35", "0", "0", "0.1", "0.1"}));
+}
+
+TEST(CsvCase, HoldsTheInitialWaveAsTheLiquidsPolygon) {
+  Handed handed(plain_case + "[initial_wave]\nmode = 2\namplitude_m = 0.01\n");
+  const auto x = handed.to("csv").numbers("geometry.csv", "x_m"),
+             z = handed.numbers("geometry.csv", "z_m");
+  ASSERT_EQ(x.size(), 4u + 203u);
+  for (std::size_t i = 6; i < x.size(); ++i)  // after the tank and the liquid's bottom
+    EXPECT_NEAR(z[i], 0.35 + 0.01 * std::cos(2 * std::numbers::pi * x[i]), 1e-15);
+}
+
+TEST(CsvCase, HoldsGaugesAndNumbersWithTheirUnits) {
+  Handed handed(moving(surges) + all_kinds);
+  const auto gauges = handed.to("csv").table("gauges.csv");
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(gauges.at("kind"), (Texts{"surface", "wall_pressure", "probe"}));
+  EXPECT_EQ(gauges.at("name"), (Texts{"right", "P", "middle"}));
+  EXPECT_EQ(gauges.at("x_m"), (Texts{"0.95", "1", "0.3"}));
+  EXPECT_EQ(gauges.at("z_m"), (Texts{"", "0.15", "0.2"}));
+  EXPECT_EQ(gauges.at("width_m"), (Texts{"", "0.02", ""}));
+  const auto table = handed.table("numbers.csv");
+  std::map<std::string, std::string> numbers;
+  for (std::size_t i = 0; i < table.at("name").size(); ++i)
+    numbers[table.at("name")[i]] = table.at("value")[i] + " " + table.at("unit")[i];
+  EXPECT_EQ(numbers.at("tank_length"), "1 m");
+  EXPECT_EQ(numbers.at("fill_depth"), "0.35 m");
+  EXPECT_EQ(numbers.at("gravity"), "9.81 m/s2");
+  EXPECT_EQ(numbers.at("initial_velocity_x"), "-0.034 m/s");
+  EXPECT_EQ(numbers.at("sample_interval"), "0.02 s");
+  EXPECT_FALSE(fs::exists(handed.directory() / "tank.json"));  // it has no place for obstacles
+}
+
+TEST(CsvCase, HoldsTheMotionOfAnIndependentFormulaForTheImporter) {
+  Handed handed("walls_rolling");
+  handed.to("csv");
+  const auto time = handed.numbers("motion.csv", "time_s"),
+             roll = handed.numbers("motion.csv", "roll_rad"),
+             gravity = handed.numbers("tank_frame.csv", "gravity_x_m_s2");
+  ASSERT_EQ(time.size(), 20001u);
+  const double amplitude = 3 * std::numbers::pi / 180, period = 2 * std::numbers::pi / 4;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double s = std::min(1.0, time[i] / period);  // the ramp is the quintic smoothstep
+    const double exact = amplitude * (6 * std::pow(s, 5) - 15 * std::pow(s, 4) + 10 * s * s * s) *
+                         std::sin(4 * time[i]);
+    EXPECT_NEAR(roll[i], exact, 1e-12);
+    EXPECT_NEAR(gravity[i], -9.81 * std::sin(exact), 1e-11);
+  }
+  const TimeSeries read = import_series({.quantity = "elevation@left",
+                                         .file = handed.directory() / "motion.csv",
+                                         .format = "csv",
+                                         .column = "roll_rad",
+                                         .unit = "m",
+                                         .time_column = "time_s",
+                                         .time_unit = "s"});
+  EXPECT_EQ(read.value, roll);
+}
+
+TEST(CsvCase, TakesAProgramBackByARunOfTheCase) {
+  Handed handed(moving(surges));
+  const ExternalRun run = handed.to("csv").run();
+  EXPECT_EQ(run.command.front(), (handed.directory() / "my_program").string());
+  EXPECT_EQ(run.series.front().quantity, "elevation@right");
+  EXPECT_EQ(run.series.front().time_column, "time");
+  EXPECT_EQ(nlohmann::json::parse(handed.file("tank.json")).at("fill_depth_m"), 0.35);
+}
+
+TEST(PySphCase, HoldsTheDriverItsFileAndItsRun) {
+  Handed handed(moving(surges));
+  const ExternalRun run = handed.to("pysph").run();
+  EXPECT_EQ(run.method, "pysph_delta_sph");
+  EXPECT_EQ(run.particle_spacing, 0.05);
+  EXPECT_EQ(nlohmann::json::parse(handed.file("tank.json")).at("gauges").at(0).at("x_m"), 0.95);
+  EXPECT_EQ(handed.file("pysph_tank.py"),
+            read_bytes(SLOSH_SOURCE_DIR "/verification/peers/pysph_tank.py"));
+  const auto executable = fs::status(handed.directory() / "run.sh").permissions();
+  EXPECT_NE(executable & fs::perms::owner_exec, fs::perms::none);
+}
+
+std::string output_of(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
+  std::string text;
+  std::array<char, 4096> part{};
+  while (const std::size_t got = fread(part.data(), 1, part.size(), pipe.get()))
+    text.append(part.data(), got);
+  return text;
+}
+
+// The header is compiled and its numbers are printed.
+std::string printed_by_header(Handed& handed, const std::string& numbers) {
+  const fs::path source = handed.directory() / "print.cpp";
+  std::ofstream(source) << "#include \"tank_case.h\"\n#include <cstdio>\n"
+                           "using namespace tank_case;\nint main() {\n" +
+                               numbers + "}\n";
+  const std::string program = (handed.directory() / "print").string();
+  return output_of("c++ -std=c++17 -Wall -Wextra -Werror " + source.string() + " -o " + program +
+                   " 2>&1 && " + program);
+}
+
+TEST(SphinxsysCase, HoldsAHeaderThatCompilesAndHoldsTheCase) {
+  Handed handed(moving(surges) + all_kinds);
+  handed.to("sphinxsys");
+  EXPECT_EQ(printed_by_header(
+                handed,
+                "std::printf(\"%g %g %g %g %g %g\\n\", DL, DH, particle_spacing_ref, rho0_f, "
+                "initial_velocity_x, end_time);\n"
+                "std::printf(\"%g %g %s %g\\n\", water_block.right, water_block.top, "
+                "obstacles[0].name, obstacles[0].top);\n"
+                "std::printf(\"%s %g\\n\", wave_gauges[0].name, wave_gauges[0].x);\n"),
+            "1 0.6 0.05 1000 -0.034 2\n1 0.35 baffle 0.1\nright 0.95\n");
+  Handed plain(plain_case);
+  plain.to("sphinxsys");
+  EXPECT_EQ(printed_by_header(plain, "std::printf(\"%zu\\n\", obstacles.size());\n"), "0\n");
+}
+
+TEST(SphinxsysCase, HoldsGravityInTheTanksFrameAndARun) {
+  Handed handed(moving(surges));
+  handed.to("sphinxsys");
+  const auto time = handed.numbers("gravity.csv", "time_s"),
+             x = handed.numbers("gravity.csv", "gravity_x_m_s2"),
+             y = handed.numbers("gravity.csv", "gravity_y_m_s2");
+  ASSERT_EQ(time.size(), 1001u);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    EXPECT_NEAR(x[i], 0.02 * 1.7 * 1.7 * std::sin(1.7 * time[i]), 1e-14);
+    EXPECT_EQ(y[i], -9.81);
+  }
+  const ExternalRun run = handed.run();
+  EXPECT_EQ(run.series.front().format, "sphinxsys");
+  EXPECT_TRUE(run.series.front().first_is_zero);
+}
+
+}  // namespace
+}  // namespace slosh::tables_case_test

@@ -1,0 +1,32 @@
+// Reads the series and the facts of a result that another code left elsewhere.
+#include "verification/import/import_series.hpp"
+#include "verification/solvers/external_facts.hpp"
+#include "verification/solvers/solver_runs.hpp"
+
+namespace slosh {
+
+void require_scene(const StoredRun& stored, const CaseDefinition&, const RunDefinition& run) try {
+  for (const SeriesSource& source : stored.series) require_known_form(source);
+} catch (const CaseFileError& error) {
+  throw refused(run, error.what());
+}
+
+RunResult run_solver(const StoredRun& stored, const RunRequest& request) try {
+  require_scene(stored, request.definition, request.run);
+  RunResult result;
+  for (const SeriesSource& source : stored.series) result.series.push_back(import_series(source));
+  add_stored_facts(stored.facts, request.definition.duration, result);
+  result.active_terms = {"stored result of " + result.provenance.at("stored_software")};
+  request.progress(request.definition.duration, result.cost.steps);
+  return result;
+} catch (const ResultError& error) {
+  throw SolverError(error.what());
+}
+
+std::vector<std::filesystem::path> stored_files(const StoredRun& stored) {
+  std::vector<std::filesystem::path> files{stored.facts};
+  for (const SeriesSource& source : stored.series) files.push_back(source.file);
+  return files;
+}
+
+}  // namespace slosh
