@@ -23,11 +23,11 @@ struct FamilyLook {
 
 // The families of the shipped cases. There are more than hues that the colour-blind tell apart:
 // those that share a hue have other markers, filled and hollow.
-constexpr FamilyLook known_families[] = {{"recommended", 0, 0},    {"interFoam", 1, 1},
-                                         {"li2010", 2, 2},         {"zhao2021_moving", 3, 3},
-                                         {"zhao2021_fixed", 4, 4}, {"delta_sph", 5, 5},
-                                         {"interIsoFoam", 1, 6},   {"pysph_delta_sph", 3, 8},
-                                         {"pysph_edac", 4, 9},     {"dualsphysics_mdbc", 2, 7}};
+constexpr FamilyLook known_families[] = {
+    {"recommended", 0, 0},     {"interFoam", 1, 1},        {"li2010", 2, 2},
+    {"zhao2021_moving", 3, 3}, {"zhao2021_fixed", 4, 4},   {"delta_sph", 5, 5},
+    {"interIsoFoam", 1, 6},    {"pysph_delta_sph", 3, 8},  {"pysph_edac", 4, 9},
+    {"pysph_adami", 5, 8},     {"dualsphysics_mdbc", 2, 7}};
 
 const FamilyLook* known_look(std::string_view family) {
   const auto found = std::find_if(std::begin(known_families), std::end(known_families),

@@ -443,7 +443,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "PySPH, from Debian's package python3-pysph, by the driver that Slosh ships: see "
        "[PySPH](other_solvers.md#pysph). It is an external run of the method pysph_SCHEME. The "
        "tank surges or stands still, with or without an initial wave, and has no obstacle.",
-       {{"scheme", "\"delta_sph\" or \"edac\"", "yes", "One of PySPH's own schemes."},
+       {{"scheme", "\"delta_sph\", \"edac\" or \"adami\"", "yes", "One of PySPH's own schemes."},
         {"particle_spacing_m", "number > 0, m", "yes",
          "A whole fraction of the tank's length and of the fill depth, another one in each run of "
          "the scheme."}}},

@@ -148,7 +148,7 @@ ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definitio
                "that does not roll and has neither an obstacle nor breadth_m");
   const std::string driver = "{peers_directory}/pysph_tank.py";
   const std::string scheme =
-      run.choice("scheme", "a scheme of PySPH's driver", {"delta_sph", "edac"});
+      run.choice("scheme", "a scheme of PySPH's driver", {"delta_sph", "edac", "adami"});
   ExternalRun external{
       .command = {driver, "{tank_file}", "{work_directory}", scheme, "{particle_spacing_m}"},
       .method = "pysph_" + scheme,

@@ -39,7 +39,7 @@ void require_for_pysph(const HandedCase& handed) {
 std::string script(const HandedCase& handed) {
   return fmt::format(
       "#!/bin/sh\n"
-      "# Runs the case: ./run.sh [DIRECTORY [SCHEME [SPACING]]], SCHEME delta_sph or edac.\n"
+      "# Runs the case: ./run.sh [DIRECTORY [SCHEME [SPACING]]]. SCHEME: delta_sph, edac, adami.\n"
       "set -eu\n"
       "here=$(CDPATH= cd -- \"$(dirname -- \"$0\")\" && pwd)\n"
       "out=${{1:-$here/out}}\n"
@@ -67,9 +67,9 @@ void write_pysph_case(const HandedCase& handed, const fs::path& directory) {
       readme_head(handed, "PySPH") +
           fmt::format(
               "`./run.sh DIRECTORY` runs `{0} tank.json DIRECTORY delta_sph {1}` with Debian's "
-              "Python and package python3-pysph; another scheme (`edac`) and spacing in m may "
-              "follow. It leaves `elevation.csv`, the time in s and the elevation of each gauge "
-              "above the still level in m, and `cost.json`.\n\n"
+              "Python and package python3-pysph; another scheme (`edac`, `adami`) and spacing in m "
+              "may follow. It leaves `elevation.csv`, the time in s and the elevation of each "
+              "gauge above the still level in m, and `cost.json`.\n\n"
               "## What this code is not told\n\n"
               "- The viscosity: the schemes have the artificial viscosity of PySPH's examples, as "
               "the driver tells with all its numbers.\n"

@@ -14,6 +14,7 @@ mirror images in the walls, falls below 0.5. It takes the rest density, since ED
 the surface is half of it. Exit status: 1 for a failed run, 3 where PySPH is not installed.
 """
 import csv
+import dataclasses
 import inspect
 import json
 import os
@@ -27,30 +28,93 @@ try:
     from pysph.base.kernels import QuinticSpline, WendlandQuintic
     from pysph.base.utils import get_particle_array
     from pysph.solver.application import Application
+    from pysph.solver.solver import Solver
     from pysph.solver.tools import Tool
+    from pysph.sph.basic_equations import XSPHCorrection
     from pysph.sph.equation import Equation, Group
-    from pysph.sph.scheme import WCSPHScheme
+    from pysph.sph.integrator import PECIntegrator
+    from pysph.sph.integrator_step import WCSPHStep
+    from pysph.sph.scheme import Scheme, WCSPHScheme
+    from pysph.sph.wc.basic import TaitEOS
     from pysph.sph.wc.edac import EDACScheme
+    from pysph.sph.wc.transport_velocity import (
+        ContinuityEquation, MomentumEquationArtificialViscosity, MomentumEquationPressureGradient,
+        SolidWallPressureBC, VolumeFromMassDensity)
 except ImportError as error:
     print(f"pysph_tank: {error}: expected PySPH, Debian's package python3-pysph", file=sys.stderr)
     sys.exit(3)
 
-H_OVER_DP = 1.3          # hdx of dam_break_2d.py, sloshing_tank_horizontal.py
-ALPHA = 0.1              # alpha of the same two and of sloshing_tank_pitch.py
-SOUND = 10.0             # c0 = 10 Vmax, Vmax = sqrt(g H): hydrostatic_tank.py
-TIME_STEP = 0.25 / 1.1   # dt = 0.25 h/(c0 + Vmax): hydrostatic_tank.py
-WALL_LAYERS = 4          # nboundary_layers of dam_break_2d.py
-GAMMA = 7.0              # of the delta-SPH of sloshing_tank_pitch.py
+SOUND = 10.0  # c0 = 10 Vmax, Vmax = sqrt(g H): hydrostatic_tank.py
+
+
+@dataclasses.dataclass(frozen=True)
+class Numbers:
+    h_over_dp: float
+    time_step: float    # [h/c0]
+    wall_layers: int
+    kernel: type
+    alpha: float        # of the artificial viscosity
+    gamma: float        # of Tait's equation of state, 0 where the scheme has none
+    walls_extrapolate: bool  # the liquid's pressure, so that they have to know the acceleration
+
+
+SCHEMES = {
+    # sloshing_tank_pitch.py (alpha, gamma, delta-SPH), `wcsph` of dam_break_2d.py (kernel, layers),
+    # hdx of both and of sloshing_tank_horizontal.py; dt = 0.25 h/(c0 + Vmax): hydrostatic_tank.py.
+    "delta_sph": Numbers(h_over_dp=1.3, time_step=0.25 / 1.1, wall_layers=4,
+                         kernel=WendlandQuintic, alpha=0.1, gamma=7.0, walls_extrapolate=False),
+    # `edac` of dam_break_2d.py, with the same time step.
+    "edac": Numbers(h_over_dp=1.3, time_step=0.25 / 1.1, wall_layers=4,
+                    kernel=QuinticSpline, alpha=0.0, gamma=0.0, walls_extrapolate=True),
+    # hydrostatic_tank.py: hdx, kernel, walls of 5.5 dx, which are six layers, the numbers of its
+    # `equations1`, dt = 0.75 * 0.25 h/(c0 + Vmax), the least of its limits there and here.
+    "adami": Numbers(h_over_dp=1.2, time_step=0.75 * 0.25 / 1.1, wall_layers=6,
+                     kernel=QuinticSpline, alpha=0.24, gamma=1.0, walls_extrapolate=True),
+}
+
+
+class GeneralisedWalls(Scheme):
+    """`equations1` of hydrostatic_tank.py: section 6.0 of Adami, Hu & Adams 2012. Gravity acts from
+    the start, which is hydrostatic here, and is not damped in."""
+
+    def __init__(self, fluids, solids, dim, rho0, c0, gy, alpha, gamma):
+        super().__init__(fluids, solids, dim)
+        self.rho0, self.c0, self.gy, self.alpha, self.gamma = rho0, c0, gy, alpha, gamma
+
+    def configure_solver(self, kernel=None, integrator_cls=None, extra_steppers=None, **kw):
+        integrator = PECIntegrator(**{fluid: WCSPHStep() for fluid in self.fluids})
+        self.solver = Solver(dim=self.dim, integrator=integrator, kernel=kernel, **kw)
+
+    def setup_properties(self, particles, clean=True):
+        for array in particles:
+            for name in ("V", "wij", "cs", "arho", "rho0", "x0", "y0", "z0", "u0", "v0", "w0",
+                         "ax", "ay", "az", "auhat", "avhat", "awhat"):
+                array.add_property(name)
+            array.V[:] = array.rho / array.m  # that of the walls stays
+
+    def get_equations(self):
+        fluid, solid, both = self.fluids[0], self.solids[0], self.fluids + self.solids
+        return [
+            Group([VolumeFromMassDensity(fluid, None)]),
+            Group([TaitEOS(fluid, None, rho0=self.rho0, c0=self.c0, gamma=self.gamma)]),
+            Group([SolidWallPressureBC(solid, [fluid], b=1.0, gy=self.gy, rho0=self.rho0,
+                                       p0=self.c0**2 * self.rho0)]),
+            Group([ContinuityEquation(fluid, both),
+                   MomentumEquationPressureGradient(fluid, both, pb=0.0, gy=self.gy),
+                   MomentumEquationArtificialViscosity(fluid, both, alpha=self.alpha, c0=self.c0),
+                   XSPHCorrection(fluid, [fluid], eps=0.0)])]
 
 
 def scheme_of(name, tank, h, c0):
+    numbers = SCHEMES[name]
     common = dict(fluids=["fluid"], solids=["solid"], dim=2, rho0=tank["density_kg_m3"], c0=c0,
-                  gy=-tank["gravity_m_s2"])
-    if name == "delta_sph":  # sloshing_tank_pitch.py, with the kernel of `wcsph` of dam_break_2d.py
-        return WCSPHScheme(h0=h, hdx=H_OVER_DP, alpha=ALPHA, beta=0.0, gamma=GAMMA, delta_sph=True,
-                           hg_correction=True, **common), WendlandQuintic(dim=2)
-    return EDACScheme(nu=0.0, h=h, pb=0.0, eps=0.0, clamp_p=True,  # `edac` of dam_break_2d.py
-                      **common), QuinticSpline(dim=2)
+                  gy=-tank["gravity_m_s2"], alpha=numbers.alpha)
+    if name == "delta_sph":
+        return WCSPHScheme(h0=h, hdx=numbers.h_over_dp, beta=0.0, gamma=numbers.gamma,
+                           delta_sph=True, hg_correction=True, **common)
+    if name == "edac":
+        return EDACScheme(nu=0.0, h=h, pb=0.0, eps=0.0, clamp_p=True, **common)
+    return GeneralisedWalls(gamma=numbers.gamma, **common)
 
 
 class Excitation(Equation):
@@ -61,7 +125,7 @@ class Excitation(Equation):
 
 
 class WallAcceleration(Equation):
-    """Tells EDAC's walls, which extrapolate the pressure, their acceleration X''; they stay."""
+    """Tells walls that extrapolate the pressure their acceleration X''; they stay."""
 
     def initialize(self, d_idx, d_au, d_push):
         d_au[d_idx] = d_push[0]
@@ -132,13 +196,15 @@ class Gauges(Tool):
 class Tank(Application):
     def __init__(self, tank, directory, scheme, spacing):
         self.tank, self.scheme_name, self.spacing = tank, scheme, spacing
-        self.h = H_OVER_DP * spacing
+        self.numbers = SCHEMES[scheme]
+        self.h = self.numbers.h_over_dp * spacing
         self.c0 = SOUND * np.sqrt(tank["gravity_m_s2"] * tank["fill_depth_m"])
         super().__init__(fname="pysph_tank", output_dir=directory)
 
     def create_scheme(self):
-        scheme, self.kernel = scheme_of(self.scheme_name, self.tank, self.h, self.c0)
-        scheme.configure_solver(kernel=self.kernel, dt=TIME_STEP * self.h / self.c0,
+        self.kernel = self.numbers.kernel(dim=2)
+        scheme = scheme_of(self.scheme_name, self.tank, self.h, self.c0)
+        scheme.configure_solver(kernel=self.kernel, dt=self.numbers.time_step * self.h / self.c0,
                                 tf=self.tank["duration_s"] + self.tank["sample_interval_s"],
                                 pfreq=10**9)
         return scheme
@@ -151,9 +217,10 @@ class Tank(Application):
 
     def create_particles(self):
         tank, dp, rho0 = self.tank, self.spacing, self.tank["density_kg_m3"]
+        layers, gamma = self.numbers.wall_layers, self.numbers.gamma
         columns, rows = round(tank["length_m"] / dp), round(tank["fill_depth_m"] / dp)
-        i, j = np.meshgrid(np.arange(-WALL_LAYERS, columns + WALL_LAYERS),
-                           np.arange(-WALL_LAYERS, int(np.ceil(tank["height_m"] / dp))),
+        i, j = np.meshgrid(np.arange(-layers, columns + layers),
+                           np.arange(-layers, int(np.ceil(tank["height_m"] / dp))),
                            indexing="ij")
         inside = (i >= 0) & (i < columns) & (j >= 0)
         arrays = []
@@ -164,8 +231,8 @@ class Tank(Application):
             y = y * stretch
             p = rho0 * tank["gravity_m_s2"] * np.maximum(self.level(x) - y, 0)
             rho = rho0 * np.ones_like(x)
-            if self.scheme_name == "delta_sph":  # Tait's equation of state
-                rho *= (1 + GAMMA * p / (rho0 * self.c0**2)) ** (1 / GAMMA)
+            if gamma:  # Tait's equation of state
+                rho *= (1 + gamma * p / (rho0 * self.c0**2)) ** (1 / gamma)
             arrays.append(get_particle_array(name=name, x=x, y=y, h=self.h, p=p, rho=rho,
                                              m=rho * dp**2 * stretch))
         self.scheme.setup_properties(arrays)
@@ -178,7 +245,7 @@ class Tank(Application):
     def create_equations(self):
         equations = self.scheme.get_equations()
         equations[-1].equations.append(Excitation(dest="fluid", sources=None))
-        if self.scheme_name == "edac":
+        if self.numbers.walls_extrapolate:
             equations.insert(0, Group([WallAcceleration(dest="solid", sources=None)], real=False))
         return equations
 
@@ -214,7 +281,7 @@ def run(tank, directory, scheme, spacing):
     cost = {"schema_version": 1, "liquid_particles": app.liquid.get_number_of_particles(),
             "wall_particles": app.walls.get_number_of_particles(), "steps": app.solver.count,
             "evaluations_per_step": evaluations(app.solver.integrator),
-            "speed_of_sound_m_s": float(app.c0), "smoothing_length_ratio": H_OVER_DP,
+            "speed_of_sound_m_s": float(app.c0), "smoothing_length_ratio": app.numbers.h_over_dp,
             "loop_wall_time_s": ended[0] - began[0],
             "loop_processor_time_s": ended[1] - began[1],
             "compile_wall_time_s": began[0] - started[0],
@@ -227,8 +294,8 @@ def main(arguments):
     if arguments == ["--version"]:
         print("PySPH " + pysph.__version__)
         return
-    if len(arguments) != 4 or arguments[2] not in ("delta_sph", "edac"):
-        sys.exit(f"usage: {sys.argv[0]} TANK.json DIRECTORY (delta_sph | edac) SPACING_M")
+    if len(arguments) != 4 or arguments[2] not in SCHEMES:
+        sys.exit(f"usage: {sys.argv[0]} TANK.json DIRECTORY ({' | '.join(SCHEMES)}) SPACING_M")
     try:
         with open(arguments[0], encoding="utf-8") as file:
             run(json.load(file), arguments[1], arguments[2], float(arguments[3]))

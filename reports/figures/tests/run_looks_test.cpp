@@ -73,6 +73,7 @@ TEST(RunLook, TellsMoreCodesThanHuesApartByTheirMarkers) {
                      {"sharp", sharp, 1, {}},
                      {"theirs", method("pysph_delta_sph"), 1, {}},
                      {"edac", method("pysph_edac"), 1, {}},
+                     {"walls", method("pysph_adami"), 1, {}},
                      {"mdbc", method("dualsphysics_mdbc"), 1, {}},
                      {"one", method("one"), 1, {}},
                      {"two", method("two"), 1, {}},

@@ -210,8 +210,8 @@ TEST(PysphRunSection, IsRefusedWhereTheDriverCannotFollow) {
     EXPECT_NE(complaint_about(text).find(wanted), std::string::npos)
         << complaint_about(text) << "\nwanted: " << wanted;
   std::string unknown = with_pysph(spacing);
-  unknown.replace(unknown.find("edac"), 4, "adami");
-  EXPECT_NE(complaint_about(unknown).find("run.scheme = \"adami\": expected a scheme of PySPH's "
+  unknown.replace(unknown.find("edac"), 4, "tvf");
+  EXPECT_NE(complaint_about(unknown).find("run.scheme = \"tvf\": expected a scheme of PySPH's "
                                           "driver"),
             std::string::npos)
       << complaint_about(unknown);

@@ -11,11 +11,13 @@ import os
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 
 sys.dont_write_bytecode = True
 PEERS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 DRIVER = os.path.join(PEERS, "pysph_tank.py")
+SCHEMES = ["delta_sph", "edac", "adami"]
 LENGTH, DEPTH, GRAVITY, DENSITY, SPACING = 1.0, 0.35, 9.81, 1000.0, 0.05
 PERIOD = 2 * math.pi / math.sqrt(GRAVITY * math.pi / LENGTH * math.tanh(math.pi * DEPTH / LENGTH))
 
@@ -55,7 +57,7 @@ class PysphTank(unittest.TestCase):
         return rows
 
     def test_still_water_keeps_its_level(self):
-        for scheme in ["delta_sph", "edac"]:
+        for scheme in SCHEMES:
             with self.subTest(scheme):
                 rows = self.rows(tank(2.0), scheme)
                 # A lost or gained layer would be a whole spacing.
@@ -69,7 +71,7 @@ class PysphTank(unittest.TestCase):
         sys.path.insert(0, PEERS)
         import numpy as np
         import pysph_tank
-        for scheme in ["delta_sph", "edac"]:
+        for scheme in SCHEMES:
             with self.subTest(scheme):
                 app = pysph_tank.computed(tank(1.0), self.directory, scheme, SPACING)
                 liquid = app.liquid
@@ -84,7 +86,7 @@ class PysphTank(unittest.TestCase):
     def test_a_steady_push_tilts_the_surface_by_its_share_of_gravity(self):
         push = 0.5
         still_tilt = push / GRAVITY * 0.9  # between the gauges
-        for scheme in ["delta_sph", "edac"]:
+        for scheme in SCHEMES:
             with self.subTest(scheme):
                 rows = self.rows(tank(2 * PERIOD, acceleration=push), scheme)
                 # The tank is pushed to the right, so the liquid rises on the left.
@@ -97,7 +99,7 @@ class PysphTank(unittest.TestCase):
 
     def test_a_wave_turns_round_after_half_its_period_and_never_rises(self):
         wave = 0.04
-        for scheme in ["delta_sph", "edac"]:
+        for scheme in SCHEMES:
             with self.subTest(scheme):
                 rows = self.rows(tank(PERIOD, wave=wave), scheme)
                 tilts = [row["left"] - row["right"] for row in rows]
@@ -107,6 +109,52 @@ class PysphTank(unittest.TestCase):
                           if abs(row["t"] - PERIOD / 2) < PERIOD / 8]
                 self.assertLess(max(turned), 0)
                 self.assertLess(max(abs(tilt) for tilt in tilts), 2 * wave + SPACING / 2)
+
+    def test_walls_that_extrapolate_the_pressure_know_how_they_are_pushed(self):
+        sys.path.insert(0, PEERS)
+        import pysph_tank
+
+        def rise(scheme, push, place, inward):
+            """Of the mean pressure from the liquid's first column into the wall's."""
+            app = pysph_tank.computed(tank(0.02, push), self.directory, scheme, SPACING)
+            means = []
+            for array, side in [(app.liquid, inward), (app.walls, -inward)]:
+                column = abs(array.x - place - side * SPACING / 2) < SPACING / 4
+                rows = column & (abs(array.y - DEPTH / 2) < 1.5 * SPACING)
+                self.assertEqual(rows.sum(), 3)
+                means.append(array.p[rows].mean())
+            return means[1] - means[0]
+
+        push = 2.0
+        for scheme in ["edac", "adami"]:
+            for place, inward in [(0, 1), (LENGTH, -1)]:
+                with self.subTest(scheme, place=place):
+                    # In a liquid that is pushed to the right the pressure falls to the right.
+                    told = rise(scheme, push, place, inward) - rise(scheme, 0.0, place, inward)
+                    self.assertAlmostEqual(inward * told / (DENSITY * push * SPACING), 1,
+                                           delta=0.25)
+
+    def test_the_generalised_walls_are_those_of_the_example(self):
+        sys.path.insert(0, PEERS)
+        import pysph_tank
+        from pysph.examples import hydrostatic_tank as example
+        numbers = pysph_tank.SCHEMES["adami"]
+        ours = pysph_tank.GeneralisedWalls(
+            ["fluid"], ["solid"], 2, rho0=example.rho0, c0=example.c0, gy=example.gy,
+            alpha=numbers.alpha, gamma=numbers.gamma).get_equations()
+        theirs = example.HydrostaticTank.create_equations(
+            types.SimpleNamespace(options=types.SimpleNamespace(bc_type=1)))
+
+        def told(groups):  # but for the time in which gravity sets in
+            return [[(type(equation).__name__, {key: value for key, value in vars(equation).items()
+                                                if key not in ("tdamp", "var_name")})
+                     for equation in group.equations] for group in groups]
+
+        self.assertEqual(told(ours), told(theirs))
+        self.assertEqual(sum(len(group.equations) for group in ours), 7)
+        self.assertEqual(numbers.h_over_dp, example.hdx)
+        self.assertAlmostEqual(numbers.time_step, example.dt * example.c0 / example.h0)
+        self.assertEqual(numbers.wall_layers - 0.5, example.ghost_extent / example.dx)
 
     def test_a_moving_liquid_runs_up_the_wall_that_it_runs_against(self):
         rows = self.rows(tank(0.25 * PERIOD, velocity=-0.2), "delta_sph")
@@ -128,6 +176,18 @@ class PysphTank(unittest.TestCase):
                     "compile_processor_time_s"]:
             self.assertGreater(cost[key], 0, key)
 
+    def test_tells_the_numbers_of_the_scheme_that_it_ran(self):
+        self.rows(tank(0.1), "adami")
+        with open(os.path.join(self.directory, "cost.json"), encoding="utf-8") as file:
+            cost = json.load(file)
+        self.assertEqual(cost["smoothing_length_ratio"], 1.2)
+        self.assertEqual(cost["evaluations_per_step"], 1)
+        self.assertEqual(cost["wall_particles"], 32 * 20 - 20 * 14)
+        # dt = 0.75 * 0.25 h / (1.1 c0) with h = 1.2 dp.
+        sound = 10 * math.sqrt(GRAVITY * DEPTH)
+        self.assertAlmostEqual(cost["steps"] * 0.75 * 0.25 * 1.2 * SPACING / (1.1 * sound), 0.12,
+                               delta=0.002)
+
     def test_ends_with_1_where_the_liquid_is_lost(self):
         ended = self.start(tank(2.0, acceleration=500), "edac", str(SPACING))  # 50 g
         self.assertEqual(ended.returncode, 1, ended.stderr)
@@ -136,7 +196,7 @@ class PysphTank(unittest.TestCase):
     def test_ends_with_1_and_its_usage_for_a_scheme_that_it_does_not_know(self):
         ended = self.start(tank(1.0), "delta_plus", str(SPACING))
         self.assertEqual(ended.returncode, 1)
-        self.assertIn("(delta_sph | edac)", ended.stderr)
+        self.assertIn("(delta_sph | edac | adami)", ended.stderr)
 
     def test_ends_with_3_and_names_the_package_where_pysph_is_missing(self):
         with open(os.path.join(self.directory, "pysph.py"), "w", encoding="utf-8") as file:
