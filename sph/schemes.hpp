@@ -49,12 +49,12 @@ struct Li2010TwoSpacings : Li2010 {
 };
 
 // Each term was chosen by measurement on sloshing tanks (docs/schemes.md; ./slosh campaign
-// schemes): delta-SPH's consistent operators, a kernel whose sums hardly resist the lattice's
-// strain, very little viscosity, a diffusion that does not act on still liquid, free-slip mirror
-// walls, and a step near the stability limit.
+// schemes): delta-SPH's consistent operators, a kernel and h/dp with which lattices neither buckle
+// nor resist a shear (terms/kernels.hpp), very little viscosity, a diffusion that does not act on
+// still liquid, free-slip mirror walls, and a step near the stability limit.
 struct Recommended {
   using Frame = EarthFrame;
-  using Kernel = QuinticSpline;
+  using Kernel = KaiserBessel;
   using Smoothing = UniformSmoothing;
   using Formulation = VolumeWeighted;
   using EquationOfState = Tait;
@@ -162,6 +162,10 @@ struct WithWendlandC6 : Recommended {
   static constexpr const char* variant = "wendland_c6";
   using Kernel = WendlandC6;
 };
+struct WithQuinticSpline : Recommended {
+  static constexpr const char* variant = "quintic_spline";
+  using Kernel = QuinticSpline;
+};
 struct WithSymmetricPressure : Recommended {
   static constexpr const char* variant = "symmetric_pressure";
   using Formulation = MassWeighted;
@@ -261,7 +265,7 @@ struct WithVerlet : Recommended {
 template <class... Choices>
 struct ChoiceList {};
 using Variants =
-    ChoiceList<WithCubicSpline, WithWendlandC2, WithWendlandC4, WithWendlandC6,
+    ChoiceList<WithCubicSpline, WithWendlandC2, WithWendlandC4, WithWendlandC6, WithQuinticSpline,
                WithSymmetricPressure, WithLinearState, WithCubicState, WithQuinticState,
                WithoutViscosity, WithLinearViscosity, WithMonaghanViscosity, WithLaminarViscosity,
                WithoutDiffusion, WithMolteniColagrossi, WithAntuono, WithStickingWalls,
@@ -271,9 +275,9 @@ using Variants =
 
 // The variants that are also solved in the frame of a tank that rolls. The variants whose walls are
 // dynamic boundary particles roll as they are.
-using RollingVariants =
-    ChoiceList<WithWendlandC2, WithWendlandC4, WithWendlandC6, WithRepulsiveWalls,
-               WithStickingWalls, WithLaminarViscosity, WithStickingWallsAndLaminarViscosity>;
+using RollingVariants = ChoiceList<WithWendlandC2, WithWendlandC4, WithWendlandC6,
+                                   WithQuinticSpline, WithRepulsiveWalls, WithStickingWalls,
+                                   WithLaminarViscosity, WithStickingWallsAndLaminarViscosity>;
 
 // Runs a scheme of the list. run_scheme.hpp defines it; it is instantiated in sph/instantiations/,
 // one file for each kind of variant, so that the files compile in parallel.

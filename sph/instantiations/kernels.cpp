@@ -7,6 +7,7 @@ template RunOutput run_scheme<WithCubicSpline>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithWendlandC2>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithWendlandC4>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithWendlandC6>(const Scene&, const Progress&);
+template RunOutput run_scheme<WithQuinticSpline>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithSymmetricPressure>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithLinearState>(const Scene&, const Progress&);
 template RunOutput run_scheme<WithCubicState>(const Scene&, const Progress&);

@@ -12,6 +12,7 @@
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
 
@@ -40,8 +41,7 @@ inline Length gradient_scale(Length inverse_h) {
 }
 template <class Kernel, class Number, class Length>
 inline Number gradient_over_distance(Number distance2, Length inverse_h) {
-  return gradient_scale<Kernel>(inverse_h) *
-         Kernel::gradient_shape(square_root(distance2) * inverse_h);
+  return gradient_scale<Kernel>(inverse_h) * gradient_shape_of_pair<Kernel>(distance2, inverse_h);
 }
 
 // sum_b V_b (r_b - r_a) (x) grad_a W_ab, which is the identity inside the liquid.

@@ -10,6 +10,7 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
 
@@ -18,7 +19,7 @@ namespace slosh::sph {
 template <class Scheme, class Number, class Length>
 inline Number pair_gradient(Number distance2, Length inverse_h) {
   using Kernel = typename Scheme::Kernel;
-  const Number shape = Kernel::gradient_shape(square_root(distance2) * inverse_h);
+  const Number shape = gradient_shape_of_pair<Kernel>(distance2, inverse_h);
   if constexpr (Scheme::Smoothing::reads_spacing)
     return gradient_scale<Kernel>(inverse_h) * shape;
   else

@@ -26,6 +26,8 @@ KernelFormula kernel_formula() {
     return wendland_c6_formula;
   else if constexpr (is<Kernel, QuinticSpline>)
     return quintic_formula;
+  else if constexpr (is<Kernel, KaiserBessel>)
+    return kaiser_bessel_formula;
   else
     static_assert(no_formula<Kernel>);
 }

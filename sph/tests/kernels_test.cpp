@@ -10,7 +10,8 @@ namespace {
 
 template <class Kernel>
 class Kernels : public testing::Test {};
-using AllKernels = testing::Types<CubicSpline, WendlandC2, WendlandC4, WendlandC6, QuinticSpline>;
+using AllKernels =
+    testing::Types<CubicSpline, WendlandC2, WendlandC4, WendlandC6, QuinticSpline, KaiserBessel>;
 TYPED_TEST_SUITE(Kernels, AllKernels);
 
 // Midpoint rule for 2 pi q W dq over the support, in units of the smoothing length.
@@ -60,6 +61,21 @@ TEST(CubicSpline, IsTheOneThatLiPrints) {
   // W h^2 = 10 / (7 pi) (1 - 1.5 q^2 + 0.75 q^3) inside 1, 10 / (28 pi) (2 - q)^3 outside.
   EXPECT_NEAR(CubicSpline::shape(0.6), 1 - 1.5 * 0.36 + 0.75 * 0.216, 1e-15);
   EXPECT_NEAR(CubicSpline::shape(1.4), 0.25 * 0.216, 1e-15);
+}
+
+// I0(18 sqrt(s)) - 1 over its value at the centre, and its slope, which is I1 of the same.
+TEST(KaiserBessel, IsTheBesselFunctionToTheErrorOfItsFit) {
+  const double beta = 18, centre = std::cyl_bessel_i(0, beta) - 1;
+  for (double q = 0.01; q < 2; q += 0.01) {
+    const double root = std::sqrt(1 - q * q / 4);
+    const double slope = -beta * std::cyl_bessel_i(1, beta * root) / (4 * root * centre);
+    EXPECT_NEAR(KaiserBessel::shape(q), (std::cyl_bessel_i(0, beta * root) - 1) / centre, 1e-7)
+        << q;
+    EXPECT_NEAR(KaiserBessel::gradient_shape(q), slope, 1.5e-6 * beta / 4) << q;
+    EXPECT_EQ(KaiserBessel::gradient_shape(q), KaiserBessel::gradient_shape_of_square(q * q)) << q;
+  }
+  const double integral = 2 * std::cyl_bessel_i(1, beta) / beta - 1;
+  EXPECT_NEAR(KaiserBessel::normalisation, centre / (4 * std::numbers::pi * integral), 1e-7);
 }
 
 }  // namespace

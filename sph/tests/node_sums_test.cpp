@@ -90,8 +90,8 @@ TEST_F(NodeSums, AreThePlainMeanInASplash) {
   EXPECT_NEAR(half.value, 1000, 1e-9);
   EXPECT_NEAR(half.velocity_x, 2, 1e-12);
   EXPECT_NEAR(half.velocity_z, -1, 1e-12);
-  const double near = QuinticSpline::shape(0.004 / 0.015),
-               far = QuinticSpline::shape(0.018 / 0.015);
+  const double near = Recommended::Kernel::shape(0.004 / 0.015),
+               far = Recommended::Kernel::shape(0.018 / 0.015);
   const NodeSum nearer = sums(p, {node_at(0.094, 0.08)})[0];
   EXPECT_NEAR(nearer.value, (near * 900 + far * 1100) / (near + far), 1e-9);
 }

@@ -86,9 +86,9 @@ constexpr KernelTrial trial_of(const char* name) {
 }
 
 constexpr KernelTrial trials[] = {
-    trial_of<sph::CubicSpline>("cubic_spline"), trial_of<sph::WendlandC2>("wendland_c2"),
-    trial_of<sph::WendlandC4>("wendland_c4"), trial_of<sph::WendlandC6>("wendland_c6"),
-    trial_of<sph::QuinticSpline>("quintic_spline")};
+    trial_of<sph::CubicSpline>("cubic_spline"),     trial_of<sph::WendlandC2>("wendland_c2"),
+    trial_of<sph::WendlandC4>("wendland_c4"),       trial_of<sph::WendlandC6>("wendland_c6"),
+    trial_of<sph::QuinticSpline>("quintic_spline"), trial_of<sph::KaiserBessel>("kaiser_bessel")};
 
 std::vector<MeasureKind> kinds() {
   std::vector<MeasureKind> all;

@@ -216,7 +216,8 @@ const std::vector<NamedKernel>& kernels_of_schemes() {
       {"Wendland C2", &gradient_shape_of<sph::WendlandC2>},
       {"Wendland C4", &gradient_shape_of<sph::WendlandC4>},
       {"Wendland C6", &gradient_shape_of<sph::WendlandC6>},
-      {"quintic B-spline", &gradient_shape_of<sph::QuinticSpline>}};
+      {"quintic B-spline", &gradient_shape_of<sph::QuinticSpline>},
+      {"Kaiser-Bessel", &gradient_shape_of<sph::KaiserBessel>}};
   return kernels;
 }
 

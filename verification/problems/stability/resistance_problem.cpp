@@ -83,13 +83,18 @@ reports::Figure figure_of_shifts() {
 }
 
 ProblemOutcome run(bool) {
-  ProblemOutcome outcome{{{"quintic_spline", {}}, {"wendland_c2", {}}}, {figure_of_shifts()}, {}};
+  ProblemOutcome outcome{{{"quintic_spline", {}}, {"wendland_c2", {}}, {"kaiser_bessel", {}}},
+                         {figure_of_shifts()},
+                         {}};
   for (const double ratio : {1.8, 1.42, 1.36, 1.3})
     outcome.measures[0].errors.push_back(
-        {ratio, error("", &gradient_shape_of<sph::QuinticSpline>, ratio)});
+        {ratio, error("quintic_spline", &gradient_shape_of<sph::QuinticSpline>, ratio)});
   for (const double ratio : {2.0, 1.38})
     outcome.measures[1].errors.push_back(
         {ratio, error("wendland_c2", &gradient_shape_of<sph::WendlandC2>, ratio)});
+  for (const double ratio : {1.5, 1.4})
+    outcome.measures[2].errors.push_back(
+        {ratio, error("", &gradient_shape_of<sph::KaiserBessel>, ratio)});
   return outcome;
 }
 

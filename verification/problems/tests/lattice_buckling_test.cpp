@@ -89,6 +89,17 @@ TEST(LatticeBuckling, IsSlowedByViscosity) {
   EXPECT_LT(slowed, 0.7 * free);
 }
 
+// The kernel's Fourier transform ends before the lattices' wave numbers (terms/kernels.hpp).
+TEST(LatticeBuckling, NearlyVanishesForTheKaiserBesselKernelAtItsSmoothingLength) {
+  const LatticeScheme own{&gradient_shape_of<sph::KaiserBessel>, 1.5};
+  const double of_quintic = buckling_growth(quintic(1.5), Lattice::square);
+  EXPECT_LT(buckling_growth(own, Lattice::square), 0.02 * of_quintic);
+  EXPECT_LT(buckling_growth(own, Lattice::hexagonal), 0.1 * of_quintic);
+  EXPECT_NEAR(frequency_shift_of_lattice(own, tank), 0, 1.5e-4);
+  const LatticeScheme narrow{&gradient_shape_of<sph::KaiserBessel>, 1.3};
+  EXPECT_GT(buckling_growth(narrow, Lattice::square), of_quintic);
+}
+
 // A kernel that covers very many particles sums as an integral does.
 TEST(FrequencyShiftOfLattice, VanishesForManyNeighbours) {
   EXPECT_NEAR(frequency_shift_of_lattice(quintic(8), tank), 0, 5e-5);
