@@ -37,9 +37,10 @@ struct FixedStep {
 // (Monaghan 1992, section 10.3; Morris, Fox & Zhu 1997, eq. 21), where a is the largest
 // acceleration [m/s2] and nu is the larger of the liquid's viscosity and the artificial one's alpha
 // h c0 / 8. The viscous number of Morris, Fox & Zhu is 0.125. On a square lattice the largest
-// eigenvalue of the pair sum is 23.1 nu / h^2 (quintic, h = 1.5 dp; 22.6 at 2 dp), with which an
-// explicit step is stable up to 0.087 h^2 / nu. The wave of Re = 50 at 10 mm was unstable at 0.107
-// together with a Courant number of 0.8. The friction of front and back wall limits the step too.
+// eigenvalue of the pair sum is 24.1 nu / h^2 (Kaiser-Bessel, h = 1.5 dp; quintic 23.1), with which
+// an explicit step is stable up to 0.083 h^2 / nu. With the quintic the wave of Re = 50 at 10 mm
+// was unstable at 0.107 together with a Courant number of 0.8. The friction of front and back wall
+// limits the step too.
 struct AdaptiveStep {
   static constexpr bool adapts = true;
   static constexpr double viscous_number = 0.0625;  // nu dt / h^2

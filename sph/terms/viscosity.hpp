@@ -68,8 +68,9 @@ struct ImpactViscosity : LinearViscosity {
 // The liquid's own viscosity in the form of Monaghan, Cleary and Gingold: -8 nu v_ab . r_ab / r^2
 // in two dimensions (Monaghan 2005, section 8.5, eq. 8.5). On a square lattice the viscosity of the
 // sum over pairs differs from nu and depends on the direction of strain, at every spacing. With the
-// quintic it is 1.15 nu along the rows and 0.82 nu at 45 degrees to them at h = 1.5 dp, and 1.03
-// and 0.93 nu at 2 dp.
+// Kaiser-Bessel kernel it is 0.80 nu for a shear along the rows and 1.17 nu at 45 degrees to them
+// at h = 1.5 dp, and 0.93 and 1.04 nu at 2 dp; with the quintic it is 0.82 and 1.15, 0.93 and 1.03
+// nu.
 struct LaminarViscosity {
   static constexpr const char* name = "laminar viscosity, Monaghan-Cleary-Gingold";
   static constexpr bool active = true;

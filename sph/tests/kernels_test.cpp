@@ -31,7 +31,7 @@ TYPED_TEST(Kernels, HaveTheDerivativeOfTheirShapeOverTheDistance) {
   for (double q = 0.013; q < 2.2; q += 0.047) {
     const double slope = (TypeParam::shape(q + step) - TypeParam::shape(q - step)) / (2 * step);
     // The quintic's shape is 66 at its centre.
-    EXPECT_NEAR(TypeParam::gradient_shape(q), slope / q, 1e-8 * TypeParam::shape(0) / q) << q;
+    EXPECT_NEAR(TypeParam::gradient_shape(q), slope / q, 1e-8 * TypeParam::shape(0.0) / q) << q;
   }
 }
 

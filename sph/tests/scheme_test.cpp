@@ -173,8 +173,8 @@ TEST(Simulation, NamesTheVariantsThatRollWhereItRefusesAnother) {
         << variant;
 }
 
-TEST(Simulation, HasTwentyFiveVariantsOfTheRecommendedScheme) {
-  EXPECT_EQ(variant_names().size(), 25);
+TEST(Simulation, HasTwentySixVariantsOfTheRecommendedScheme) {
+  EXPECT_EQ(variant_names().size(), 26);
   EXPECT_EQ(scheme_names().size(), 5);
 }
 
