@@ -49,7 +49,7 @@ TYPED_TEST(Kernels, AreFiniteWhereTwoParticlesCoincide) {
   EXPECT_GT(TypeParam::shape(0.0), 0);
   EXPECT_TRUE(std::isfinite(TypeParam::gradient_shape(0.0)));
   const double step = 1e-3;
-  const double curvature = 2 * (TypeParam::shape(step) - TypeParam::shape(0)) / (step * step);
+  const double curvature = 2 * (TypeParam::shape(step) - TypeParam::shape(0.0)) / (step * step);
   EXPECT_NEAR(TypeParam::gradient_shape(1e-3), curvature, 2e-3 * std::abs(curvature));
 }
 
