@@ -49,9 +49,9 @@ struct Li2010TwoSpacings : Li2010 {
 };
 
 // Each term was chosen by measurement on sloshing tanks (docs/schemes.md; ./slosh campaign
-// schemes): delta-SPH's consistent operators, a kernel and h/dp with which lattices neither buckle
-// nor resist a shear (terms/kernels.hpp), very little viscosity, a diffusion that does not act on
-// still liquid, free-slip mirror walls, and a step near the stability limit.
+// schemes): delta-SPH's consistent operators, a kernel and h/dp with which lattices hardly
+// buckle and hardly resist a small shear (terms/kernels.hpp), very little viscosity, a diffusion
+// that does not act on still liquid, free-slip mirror walls, and a step near the stability limit.
 struct Recommended {
   using Frame = EarthFrame;
   using Kernel = KaiserBessel;

@@ -125,11 +125,12 @@ struct QuinticSpline {
 // The Kaiser-Bessel kernel of two dimensions, W ~ I0(18 sqrt(s)) - 1 with s = 1 - (q / 2)^2, after
 // the window of Kaiser & Schafer 1980 (IEEE Trans. Acoust. Speech Signal Process. 28:105). Of all
 // functions with this support it nearly has the least Fourier transform beyond the wave number
-// 18 / (2 h): e^-18 of its integral. At h = 1.5 dp that bound, 6 / dp, lies below the first wave
-// number of the square lattice, 2 pi / dp, and of the hexagonal one. Sums over either lattice are
-// then nearly integrals: the lattice neither buckles under its pressure nor resists a shear
-// (verification/problems/stability/lattice_buckling.hpp). Other kernels of this support have
-// transforms that fall as powers of the wave number.
+// 18 / (2 h), where it has fallen to 18 / (2 I1(18)) = 1.5e-6 of its integral. At h = 1.5 dp that
+// wave number, 6 / dp, lies below the first one of the square lattice, 2 pi / dp, and of the
+// hexagonal one, 6.75 / dp. Sums over either lattice are then nearly integrals: the lattice hardly
+// buckles under its pressure and hardly resists a small shear
+// (verification/problems/stability/lattice_buckling.hpp). The splines and Wendland's kernels of
+// this support have far larger transforms there.
 //
 // The shape is a polynomial in s, W(0) = 1, which was fitted to 9e-8 of W(0); its slope differs by
 // 1.5e-6 of the largest. It vanishes with its slope at s = 0; its second derivative jumps there by

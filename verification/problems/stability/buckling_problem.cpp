@@ -1,6 +1,6 @@
 // Problem: the buckling of a square lattice under pressure (lattice_buckling.hpp), with the terms
-// and numbers of `recommended` but for the quintic spline, whose windows of stability are wide, at
-// several h / dp.
+// and numbers of `recommended`, but with the quintic B-spline instead of its kernel, which hardly
+// buckles, at several h / dp.
 //   growth       A box without gravity, full of particles under one pressure. Its mirror walls let
 //                only some waves of the endless lattice be. The particles start with random
 //                velocities.
