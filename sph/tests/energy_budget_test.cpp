@@ -36,9 +36,9 @@ INSTANTIATE_TEST_SUITE_P(Scheme, EnergyBudgetOf,
                          [](const auto& scheme) { return scheme.param; });
 
 // Of the walls' largest work, 11 J/m in a second; the liquid's kinetic energy reaches a tenth of
-// that. Measured: 5e-4 by each scheme. What `recommended` dissipates is 2.2e-3 of that work.
+// that. Measured: 5.7e-4 with both other schemes.
 TEST_P(EnergyBudgetOf, ClosesInATankThatSurgesAndRolls) {
-  constexpr double tolerance = 1e-3;
+  constexpr double tolerance = 7e-4;
   const RunOutput output = run(GetParam(), metered(surging_and_rolling_scene(0.02, 1)), {});
   const std::vector<double>&work = budget(output, "wall_work").value,
         &residual = budget(output, "energy_residual").value,
@@ -52,8 +52,8 @@ TEST_P(EnergyBudgetOf, ClosesInATankThatSurgesAndRolls) {
     without_work = std::max(without_work, std::abs(residual[i] + work[i]));
     turned = std::max(turned, std::abs(residual[i] - 2 * dissipated[i]));
   }
-  EXPECT_GE(without_work, 500 * tolerance * scale);
-  EXPECT_GE(turned, 2 * tolerance * scale);
+  EXPECT_GE(without_work, 0.5 * scale);
+  EXPECT_GE(turned, 3 * tolerance * scale);
 }
 
 // Artificial viscosity takes energy from every approaching pair.
