@@ -28,6 +28,11 @@ struct Obstacle {
   double bottom, top;  // from the tank's bottom
 };
 
+// A corner of the tank's outline [m], from the left wall and the bottom.
+struct Corner {
+  double x, z;
+};
+
 // A sensor in a wall of the tank that measures the mean pressure over its width.
 struct PressureGauge {
   enum class Wall { left, right, bottom };
@@ -66,6 +71,9 @@ enum class InterfaceMethod {
 
 struct SloshingTank {
   double length, height, fill_depth;  // [m]
+  // The corners of a tank that is not rectangular, counter-clockwise. Length and height are those
+  // of the rectangle around it, whose bottom left corner is the origin.
+  std::vector<Corner> outline = {};
   // The liquid stands from the left wall to here [m]; empty where it reaches from wall to wall.
   std::optional<double> column_width = {};
   std::vector<Obstacle> obstacles = {};

@@ -64,6 +64,11 @@ struct Rectangle {
   double left, right, bottom, top;
 };
 
+// A corner of the tank's outline [m], from the left wall and the bottom.
+struct Corner {
+  double x, z;
+};
+
 // The initial surface is amplitude cos(mode pi x / tank_length) above the still level; the liquid
 // under it is at rest.
 struct InitialWave {
@@ -87,6 +92,9 @@ struct SavedState;
 
 struct Scene {
   double tank_length, tank_height, fill_depth;  // [m]
+  // The corners of a tank that is not rectangular, counter-clockwise. Length and height are those
+  // of the rectangle around it, whose bottom left corner is the origin.
+  std::vector<Corner> outline = {};
   double gravity;                               // [m/s2], downward
   double rest_density;                          // [kg/m3]
   double kinematic_viscosity = 0;               // of the liquid [m2/s]
