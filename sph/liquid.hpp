@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "sph/guards/stability_guard.hpp"
@@ -16,6 +17,7 @@
 #include "sph/scene.hpp"
 #include "sph/terms/gap_friction.hpp"
 #include "sph/terms/kernels.hpp"
+#include "sph/walls/outline_contact.hpp"
 #include "sph/walls/wall_power.hpp"
 
 namespace slosh::sph {
@@ -33,7 +35,8 @@ class Liquid {
         scene_(scene),
         neighbours_(tank_at(0), scene.particle_spacing, largest_support()),
         solids_(scene, !Scheme::Mirror::exists, largest_support()),
-        obstacles_(obstacles_on_lattice(scene, largest_support())) {
+        obstacles_(obstacles_on_lattice(scene, largest_support())),
+        outline_(outline_of(scene)) {
     neighbours_.add_solids(solids_.places(), obstacles_);
     solids_.initialise(scheme_);
     renew_neighbours(0);
@@ -44,7 +47,8 @@ class Liquid {
   // Makes the neighbour lists valid for a step of dt from now. Returns whether they were rebuilt.
   bool renew_neighbours(double dt) {
     const auto tank = tank_at(time);
-    const std::size_t exchanged = scheme_.wall_contact.confine(particles, tank);
+    const std::size_t exchanged = outline_ ? confine_to(*outline_, particles, tank)
+                                           : scheme_.wall_contact.confine(particles, tank);
     exchanged_at_walls_ += exchanged;
     std::size_t moved = exchanged;
     for (const Rectangle& obstacle : obstacles_) moved += expel(particles, tank, obstacle);
@@ -225,6 +229,7 @@ class Liquid {
   NeighbourSources neighbours_;
   typename Scheme::Solids solids_;
   std::vector<Rectangle> obstacles_;
+  std::optional<TankOutline> outline_;
   DensityGradient gradient_;
   Particles saved_;
   Array<double> saved_solid_density_;

@@ -9,6 +9,11 @@
 
 namespace slosh::sph {
 
+// A place in the tank [m], from its left wall and its bottom.
+struct Corner {
+  double x, z;
+};
+
 struct Gauge {
   std::string name;
   double x;  // [m] from the left wall; the gauge moves with the tank
@@ -21,6 +26,8 @@ struct PressureGauge {
   Wall wall;
   double position;  // [m] above the bottom, or from the left wall on the bottom
   double width;     // [m] of the sensor along the wall, centred at `position`; 0: a point
+  // A point of the outline of a tank that is not rectangular, in place of wall and position.
+  std::optional<Corner> at = {};
 };
 
 // A place in the tank that moves with it.
@@ -64,11 +71,6 @@ struct Rectangle {
   double left, right, bottom, top;
 };
 
-// A corner of the tank's outline [m], from the left wall and the bottom.
-struct Corner {
-  double x, z;
-};
-
 // The initial surface is amplitude cos(mode pi x / tank_length) above the still level; the liquid
 // under it is at rest.
 struct InitialWave {
@@ -95,9 +97,9 @@ struct Scene {
   // The corners of a tank that is not rectangular, counter-clockwise. Length and height are those
   // of the rectangle around it, whose bottom left corner is the origin.
   std::vector<Corner> outline = {};
-  double gravity;                               // [m/s2], downward
-  double rest_density;                          // [kg/m3]
-  double kinematic_viscosity = 0;               // of the liquid [m2/s]
+  double gravity;                  // [m/s2], downward
+  double rest_density;             // [kg/m3]
+  double kinematic_viscosity = 0;  // of the liquid [m2/s]
   // Rate of the friction of the front and the back wall [1/s] (terms/gap_friction.hpp); 0: none.
   double gap_friction = 0;
   std::function<double(double)> displacement;  // X(t) of the tank [m]

@@ -275,9 +275,22 @@ using Variants =
 
 // The variants that are also solved in the frame of a tank that rolls. The variants whose walls are
 // dynamic boundary particles roll as they are.
-using RollingVariants = ChoiceList<WithWendlandC2, WithWendlandC4, WithWendlandC6,
-                                   WithQuinticSpline, WithRepulsiveWalls, WithStickingWalls,
-                                   WithLaminarViscosity, WithStickingWallsAndLaminarViscosity>;
+using RollingVariants =
+    ChoiceList<WithWendlandC2, WithWendlandC4, WithWendlandC6, WithQuinticSpline,
+               WithRepulsiveWalls, WithStickingWalls, WithLaminarViscosity,
+               WithStickingWallsAndLaminarViscosity, WithGhostWalls, WithStickingGhostWalls>;
+
+// A choice whose mirror particles are replaced by ghost particles, for a tank that is no rectangle.
+template <class Choice>
+struct InOutline : Choice {
+  using Mirror = NoMirror;
+};
+
+// The variants that are also solved in a tank with an outline. `ghost_walls` is what `recommended`
+// itself becomes there.
+using OutlineVariants =
+    ChoiceList<WithGhostWalls, WithStickingGhostWalls, InOutline<WithLaminarViscosity>,
+               InOutline<WithStickingWallsAndLaminarViscosity>>;
 
 // Runs a scheme of the list. run_scheme.hpp defines it; it is instantiated in sph/instantiations/,
 // one file for each kind of variant, so that the files compile in parallel.

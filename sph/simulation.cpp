@@ -80,6 +80,17 @@ Method named(const Methods& table, const char* what, const std::string& name) {
   return found->second;
 }
 
+// The schemes and variants whose walls take any outline, for a tank that rolls and one that does
+// not: those with walls of solid particles, which those with mirror particles get here.
+Methods in_outline(bool rolls) {
+  Methods all = rolls ? in_tank(OutlineVariants{}) : methods_of(OutlineVariants{});
+  all["recommended"] = all.at("ghost_walls");
+  for (const char* name : {"dynamic_walls", "fixed_dynamic_walls"}) all[name] = variants().at(name);
+  for (const char* name : {"zhao2021_moving", "zhao2021_fixed"}) all[name] = schemes().at(name);
+  all["delta_sph"] = rolls ? rolling().at("delta_sph") : schemes().at("delta_sph");
+  return all;
+}
+
 Method chosen(const std::string& scheme, const Scene& scene) {
   const Method method = named(schemes(), "scheme", scheme);
   const auto turned = rolling().find(scene.variant.empty() ? scheme : scene.variant);
@@ -90,6 +101,14 @@ Method chosen(const std::string& scheme, const Scene& scene) {
   if (!uniform && (scheme != "li2010" || scene.roll))
     throw std::invalid_argument("scheme " + scheme +
                                 " takes one particle spacing: surface_particle_spacing differs");
+  if (!scene.outline.empty()) {
+    if (!scene.variant.empty()) named(variants(), "variant", scene.variant);
+    const bool varies = !scene.variant.empty();
+    return named(
+        in_outline(scene.roll.has_value()),
+        varies ? "variant in a tank that is no rectangle" : "scheme in a tank that is no rectangle",
+        varies ? scene.variant : scheme);
+  }
   if (!uniform) return method_of<Li2010TwoSpacings>();
   if (scene.roll && turned != rolling().end()) return turned->second;
   return scene.variant.empty() ? method : named(variants(), "variant", scene.variant);

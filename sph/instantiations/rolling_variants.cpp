@@ -12,5 +12,7 @@ template RunOutput run_scheme<InTank<WithStickingWalls>>(const Scene&, const Pro
 template RunOutput run_scheme<InTank<WithLaminarViscosity>>(const Scene&, const Progress&);
 template RunOutput run_scheme<InTank<WithStickingWallsAndLaminarViscosity>>(const Scene&,
                                                                             const Progress&);
+template RunOutput run_scheme<InTank<WithGhostWalls>>(const Scene&, const Progress&);
+template RunOutput run_scheme<InTank<WithStickingGhostWalls>>(const Scene&, const Progress&);
 
 }  // namespace slosh::sph

@@ -5,17 +5,20 @@
 #include <vector>
 
 namespace slosh::sph {
-namespace {
-
-constexpr double window_width = 3;  // in lattice spacings
-
-// M4' has the support 2, the integral 1 and no second moment.
 double window(double s) {
   const double a = std::abs(s), outer = std::max(0.0, 2 - a), inner = std::max(0.0, 1 - a);
   return 0.5 * outer * outer * (1 - a) - inner * inner * (1 - 2 * a);
 }
 
-}  // namespace
+double window_integral(double s) {
+  const double a = std::min(2.0, std::abs(s));
+  // The integral of M from 0: that of 1 - 5/2 s^2 + 3/2 s^3 up to 1, and that of
+  // (2 - s)^2 (1 - s) / 2 from there to 2.
+  const double inner = std::min(1.0, a), b = 2 - std::max(1.0, a);
+  const double from_middle = inner - 5.0 / 6 * std::pow(inner, 3) + 3.0 / 8 * std::pow(inner, 4) -
+                             (1.0 / 24 + std::pow(b, 4) / 8 - std::pow(b, 3) / 6);
+  return 0.5 + std::copysign(from_middle, s);
+}
 
 double surface_elevation(const Particles& p, double tank_length, double fill_depth, double x) {
   double depth = 0;

@@ -5,6 +5,14 @@
 
 namespace slosh::sph {
 
+// The width of the window over the lattice's spacing.
+inline constexpr double window_width = 3;
+
+// Returns M(s), which has the support 2, the integral 1 and no second moment.
+double window(double s);
+// Returns the integral of M from minus infinity to s.
+double window_integral(double s);
+
 // Returns the surface's elevation above the still level [m] at x from the left wall [m], resolved
 // to a small fraction of a particle. It is the depth of liquid in a column, the integral of the
 // particles' volumes over a smooth window along x:

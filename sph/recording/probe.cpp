@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sph/recording/near_particles.hpp"
+#include "sph/walls/tank_outline.hpp"
 
 namespace slosh::sph {
 namespace {
@@ -16,9 +17,31 @@ constexpr double least_filling = 0.5;
 // their second moments; no slope across the line can be fitted to them.
 constexpr double least_determinant = 1e-6;
 
-// Returns the part of the kernel at the place that particles and their images in the walls fill.
+// Returns the part of the kernel at the place that lies within the outline, by the midpoint rule.
+double share_within(const TankOutline& outline, Vector2 place, const WeightsAbout& weights) {
+  constexpr int steps = 24;
+  const double step = 2 * weights.radius() / steps;
+  double within = 0, whole = 0;
+  for (int i = 0; i < steps; ++i)
+    for (int k = 0; k < steps; ++k) {
+      const double dx = (i + 0.5) * step - weights.radius(),
+                   dz = (k + 0.5) * step - weights.radius(), weight = weights.at(dx, dz);
+      whole += weight;
+      if (outline.contains(place.x + dx, place.z + dz)) within += weight;
+    }
+  return within / whole;
+}
+
+// Returns the part of the kernel at the place that particles and their images in the walls fill. In
+// an outline it is the part that particles fill of what lies within.
 double filling(const Particles& p, Vector2 place, const Scene& scene) {
   const WeightsAbout weights(scene.particle_spacing);
+  if (const auto outline = outline_of(scene)) {
+    double filled = 0;
+    for_each_near(p, place, scene.particle_spacing,
+                  [&](std::size_t, double share, double, double) { filled += share; });
+    return filled / share_within(*outline, place, weights);
+  }
   double filled = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const std::array<double, 3> along{p.x[i], -p.x[i], 2 * scene.tank_length - p.x[i]},
@@ -90,6 +113,10 @@ template Probed probed(const Particles&, const Probe&, const Scene&, const TankM
                        const std::function<double(double)>&);
 
 void require_in_tank(const Probe& probe, const Scene& scene) {
+  if (const auto outline = outline_of(scene); outline && !outline->contains(probe.x, probe.z))
+    throw std::invalid_argument(
+        fmt::format("probe {}: ({}, {}) m: expected a place in the tank's outline", probe.name,
+                    probe.x, probe.z));
   if (!(probe.x >= 0 && probe.x <= scene.tank_length && probe.z >= 0 &&
         probe.z <= scene.tank_height))
     throw std::invalid_argument(

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "sph/guards/energy_bound.hpp"
 #include "sph/held_arrays.hpp"
 #include "sph/liquid.hpp"
+#include "sph/recording/column_in_outline.hpp"
 #include "sph/recording/energy_budget.hpp"
 #include "sph/recording/free_surface.hpp"
 #include "sph/recording/probe.hpp"
@@ -18,6 +20,7 @@
 #include "sph/scene.hpp"
 #include "sph/scheme.hpp"
 #include "sph/walls/frames.hpp"
+#include "sph/walls/tank_outline.hpp"
 
 namespace slosh::sph {
 
@@ -26,6 +29,9 @@ class Recorder {
  public:
   Recorder(const Scene& scene, Liquid<Scheme>& liquid)
       : scene_(scene), energy_bound_(scene, liquid.particles) {
+    if (const auto outline = outline_of(scene))
+      for (const Gauge& gauge : scene.gauges)
+        columns_.emplace_back(*outline, scene.fill_depth, gauge.x, scene.particle_spacing);
     for (const PressureGauge& gauge : scene.pressure_gauges) require_on_wall(gauge, scene);
     for (const Probe& probe : scene.probes) require_in_tank(probe, scene);
     if (scene.record_still_water)
@@ -99,9 +105,11 @@ class Recorder {
   void record_gauges(const Liquid<Scheme>& liquid, const Motion<Scheme>& motion) {
     const Particles& p = seen_.particles;
     const double t = liquid.time;
-    for (const Gauge& gauge : scene_.gauges) {
+    for (std::size_t k = 0; k < scene_.gauges.size(); ++k) {
+      const Gauge& gauge = scene_.gauges[k];
       push(output.elevation[gauge.name], t,
-           surface_elevation(p, scene_.tank_length, scene_.fill_depth, gauge.x));
+           columns_.empty() ? surface_elevation(p, scene_.tank_length, scene_.fill_depth, gauge.x)
+                            : columns_[k].elevation(p));
       push(output.highest_surface[gauge.name], t, highest_surface(p, scene_.fill_depth, gauge.x));
     }
     for (const PressureGauge& gauge : scene_.pressure_gauges)
@@ -186,6 +194,7 @@ class Recorder {
   }
 
   const Scene& scene_;
+  std::vector<ColumnInOutline> columns_;  // of the gauges of a tank with an outline
   SeenFromTank seen_;
   EnergyBound energy_bound_;
   Soundness soundness_;

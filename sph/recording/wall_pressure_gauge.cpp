@@ -7,15 +7,24 @@
 #include <stdexcept>
 
 #include "sph/recording/near_particles.hpp"
+#include "sph/walls/tank_outline.hpp"
 
 namespace slosh::sph {
 namespace {
 
 constexpr double least_filling = 0.2;  // of the half disc
 
-Vector2 place_on_wall(Wall wall, double along, double tank_length) {
-  if (wall == Wall::bottom) return {along, 0};
-  return {wall == Wall::left ? 0 : tank_length, along};
+// Returns the point of a sensor that lies `off` its middle along the wall [m].
+Vector2 place_on_wall(const PressureGauge& gauge, double off, const Scene& scene) {
+  if (gauge.at) {
+    const TankOutline outline(scene.outline);
+    const OutlineSide& side = outline.sides()[outline.nearest(gauge.at->x, gauge.at->z).side];
+    return {gauge.at->x + off * side.along.x, gauge.at->z + off * side.along.z};
+  }
+  const double along = gauge.position + off;
+  if (gauge.wall == Wall::bottom) return {along, 0};
+  if (gauge.wall == Wall::roof) return {along, scene.tank_height};
+  return {gauge.wall == Wall::left ? 0 : scene.tank_length, along};
 }
 
 double pressure_at_place(const Particles& p, Vector2 place, Vector2 gravity,
@@ -39,8 +48,7 @@ double wall_pressure(const Particles& p, const PressureGauge& gauge, const Scene
   double sum = 0;
   for (int k = 0; k < places; ++k) {
     // The points are the middles of equal parts of the sensor.
-    const double along = gauge.position + gauge.width * ((k + 0.5) / places - 0.5);
-    const Vector2 place = place_on_wall(gauge.wall, along, scene.tank_length);
+    const Vector2 place = place_on_wall(gauge, gauge.width * ((k + 0.5) / places - 0.5), scene);
     const Vector2 gravity =
         motion.in_tank().apparent_gravity(scene.gravity, place.x, place.z, 0, 0);
     sum += pressure_at_place(p, place, gravity, pressure_at, dp);
@@ -52,8 +60,30 @@ template double wall_pressure(const Particles&, const PressureGauge&, const Scen
 template double wall_pressure(const Particles&, const PressureGauge&, const Scene&,
                               const TankMotion&, const std::function<double(double)>&);
 
+void require_on_outline(const PressureGauge& gauge, const TankOutline& outline) {
+  const Vector2 at{gauge.at->x, gauge.at->z};
+  const OutlinePoint wall = outline.nearest(at.x, at.z);
+  const OutlineSide& side = outline.sides()[wall.side];
+  const double rounding = 1e-6 * (outline.top() - outline.bottom()),
+               position = side.position_of(at), half = 0.5 * gauge.width;
+  if (!(std::hypot(wall.at.x - at.x, wall.at.z - at.z) <= rounding && half >= 0 &&
+        position - half >= -rounding && position + half <= side.length + rounding))
+    throw std::invalid_argument(
+        fmt::format("pressure gauge {}: ({}, {}) m and width {} m: expected a sensor on one side "
+                    "of the tank's outline",
+                    gauge.name, at.x, at.z, gauge.width));
+}
+
 void require_on_wall(const PressureGauge& gauge, const Scene& scene) {
-  const double length = gauge.wall == Wall::bottom ? scene.tank_length : scene.tank_height;
+  if (const auto outline = outline_of(scene); outline.has_value() != gauge.at.has_value())
+    throw std::invalid_argument(fmt::format(
+        "pressure gauge {}: expected a wall and a position in a rectangular tank, and a point of "
+        "the outline in any other",
+        gauge.name));
+  else if (outline)
+    return require_on_outline(gauge, *outline);
+  const bool along_x = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
+  const double length = along_x ? scene.tank_length : scene.tank_height;
   const double half = 0.5 * gauge.width;
   if (!(half >= 0 && gauge.position - half >= 0 && gauge.position + half <= length))
     throw std::invalid_argument(

@@ -10,6 +10,7 @@
 
 #include "sph/start/initial_surface.hpp"
 #include "sph/walls/solid_particles.hpp"
+#include "sph/walls/tank_outline.hpp"
 
 namespace slosh::sph {
 namespace {
@@ -25,6 +26,17 @@ int lattice_count(double length, double spacing, const char* what) {
 }
 
 using DensityAt = std::function<double(double)>;
+
+// Adds a particle of this volume [m2] at rest.
+void add_particle(Particles& p, double x, double z, double spacing, double volume, double density) {
+  p.x.push_back(x);
+  p.z.push_back(z);
+  p.velocity_x.push_back(0);
+  p.velocity_z.push_back(0);
+  p.density.push_back(density);
+  p.mass.push_back(density * volume);
+  p.spacing.push_back(spacing);
+}
 
 void lay_block(const Scene& scene, const DensityAt& density_at, double bottom, double top,
                double spacing, Particles& p) {
@@ -43,21 +55,37 @@ void lay_block(const Scene& scene, const DensityAt& density_at, double bottom, d
       if (std::any_of(obstacles.begin(), obstacles.end(),
                       [=](const Rectangle& obstacle) { return holds(obstacle, x, z); }))
         continue;
-      const double density = density_at(surface.pressure(x, z));
-      p.x.push_back(x);
-      p.z.push_back(z);
-      p.velocity_x.push_back(0);
-      p.velocity_z.push_back(0);
-      p.density.push_back(density);
-      p.mass.push_back(density * dx * dz * stretch);
-      p.spacing.push_back(dx);
+      add_particle(p, x, z, dx, dx * dz * stretch, density_at(surface.pressure(x, z)));
     }
+}
+
+// Each row has as many particles as fit its mean width, and the area of its part of the tank.
+void lay_rows(const Scene& scene, const TankOutline& outline, const DensityAt& density_at,
+              Particles& p) {
+  const double spacing = scene.particle_spacing;
+  const int rows = lattice_count(scene.fill_depth, spacing, "liquid's depth");
+  const double dz = scene.fill_depth / rows;
+  const InitialSurface surface(scene);
+  for (int row = 0; row < rows; ++row) {
+    const TankOutline::Extent extent = outline.mean_between(row * dz, (row + 1) * dz);
+    const double columns = std::max(1.0, std::round(extent.width() / spacing)),
+                 dx = extent.width() / columns, z = (row + 0.5) * dz;
+    for (int column = 0; column < columns; ++column)
+      add_particle(p, extent.left + (column + 0.5) * dx, z, dx, dx * dz,
+                   density_at(surface.pressure(0, z)));
+  }
+  // The numbers of a scheme refer to the spacing that the run asks for.
+  p.spacing.assign(p.size(), spacing);
 }
 
 }  // namespace
 
 Particles initial_lattice(const Scene& scene, const DensityAt& density_at) {
   Particles particles;
+  if (const auto outline = outline_of(scene)) {
+    lay_rows(scene, *outline, density_at, particles);
+    return particles;
+  }
   const double coarse = scene.particle_spacing, fine = scene.surface_particle_spacing;
   if (fine == coarse) {
     lay_block(scene, density_at, 0, scene.fill_depth, coarse, particles);

@@ -201,11 +201,11 @@ class AllPairs {
         b.diffused = at_node.diffused;
         if (f_.diffuses != Diffuses::dynamic_density) b.diffused += rise / c2;
         const bool no_slip = f_.solids == SolidFormula::ghost_no_slip;
-        b.u = places[k].turns_x || no_slip ? 2 * walls_.velocity - at_node.u : at_node.u;
-        b.w = places[k].turns_z || no_slip ? -at_node.w : at_node.w;
+        b.u = places[k].turn.xx < 0 || no_slip ? 2 * walls_.velocity - at_node.u : at_node.u;
+        b.w = places[k].turn.zz < 0 || no_slip ? -at_node.w : at_node.w;
         if (!places[k].in_obstacle) {
-          b.slide_u = places[k].turns_x ? 2 * walls_.velocity - at_node.u : at_node.u;
-          b.slide_w = places[k].turns_z ? -at_node.w : at_node.w;
+          b.slide_u = places[k].turn.xx < 0 ? 2 * walls_.velocity - at_node.u : at_node.u;
+          b.slide_w = places[k].turn.zz < 0 ? -at_node.w : at_node.w;
         }
       }
       sources_.push_back(b);

@@ -235,7 +235,7 @@ TEST(NoSlipLaminar, LeavesPlaneCouetteFlowAsItIsInBothFrames) {
 
 TEST(Simulation, RefusesARollForWallsThatCannotTurn) {
   Scene scene = surging_and_rolling_scene(0.02, 0.1);
-  scene.variant = "ghost_walls";
+  scene.variant = "verlet";
   EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
 }
 

@@ -52,8 +52,8 @@ TEST(SolidPlaces, SurroundTheTankWithWholeLayers) {
 
 TEST(SolidPlaces, OfTheTanksWallsLookAtTheirMirrorImages) {
   for (const SolidPlace& place : solid_places(scene_with({}), true, depth, 1)) {
-    EXPECT_EQ(place.turns_x, place.x < 0 || place.x > 1);
-    EXPECT_EQ(place.turns_z, place.z < 0 || place.z > 0.5);
+    EXPECT_EQ(place.turn.xx < 0, place.x < 0 || place.x > 1);
+    EXPECT_EQ(place.turn.zz < 0, place.z < 0 || place.z > 0.5);
     EXPECT_NEAR(place.node_x, place.x < 0 ? -place.x : place.x > 1 ? 2 - place.x : place.x, 1e-12);
     EXPECT_NEAR(place.node_z,
                 place.z < 0     ? -place.z
@@ -74,8 +74,8 @@ TEST(SolidPlaces, StandCloserAlongTheWallsWithTheSameVolume) {
     EXPECT_TRUE(in_tank(place.node_x, place.node_z));
     EXPECT_NEAR(place.node_x, place.x < 0 ? -place.x : place.x > 1 ? 2 - place.x : place.x, 1e-12);
     const auto off_thirds = [](double at) { return std::remainder(at - dp / 6, dp / 3); };
-    EXPECT_NEAR(place.turns_x ? off_thirds(place.z) : 0, 0, 1e-12);
-    EXPECT_NEAR(place.turns_z ? off_thirds(place.x) : 0, 0, 1e-12);
+    EXPECT_NEAR(place.turn.xx < 0 ? off_thirds(place.z) : 0, 0, 1e-12);
+    EXPECT_NEAR(place.turn.zz < 0 ? off_thirds(place.x) : 0, 0, 1e-12);
   }
   EXPECT_NEAR(cells, 26 * 16 - 20 * 10, 1e-9);
 }
@@ -88,11 +88,11 @@ TEST(SolidPlaces, FillAnObstacleAndLookAcrossItsNearestFace) {
     EXPECT_TRUE(holds(r, place.x, place.z));
     expect_in_the_middle_of_a_cell(place);
     EXPECT_TRUE(in_tank(place.node_x, place.node_z));
-    EXPECT_NE(place.turns_x, place.turns_z);
+    EXPECT_NE(place.turn.xx, place.turn.zz);
     const double nearest =
         std::min({place.x - r.left, r.right - place.x, place.z - r.bottom, r.top - place.z});
-    EXPECT_NEAR(std::abs(place.node_x - place.x), place.turns_x ? 2 * nearest : 0, 1e-12);
-    EXPECT_NEAR(std::abs(place.node_z - place.z), place.turns_z ? 2 * nearest : 0, 1e-12);
+    EXPECT_NEAR(std::abs(place.node_x - place.x), place.turn.xx < 0 ? 2 * nearest : 0, 1e-12);
+    EXPECT_NEAR(std::abs(place.node_z - place.z), place.turn.zz < 0 ? 2 * nearest : 0, 1e-12);
     EXPECT_FALSE(holds(r, place.node_x, place.node_z));
   }
 }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "sph/walls/outline_layers.hpp"
+
 namespace slosh::sph {
 namespace {
 
@@ -23,13 +25,13 @@ double snapped(double edge, double cell, double end) {
 
 // Reflects a node that lies behind the tank's walls into the tank.
 void fold_into_tank(SolidPlace& place, const Scene& scene) {
-  const auto fold = [](double& at, bool& turns, double length) {
+  const auto fold = [](double& at, double& turn, double length) {
     if (at > 0 && at < length) return;
     at = at <= 0 ? -at : 2 * length - at;
-    turns = !turns;
+    turn = -turn;
   };
-  fold(place.node_x, place.turns_x, scene.tank_length);
-  fold(place.node_z, place.turns_z, scene.tank_height);
+  fold(place.node_x, place.turn.xx, scene.tank_length);
+  fold(place.node_z, place.turn.zz, scene.tank_height);
 }
 
 void fill_obstacle(const Scene& scene, const Rectangle& r, double depth,
@@ -52,12 +54,12 @@ int whole_layers(double depth, double dp) { return static_cast<int>(std::ceil(de
 // in a corner is divided along both walls.
 void divide_along_walls(const SolidPlace& place, int count, double dx, double dz,
                         const Scene& scene, std::vector<SolidPlace>& places) {
-  const int columns = place.turns_z ? count : 1, rows = place.turns_x ? count : 1;
+  const int columns = place.turn.zz < 0 ? count : 1, rows = place.turn.xx < 0 ? count : 1;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const double x = place.x + ((column + 0.5) / columns - 0.5) * dx,
                    z = place.z + ((row + 0.5) / rows - 0.5) * dz;
-      SolidPlace& part = places.emplace_back(SolidPlace{x, z, x, z, false, false});
+      SolidPlace& part = places.emplace_back(SolidPlace{x, z, x, z});
       part.cell_share = 1.0 / (columns * rows);
       fold_into_tank(part, scene);
     }
@@ -77,7 +79,7 @@ void fill_tank_walls(const Scene& scene, double depth, int along_walls,
       if (std::any_of(obstacles.begin(), obstacles.end(),
                       [=](const Rectangle& obstacle) { return holds(obstacle, x, z); }))
         continue;
-      SolidPlace place{x, z, x, z, false, false};
+      SolidPlace place{x, z, x, z};
       fold_into_tank(place, scene);
       divide_along_walls(place, along_walls, dx, dz, scene, places);
     }
@@ -119,18 +121,22 @@ SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double ta
       r.bottom < 0 ? none : z - r.bottom, r.top > tank_height ? none : r.top - z};
   switch (std::min_element(depth.begin(), depth.end()) - depth.begin()) {
     case 0:
-      return {x, z, 2 * r.left - x, z, true, false};
+      return {x, z, 2 * r.left - x, z, Turn::along(1, 0)};
     case 1:
-      return {x, z, 2 * r.right - x, z, true, false};
+      return {x, z, 2 * r.right - x, z, Turn::along(1, 0)};
     case 2:
-      return {x, z, x, 2 * r.bottom - z, false, true};
+      return {x, z, x, 2 * r.bottom - z, Turn::along(0, 1)};
     default:
-      return {x, z, x, 2 * r.top - z, false, true};
+      return {x, z, x, 2 * r.top - z, Turn::along(0, 1)};
   }
 }
 
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth,
                                      int along_walls) {
+  if (!scene.outline.empty())
+    return tank_walls ? outline_layers(TankOutline(scene.outline), scene.particle_spacing, depth,
+                                       along_walls)
+                      : std::vector<SolidPlace>();
   std::vector<SolidPlace> places;
   const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, depth);
   if (tank_walls) fill_tank_walls(scene, depth, along_walls, obstacles, places);

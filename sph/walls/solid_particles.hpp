@@ -13,21 +13,35 @@
 
 namespace slosh::sph {
 
+// What a reflection does to a velocity, as a symmetric matrix.
+struct Turn {
+  double xx = 1, xz = 0, zz = 1;
+
+  // Returns the reflection that turns the component along a unit vector.
+  static Turn along(double x, double z) { return {1 - 2 * x * x, -2 * x * z, 1 - 2 * z * z}; }
+  static Turn both() { return {-1, 0, -1}; }
+  // Returns the velocity v, relative to the earth, after its reflection in a wall that moves along
+  // x at `wall` [m/s].
+  Vector2 of(Vector2 v, double wall) const {
+    return {(1 - xx) * wall + xx * v.x + xz * v.z, xz * (v.x - wall) + zz * v.z};
+  }
+};
+
 struct SolidPlace {
   double x, z;            // in the tank [m]
   double node_x, node_z;  // in the liquid [m]
-  bool turns_x, turns_z;  // which components of the velocity the reflection turns
+  Turn turn = {};         // of the velocity by the reflection
   bool in_obstacle = false;
   double cell_share = 1;  // its share of a lattice cell's volume
 };
 
 // Returns the particles of the scene's obstacles and, where `tank_walls`, of the tank's bottom,
-// sides and roof. They fill layers `depth` [m] deep, a particle spacing apart, from half a spacing
-// inside the faces. Along the tank's walls each cell holds `along_walls` of them beside one
-// another, of equal shares of its volume, and each cell of a corner the square of that number. An
-// obstacle that touches a wall is continued behind it, in place of the wall's own layers. Throws
-// std::invalid_argument for an obstacle thinner than `depth`, across which the liquid on its two
-// sides would interact.
+// sides and roof, or of its outline (outline_layers.hpp). They fill layers `depth` [m] deep, a
+// particle spacing apart, from half a spacing inside the faces. Along the tank's walls each cell
+// holds `along_walls` of them beside one another, of equal shares of its volume, and each cell of a
+// corner the square of that number. An obstacle that touches a wall is continued behind it, in
+// place of the wall's own layers. Throws std::invalid_argument for an obstacle thinner than
+// `depth`, across which the liquid on its two sides would interact.
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth,
                                      int along_walls);
 
@@ -73,7 +87,7 @@ std::size_t expel(Particles& p, const Tank& tank, const Rectangle& obstacle) {
     ++expelled;
     const SolidPlace out =
         behind_nearest_face(at.x, at.z, obstacle, tank.length(), tank.tank_height());
-    move_with_tank(p, i, tank, {out.node_x, out.node_z}, out.turns_x, out.turns_z);
+    move_with_tank(p, i, tank, {out.node_x, out.node_z}, out.turn.xx < 0, out.turn.zz < 0);
   }
   return expelled;
 }

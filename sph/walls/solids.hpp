@@ -144,9 +144,10 @@ class GhostSolids {
 
   static void reflect(const SolidPlace& at, const NodeSum& node, Slip at_wall,
                       const TankWalls& walls, Source& source) {
-    const bool all = at_wall == Slip::none;
-    source.velocity_x = at.turns_x || all ? 2 * walls.velocity - node.velocity_x : node.velocity_x;
-    source.velocity_z = at.turns_z || all ? -node.velocity_z : node.velocity_z;
+    const Turn turn = at_wall == Slip::none ? Turn::both() : at.turn;
+    const Vector2 image = turn.of({node.velocity_x, node.velocity_z}, walls.velocity);
+    source.velocity_x = image.x;
+    source.velocity_z = image.z;
   }
 
   // Returns the pressure's rise from the node to the particle [Pa].
