@@ -38,9 +38,11 @@ struct LinearSurge::Modes {
   Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const Motion& motion,
         int count)
       : tank(tank),
-        response(where,
-                 surge_modes(tank, gas, start == Start::earth ? initial_velocity(motion) : 0, count),
-                 motion) {}
+        response(
+            where,
+            surge_modes(tank, gas,
+                        start == Start::earth ? SurgeResponse::initial_velocity(motion) : 0, count),
+            motion) {}
 
   const std::vector<TankMode>& modes() const { return response.modes(); }
 
@@ -107,7 +109,8 @@ double LinearSurge::pressure(double x, double z, double t) const {
                       depth_profile(mode.wave_number, z, tank.fill_depth).cosh *
                       state.acceleration / (mode.wave_number * mode.depth_factor);
   });
-  return -tank.density * (tank.gravity * z + modes_->response.tank_acceleration(time) * x + potential_rate);
+  return -tank.density *
+         (tank.gravity * z + modes_->response.tank_acceleration(time) * x + potential_rate);
 }
 
 double LinearSurge::horizontal_force(double t) const {

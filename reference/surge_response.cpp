@@ -20,10 +20,11 @@ const SineSurge& checked(std::string_view where, const SineSurge& motion) {
 
 }  // namespace
 
-double initial_velocity(const SineSurge& motion) {
+double SurgeResponse::initial_velocity(const SineSurge& motion) {
   return motion.amplitude * motion.angular_frequency * std::cos(motion.phase);
 }
-double initial_velocity(const AnySurge& motion) { return motion.initial_velocity; }
+
+double SurgeResponse::initial_velocity(const AnySurge& motion) { return motion.initial_velocity; }
 
 SurgeResponse::SurgeResponse(std::string_view where, std::vector<TankMode> modes,
                              const SineSurge& motion)

@@ -21,16 +21,16 @@ struct AnySurge {
   double step;                                 // [s]
 };
 
-// X'(0) [m/s].
-double initial_velocity(const SineSurge& motion);
-double initial_velocity(const AnySurge& motion);
-
 // The states of given modes under a surge. The constructors throw std::invalid_argument, which
 // names `where`, for an impossible motion.
 class SurgeResponse {
  public:
   SurgeResponse(std::string_view where, std::vector<TankMode> modes, const SineSurge& motion);
   SurgeResponse(std::string_view where, std::vector<TankMode> modes, const AnySurge& motion);
+
+  // X'(0) [m/s].
+  static double initial_velocity(const SineSurge& motion);
+  static double initial_velocity(const AnySurge& motion);
 
   const std::vector<TankMode>& modes() const { return modes_; }
   // Returns t, or throws std::invalid_argument where the motion is not defined and for NaN.

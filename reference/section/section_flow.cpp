@@ -1,3 +1,15 @@
+// Errors of the usual grid. The relative error of kappa_n is
+//   rectangle (depth 0.35 of the length)   1e-11 for all of 40 modes, 6e-9 for all of 100
+//   walls at 45 degrees                    1e-10 for the first nine of 10
+//   0.15 m chamfers in 1 m x 0.7 m, filled to 0.35 m      4e-11
+//   the same filled to 0.62 m, between the upper chamfers 4e-10 for the first and 9e-8 for the last
+//                                          of 40 modes; 2e-8 and 4e-7 for those of 10
+//   a half-filled polygon of 64 corners    3e-8, where it differs from the cylinder by 9e-4
+//   re-entrant corners of 243 degrees      5e-7
+// all but the first two against a finer grid. With 40 modes the chamfered tank takes 0.8 s and a
+// polygon of 128 corners 1.8 s; with 100 modes a rectangle takes 5 s. The accuracy is least where
+// walls overhang the surface's ends, and for re-entrant corners: there the potential is r^a with
+// a < 2 or a < 1.
 #include "reference/section/section_flow.hpp"
 
 #include <algorithm>
@@ -18,7 +30,7 @@ constexpr int most_modes = 150;
 
 // The best ratio of layers towards a singularity (Schwab, p- and hp-Finite Element Methods, 1998,
 // section 3.3), and one with which a wave of any length falls by little across a layer.
-constexpr double corner_ratio = 0.15, surface_ratio = 0.4;
+constexpr double corner_ratio = 0.15, surface_ratio = 0.5;
 
 std::vector<double> layers(double width, double ratio, int count) {
   std::vector<double> distances;
@@ -100,8 +112,8 @@ void SectionFlow::measure(const std::vector<Slab>& slabs) {
 
 void SectionFlow::solve_modes(const Condensed& surface, int modes) {
   const double half_width = (right_ - left_) / 2;
-  const MatrixXd mass = half_width * across_.values.transpose() * across_.weights.asDiagonal() *
-                        across_.values;
+  const MatrixXd mass =
+      half_width * across_.values.transpose() * across_.weights.asDiagonal() * across_.values;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(surface.stiffness, mass);
   // The first eigenvector is the constant.
   const Index rest = across_.size() - 1;

@@ -26,13 +26,13 @@
 namespace slosh::reference {
 
 // How finely the liquid is divided. Towards walls and singular corners the layers' distances are
-// the tank's width times the powers of 0.15; towards the surface they are times those of 0.4, down
+// the tank's width times the powers of 0.15; towards the surface they are times those of 0.5, down
 // to where the highest mode still has a third of its motion on the surface.
 struct SectionGrid {
-  int surface_layers;             // towards the surface
+  int surface_layers;              // towards the surface
   std::vector<int> layer_degrees;  // of the layers next to a wall, from the outermost
-  int middle_degree;              // of the piece between the walls' layers
-  int height_degree;              // of every slab, in z
+  int middle_degree;               // of the piece between the walls' layers
+  int height_degree;               // of every slab, in z
 
   // The errors of this one are measured in section_flow.cpp.
   static SectionGrid usual(int modes);
@@ -46,8 +46,8 @@ class SectionFlow {
   SectionFlow(const Section& section, int modes, const SectionGrid& grid, std::string_view where);
 
   const Section& section() const { return section_; }
-  double left() const { return left_; }    // of the still surface [m]
-  double right() const { return right_; }  // [m]
+  double left() const { return left_; }             // of the still surface [m]
+  double right() const { return right_; }           // [m]
   const Corner& middle() const { return middle_; }  // (xm, h)
   double area() const { return area_; }             // of the liquid at rest [m2]
   const Corner& centroid() const { return centroid_; }

@@ -77,9 +77,9 @@ struct SectionRoll::Waves {
   // Returns sum zeta_n phi_n at a place with the potentials given.
   double wave(const Eigen::VectorXd& potential, double t) const {
     const double g = flow->section().gravity;
-    double sum = -response.acceleration(t) / g *
-                 (potential[flow->lid()] + above * potential[flow->line()] -
-                  potential[flow->lifted_line()]);
+    double sum =
+        -response.acceleration(t) / g *
+        (potential[flow->lid()] + above * potential[flow->line()] - potential[flow->lifted_line()]);
     for (std::size_t n = 0; n < modes.size(); ++n) {
       sum -= response.state(n, t).acceleration / (g * modes[n].wave_number) * potential[n];
     }
@@ -113,12 +113,10 @@ SectionRoll::Velocity SectionRoll::velocity(double x, double z, double t) const 
   const auto place = flow.values(where, x, z);
   const double time = waves_->checked_time(t), turning = waves_->rate(time);
   const Eigen::Index turn = flow.turn(), lifted = flow.lifted_line();
-  Velocity velocity{
-      turning * (place.x_slope[turn] - place.x_slope[lifted] + z - flow.middle().z),
-      turning * (place.z_slope[turn] - place.z_slope[lifted] - x + flow.middle().x)};
+  Velocity velocity{turning * (place.x_slope[turn] - place.x_slope[lifted] + z - flow.middle().z),
+                    turning * (place.z_slope[turn] - place.z_slope[lifted] - x + flow.middle().x)};
   for (std::size_t n = 0; n < waves_->modes.size(); ++n) {
-    const double potential =
-        waves_->response.state(n, time).rate / waves_->modes[n].wave_number;
+    const double potential = waves_->response.state(n, time).rate / waves_->modes[n].wave_number;
     velocity.x += potential * place.x_slope[n];
     velocity.z += potential * place.z_slope[n];
   }
@@ -129,23 +127,20 @@ double SectionRoll::pressure(double x, double z, double t) const {
   return pressure(x, z, std::span(&t, 1)).front();
 }
 
-std::vector<double> SectionRoll::pressure(double x, double z,
-                                          std::span<const double> times) const {
+std::vector<double> SectionRoll::pressure(double x, double z, std::span<const double> times) const {
   const SectionFlow& flow = *waves_->flow;
   const double g = flow.section().gravity;
   const auto place = flow.values(where, x, z);
   const double side = x - flow.middle().x, up = z - flow.middle().z;
   const double carried = place.potential[flow.turn()] - place.potential[flow.lid()] +
-                         waves_->above * (side - place.potential[flow.line()]) -
-                         waves_->right * up;
+                         waves_->above * (side - place.potential[flow.line()]) - waves_->right * up;
   std::vector<double> series;
   series.reserve(times.size());
   for (const double t : times) {
     const double time = waves_->checked_time(t);
-    series.push_back(-flow.section().density *
-                     (g * (up + waves_->checked_angle(time) * side -
-                           waves_->wave(place.potential, time)) +
-                      waves_->response.acceleration(time) * carried));
+    series.push_back(-flow.section().density * (g * (up + waves_->checked_angle(time) * side -
+                                                     waves_->wave(place.potential, time)) +
+                                                waves_->response.acceleration(time) * carried));
   }
   return series;
 }
@@ -161,10 +156,9 @@ SectionRoll::Force SectionRoll::force(double t) const {
     const TankMode& mode = waves_->modes[n];
     wave_part += mode.wave_number * mode.line * waves_->response.state(n, time).elevation;
   }
-  const double inertia =
-      area * above_centroid - flow.turn_flux - waves_->above * flow.line_flux;
-  return {-flow.section().density * (g * area * waves_->checked_angle(time) +
-                                     inertia * acceleration - g * wave_part),
+  const double inertia = area * above_centroid - flow.turn_flux - waves_->above * flow.line_flux;
+  return {-flow.section().density *
+              (g * area * waves_->checked_angle(time) + inertia * acceleration - g * wave_part),
           -flow.section().density * area * (g + to_centroid * acceleration)};
 }
 

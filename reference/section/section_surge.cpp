@@ -35,9 +35,10 @@ struct SectionSurge::Waves {
   template <class Motion>
   Waves(const SectionModes& modes, Start start, const Motion& motion)
       : flow(modes.flow()),
-        response(where,
-                 surge_modes(*flow, start == Start::earth ? initial_velocity(motion) : 0),
-                 motion) {}
+        response(
+            where,
+            surge_modes(*flow, start == Start::earth ? SurgeResponse::initial_velocity(motion) : 0),
+            motion) {}
 
   // Returns sum e_n phi_n at a place with the potentials given.
   double wave(const Eigen::VectorXd& potential, double t) const {

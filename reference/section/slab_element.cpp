@@ -47,11 +47,10 @@ VectorXd turning_load(const Slab& slab, const PiecewiseGrid& across, const Piece
   for (Index r = 0; r < up.points.size(); ++r) {
     const double z = up.points[r], w = slab.half_width(z);
     const Eigen::ArrayXd x = slab.middle(z) - axis.x + w * xi;
-    const VectorXd level =
-        up.weights[r] * across.slopes.transpose() *
-        (across.weights.array() * (-(z - axis.z) - slope * x)).matrix();
-    const VectorXd change = up.weights[r] * w * across.values.transpose() *
-                            (across.weights.array() * x).matrix();
+    const VectorXd level = up.weights[r] * across.slopes.transpose() *
+                           (across.weights.array() * (-(z - axis.z) - slope * x)).matrix();
+    const VectorXd change =
+        up.weights[r] * w * across.values.transpose() * (across.weights.array() * x).matrix();
     for (Index i = 0; i < up.size(); ++i) {
       load.segment(i * across.size(), across.size()) +=
           up.values(r, i) * level + up.slopes(r, i) * change;

@@ -67,7 +67,8 @@ Extent checked_extent(const Section& section, std::string_view where) {
           "corners in counter-clockwise order, with an area > 0 m2");
   const double height = extent.highest - extent.lowest;
   require(section.fill_depth > same * height && section.fill_depth < height, where, "fill depth",
-          section.fill_depth, fmt::format("a depth between 0 and the section's height, {} m", height));
+          section.fill_depth,
+          fmt::format("a depth between 0 and the section's height, {} m", height));
   require(section.gravity > 0 && std::isfinite(section.gravity), where, "gravity", section.gravity,
           "an acceleration > 0 m/s2");
   require(section.density > 0 && std::isfinite(section.density), where, "liquid density",
@@ -95,12 +96,12 @@ std::vector<Edge> edges_across(const std::vector<Corner>& outline, double z) {
   return edges;
 }
 
-// The potential near a corner of the interior angle beta behaves as r^(pi/beta), which is smooth
-// for an integer. Within 0.05 of one, a turn of some 9 degrees or less, the singularity is too weak
-// to be seen in the potential, and a cylinder of 64 corners or more needs no grading.
+// The potential near a corner of the interior angle beta behaves as r^(pi/beta), and in a right
+// angle that of a turning tank as r^2 log r. Where the wall turns by less than 9 degrees the
+// singularity is too weak to be seen, and a cylinder of 64 corners or more needs no grading.
 bool singular(double angle) {
-  const double power = std::numbers::pi / angle;
-  return std::abs(power - std::round(power)) > 0.05;
+  constexpr double least_turn = 0.16;
+  return std::abs(angle - std::numbers::pi) > least_turn;
 }
 
 double left_direction(const Slab& slab) {
@@ -154,21 +155,21 @@ std::vector<Slab> slabs_of(const Section& section, std::string_view where) {
   for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
     const double bottom = heights[k], top = heights[k + 1];
     const auto edges = edges_across(section.outline, (bottom + top) / 2);
-    require(edges.size() == 2, where,
-            fmt::format("points on the outline at z = {}", (bottom + top) / 2), edges.size(),
+    require(edges.size() == 2, where, "number of walls",
+            fmt::format("{} at z = {} m", edges.size(), (bottom + top) / 2),
             "2 at every height below the still surface");
-    Slab slab{bottom,           top, edges[0].at(bottom), edges[0].at(top), edges[1].at(bottom),
+    Slab slab{bottom,          top, edges[0].at(bottom), edges[0].at(top), edges[1].at(bottom),
               edges[1].at(top)};
     if (k == 0 && slab.right_bottom - slab.left_bottom < tolerance) {
       slab.left_bottom = slab.right_bottom = (slab.left_bottom + slab.right_bottom) / 2;
     } else if (k > 0) {
       // What an edge's slope makes of the tolerance in z is no ledge.
-      const double reach = 10 * tolerance * (1 + std::abs(slab.middle_slope()) +
-                                             std::abs(slab.half_width_slope()));
+      const double reach =
+          10 * tolerance * (1 + std::abs(slab.middle_slope()) + std::abs(slab.half_width_slope()));
       const double ledge = std::max(std::abs(slab.left_bottom - slabs.back().left_top),
                                     std::abs(slab.right_bottom - slabs.back().right_top));
-      require(ledge <= reach, where, fmt::format("ledge at z = {}", bottom),
-              fmt::format("{} m wide", ledge),
+      require(ledge <= reach, where, "horizontal ledge",
+              fmt::format("{} m wide at z = {} m", ledge, bottom),
               "no horizontal edge between the bottom and the still surface");
     }
     slabs.push_back(slab);
@@ -185,7 +186,7 @@ std::vector<Slab> graded(const std::vector<Slab>& slabs, const Grading& grading)
     const double height = slab.top - slab.bottom;
     const auto cut = [&](double from, double sign, const std::vector<double>& distances) {
       for (const double distance : distances) {
-        if (distance < 0.8 * height) cuts.push_back(from + sign * distance);
+        if (distance < 0.9 * height) cuts.push_back(from + sign * distance);
       }
     };
     if (k == 0 ? singular_at_bottom(slab) : singular_between(slabs[k - 1], slab)) {

@@ -12,7 +12,7 @@ namespace slosh::reference {
 
 // A slab between two heights, with walls that are straight lines.
 struct Slab {
-  double bottom, top;  // heights [m]
+  double bottom, top;                                     // heights [m]
   double left_bottom, left_top, right_bottom, right_top;  // the walls' x at these heights [m]
 
   // Half the width and the middle, at a height inside the slab.
@@ -32,9 +32,8 @@ struct Slab {
 std::vector<Slab> slabs_of(const Section& section, std::string_view where);
 
 // Returns the slabs cut further, at `to_surface` [m] below the still surface, so that short waves
-// are resolved, and at `to_corner` above and below each height at which a corner's interior angle
-// beta makes the potential singular, r^(pi/beta) with pi/beta not an integer. Distances
-// above 0.8 of the slab's height are left out.
+// are resolved, and at `to_corner` above and below each height at which a wall turns by more than 9
+// degrees, where the potential is singular. Distances above 0.9 of the slab's height are left out.
 struct Grading {
   std::vector<double> to_surface, to_corner;
 };

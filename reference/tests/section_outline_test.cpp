@@ -60,12 +60,13 @@ TEST(SectionOutline, IsRefusedWithTheValueAndWhatWasExpected) {
 
 TEST(SectionOutline, MayNotPartTheLiquid) {
   const std::vector<Corner> two_troughs{{0, 1}, {0.2, 0}, {0.5, 0.4}, {0.8, 0}, {1, 1}};
-  EXPECT_EQ(refusal(with_outline(two_troughs, 0.6)),
-            "Test: points on the outline at z = 0.2, expected 2 at every height below the still "
-            "surface");
+  EXPECT_EQ(
+      refusal(with_outline(two_troughs, 0.6)),
+      "Test: number of walls = 4 at z = 0.2 m, expected 2 at every height below the still surface");
   const std::vector<Corner> step{{0, 0}, {0.5, 0}, {0.5, 0.4}, {1, 0.4}, {1, 1}, {0, 1}};
   EXPECT_EQ(refusal(with_outline(step, 0.6)),
-            "Test: ledge at z = 0.4, expected no horizontal edge between the bottom and the still "
+            "Test: horizontal ledge = 0.5 m wide at z = 0.4 m, expected no horizontal edge between "
+            "the bottom and the still "
             "surface");
   // Above the still surface neither matters.
   EXPECT_EQ(refusal(with_outline(step, 0.3)), "accepted");

@@ -25,7 +25,8 @@ TEST(SectionSurge, OfARectangleIsTheSeries) {
   late.phase = 0.7;
   for (const SineSurge& motion : {li_surge, late}) {
     const SectionSurge section(of_rectangle(), Start::tank, motion);
-    const LinearSurge series(li_tank, Start::tank, motion, 2000), same(li_tank, Start::tank, motion, 20);
+    const LinearSurge series(li_tank, Start::tank, motion, 2000),
+        same(li_tank, Start::tank, motion, 20);
     for (const double t : {0.0, 0.4, 2.9, 11.0}) {
       for (const double z : {-h, -0.2, -0.1}) {
         for (const double x : {-a, -0.2, 0.13, a}) {
@@ -55,7 +56,6 @@ double worst_elevation(Start start, int modes) {
 }
 
 TEST(SectionSurge, ConvergesToTheSeriesElevation) {
-  std::printf("tank %.3e earth %.3e\n", worst_elevation(Start::tank, 2000), worst_elevation(Start::earth, 2000));
   EXPECT_LT(worst_elevation(Start::tank, 2000), 1e-6);
   EXPECT_LT(worst_elevation(Start::earth, 2000), 0.4e-3);  // of 9 mm, as the same series of 20
 }
@@ -68,7 +68,8 @@ TEST(SectionSurge, OfWallsAt45DegreesIsAnOscillator) {
   for (const Start start : {Start::earth, Start::tank}) {
     const SectionSurge surge(modes, start, motion);
     // eta = s (x - tip), s'' + g/depth s = -X''/depth.
-    const double X = motion.amplitude, P = X * omega * omega / depth / (omega_1 * omega_1 - omega * omega);
+    const double X = motion.amplitude,
+                 P = X * omega * omega / depth / (omega_1 * omega_1 - omega * omega);
     const double s0_rate = start == Start::earth ? -X * omega * std::cos(motion.phase) / depth : 0;
     for (const double t : {0.0, 0.2, 1.3, 6.0}) {
       const double phase = omega * t + motion.phase;
@@ -85,14 +86,14 @@ TEST(SectionSurge, OfWallsAt45DegreesIsAnOscillator) {
       // phi = s' (x - tip) z.
       for (const auto& [x, z] : {std::pair{tip, 0.0}, {tip + 0.1, 0.1}, {tip - 0.15, 0.3}}) {
         const auto [u, w] = surge.velocity(x, z, t);
-        EXPECT_NEAR(u, s_rate * z, 1e-8);
-        EXPECT_NEAR(w, s_rate * (x - tip), 1e-8);
+        EXPECT_NEAR(u, s_rate * z, 1e-7);
+        EXPECT_NEAR(w, s_rate * (x - tip), 1e-7);
         const double p = -rho * (g * (z - depth) + (x - tip) * (tank + s_acceleration * z));
         EXPECT_NEAR(surge.pressure(x, z, t), p, 1e-5);
       }
       // The momentum of the relative flow is the integral of s' z over the section.
-      const double force = -rho * (tank * depth * depth +
-                                   s_acceleration * 2 * depth * depth * depth / 3);
+      const double force =
+          -rho * (tank * depth * depth + s_acceleration * 2 * depth * depth * depth / 3);
       EXPECT_NEAR(surge.horizontal_force(t), force, 1e-5);
     }
   }
@@ -101,7 +102,8 @@ TEST(SectionSurge, OfWallsAt45DegreesIsAnOscillator) {
 TEST(SectionSurge, TakesASampledMotionAsTheClosedForm) {
   const SectionModes modes(skewed(), 20);
   for (const Start start : {Start::earth, Start::tank}) {
-    const SectionSurge closed(modes, start, li_surge), any(modes, start, sampled(li_surge, 5, 2e-3));
+    const SectionSurge closed(modes, start, li_surge),
+        any(modes, start, sampled(li_surge, 5, 2e-3));
     for (const double t : {0.0, 0.777, 5.0}) {
       EXPECT_NEAR(any.elevation(0.3, t), closed.elevation(0.3, t), 1e-7);
       EXPECT_NEAR(any.pressure(0.5, 0.2, t), closed.pressure(0.5, 0.2, t), 1e-3);
@@ -115,7 +117,8 @@ TEST(SectionSurge, PressesOnTheWallsAsItsForceSays) {
   const Section section = skewed();
   const SectionModes modes(section, 40);
   const SectionSurge surge(modes, Start::tank, li_surge);
-  const std::vector<Corner> wetted{{0.05, 0.6}, {0.1, 0.3}, {0.3, 0}, {0.9, 0.1}, {1.2, 0.4}, {1.15 + 1.0 / 60 * 0, 0.6}};
+  const std::vector<Corner> wetted{{0.05, 0.6}, {0.1, 0.3}, {0.3, 0},
+                                   {0.9, 0.1},  {1.2, 0.4}, {1.15, 0.6}};
   const double t = 1.7;
   double force = 0;
   for (std::size_t i = 0; i + 1 < wetted.size(); ++i) {
@@ -123,11 +126,11 @@ TEST(SectionSurge, PressesOnTheWallsAsItsForceSays) {
     const int points = 400;
     for (int k = 0; k < points; ++k) {
       const double share = (k + 0.5) / points;
-      force += surge.pressure(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z), t) *
-               (to.z - from.z) / points;
+      force +=
+          surge.pressure(from.x + share * (to.x - from.x), from.z + share * (to.z - from.z), t) *
+          (to.z - from.z) / points;
     }
   }
-  std::printf("force %.9f %.9f\n", force, surge.horizontal_force(t));
   EXPECT_NEAR(force, surge.horizontal_force(t), 0.02);
 }
 
