@@ -6,8 +6,8 @@
 //   and             phi_t + g eta + X'' (x - xm) = 0:   c_n' = -g e_n - X'' <x, phi_n>,
 // so that e_n'' + omega_n^2 e_n = -kappa_n <x, phi_n> X''. A start at rest in the tank's frame has
 // e_n' = 0; one in the earth's has phi = -X' (x - xm) on the surface, e_n' = -kappa_n <x, phi_n>
-// X'. The part of e_n that follows X'' at once is a plane surface, normal to gravity less X''. It is
-// summed over all modes in closed form (chi is harmonic, and x - xm on the surface):
+// X'. The part of e_n that follows X'' at once is a plane surface, normal to gravity less X''. It
+// is summed over all modes in closed form (chi is harmonic, and x - xm on the surface):
 //   sum e_n phi_n = -X''/g chi - sum e_n''/omega_n^2 phi_n
 //   pressure  p = -rho (g (z - h) + X'' (x - xm - chi) - g sum e_n phi_n)
 //   force     F = -rho (X'' (area - sum kappa_n <x, phi_n>^2) - g sum kappa_n <x, phi_n> e_n).
