@@ -19,10 +19,8 @@
 #include "reference/linear_surge.hpp"
 
 #include <cmath>
-#include <limits>
-#include <variant>
+#include <optional>
 
-#include "reference/mode_response.hpp"
 #include "reference/require.hpp"
 
 namespace slosh::reference {
@@ -30,61 +28,28 @@ namespace {
 
 constexpr auto where = "LinearSurge";
 
-const SineSurge& checked(const SineSurge& motion) {
-  require(std::isfinite(motion.amplitude), where, "surge amplitude", motion.amplitude,
-          "a finite length, m");
-  require(motion.angular_frequency > 0 && std::isfinite(motion.angular_frequency), where,
-          "angular frequency", motion.angular_frequency, "a frequency > 0 rad/s");
-  require(std::isfinite(motion.phase), where, "phase", motion.phase, "a finite angle, rad");
-  return motion;
-}
-
-double initial_velocity(const SineSurge& motion) {
-  return motion.amplitude * motion.angular_frequency * std::cos(motion.phase);
-}
-double initial_velocity(const AnySurge& motion) { return motion.initial_velocity; }
-
 }  // namespace
 
 struct LinearSurge::Modes {
   Tank tank;
-  std::vector<TankMode> modes;
-  std::variant<SineSurge, DuhamelModes> motion;
+  SurgeResponse response;
 
-  Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const SineSurge& sine,
+  template <class Motion>
+  Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const Motion& motion,
         int count)
       : tank(tank),
-        modes(surge_modes(tank, gas, start == Start::earth ? initial_velocity(sine) : 0, count)),
-        motion(checked(sine)) {}
+        response(
+            where,
+            surge_modes(tank, gas,
+                        start == Start::earth ? SurgeResponse::initial_velocity(motion) : 0, count),
+            motion) {}
 
-  Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const AnySurge& any,
-        int count)
-      : tank(tank),
-        modes(surge_modes(tank, gas, start == Start::earth ? initial_velocity(any) : 0, count)),
-        motion(DuhamelModes(modes, {where, any.acceleration, any.duration, any.step})) {}
-
-  // Returns t, or throws where the motion is not defined.
-  double checked_time(double t) const {
-    const auto* duhamel = std::get_if<DuhamelModes>(&motion);
-    const double last = duhamel ? duhamel->duration() : std::numeric_limits<double>::max();
-    return time_within(where, t, last);
-  }
-
-  double tank_acceleration(double t) const {
-    if (const auto* duhamel = std::get_if<DuhamelModes>(&motion)) {
-      return duhamel->acceleration(t);
-    }
-    const auto& [amplitude, omega, phase] = std::get<SineSurge>(motion);
-    return -amplitude * omega * omega * std::sin(omega * t + phase);
-  }
+  const std::vector<TankMode>& modes() const { return response.modes(); }
 
   // Calls visit(n, the n-th mode's state at t) for every mode.
   template <class Visit>
   void for_each(double t, Visit visit) const {
-    const auto* sine = std::get_if<SineSurge>(&motion);
-    for (std::size_t n = 0; n < modes.size(); ++n) {
-      visit(n, sine ? forced_mode(modes[n], *sine, t) : std::get<DuhamelModes>(motion).state(n, t));
-    }
+    for (std::size_t n = 0; n < modes().size(); ++n) visit(n, response.state(n, t));
   }
 };
 
@@ -107,12 +72,12 @@ double LinearSurge::elevation(double x, double t) const {
 
 std::vector<double> LinearSurge::elevation(double x, std::span<const double> times) const {
   require_within(modes_->tank, where, x);
-  const std::vector<double> shape = surface_shapes(modes_->modes, x);
+  const std::vector<double> shape = surface_shapes(modes_->modes(), x);
   std::vector<double> series;
   series.reserve(times.size());
   for (const double t : times) {
     double elevation = 0;
-    modes_->for_each(modes_->checked_time(t), [&](std::size_t n, const ModeState& state) {
+    modes_->for_each(modes_->response.checked_time(t), [&](std::size_t n, const ModeState& state) {
       elevation += shape[n] * state.elevation;
     });
     series.push_back(elevation);
@@ -123,8 +88,8 @@ std::vector<double> LinearSurge::elevation(double x, std::span<const double> tim
 LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const {
   require_within(modes_->tank, where, x, z);
   Velocity velocity{0, 0};
-  modes_->for_each(modes_->checked_time(t), [&](std::size_t n, const ModeState& state) {
-    const TankMode& mode = modes_->modes[n];
+  modes_->for_each(modes_->response.checked_time(t), [&](std::size_t n, const ModeState& state) {
+    const TankMode& mode = modes_->modes()[n];
     const DepthProfile profile = depth_profile(mode.wave_number, z, modes_->tank.fill_depth);
     const double surge = state.rate / mode.depth_factor;
     velocity.x += surge * std::cos(mode.wave_number * x) * profile.cosh;
@@ -136,27 +101,28 @@ LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const 
 double LinearSurge::pressure(double x, double z, double t) const {
   require_within(modes_->tank, where, x, z);
   const Tank& tank = modes_->tank;
-  const double time = modes_->checked_time(t);
+  const double time = modes_->response.checked_time(t);
   double potential_rate = 0;
   modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
-    const TankMode& mode = modes_->modes[n];
+    const TankMode& mode = modes_->modes()[n];
     potential_rate += std::sin(mode.wave_number * x) *
                       depth_profile(mode.wave_number, z, tank.fill_depth).cosh *
                       state.acceleration / (mode.wave_number * mode.depth_factor);
   });
-  return -tank.density * (tank.gravity * z + modes_->tank_acceleration(time) * x + potential_rate);
+  return -tank.density *
+         (tank.gravity * z + modes_->response.tank_acceleration(time) * x + potential_rate);
 }
 
 double LinearSurge::horizontal_force(double t) const {
   const Tank& tank = modes_->tank;
-  const double time = modes_->checked_time(t);
+  const double time = modes_->response.checked_time(t);
   double wave_part = 0;
   modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
-    const double lambda = modes_->modes[n].wave_number;
+    const double lambda = modes_->modes()[n].wave_number;
     wave_part += (n % 2 == 0 ? 2 : -2) * state.acceleration / (lambda * lambda);
   });
   return -tank.density *
-         (modes_->tank_acceleration(time) * tank.length * tank.fill_depth + wave_part);
+         (modes_->response.tank_acceleration(time) * tank.length * tank.fill_depth + wave_part);
 }
 
 }  // namespace slosh::reference

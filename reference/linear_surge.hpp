@@ -10,24 +10,15 @@
 // forcing that is not too close to resonance.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "reference/natural_frequency.hpp"
+#include "reference/surge_response.hpp"
 #include "reference/tank.hpp"
 
 namespace slosh::reference {
-
-// Any motion X(t), given by X'(0) and X''(t). Duhamel's integral is exact for an X'' that is linear
-// between the sample times 0, step, 2 step, ...
-struct AnySurge {
-  double initial_velocity;                     // [m/s]
-  std::function<double(double)> acceleration;  // [m/s2] at a time [s]
-  double duration;                             // [s]
-  double step;                                 // [s]
-};
 
 // A sine surge is solved in closed form, also at resonance. Every function throws
 // std::invalid_argument for NaN and for a position or time outside the liquid at rest or the

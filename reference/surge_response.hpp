@@ -1,0 +1,47 @@
+// How the modes of a tank respond to its surge, a sine in closed form or any motion by Duhamel's
+// integral (mode_response.hpp).
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "reference/mode_response.hpp"
+#include "reference/tank.hpp"
+
+namespace slosh::reference {
+
+// Any motion X(t), given by X'(0) and X''(t). Duhamel's integral is exact for an X'' that is linear
+// between the sample times 0, step, 2 step, ...
+struct AnySurge {
+  double initial_velocity;                     // [m/s]
+  std::function<double(double)> acceleration;  // [m/s2] at a time [s]
+  double duration;                             // [s]
+  double step;                                 // [s]
+};
+
+// The states of given modes under a surge. The constructors throw std::invalid_argument, which
+// names `where`, for an impossible motion.
+class SurgeResponse {
+ public:
+  SurgeResponse(std::string_view where, std::vector<TankMode> modes, const SineSurge& motion);
+  SurgeResponse(std::string_view where, std::vector<TankMode> modes, const AnySurge& motion);
+
+  // X'(0) [m/s].
+  static double initial_velocity(const SineSurge& motion);
+  static double initial_velocity(const AnySurge& motion);
+
+  const std::vector<TankMode>& modes() const { return modes_; }
+  // Returns t, or throws std::invalid_argument where the motion is not defined and for NaN.
+  double checked_time(double t) const;
+  double tank_acceleration(double t) const;  // X'' [m/s2]
+  ModeState state(std::size_t n, double t) const;
+
+ private:
+  std::string_view where_;
+  std::vector<TankMode> modes_;
+  std::variant<SineSurge, DuhamelModes> motion_;
+};
+
+}  // namespace slosh::reference
