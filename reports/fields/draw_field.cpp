@@ -13,6 +13,7 @@
 #include "reports/fields/field_layout.hpp"
 #include "reports/fields/field_range.hpp"
 #include "reports/fields/field_raster.hpp"
+#include "reports/fields/tank_line.hpp"
 #include "reports/model/file_formats.hpp"
 #include "reports/model/report_model.hpp"
 
@@ -97,15 +98,9 @@ std::string data_blocks(const FieldPanel& panel, const FieldLayout& layout,
     blocks += (i + 1) % static_cast<std::size_t>(layout.cell_width) == 0 ? '\n' : ' ';
   }
   blocks += "END\n$tank << END\n";
-  const double out =
-      0.75 / layout.scale;  // half the line's width, so that the line is outside the water
-  const double right = panel.tank_length + out, top = panel.tank_height + out;
-  for (const auto& [x, z] :
-       {std::array{-out, -out}, std::array{right, -out}, std::array{right, top},
-        std::array{-out, top}, std::array{-out, -out}}) {
-    const Pixel corner = layout.in_cell(panel, x, z);
-    blocks += fmt::format("{:.2f} {:.2f}\n", corner.x, corner.y);
-  }
+  std::vector<Pixel> line = tank_line(panel, layout);
+  line.push_back(line.front());
+  for (const Pixel& corner : line) blocks += fmt::format("{:.2f} {:.2f}\n", corner.x, corner.y);
   blocks += "END\n$arrows << END\n";
   for (const auto& [tail, length] : arrows)
     blocks += fmt::format("{:.1f} {:.1f} {:.1f} {:.1f}\n", tail.x, tail.y, length.x, length.y);

@@ -11,6 +11,7 @@
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/fields/field_raster.hpp"
 #include "reports/fields/indexed_png.hpp"
+#include "reports/fields/tank_line.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -80,11 +81,7 @@ class Cell {
 };
 
 void draw_tank(const FieldPanel& panel, const FieldLayout& layout, Cell& cell) {
-  const double out = 0.75 / layout.scale;  // the line is outside the water
-  const double right = panel.tank_length + out, top = panel.tank_height + out;
-  const std::array<Pixel, 4> corners{
-      layout.in_cell(panel, -out, -out), layout.in_cell(panel, right, -out),
-      layout.in_cell(panel, right, top), layout.in_cell(panel, -out, top)};
+  const std::vector<Pixel> corners = tank_line(panel, layout);
   for (std::size_t i = 0; i < corners.size(); ++i)
     cell.line(corners[i], corners[(i + 1) % corners.size()], 1, outline);
 }

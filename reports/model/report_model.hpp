@@ -87,14 +87,22 @@ struct Figure {
   bool has_cursor = false;
 };
 
+// A corner of a tank's outline [m], in the tank's own frame.
+struct TankCorner {
+  double x, z;
+};
+
 // A tank at one moment, its water coloured by a scalar (the pressure, the speed). The places are
 // the particles of SPH or the wet cells of a mesh, in the tank's own frame whatever its roll: x [m]
 // from its left wall, z [m] from its bottom.
 struct FieldPanel {
-  std::string label;                         // "li2010 2 mm, t = 3.45 s"
-  double angle = 0;                          // the roll [rad], counter-clockwise about the axis
-  double axis_x = 0, axis_z = 0;             // [m]
-  double tank_length = 0, tank_height = 0;   // [m], above zero
+  std::string label;                        // "li2010 2 mm, t = 3.45 s"
+  double angle = 0;                         // the roll [rad], counter-clockwise about the axis
+  double axis_x = 0, axis_z = 0;            // [m]
+  double tank_length = 0, tank_height = 0;  // [m], above zero
+  // Of a tank that is no rectangle, counter-clockwise; the rectangle around it is that of length
+  // and height.
+  std::vector<TankCorner> outline = {};
   double point_width = 0, point_height = 0;  // [m], above zero: the rectangle at each place
   std::vector<double> x, z, value;           // [m], [m], of equal length
   std::vector<double> arrow_x, arrow_z;      // [m], of equal length with the next two, or empty

@@ -167,6 +167,12 @@ void check_panel(const FieldFigure& figure, const FieldPanel& panel) {
     if (!(value > 0) || !std::isfinite(value))
       refuse(fmt::format("{} {}, expected a finite length above zero [m]", name, value));
   }
+  if (panel.outline.size() == 1 || panel.outline.size() == 2)
+    refuse(fmt::format("an outline of {} corners, expected none or three and more",
+                       panel.outline.size()));
+  for (const TankCorner& corner : panel.outline)
+    if (!std::isfinite(corner.x) || !std::isfinite(corner.z))
+      refuse(fmt::format("corner ({}, {}), expected finite lengths [m]", corner.x, corner.z));
   for (const auto& [name, value] :
        {std::pair{"angle", panel.angle}, std::pair{"axis_x", panel.axis_x},
         std::pair{"axis_z", panel.axis_z}}) {

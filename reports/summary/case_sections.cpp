@@ -42,11 +42,16 @@ Section gate_section(const CaseAssessment& assessment) {
   return section;
 }
 
+std::string tank_sentence(const TankDefinition& tank) {
+  if (!tank.outline.empty()) return "The tank is " + tank_text(tank);
+  return fmt::format("Tank {} m x {} m", tank.length, tank.height);
+}
+
 std::string case_paragraph(const CaseDefinition& definition) {
   return fmt::format(
-      "{}. Tank {} m x {} m, liquid {}; {}; {} s from rest in the {}-fixed frame. The comparison "
+      "{}. {}, liquid {}; {}; {} s from rest in the {}-fixed frame. The comparison "
       "window is from {} to {} s.",
-      definition.source, definition.tank.length, definition.tank.height, liquid_text(definition),
+      definition.source, tank_sentence(definition.tank), liquid_text(definition),
       motion_text(definition), definition.duration,
       definition.start == Start::earth ? "earth" : "tank", definition.window_begin,
       definition.window_end);

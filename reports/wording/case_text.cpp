@@ -58,6 +58,15 @@ std::string motion_text(const CaseDefinition& definition) {
   return fmt::format("{}{}", fmt::join(parts, " and "), found_forcing_text(definition));
 }
 
+std::string tank_text(const TankDefinition& tank) {
+  const std::string size = fmt::format("{:.6g} m long, {:.6g} m high", tank.length, tank.height);
+  if (tank.diameter)
+    return fmt::format("a lying cylinder of {:g} m diameter, as a polygon of {} corners",
+                       *tank.diameter, tank.outline.size());
+  if (tank.outline.empty()) return size;
+  return fmt::format("a polygon of {} corners, {}", tank.outline.size(), size);
+}
+
 std::string liquid_text(const CaseDefinition& definition) {
   std::string text = fmt::format("{} m deep", definition.liquid.fill_depth);
   if (definition.liquid.column_width)

@@ -10,6 +10,10 @@ namespace slosh {
 // Returns "surge X = 0.02 m sin(1.48346 rad/s t)" or "at rest".
 std::string motion_text(const CaseDefinition& definition);
 
+// Returns "1 m long, 0.8 m high", "a polygon of 5 corners, 1 m long, 0.8 m high" or "a lying
+// cylinder of 1 m diameter, as a polygon of 128 corners".
+std::string tank_text(const TankDefinition& tank);
+
 // Returns "0.35 m deep", the initial state where it is not at rest, and the obstacles.
 std::string liquid_text(const CaseDefinition& definition);
 

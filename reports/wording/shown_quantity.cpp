@@ -25,8 +25,12 @@ const Gauge& gauge_named(const std::vector<Gauge>& gauges, const std::string& na
 }
 
 std::string wall_text(const PressureGaugeDefinition& gauge) {
-  if (gauge.wall == Wall::bottom)
-    return fmt::format("on the bottom {:.3g} m from the left wall", gauge.position);
+  if (gauge.at)
+    return fmt::format("on the outline {:.3g} m from the left and {:.3g} m above the bottom",
+                       gauge.at->x, gauge.at->z);
+  if (gauge.wall == Wall::bottom || gauge.wall == Wall::roof)
+    return fmt::format("on the {} {:.3g} m from the left wall", name_of(gauge.wall, wall_names),
+                       gauge.position);
   return fmt::format("on the {} wall {:.3g} m above the bottom", name_of(gauge.wall, wall_names),
                      gauge.position);
 }

@@ -9,9 +9,10 @@
 
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/motion.hpp"
-#include "verification/case/quantities.hpp"
+#include "verification/case/sensor_place.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/solvers/reference_tank.hpp"
+#include "verification/case/tank_shape.hpp"
+#include "verification/solvers/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {
@@ -47,6 +48,7 @@ double dividing_spacing(const CaseDefinition& definition, double spacing) {
 }
 
 void doubt_spacings(const CaseDefinition& definition, Doubts& doubts) {
+  if (!is_rectangle(definition.tank)) return;  // no lattice fits its walls
   const double length = definition.liquid.column_width.value_or(definition.tank.length);
   std::vector<double> told;
   for (const RunDefinition& run : definition.runs) {
@@ -87,8 +89,7 @@ void doubt_gauges(const CaseDefinition& definition, Doubts& doubts) {
             gauge.name, gauge.x, away, obstacle.name, reach));
     }
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    if (gauge.wall != Wall::bottom &&
-        gauge.position + gauge.width / 2 >= definition.liquid.fill_depth)
+    if (!is_under_still_water(definition, gauge))
       for (const GateRow& row : definition.gate)
         if (!row.reference.empty() && row.quantity.starts_with("wall_pressure@" + gauge.name) &&
             std::holds_alternative<LinearRun>(run_named(definition, row.reference).solver))
@@ -109,12 +110,9 @@ std::vector<Tone> fitted_tones(const CaseDefinition& definition) {
   for (const ForcedMode& mode : forced)
     tones.push_back({forced.size() == 1 ? "the motion" : mode.name,
                      2 * std::numbers::pi / mode.angular_frequency});
-  if (definition.gravity == 0) return tones;
   int number = 0;
-  for (const int half_waves : natural_modes(definition, definition.natural_modes))
-    tones.push_back(
-        {fmt::format("natural_{}", ++number),
-         2 * std::numbers::pi / reference::natural_frequency(tank_of(definition), half_waves)});
+  for (const double frequency : excited_frequencies(definition, definition.natural_modes))
+    tones.push_back({fmt::format("natural_{}", ++number), 2 * std::numbers::pi / frequency});
   return tones;
 }
 

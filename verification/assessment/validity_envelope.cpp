@@ -6,7 +6,9 @@
 #include <numbers>
 
 #include "verification/case/motion.hpp"
+#include "verification/case/tank_shape.hpp"
 #include "verification/series/time_series.hpp"
+#include "verification/solvers/natural_frequencies.hpp"
 #include "verification/solvers/reference_tank.hpp"
 
 namespace slosh {
@@ -39,17 +41,19 @@ double forcing_amplitude(const CaseDefinition& definition) {
 
 // The detuning |(omega / omega_n)^2 - 1| from which on the response stays proportional.
 double least_detuning(const CaseDefinition& definition) {
-  return std::pow(forcing_amplitude(definition) / definition.tank.length, 2.0 / 3);
+  return std::pow(forcing_amplitude(definition) / still_surface(definition).length(), 2.0 / 3);
 }
 
 // Names a natural mode, of those that surge and roll excite, that is too near to the forcing.
 std::optional<std::string> too_near_resonance(const CaseDefinition& definition) {
-  const reference::Tank tank = tank_of(definition);
   const double least = least_detuning(definition);
+  const auto step = static_cast<std::size_t>(excited_mode_step(definition.tank));
   for (const ForcedMode& forced : forced_modes(definition)) {
     const double forcing = forced.angular_frequency;
-    for (int m = 1; m == 1 || reference::natural_frequency(tank, m) < 2 * forcing; m += 2) {
-      const double ratio = forcing / reference::natural_frequency(tank, m);
+    for (std::size_t m = 1;; m += step) {
+      const std::vector<double> natural = natural_frequencies(definition, static_cast<int>(m));
+      if (natural.size() < m || (m > 1 && !(natural[m - 1] < 2 * forcing))) break;
+      const double ratio = forcing / natural[m - 1];
       const double detuning = std::abs(ratio * ratio - 1);
       if (!(detuning >= least))
         return fmt::format(
@@ -155,8 +159,8 @@ std::string validity_range(const CaseDefinition& definition, const RunDefinition
 }
 
 double predicted_steepness(const CaseDefinition& definition, const RunResult& result) {
-  return pi / definition.tank.length * recorded(result, "highest_elevation_over_depth") *
-         definition.liquid.fill_depth;
+  return pi / still_surface(definition).length() *
+         recorded(result, "highest_elevation_over_depth") * definition.liquid.fill_depth;
 }
 
 std::optional<std::string> outside_validity(const CaseDefinition& definition,

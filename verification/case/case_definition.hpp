@@ -20,12 +20,22 @@ namespace slosh {
 
 inline constexpr double radians_per_degree = std::numbers::pi / 180;
 
+// A place in the tank [m], from its left end and above its lowest place.
+struct Corner {
+  double x, z;
+};
+
 struct TankDefinition {
   double length;  // [m], along x
   double height;  // [m], roof above bottom
   // [m] From front wall to back wall. Given, it makes SPH and interFoam count the friction of these
   // walls (gap_friction.hpp), which they do not see otherwise.
   std::optional<double> breadth = {};
+  // The corners of a tank that is no rectangle, counter-clockwise: a simple polygon that each
+  // horizontal line meets in one piece (outline.hpp). Length and height are then those of the
+  // rectangle around it, which begins at (0, 0).
+  std::vector<Corner> outline = {};
+  std::optional<double> diameter = {};  // [m], where the outline is that of a lying cylinder
 };
 
 struct LiquidDefinition {
@@ -110,17 +120,13 @@ inline constexpr EnumName<Start> start_names[] = {{Start::earth, "earth"}, {Star
 // Measures the elevation of the free surface above the still level at a place fixed in the tank.
 struct GaugeDefinition {
   std::string name;
-  double x;  // [m] from the left wall
+  double x;  // [m] from the left wall, or from the left end of an outline
 };
 
 enum class Wall { left, right, bottom, roof };
 
 inline constexpr EnumName<Wall> wall_names[] = {
     {Wall::left, "left"}, {Wall::right, "right"}, {Wall::bottom, "bottom"}, {Wall::roof, "roof"}};
-
-// The walls that take a pressure gauge.
-inline constexpr EnumName<Wall> sensor_wall_names[] = {
-    {Wall::left, "left"}, {Wall::right, "right"}, {Wall::bottom, "bottom"}};
 
 // Measures the pressure on a wall of the tank above that of the gas, as a mean over the sensor's
 // width or, for the width 0, at a point. With a cutoff frequency there is also a low-pass filtered
@@ -129,9 +135,12 @@ struct PressureGaugeDefinition {
   std::string name;
   Wall wall;
   double position;                           // [m], of the sensor's middle: above the bottom; on
-                                             // the bottom from the left wall
+                                             // bottom and roof from the left wall
   double width = 0;                          // [m], along the wall
   std::optional<double> filter_cutoff = {};  // [Hz]
+  // The sensor's middle on the outline of a tank that is no rectangle; wall and position then say
+  // nothing.
+  std::optional<Corner> at = {};
 };
 
 // Measures the liquid's velocity relative to the tank, and its pressure above that of the gas, at a

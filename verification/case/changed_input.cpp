@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "verification/case/motion.hpp"
+#include "verification/case/outline.hpp"
 
 namespace slosh {
 namespace {
@@ -54,7 +55,10 @@ void stretch_period(CaseDefinition& definition, double change) {
 
 void move_gauges(CaseDefinition& definition, double change) {
   for (GaugeDefinition& gauge : definition.gauges) gauge.x += change;
-  for (PressureGaugeDefinition& gauge : definition.pressure_gauges) gauge.position += change;
+  for (PressureGaugeDefinition& gauge : definition.pressure_gauges) {
+    gauge.position += change;
+    if (gauge.at) gauge.at = moved_along(definition.tank.outline, *gauge.at, change);
+  }
   for (ProbeDefinition& probe : definition.probes) probe.x += change;
 }
 

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <stdexcept>
 
 #include "verification/case/motion.hpp"
+#include "verification/case/tank_shape.hpp"
 
 namespace slosh {
 namespace {
@@ -12,6 +14,10 @@ namespace {
 // Returns the frequency with which the liquid oscillates [rad/s].
 double frequency_of(const CaseDefinition& definition) {
   if (const double forced = forcing_frequency(definition); forced > 0) return forced;
+  if (!is_rectangle(definition.tank))
+    throw std::invalid_argument(
+        "the friction between the walls of a tank that is no rectangle: "
+        "expected a motion with a single frequency");
   const int mode = definition.initial_wave ? definition.initial_wave->mode : 1;
   const double k = mode * std::numbers::pi / definition.tank.length;
   return std::sqrt(definition.gravity * k * std::tanh(k * definition.liquid.fill_depth));

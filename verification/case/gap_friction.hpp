@@ -25,7 +25,8 @@ double friction_between_walls(double gap, double kinematic_viscosity, double ang
 
 // Returns the rate r of the case's tank [1/s], or 0 where the case gives no breadth. The frequency
 // is that of the forcing. Where the forcing has no single one, it is the natural frequency of the
-// initial wave's mode, and without a wave that of the first mode.
+// initial wave's mode, and without a wave that of the first mode; these are known of a rectangle
+// alone, and std::invalid_argument is thrown for another tank.
 double gap_friction(const CaseDefinition& definition);
 
 }  // namespace slosh

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "verification/case/tank_shape.hpp"
+
 namespace slosh {
 namespace {
 
@@ -287,7 +289,8 @@ std::vector<int> natural_modes(const CaseDefinition& definition, int count) {
   if (definition.gravity == 0) return modes;
   if (definition.initial_wave) modes.push_back(definition.initial_wave->mode);
   const bool wave_alone = definition.motion.still() && definition.initial_wave;
-  for (int n = 0; n < count && !wave_alone; ++n) modes.push_back(2 * n + 1);
+  const int step = excited_mode_step(definition.tank);
+  for (int n = 0; n < count && !wave_alone; ++n) modes.push_back(step * n + 1);
   std::sort(modes.begin(), modes.end());
   modes.erase(std::unique(modes.begin(), modes.end()), modes.end());
   modes.resize(std::min<std::size_t>(modes.size(), count));

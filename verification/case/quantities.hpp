@@ -70,9 +70,10 @@ bool is_gauged(const std::string& series);
 // The suffix of the series of potential flow from a run with fewer nodes.
 inline constexpr const char* coarser = "/coarser";
 
-// Returns the numbers of half waves between the walls of the first `count` natural modes that
-// linear theory excites, lowest first: the odd ones, which the tank's motion excites, and that of
-// the initial wave. In a still tank the initial wave's mode is the only one.
+// Returns the numbers of the first `count` natural modes that linear theory excites, lowest first:
+// those that the tank's motion excites, which are the odd ones of a symmetric tank, and that of the
+// initial wave. In a still tank the initial wave's mode is the only one. In a rectangle a mode's
+// number is that of the half waves between the walls.
 std::vector<int> natural_modes(const CaseDefinition& definition, int count);
 
 }  // namespace slosh

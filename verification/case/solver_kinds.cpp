@@ -40,7 +40,8 @@ struct Row<SphRun> : CommonRow {
                                    .elements = "particles",
                                    .solves_flow = true,
                                    .has_particles = true,
-                                   .can_refer = false};
+                                   .can_refer = false,
+                                   .takes_outline = true};
   static std::string family(const RunDefinition& run) {
     return std::get<SphRun>(run.solver).scheme;
   }
@@ -85,7 +86,8 @@ struct Row<InterFoamRun> : CommonRow {
                                    .answered_with = AnsweredWith::openfoam,
                                    .elements = "cells",
                                    .solves_flow = true,
-                                   .takes_time_limit = true};
+                                   .takes_time_limit = true,
+                                   .takes_outline = true};
   static bool sees_gas(const InterFoamRun&) { return true; }
   static const char* program(const InterFoamRun& mesh) {
     return mesh.interface_method == InterfaceMethod::mules ? "interFoam" : "interIsoFoam";
@@ -163,6 +165,7 @@ struct Row<RecordRun> : CommonRow {
   static constexpr SolverKind kind{.name = "record",
                                    .role = SolverRole::record,
                                    .can_end_early = true,
+                                   .takes_outline = true,
                                    .declares_quantities = true};
   static std::string text(const RecordRun& record) {
     return fmt::format("{} of {}{}",
@@ -186,6 +189,7 @@ struct Row<ExternalRun> : CommonRow {
                                    .answered_with = AnsweredWith::user_program,
                                    .elements = "particles",
                                    .can_refer = false,
+                                   .takes_outline = true,
                                    .declares_quantities = true};
   static std::string family(const RunDefinition& run) {
     const std::string& method = std::get<ExternalRun>(run.solver).method;
@@ -233,6 +237,7 @@ struct Row<StoredRun> : CommonRow {
                                    .answered_with = AnsweredWith::stored_files,
                                    .elements = "particles",
                                    .can_refer = false,
+                                   .takes_outline = true,
                                    .declares_quantities = true};
   static std::string family(const RunDefinition& run) {
     return std::get<StoredRun>(run.solver).method;
@@ -284,6 +289,13 @@ std::set<std::string> solvers_answered_with(AnsweredWith what) {
   std::set<std::string> names;
   for (const SolverKind* kind : kinds)
     if (kind->answered_with == what) names.insert(kind->name);
+  return names;
+}
+
+std::vector<std::string> solvers_that_take_outlines() {
+  std::vector<std::string> names;
+  for (const SolverKind* kind : kinds)
+    if (kind->takes_outline) names.push_back(kind->name);
   return names;
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "verification/case/case_definition.hpp"
 
@@ -33,6 +34,7 @@ struct SolverKind {
   bool can_refer = true;             // `slosh converge` may take it as the reference
   bool can_end_early = false;        // its series may end before the case's duration
   bool leaves_coarser = false;       // each series also from fewer nodes, with the suffix `coarser`
+  bool takes_outline = false;        // it takes a tank that is no rectangle
   bool declares_quantities = false;  // its keys name the quantities that it has
 };
 
@@ -43,6 +45,9 @@ const SolverKind* find_solver_kind(std::string_view name);
 
 // The names of all kinds whose answer is determined so.
 std::set<std::string> solvers_answered_with(AnsweredWith what);
+
+// The names of all kinds that take a tank which is no rectangle, in the order of the rows.
+std::vector<std::string> solvers_that_take_outlines();
 
 inline std::string solver_name(const RunDefinition& run) { return solver_kind(run).name; }
 inline bool is_simulation(const RunDefinition& run) {

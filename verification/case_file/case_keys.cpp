@@ -41,13 +41,24 @@ const std::vector<KeyTable>& case_key_tables() {
       {"tank",
        "[tank]",
        "yes",
-       "A rectangular tank, seen from the side.",
-       {{"length_m", "number > 0, m", "yes", "The inner length."},
-        {"height_m", "number > 0, m", "yes", "The inner height, to the roof."},
+       "A tank, seen from the side: a rectangle, a polygon or a lying cylinder. x counts from its "
+       "left end and z from its lowest place. Beside outline_m or diameter_m there is no obstacle, "
+       "no initial wave, no column_width_m and no wall_forces, natural_modes is 0, and only the "
+       "solvers sph, interfoam, record, external and stored take the case.",
+       {{"length_m", "number > 0, m", "one of the three", "The inner length."},
+        {"height_m", "number > 0, m", "with length_m", "The inner height, to the roof."},
+        {"outline_m", "list of corners [x, z], m", "one of the three",
+         "The corners of the inner outline, counter-clockwise: 3 to 1000, with the smallest x and "
+         "the smallest z 0. The sides meet at the corners alone, and each horizontal line cuts the "
+         "outline in two places at most."},
+        {"diameter_m", "number > 0, m", "one of the three",
+         "The diameter of a lying cylinder. The tank is a regular polygon of 128 corners, flat at "
+         "the bottom, with the area of the circle; its length and height are 0.9999 diameters."},
         {"breadth_m", "number > 0, m", "no",
          "The inner breadth of a narrow tank, from the front to the back wall. With it, SPH and "
          "interFoam count the friction of these two walls, which they do not see otherwise; the "
-         "theories, which have no friction there, are refused. Default: no friction."}}},
+         "theories, which have no friction there, are refused. Beside outline_m or diameter_m the "
+         "motion must have a single frequency. Default: no friction."}}},
       {"liquid",
        "[liquid]",
        "yes",
@@ -188,19 +199,24 @@ const std::vector<KeyTable>& case_key_tables() {
        "should stand six particle spacings away from an obstacle: nearer, it reads too low.",
        {{"name", "name", "yes", "The NAME in elevation@NAME."},
         {"x_m", "number from 0 to the tank's length, m", "yes",
-         "The distance from the left wall."}}},
+         "The distance from the left wall. In a tank that is no rectangle it lies where the still "
+         "surface reaches at the fill depth."}}},
       {"pressure_gauge",
        "[[pressure_gauge]]",
        "at least one gauge of either kind",
        "A pressure sensor in a wall.",
        {{"name", "name", "yes", "The NAME in wall_pressure@NAME."},
-        {"wall", "\"left\", \"right\" or \"bottom\"", "yes", ""},
-        {"position_m", "number >= 0, m", "yes",
-         "The middle of the sensor: above the bottom, or on the bottom from the left wall; within "
-         "that wall."},
+        {"wall", "\"left\", \"right\", \"bottom\" or \"roof\"", "in a rectangular tank", ""},
+        {"position_m", "number >= 0, m", "in a rectangular tank",
+         "The middle of the sensor: above the bottom, or on the bottom or the roof from the left "
+         "wall; within that wall."},
+        {"x_m", "number, m", "in another tank",
+         "With z_m: the middle of the sensor, a place on the outline to within a millionth of the "
+         "tank's size."},
+        {"z_m", "number, m", "in another tank", ""},
         {"width_m", "number >= 0, m", "no",
-         "The sensor's extent along the wall. The whole sensor must lie on the wall. Default: 0, a "
-         "point."},
+         "The sensor's extent along the wall. The whole sensor must lie on the wall, of an outline "
+         "on one side. Default: 0, a point."},
         {"filter_cutoff_Hz", "number > 0 and below half the sampling rate, Hz", "no",
          "Adds the series wall_pressure@NAME/filtered, through a low-pass filter."}}},
       {"probe",
@@ -211,7 +227,8 @@ const std::vector<KeyTable>& case_key_tables() {
        "all three are 0. Linear theory records them only at a place below the still level, as it "
        "has no liquid above it.",
        {{"name", "name", "yes", "The NAME in velocity_x@NAME, velocity_z@NAME and pressure@NAME."},
-        {"x_m", "number from 0 to the tank's length, m", "yes", "The distance from the left wall."},
+        {"x_m", "number from 0 to the tank's length, m", "yes",
+         "The distance from the left wall. The place lies inside the tank's outline."},
         {"z_m", "number from 0 to the tank's height, m", "yes", "The height above the bottom."}}},
       {"impacts",
        "[impacts]",
@@ -242,8 +259,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"window_end_s", "number above window_begin_s and <= duration_s, s", "no",
          "Default: duration_s."},
         {"natural_modes", "integer >= 0", "yes",
-         "The number of natural modes that are fitted beside the forced one: 0 for a dam or "
-         "without gravity, at most 1 for a still tank's initial wave."},
+         "The number of natural modes that are fitted beside the forced one: 0 for a dam, without "
+         "gravity or beside outline_m and diameter_m, at most 1 for a still tank's initial wave."},
         {"forcing", "\"from_spectrum\"", "no",
          "Finds the forcing frequency of a motion table from its spectrum in this window, and "
          "refuses a table that is not nearly one sine there."},

@@ -8,6 +8,7 @@
 
 #include "verification/case/changed_input.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/case/tank_shape.hpp"
 #include "verification/case/usual_values.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/groups/run_group.hpp"
@@ -133,6 +134,8 @@ class CaseReader {
   void read_tank_and_time() {
     tank_ =
         allow_at("tank", [&] { definition_.tank = read_whole(root_.table("tank"), read_tank); });
+    if (tank_ && !is_rectangle(definition_.tank))
+      tank_ = allow([&] { refuse_beside_outline(root_, definition_); });
     liquid_ = tank_ && allow_at("liquid", [&] {
                 definition_.liquid = read_whole(
                     root_.table("liquid"),
@@ -170,7 +173,7 @@ class CaseReader {
 
   // At least one gauge of either kind is required.
   void read_gauges() {
-    if (!tank_ || !time_) return;
+    if (!tank_ || !time_ || !(liquid_ || is_rectangle(definition_.tank))) return;
     gauges_ = each_named(
         "gauge", definition_.gauges,
         [&](const TomlTable& gauge) { return read_gauge(gauge, definition_); }, &refused_gauges_);
@@ -216,6 +219,7 @@ class CaseReader {
                     root_.table("comparison").read_all([&](const TomlTable& comparison) {
                       slosh::read_comparison(comparison, definition_);
                     });
+                    refuse_breadth_of_outline(root_, definition_);
                   });
   }
 
@@ -231,6 +235,7 @@ class CaseReader {
     if (!can_judge_run(table)) return refused_runs_.add(table);
     try {
       const auto read = [&](const TomlTable& run) {
+        refuse_solver_of_outline(run, definition_);
         return slosh::read_runs(run, definition_, experiments_);
       };
       for (const RunDefinition& run : read_whole(table, read))

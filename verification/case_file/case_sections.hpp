@@ -19,6 +19,17 @@ TankDefinition read_tank(const TomlTable& tank);
 LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank);
 GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid);
 
+// Whether [tank] tells a tank that is no rectangle, and the reading of its outline.
+bool tells_outline(const TomlTable& tank);
+TankDefinition read_outline(const TomlTable& tank);
+
+// What such a tank excludes. The first needs the definition's tank alone; the second its motion and
+// its comparison too.
+void refuse_beside_outline(const TomlTable& root, const CaseDefinition& definition);
+void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& definition);
+void refuse_solver_of_outline(const TomlTable& run, const CaseDefinition& definition);
+Rule<int> natural_modes_of_outline(const CaseDefinition& definition);
+
 // Reads [[obstacle]]. The definition's tank, liquid and gauges must have been read.
 ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
 
@@ -68,7 +79,7 @@ TableMotion read_surge_table(const std::filesystem::path& file, double duration)
 TableMotion read_roll_table(const std::filesystem::path& file, double duration);
 
 // Read [[gauge]] and [[pressure_gauge]]. The definition's tank and sample interval must have been
-// read.
+// read, and the liquid of a tank that is no rectangle.
 GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definition);
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "verification/case/outline.hpp"
+#include "verification/case/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/peak_table.hpp"
@@ -60,32 +62,78 @@ void read_repeats(const TomlTable& impacts, const std::filesystem::path& experim
   read.repeats.assign(peaks.impacts.begin(), peaks.impacts.begin() + used);
 }
 
+// A gauge measures the surface where that is at rest.
+Rule<double> over_still_surface(const CaseDefinition& definition) {
+  if (is_rectangle(definition.tank))
+    return {fmt::format("a number from 0 to the tank's length ({}), in m from the left wall",
+                        definition.tank.length),
+            [length = definition.tank.length](double x) { return x >= 0 && x <= length; }, 0};
+  const Extent surface = still_surface(definition);
+  return {fmt::format("a number from {:.6g} to {:.6g}, in m: the still surface at the fill depth "
+                      "({}) reaches from there to there",
+                      surface.left, surface.right, definition.liquid.fill_depth),
+          [surface](double x) { return x >= surface.left && x <= surface.right; }, surface.left};
+}
+
+void refuse_keys_of_other_shape(const TomlTable& gauge, bool on_rectangle) {
+  const char *own = on_rectangle ? "wall and position_m" : "x_m and z_m",
+             *shape = on_rectangle ? "a rectangular tank" : "a tank that is no rectangle";
+  const std::vector<const char*> others = on_rectangle
+                                              ? std::vector<const char*>{"x_m", "z_m"}
+                                              : std::vector<const char*>{"wall", "position_m"};
+  for (const char* key : others)
+    if (gauge.has(key))
+      gauge.refuse(key,
+                   fmt::format("no {} in {}, where {} tell a sensor's place", key, shape, own));
+}
+
+// Reads the place of a sensor and returns the greatest width that it may have there [m]. The
+// tolerance is for the rounding of a sensor that ends where the wall does.
+double read_place_on_wall(const TomlTable& gauge, const TankDefinition& tank,
+                          PressureGaugeDefinition& read) {
+  read.wall = gauge.choice("wall", "a wall", wall_names);
+  const bool is_level = read.wall == Wall::bottom || read.wall == Wall::roof;
+  const double extent = is_level ? tank.length : tank.height;
+  read.position = gauge.get<double>(
+      "position_m",
+      {fmt::format("a number from 0 to the tank's {} ({}), in m from the {}",
+                   is_level ? "length" : "height", extent, is_level ? "left wall" : "bottom"),
+       [extent](double at) { return at >= 0 && at <= extent; }});
+  return 2 * std::min(read.position, extent - read.position) + 1e-9 * extent;
+}
+
+// The place is written with a few decimals and put on the outline.
+double read_place_on_outline(const TomlTable& gauge, const TankDefinition& tank,
+                             PressureGaugeDefinition& read) {
+  const double size = std::max(tank.length, tank.height), tolerance = 1e-6 * size;
+  const Corner given{gauge.get("x_m", any_number("m")), gauge.get("z_m", any_number("m"))};
+  const PlaceOnOutline on = nearest_on(tank.outline, given);
+  if (!(on.distance <= tolerance))
+    gauge.refuse("x_m", fmt::format("x_m and z_m of a place on the tank's outline to within {:.1g} "
+                                    "m, where the nearest to ({:g}, {:g}) is ({:.9g}, {:.9g})",
+                                    tolerance, given.x, given.z, on.place.x, on.place.z));
+  read.wall = Wall::bottom;
+  read.at = on.place;
+  return 2 * std::min(on.along, side_length(tank.outline, on.side) - on.along) + 1e-9 * size;
+}
+
 }  // namespace
 
 GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definition) {
   gauge.allow_only(keys_of("gauge"));
-  const Rule<double> inside_tank{
-      fmt::format("a number from 0 to the tank's length ({}), in m from the left wall",
-                  definition.tank.length),
-      [length = definition.tank.length](double x) { return x >= 0 && x <= length; }, 0};
-  return {.name = gauge.get("name", file_safe_name()), .x = gauge.get("x_m", inside_tank)};
+  return {.name = gauge.get("name", file_safe_name()),
+          .x = gauge.get("x_m", over_still_surface(definition))};
 }
 
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition) {
   gauge.allow_only(keys_of("pressure_gauge"));
+  const bool on_rectangle = is_rectangle(definition.tank);
+  refuse_keys_of_other_shape(gauge, on_rectangle);
   PressureGaugeDefinition read{};
   read.name = gauge.get("name", file_safe_name());
-  read.wall = gauge.choice("wall", "a wall", sensor_wall_names);
-  const bool along_bottom = read.wall == Wall::bottom;
-  const double extent = along_bottom ? definition.tank.length : definition.tank.height;
-  read.position = gauge.get<double>(
-      "position_m", {fmt::format("a number from 0 to the tank's {} ({}), in m from the {}",
-                                 along_bottom ? "length" : "height", extent,
-                                 along_bottom ? "left wall" : "bottom"),
-                     [extent](double at) { return at >= 0 && at <= extent; }});
-  // The tolerance is for the rounding of a sensor that ends where the wall does.
-  const double widest = 2 * std::min(read.position, extent - read.position) + 1e-9 * extent;
+  const double widest = on_rectangle ? read_place_on_wall(gauge, definition.tank, read)
+                                     : read_place_on_outline(gauge, definition.tank, read);
   read.width =
       gauge
           .find<double>(
@@ -109,9 +157,17 @@ ProbeDefinition read_probe(const TomlTable& probe, const CaseDefinition& definit
         fmt::format("a number from 0 to the tank's {} ({}), in m from the {}", extent, most, from),
         [most](double at) { return at >= 0 && at <= most; }, 0};
   };
-  return {.name = probe.get("name", file_safe_name()),
-          .x = probe.get("x_m", inside("length", definition.tank.length, "left wall")),
-          .z = probe.get("z_m", inside("height", definition.tank.height, "bottom"))};
+  const ProbeDefinition read{
+      .name = probe.get("name", file_safe_name()),
+      .x = probe.get("x_m", inside("length", definition.tank.length, "left wall")),
+      .z = probe.get("z_m", inside("height", definition.tank.height, "bottom"))};
+  if (!is_rectangle(definition.tank) && !contains(definition.tank.outline, {read.x, read.z})) {
+    const auto [left, right] = extent_at(definition.tank.outline, read.z);
+    probe.refuse("x_m", fmt::format("a place inside the tank's outline, which reaches from x = "
+                                    "{:.6g} to {:.6g} at z_m = {:g}, in m",
+                                    left, right, read.z));
+  }
+  return read;
 }
 
 std::vector<Wall> read_wall_forces(const TomlTable& root) {

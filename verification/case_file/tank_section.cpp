@@ -29,18 +29,29 @@ void refuse_swallowed_gauges(const TomlTable& table, const ObstacleDefinition& o
   }
 }
 
+bool touches(const ObstacleDefinition& obstacle, Wall wall, const TankDefinition& tank) {
+  switch (wall) {
+    case Wall::left:
+      return obstacle.left == 0;
+    case Wall::right:
+      return obstacle.right == tank.length;
+    case Wall::roof:
+      return obstacle.top == tank.height;
+    case Wall::bottom:
+      break;
+  }
+  return obstacle.bottom == 0;
+}
+
 // A sensor that touches an obstacle at its wall measures the obstacle.
 void refuse_covered_sensors(const TomlTable& table, const ObstacleDefinition& obstacle,
                             const CaseDefinition& definition) {
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
-    const bool along_bottom = gauge.wall == Wall::bottom;
-    const bool at_wall = along_bottom               ? obstacle.bottom == 0
-                         : gauge.wall == Wall::left ? obstacle.left == 0
-                                                    : obstacle.right == definition.tank.length;
-    const double first = along_bottom ? obstacle.left : obstacle.bottom;
-    const double last = along_bottom ? obstacle.right : obstacle.top;
-    if (!at_wall || gauge.position + gauge.width / 2 < first ||
-        gauge.position - gauge.width / 2 > last)
+    const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
+    const double first = is_level ? obstacle.left : obstacle.bottom;
+    const double last = is_level ? obstacle.right : obstacle.top;
+    if (!touches(obstacle, gauge.wall, definition.tank) ||
+        gauge.position + gauge.width / 2 < first || gauge.position - gauge.width / 2 > last)
       continue;
     table.refuse("name", fmt::format("an obstacle elsewhere: it covers the pressure gauge {} at {} "
                                      "m",
@@ -80,9 +91,15 @@ bool names_no_properties(const TomlTable& fluid) {
 
 TankDefinition read_tank(const TomlTable& tank) {
   tank.allow_only(keys_of("tank"));
-  return {.length = tank.get("length_m", positive("m")),
-          .height = tank.get("height_m", positive("m")),
-          .breadth = tank.find("breadth_m", positive("m"))};
+  TankDefinition read{};
+  if (tells_outline(tank)) {
+    read = read_outline(tank);
+  } else {
+    read.length = tank.get("length_m", positive("m"));
+    read.height = tank.get("height_m", positive("m"));
+  }
+  read.breadth = tank.find("breadth_m", positive("m"));
+  return read;
 }
 
 LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank) {

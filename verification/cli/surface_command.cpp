@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "verification/case/tank_shape.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
@@ -44,6 +45,10 @@ int measure(const SurfaceOptions& options, const Installation& installation) {
     throw CaseFileError(definition.file.string() +
                         ": gauge: expected at least one [[gauge]], at which the surface is "
                         "measured");
+  if (!is_rectangle(definition.tank))
+    throw CaseFileError(definition.file.string() +
+                        ": tank: expected a rectangle, length_m and height_m, over whose level "
+                        "bottom the depth of liquid is measured");
   RunResult result;
   result.series =
       surface_series(read_particle_table(options.file, options.columns),

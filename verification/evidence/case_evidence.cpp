@@ -16,7 +16,7 @@
 #include "verification/gate/measured_value.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/series/windowed_series.hpp"
-#include "verification/solvers/reference_tank.hpp"
+#include "verification/solvers/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {
@@ -46,14 +46,12 @@ const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
 }  // namespace
 
 std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
-  const reference::Tank tank = tank_of(definition);
   std::vector<ToneRequest> modes;
   for (const ForcedMode& forced : forced_modes(definition))
     modes.push_back({forced.name, forced.angular_frequency, false});
-  const std::vector<int> natural = natural_modes(definition, count);
-  for (std::size_t n = 0; n < natural.size(); ++n)
-    modes.push_back(
-        {fmt::format("natural_{}", n + 1), reference::natural_frequency(tank, natural[n]), true});
+  int number = 0;
+  for (const double frequency : excited_frequencies(definition, count))
+    modes.push_back({fmt::format("natural_{}", ++number), frequency, true});
   return modes;
 }
 

@@ -75,6 +75,14 @@ std::string as_written(const toml::node& node) {
   return node.is_array() ? "(an array)" : "(a date or time)";
 }
 
+// An array within an array, whose elements tell which it is.
+std::string element_as_written(const toml::node& node) {
+  if (!node.is_array()) return as_written(node);
+  std::vector<std::string> elements;
+  for (const toml::node& element : *node.as_array()) elements.push_back(as_written(element));
+  return fmt::format("[{}]", fmt::join(elements, ", "));
+}
+
 template <class T>
 std::optional<T> converted(const toml::node& node) {
   if constexpr (std::is_same_v<T, double>) {
@@ -196,6 +204,22 @@ std::vector<double> TomlTable::numbers(std::string_view key, const Rule<double>&
                                       content_->path, key, as_written(element), each.expected));
     }
     values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<std::pair<double, double>> TomlTable::pairs(std::string_view key,
+                                                        std::string_view each) const {
+  const toml::node* node = content_->table->get(key);
+  if (!node || !node->is_array()) refuse(key, fmt::format("an array of pairs, each {}", each));
+  std::vector<std::pair<double, double>> values;
+  for (const toml::node& element : *node->as_array()) {
+    const toml::array* pair = element.as_array();
+    const bool is_pair = pair && pair->size() == 2;
+    const auto first = is_pair ? converted<double>(*pair->get(0)) : std::nullopt,
+               second = is_pair ? converted<double>(*pair->get(1)) : std::nullopt;
+    if (!first || !second) refuse_element(key, values.size(), each);
+    values.emplace_back(*first, *second);
   }
   return values;
 }
@@ -365,6 +389,13 @@ std::string TomlTable::refusal(std::string_view key, std::string_view expected) 
 
 void TomlTable::refuse(std::string_view key, std::string_view expected) const {
   throw CaseFileError(refusal(key, expected));
+}
+
+void TomlTable::refuse_element(std::string_view key, std::size_t element,
+                               std::string_view expected) const {
+  const toml::node& node = *content_->table->get(key)->as_array()->get(element);
+  throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(node),
+                                  content_->path, key, element_as_written(node), expected));
 }
 
 void TomlTable::refuse_table(std::string_view holds, std::string_view expected) const {

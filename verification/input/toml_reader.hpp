@@ -52,6 +52,8 @@ class TomlTable {
   }
   std::vector<PlacedText> texts(std::string_view key, const Rule<std::string>& each) const;
   std::vector<double> numbers(std::string_view key, const Rule<double>& each) const;
+  // An array of arrays of two finite numbers. `each` says what such a pair is.
+  std::vector<std::pair<double, double>> pairs(std::string_view key, std::string_view each) const;
   // Strictly increasing; empty when absent.
   std::vector<double> increasing_numbers(std::string_view key, const Rule<double>& each) const;
 
@@ -86,6 +88,9 @@ class TomlTable {
   SourceLocation where() const;
   // Refuses the value at a key, which may be absent.
   [[noreturn]] void refuse(std::string_view key, std::string_view expected) const;
+  // Refuses an element of an array, which must be there.
+  [[noreturn]] void refuse_element(std::string_view key, std::size_t element,
+                                   std::string_view expected) const;
   // Refuses the table itself. `holds` takes the place of the value in the message.
   [[noreturn]] void refuse_table(std::string_view holds, std::string_view expected) const;
 

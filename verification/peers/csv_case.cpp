@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "verification/case/motion.hpp"
+#include "verification/case/sensor_place.hpp"
+#include "verification/case/tank_shape.hpp"
 #include "verification/peers/motion_table.hpp"
 #include "verification/peers/run_block.hpp"
 #include "verification/peers/tank_file.hpp"
@@ -60,9 +62,12 @@ std::string geometry_csv(const CaseDefinition& definition) {
     corner(part, right, top);
     corner(part, left, top);
   };
-  const auto& [length, height, breadth] = definition.tank;
-  const double depth = definition.liquid.fill_depth;
-  box("tank", 0, length, 0, height);
+  const auto polygon = [&](const std::string& part, const Outline& corners) {
+    for (const auto& [x, z] : corners) corner(part, x, z);
+  };
+  const TankDefinition& tank = definition.tank;
+  const double length = tank.length, depth = definition.liquid.fill_depth;
+  polygon("tank", corners_of(tank));
   if (const auto& wave = definition.initial_wave) {
     constexpr int points = 200;
     corner("liquid", 0, 0);
@@ -70,6 +75,8 @@ std::string geometry_csv(const CaseDefinition& definition) {
     for (int i = points; i >= 0; --i)
       corner("liquid", length * i / points,
              depth + wave->amplitude * std::cos(wave->mode * std::numbers::pi * i / points));
+  } else if (!is_rectangle(tank)) {
+    polygon("liquid", part_below(tank.outline, depth));
   } else {
     box("liquid", 0, definition.liquid.column_width.value_or(length), 0, depth);
   }
@@ -83,12 +90,9 @@ std::string gauges_csv(const CaseDefinition& definition) {
   for (const GaugeDefinition& gauge : definition.gauges)
     table += fmt::format("surface,{},{},,\n", gauge.name, exact(gauge.x));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
-    const bool on_bottom = gauge.wall == Wall::bottom;
-    const double x = on_bottom                  ? gauge.position
-                     : gauge.wall == Wall::left ? 0
-                                                : definition.tank.length;
-    table += fmt::format("wall_pressure,{},{},{},{}\n", gauge.name, exact(x),
-                         exact(on_bottom ? 0 : gauge.position), exact(gauge.width));
+    const auto [x, z] = sensor_middle(definition.tank, gauge);
+    table += fmt::format("wall_pressure,{},{},{},{}\n", gauge.name, exact(x), exact(z),
+                         exact(gauge.width));
   }
   for (const ProbeDefinition& probe : definition.probes)
     table += fmt::format("probe,{},{},{},\n", probe.name, exact(probe.x), exact(probe.z));
@@ -111,10 +115,6 @@ void write_motion(const CaseDefinition& definition, const fs::path& directory) {
              number_table({"time_s", "gravity_x_m_s2", "gravity_z_m_s2", "roll_rate_rad_s",
                            "roll_acceleration_rad_s2"},
                           felt));
-}
-
-bool has_tank_file(const CaseDefinition& definition) {
-  return !definition.motion.roll && definition.obstacles.empty() && !definition.liquid.column_width;
 }
 
 std::string block(const HandedCase& handed) {
@@ -152,8 +152,8 @@ std::string readme(const HandedCase& handed) {
          "its axis, for a tank that moves |\n"
          "| `tank_frame.csv` | gravity less the acceleration of the roll's axis, along the tank's "
          "axes, for a tank at rest |\n" +
-         (has_tank_file(handed.definition) ? "| `tank.json` | the same for drivers in one file |\n"
-                                           : "") +
+         (fits_tank_file(handed.definition) ? "| `tank.json` | the same for drivers in one file |\n"
+                                            : "") +
          "\nIn the tank's frame a roll also acts on the liquid at the place (x, z) from its axis "
          "with the velocity (u, w), where th is the angle: th'' z + th'^2 x + 2 th' w along x and "
          "-th'' x + th'^2 z - 2 th' u along z. The liquid starts with the velocity "
@@ -173,7 +173,7 @@ void write_csv_case(const HandedCase& handed, const fs::path& directory) {
   write_text(directory / "geometry.csv", geometry_csv(definition));
   write_text(directory / "gauges.csv", gauges_csv(definition));
   write_motion(definition, directory);
-  if (has_tank_file(definition)) write_text(directory / "tank.json", tank_file(definition));
+  if (fits_tank_file(definition)) write_text(directory / "tank.json", tank_file(definition));
   write_text(directory / "run.toml", block(handed));
   write_text(directory / "README.md", readme(handed));
 }

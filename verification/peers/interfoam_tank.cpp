@@ -1,6 +1,7 @@
 #include "verification/peers/interfoam_tank.hpp"
 
 #include <optional>
+#include <stdexcept>
 
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "verification/case/field_times.hpp"
@@ -12,8 +13,23 @@ namespace {
 
 openfoam::PressureGauge::Wall wall_of(Wall wall) {
   using Of = openfoam::PressureGauge::Wall;
-  if (wall == Wall::bottom) return Of::bottom;
-  return wall == Wall::left ? Of::left : Of::right;
+  switch (wall) {
+    case Wall::left:
+      return Of::left;
+    case Wall::right:
+      return Of::right;
+    case Wall::bottom:
+      return Of::bottom;
+    case Wall::roof:
+      break;
+  }
+  throw std::invalid_argument(
+      "pressure_gauge.wall = \"roof\": expected another wall, for interFoam");
+}
+
+openfoam::PressureGauge sensor_of(const PressureGaugeDefinition& gauge) {
+  openfoam::PressureGauge sensor{gauge.name, wall_of(gauge.wall), gauge.position, gauge.width};
+  return sensor;
 }
 
 }  // namespace
@@ -42,6 +58,7 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .interface_method = run.interface_method == InterfaceMethod::mules
                               ? openfoam::InterfaceMethod::mules
                               : openfoam::InterfaceMethod::iso_advector};
+  for (const Corner& corner : definition.tank.outline) tank.outline.push_back({corner.x, corner.z});
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
   if (run.start_disorder > 0)
@@ -55,7 +72,7 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
   for (const GaugeDefinition& gauge : definition.gauges)
     tank.gauges.push_back({gauge.name, gauge.x});
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    tank.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
+    tank.pressure_gauges.push_back(sensor_of(gauge));
   for (const ProbeDefinition& probe : definition.probes)
     tank.probes.push_back({probe.name, probe.x, probe.z});
   for (const Wall wall : definition.wall_forces)

@@ -1,9 +1,13 @@
 #include "verification/peers/peer_codes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
+#include "verification/case/tank_shape.hpp"
 #include "verification/files/whole_directory.hpp"
+#include "verification/peers/written_files.hpp"
 
 namespace slosh {
 
@@ -18,7 +22,7 @@ const std::vector<PeerCode>& peer_codes() {
       {"pysph", "PySPH", write_pysph_case},
       {"openfoam", "interFoam (OpenFOAM v1912)", write_openfoam_case},
       {"sphinxsys", "SPHinXsys", write_sphinxsys_case},
-      {"csv", "any code, as tables", write_csv_case}};
+      {"csv", "any code, as tables", write_csv_case, true}};
   return codes;
 }
 
@@ -33,6 +37,10 @@ void write_for_code(const std::string& name, const HandedCase& handed) {
   const auto code = std::find_if(codes.begin(), codes.end(),
                                  [&](const PeerCode& one) { return name == one.name; });
   if (code == codes.end()) throw std::invalid_argument("no code " + name);
+  const TankDefinition& tank = handed.definition.tank;
+  if (!is_rectangle(tank) && !code->takes_outline)
+    refuse_for_code(handed.definition, tank.diameter ? "tank.diameter_m" : "tank.outline_m",
+                    fmt::format("a rectangle, length_m and height_m, for {}", code->title));
   make_whole_directory(handed.place, [&](const std::filesystem::path& directory) {
     code->write(handed, directory);
   });

@@ -25,6 +25,7 @@ struct PeerCode {
   // Writes all files into an empty directory. Throws CaseFileError for a case that the code cannot
   // say, with the place of the key.
   void (*write)(const HandedCase& handed, const std::filesystem::path& directory);
+  bool takes_outline = false;  // whether it can say a tank that is no rectangle
 };
 
 const std::vector<PeerCode>& peer_codes();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "verification/case/motion.hpp"
+#include "verification/case/tank_shape.hpp"
 
 namespace slosh {
 namespace {
@@ -36,10 +37,15 @@ ordered_json motion_of(const CaseDefinition& definition) {
 
 std::filesystem::path peers_directory() { return SLOSH_PEERS_DIRECTORY; }
 
+bool fits_tank_file(const CaseDefinition& definition) {
+  return is_rectangle(definition.tank) && !definition.motion.roll && definition.obstacles.empty() &&
+         !definition.liquid.column_width;
+}
+
 std::string tank_file(const CaseDefinition& definition) {
-  if (definition.motion.roll || !definition.obstacles.empty() || definition.liquid.column_width)
+  if (!fits_tank_file(definition))
     throw std::invalid_argument(
-        "{tank_file}: expected a tank that does not roll, without obstacle and without "
+        "{tank_file}: expected a rectangular tank that does not roll, without obstacle and without "
         "column_width_m");
   const InitialWaveDefinition wave =
       definition.initial_wave.value_or(InitialWaveDefinition{.mode = 1, .amplitude = 0});

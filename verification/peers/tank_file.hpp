@@ -12,11 +12,15 @@ namespace slosh {
 // Returns the directory of the drivers that Slosh ships.
 std::filesystem::path peers_directory();
 
+// Whether the file has a place for all of the case: a rectangular tank without obstacles that does
+// not roll, filled from wall to wall.
+bool fits_tank_file(const CaseDefinition& definition);
+
 // Returns the text of the file: the tank, the liquid, the initial wave (of the amplitude 0 where
 // there is none), the surge, the gauges of the surface, and the times. The surge is the tank's
 // acceleration X''(t) at ten equal steps a sample, and the liquid's first velocity in the tank's
-// frame, -X'(0) of a start in the earth's frame. Throws std::invalid_argument for a tank that
-// rolls or has obstacles, and for a breaking dam: the file has no place for them.
+// frame, -X'(0) of a start in the earth's frame. Throws std::invalid_argument for a case
+// that does not fit it.
 std::string tank_file(const CaseDefinition& definition);
 
 }  // namespace slosh

@@ -6,6 +6,7 @@
 #include <string>
 #include <variant>
 
+#include "verification/case/tank_shape.hpp"
 #include "verification/runs/run_effort.hpp"
 
 namespace slosh {
@@ -54,7 +55,8 @@ double time_of(const InterFoamRun&, const RunEffort& effort, const CaseDefinitio
   constexpr double start = 0.5;                // [s], the mesh and the reading of the results
   constexpr double shallow = 0.15, bores = 3;  // depth over length; times as long
   const double equations = (effort.pressure_corrections + 2) / 4.0 * effort.elements;
-  const bool is_shallow = definition.liquid.fill_depth < shallow * definition.tank.length;
+  const bool is_shallow =
+      definition.liquid.fill_depth < shallow * still_surface(definition).length();
   return start + effort.steps * (is_shallow ? bores : 1) *
                      (0.36 * millisecond + equations * 0.83 * microsecond);
 }

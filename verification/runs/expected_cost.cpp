@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "verification/case/solver_kinds.hpp"
+#include "verification/case/tank_shape.hpp"
 #include "verification/runs/cost_model.hpp"
 #include "verification/runs/cost_records.hpp"
 #include "verification/runs/run_case.hpp"
@@ -28,15 +29,13 @@ bool can_be_modelled(const RunDefinition& run) {
 // The estimated memory is above that of any run measured on two-core machines.
 ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run,
                       const ResultStore& store) {
-  const double area = definition.liquid.column_width.value_or(definition.tank.length) *
-                      definition.liquid.fill_depth;
   const std::optional<double> factor = machine_factor(solver_name(run), store);
   ExpectedCost cost{.processor_time = factor.value_or(1) * modelled_time(definition, run),
                     .wall_time = 0,
                     .memory = 64 * mebibyte,
                     .uncertainty = factor ? of_known_machine : of_unknown_machine};
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) {
-    cost.memory += 2048 * area / std::pow(sph->particle_spacing, 2);
+    cost.memory += 2048 * liquid_area(definition) / std::pow(sph->particle_spacing, 2);
   } else if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) {
     cost.memory += 128 * mebibyte + 8192.0 * mesh->cells_x * mesh->cells_z;
     cost.cores = mesh->processes;

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "sph/start/initial_lattice.hpp"
+#include "verification/case/tank_shape.hpp"
 
 namespace slosh {
 namespace {
@@ -31,6 +32,7 @@ bool fits(const CaseDefinition& definition, double spacing) {
 }  // namespace
 
 std::optional<double> nearest_fitting_spacing(const CaseDefinition& definition, double spacing) {
+  if (!is_rectangle(definition.tank)) return std::nullopt;
   const double length = lattice_length(definition);
   const auto fewest = static_cast<long>(std::max(1.0, std::ceil(length / (2 * spacing)))),
              most = static_cast<long>(std::floor(2 * length / spacing));

@@ -8,6 +8,7 @@
 #include "openfoam_cases/time_step.hpp"
 #include "sph/start/initial_lattice.hpp"
 #include "verification/case/changed_input.hpp"
+#include "verification/case/tank_shape.hpp"
 #include "verification/runs/sph_step.hpp"
 
 namespace slosh {
@@ -24,14 +25,14 @@ double steps_to_samples(const CaseDefinition& definition, double longest) {
 }
 
 RunEffort effort_of(const SphRun& sph, const CaseDefinition& definition, const RunDefinition& run) {
-  const double length = definition.liquid.column_width.value_or(definition.tank.length),
-               depth = definition.liquid.fill_depth, fine = sph.surface_particle_spacing,
+  const double depth = definition.liquid.fill_depth, fine = sph.surface_particle_spacing,
                coarse = sph.particle_spacing;
   const double fine_depth = fine < coarse ? std::min(depth, sph::fine_layers * fine) : 0;
+  const double below = liquid_area_below(definition, depth - fine_depth),
+               above = liquid_area(definition) - below;
   const std::optional<SphStep> step = sph_step(definition, run);
-  return {
-      .steps = step ? definition.duration / step->between_samples : 0,
-      .elements = length * ((depth - fine_depth) / (coarse * coarse) + fine_depth / (fine * fine))};
+  return {.steps = step ? definition.duration / step->between_samples : 0,
+          .elements = below / (coarse * coarse) + above / (fine * fine)};
 }
 
 RunEffort effort_of(const InterFoamRun& mesh, const CaseDefinition& definition,
@@ -53,8 +54,10 @@ RunEffort effort_of(const InterFoamRun& mesh, const CaseDefinition& definition,
       .cells_z = mesh.cells_z};
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
+  // The cells divide the rectangle around an outline, and those outside it are left out.
+  const double share = tank_area(definition.tank) / (tank.length * tank.height);
   return {.steps = steps_to_samples(definition, openfoam::max_time_step(tank)),
-          .elements = static_cast<double>(mesh.cells_x) * mesh.cells_z,
+          .elements = share * mesh.cells_x * mesh.cells_z,
           .pressure_corrections = openfoam::pressure_corrections(tank)};
 }
 

@@ -49,8 +49,10 @@ json description(const MotionDefinition& motion) {
 }
 
 json description(const PressureGaugeDefinition& gauge) {
-  return {gauge.name, static_cast<int>(gauge.wall), gauge.position, gauge.width,
-          number_or_null(gauge.filter_cutoff)};
+  json described{gauge.name, static_cast<int>(gauge.wall), gauge.position, gauge.width,
+                 number_or_null(gauge.filter_cutoff)};
+  if (gauge.at) described.push_back({gauge.at->x, gauge.at->z});
+  return described;
 }
 
 // An external program may read anything of the case.
@@ -87,6 +89,8 @@ json physics(const CaseDefinition& definition) {
     described["probes"].push_back({probe.name, probe.x, probe.z});
   for (const Wall wall : definition.wall_forces)
     described["wall_forces"].push_back(name_of(wall, wall_names));
+  for (const Corner& corner : definition.tank.outline)
+    described["outline"].push_back({corner.x, corner.z});
   if (definition.tank.breadth)
     described["breadth"] = {*definition.tank.breadth, gap_friction(definition)};
   return described;

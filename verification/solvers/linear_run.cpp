@@ -8,6 +8,7 @@
 #include "reference/linear_surge.hpp"
 #include "reference/standing_wave.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/sensor_place.hpp"
 #include "verification/solvers/reference_tank.hpp"
 #include "verification/solvers/solver_runs.hpp"
 
@@ -188,11 +189,6 @@ class LinearTank {
   std::optional<reference::StandingWave> wave_;
 };
 
-bool under_still_water(const PressureGaugeDefinition& gauge, const CaseDefinition& definition) {
-  return gauge.wall == Wall::bottom ||
-         gauge.position + gauge.width / 2 < definition.liquid.fill_depth;
-}
-
 }  // namespace
 
 void require_scene(const LinearRun&, const CaseDefinition& definition, const RunDefinition& run) {
@@ -223,7 +219,7 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
   for (const GaugeDefinition& gauge : definition.gauges)
     add("elevation@" + gauge.name, "m", tank.elevation(gauge.x - centre));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    if (under_still_water(gauge, definition))
+    if (is_under_still_water(definition, gauge))
       add("wall_pressure@" + gauge.name, "Pa", tank.wall_pressure(gauge));
   for (const ProbeDefinition& probe : definition.probes) {
     if (!(probe.z < definition.liquid.fill_depth)) continue;

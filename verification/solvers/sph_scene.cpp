@@ -39,6 +39,11 @@ sph::Wall wall_of(Wall wall) {
   return sph::Wall::roof;
 }
 
+sph::PressureGauge sensor_of(const PressureGaugeDefinition& gauge) {
+  sph::PressureGauge sensor{gauge.name, wall_of(gauge.wall), gauge.position, gauge.width};
+  return sensor;
+}
+
 }  // namespace
 
 // A number of the scheme that the case's runs can change needs a row in SphNumbers, its list of
@@ -79,12 +84,14 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
                    .record_still_water = still_water,
                    .record_energy_budget = sph.energy_budget,
                    .record_snapshot = {}};
+  for (const Corner& corner : definition.tank.outline)
+    scene.outline.push_back({corner.x, corner.z});
   if (const auto& wave = definition.initial_wave)
     scene.initial_wave = sph::InitialWave{wave->mode, wave->amplitude};
   for (const GaugeDefinition& gauge : definition.gauges)
     scene.gauges.push_back({gauge.name, gauge.x});
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    scene.pressure_gauges.push_back({gauge.name, wall_of(gauge.wall), gauge.position, gauge.width});
+    scene.pressure_gauges.push_back(sensor_of(gauge));
   for (const ProbeDefinition& probe : definition.probes)
     scene.probes.push_back({probe.name, probe.x, probe.z});
   for (const Wall wall : definition.wall_forces)

@@ -7,16 +7,16 @@
 #include <numbers>
 #include <sstream>
 
-#include "reference/linear_surge.hpp"
 #include "reports/wording/case_text.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/case/tank_shape.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/runs/expected_cost.hpp"
-#include "verification/solvers/reference_tank.hpp"
+#include "verification/solvers/natural_frequencies.hpp"
 #include "verification/texts/run_summary.hpp"
 
 namespace slosh {
@@ -44,8 +44,12 @@ std::string entry(const std::string& label, const std::string& text) {
   return lines.replace(2, label.size(), label);
 }
 
-std::string wall_text(Wall wall) {
-  return name_of(wall, sensor_wall_names) + (wall == Wall::bottom ? "" : " wall");
+std::string place_text(const PressureGaugeDefinition& gauge) {
+  if (gauge.at)
+    return fmt::format("on the outline at x = {:g} m, z = {:g} m", gauge.at->x, gauge.at->z);
+  const bool is_side = gauge.wall == Wall::left || gauge.wall == Wall::right;
+  return fmt::format("on the {}{} at {:g} m", name_of(gauge.wall, wall_names),
+                     is_side ? " wall" : "", gauge.position);
 }
 
 std::string gauges_text(const CaseDefinition& definition) {
@@ -54,7 +58,7 @@ std::string gauges_text(const CaseDefinition& definition) {
     texts.push_back(fmt::format("elevation@{} {:g} m from the left wall", gauge.name, gauge.x));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     texts.push_back(fmt::format(
-        "wall_pressure@{} on the {} at {:g} m{}", gauge.name, wall_text(gauge.wall), gauge.position,
+        "wall_pressure@{} {}{}", gauge.name, place_text(gauge),
         gauge.filter_cutoff ? fmt::format(", also filtered at {:g} Hz", *gauge.filter_cutoff)
                             : ""));
   for (const ProbeDefinition& probe : definition.probes)
@@ -74,16 +78,17 @@ std::string frequency_text(double omega) {
 
 std::string frequencies_text(const CaseDefinition& definition) {
   if (definition.gravity == 0) return "none without gravity";
-  const reference::Tank tank = tank_of(definition);
+  const std::vector<double> natural = natural_frequencies(definition, 3);
+  if (natural.empty()) return "not known of a tank of this shape";
   std::string text;
-  for (int m = 1; m <= 3; ++m)
-    text += fmt::format("{}{} {}", m == 1 ? "" : "; ", m,
-                        frequency_text(reference::natural_frequency(tank, m)));
-  text += " for 1, 2 and 3 half waves between the walls, linear theory of still water";
+  for (std::size_t m = 0; m < natural.size(); ++m)
+    text += fmt::format("{}{} {}", m == 0 ? "" : "; ", m + 1, frequency_text(natural[m]));
+  text += is_rectangle(definition.tank)
+              ? " for 1, 2 and 3 half waves between the walls, linear theory of still water"
+              : " for the first modes of the section, linear theory of still water";
   std::vector<std::string> ratios;
   for (const ForcedMode& forced : forced_modes(definition))
-    ratios.push_back(
-        fmt::format("{:.3g}", forced.angular_frequency / reference::natural_frequency(tank, 1)));
+    ratios.push_back(fmt::format("{:.3g}", forced.angular_frequency / natural.front()));
   if (!ratios.empty())
     text += fmt::format("; the motion has {} times the first", fmt::join(ratios, " and "));
   return text;
@@ -91,8 +96,7 @@ std::string frequencies_text(const CaseDefinition& definition) {
 
 std::string flow_text(const CaseDefinition& definition) {
   std::string text = "Flow\n";
-  text += entry("tank", fmt::format("{:g} m long, {:g} m high", definition.tank.length,
-                                    definition.tank.height));
+  text += entry("tank", tank_text(definition.tank));
   text += entry("liquid",
                 fmt::format("{}; {:g} kg/m3, {:g} m2/s", liquid_text(definition),
                             definition.liquid.density, definition.liquid.kinematic_viscosity));

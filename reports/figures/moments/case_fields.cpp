@@ -82,6 +82,8 @@ FieldPanel panel_of(const CaseAssessment& assessment, const std::string& run, do
   panel.label = run + ", " + moment_label(definition, time);
   panel.tank_length = panel.point_width = definition.tank.length;
   panel.tank_height = panel.point_height = definition.tank.height;
+  for (const Corner& corner : definition.tank.outline)
+    panel.outline.push_back({corner.x, corner.z});
   if (const auto roll = roll_motion(definition)) {
     panel.angle = roll->angle(time);
     panel.axis_x = roll->axis_x;

@@ -77,6 +77,20 @@ TEST(CaseFields, ShowPressureAndVelocityInTheTankAsItIsTurned) {
   EXPECT_EQ(fields[0].title, "Pressure and velocity at 1 s");
 }
 
+TEST(CaseFields, HaveTheOutlineOfATankThatIsNoRectangle) {
+  CaseDefinition definition = surge_case();
+  definition.snapshot_times = {1};
+  const CaseRuns runs = runs_with_snapshots({"particles"}, {1});
+  EXPECT_TRUE(case_fields(assess(definition, runs)).at(0).panels.at(0).outline.empty());
+  definition.tank.outline = {{0.2, 0}, {0.8, 0}, {1, 1}, {0, 1}};
+  definition.natural_modes = 0;
+  const reports::FieldPanel panel = case_fields(assess(definition, runs)).at(0).panels.at(0);
+  ASSERT_EQ(panel.outline.size(), 4u);
+  EXPECT_EQ(panel.outline[1].x, 0.8);
+  EXPECT_EQ(panel.outline[2].z, 1);
+  EXPECT_EQ(panel.tank_length, 1);
+}
+
 TEST(CaseFields, OfATankThatDoesNotRollStandLevel) {
   CaseDefinition definition = surge_case();
   definition.snapshot_times = {1};

@@ -376,6 +376,10 @@ TEST(FaultyReport, IsRefusedBeforeAnythingIsWritten) {
   spoilt_panel("short arrows", [](FieldPanel& p) { p.arrow_w.pop_back(); });
   spoilt_panel("flat tank", [](FieldPanel& p) { p.tank_height = 0; });
   spoilt_panel("undefined tank", [&](FieldPanel& p) { p.tank_length = nan; });
+  spoilt_panel("an outline of two corners", [](FieldPanel& p) { p.outline = {{0, 0}, {1, 0}}; });
+  spoilt_panel("an undefined corner", [&](FieldPanel& p) {
+    p.outline = {{0, 0}, {1, 0}, {1, nan}};
+  });
   spoilt_panel("points of no size", [](FieldPanel& p) { p.point_width = -0.01; });
   spoilt_panel("undefined roll", [&](FieldPanel& p) { p.angle = nan; });
   spoilt_panel("undefined axis", [&](FieldPanel& p) { p.axis_z = nan; });

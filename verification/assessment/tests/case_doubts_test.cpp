@@ -58,6 +58,14 @@ TEST(CaseDoubts, NameTheNearestSpacingThatDividesTheTank) {
                      "0.0166667"));
 }
 
+TEST(CaseDoubts, AreNotOfTheSpacingInATankThatIsNoRectangle) {
+  CaseDefinition definition = sound_case();
+  std::get<SphRun>(definition.runs[1].solver).particle_spacing = 0.02;
+  definition.tank.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  definition.natural_modes = 0;
+  EXPECT_EQ(case_doubts(definition, {}), std::vector<std::string>{});
+}
+
 TEST(CaseDoubts, AreOfAGaugeWithinSixSpacingsOfAnObstacle) {
   CaseDefinition definition = sound_case();
   definition.obstacles = {{"baffle", 0.5, 0.52, 0, 0.1}};

@@ -21,8 +21,11 @@ struct Block {
   std::vector<int> numbers;  // of the lines in the file
 };
 
+// A line of a list that runs over several begins with a bracket too, and goes on with no name.
 std::string head_of(const std::string& line) {
-  return line.starts_with('[') ? line.substr(0, line.rfind(']', line.find('#')) + 1) : "";
+  const std::size_t name = line.find_first_not_of('[');
+  const bool is_head = name > 0 && name != line.npos && line[name] >= 'a' && line[name] <= 'z';
+  return is_head ? line.substr(0, line.rfind(']', line.find('#')) + 1) : "";
 }
 
 std::vector<Block> blocks_of(const std::string& text) {

@@ -138,6 +138,11 @@ Json value_schema(const std::string& value) {
   }
   if (begins("list of numbers") || begins("increasing list of numbers"))
     return {{"type", "array"}, {"items", bounded("number", value)}};
+  if (begins("list of corners")) {
+    const Json corner{
+        {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+    return {{"type", "array"}, {"items", corner}, {"minItems", 3}};
+  }
   if (begins("list of")) return {{"type", "array"}, {"items", {{"type", "string"}}}};
   if (begins("integer")) return bounded("integer", value);
   if (begins("number")) return bounded("number", value);

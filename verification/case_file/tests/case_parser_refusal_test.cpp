@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Misspelt",
                 {"length_m = 2", "lenght_m = 2"},
                 "trial.toml:8: tank.lenght_m = 2: expected only these keys here: length_m, "
-                "height_m, breadth_m; nearest known key: length_m"},
+                "height_m, outline_m, diameter_m, breadth_m; nearest known key: length_m"},
         Mistake{"Unknown",
                 {"x_m = 1.95", "x_m = 1.95\ncolour = \"red\""},
                 "trial.toml:28: gauge.colour = \"red\": expected only these keys here: name, x_m; "

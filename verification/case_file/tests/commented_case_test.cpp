@@ -58,7 +58,7 @@ TEST(CommentedCase, ExplainsEachKeyOnceInTheWordsOfTheKeyTable) {
        {"# length_m: number > 0, m. The inner length.\nlength_m = 1.0\n",
         "# fill_depth_m: number > 0 and below the tank's height, m. The still depth.\n",
         "# Not here: breadth_m: number > 0, m. The inner breadth of a narrow tank",
-        "# A rectangular tank, seen from the side.\n[tank]\n"})
+        "# A tank, seen from the side: a rectangle, a polygon or a lying cylinder."})
     EXPECT_NE(text.find(line), text.npos) << line << "\nin\n" << text;
   const std::string once = "# solver: text. The solver: one of the tables below.";
   EXPECT_EQ(text.find(once), text.rfind(once));

@@ -109,6 +109,22 @@ TEST(KeySchema, FindsWhatIsWrongInACase) {
     EXPECT_NE(checker.complaints(with(sound, from, to)), "") << from << " -> " << to;
 }
 
+TEST(KeySchema, TakesOneShapeOfATank) {
+  const Checker checker(case_schema());
+  const std::string shipped =
+      text_of(source / "verification/cases/li2010_small_amplitude_ramp.toml");
+  const auto complaints = [&](const std::string& shape) {
+    return checker.complaints(with(shipped, "length_m = 1.0\nheight_m = 1.0", shape));
+  };
+  EXPECT_EQ(complaints("outline_m = [[0, 0], [1.0, 0], [0.5, 1]]"), "");
+  EXPECT_EQ(complaints("diameter_m = 1.0"), "");
+  for (const char* wrong :
+       {"", "length_m = 1.0\nheight_m = 1.0\ndiameter_m = 1.0", "diameter_m = 0",
+        "outline_m = [[0, 0], [1, 0]]", "outline_m = [[0, 0], [1, 0], [0.5, 1, 2]]",
+        "outline_m = [0, 0, 1, 0, 0, 1]", "outline_m = [[0, 0], [1, \"a\"], [0.5, 1]]"})
+    EXPECT_NE(complaints(wrong), "") << wrong;
+}
+
 TEST(KeySchema, FindsWhatIsWrongInACampaign) {
   const Checker checker(campaign_schema());
   const std::string sound = text_of(source / "verification/campaigns/small_amplitude.toml");

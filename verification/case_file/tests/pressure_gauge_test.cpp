@@ -37,6 +37,16 @@ TEST(PressureGauge, MayReachToTheWallsEnds) {
   EXPECT_EQ(definition.pressure_gauges.at(1).wall, Wall::bottom);
 }
 
+TEST(PressureGauge, MayBeInTheRoof) {
+  const CaseDefinition definition =
+      read_text(edited(gauge("name = \"a\"\nwall = \"roof\"\nposition_m = 1.9\nwidth_m = 0.2\n")));
+  EXPECT_EQ(definition.pressure_gauges.at(0).wall, Wall::roof);
+  EXPECT_EQ(definition.pressure_gauges.at(0).position, 1.9);
+  EXPECT_TRUE(complaint_about(gauge("name = \"b\"\nwall = \"roof\"\nposition_m = 2.1\n"))
+                  .starts_with("trial.toml:34: pressure_gauge.position_m = 2.1: expected a number "
+                               "from 0 to the tank's length (2), in m from the left wall"));
+}
+
 TEST(PressureGauge, MayBeTheOnlyGauge) {
   std::string text = edited(gauge("name = \"b\"\nwall = \"left\"\nposition_m = 0.093\n"));
   const std::size_t gauges = text.find("[[gauge]]");
@@ -56,7 +66,7 @@ TEST(PressureGauge, IsRefusedWhereItMakesNoSense) {
        "bottom"},
       {named + "wall = \"lift\"\n",
        "trial.toml:33: pressure_gauge.wall = \"lift\": expected a wall, one of left, right, "
-       "bottom; nearest: left"},
+       "bottom, roof; nearest: left"},
       {left,
        "trial.toml:31: pressure_gauge.position_m is missing: expected a number from 0 to the "
        "tank's height (1), in m from the bottom"},
@@ -82,7 +92,7 @@ TEST(PressureGauge, IsRefusedWhereItMakesNoSense) {
        "trial.toml:35: pressure_gauge.filter_cutoff_Hz = 0: expected a number > 0"},
       {left + "position_m = 0.1\nhight_m = 0.1\n",
        "trial.toml:35: pressure_gauge.hight_m = 0.1: expected only these keys here: name, wall, "
-       "position_m, width_m, filter_cutoff_Hz; nearest known key: width_m"},
+       "position_m, x_m, z_m, width_m, filter_cutoff_Hz; nearest known key: width_m"},
       {left + "position_m = 0.1\n[[pressure_gauge]]\n" + left + "position_m = 0.2\n",
        "trial.toml:36: pressure_gauge.name = \"b\": expected a name that no other pressure_gauge "
        "has"}};
@@ -108,6 +118,12 @@ TEST(PressureGauge, IsNotBehindAnObstacle) {
   EXPECT_EQ(complaint_beside("right", "0.1", step), "");
   EXPECT_EQ(
       complaint_beside("bottom", "0.1", "left_m = 0\nright_m = 0.3\nbottom_m = 0.1\ntop_m = 0.2\n"),
+      "");
+  EXPECT_NE(
+      complaint_beside("roof", "0.1", "left_m = 0\nright_m = 0.3\nbottom_m = 0.8\ntop_m = 1\n"),
+      "");
+  EXPECT_EQ(
+      complaint_beside("roof", "0.1", "left_m = 0\nright_m = 0.3\nbottom_m = 0.8\ntop_m = 0.9\n"),
       "");
   EXPECT_NE(
       complaint_beside("right", "0.3", "left_m = 1.8\nright_m = 2\nbottom_m = 0.25\ntop_m = 0.4\n"),

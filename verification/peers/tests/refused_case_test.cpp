@@ -142,5 +142,26 @@ TEST(WrittenRun, IsReadByTheParserOfCaseFilesForShippedCases) {
     }
 }
 
+// Every code but the tables is told rectangles alone.
+TEST(RefusedCase, TellsThatACodeKnowsRectanglesAlone) {
+  const std::string outline = "outline_m = [[0, 0], [1, 0], [1, 0.6], [0.1, 0.6]]";
+  std::string sloped =
+      replaced(replaced(plain_case, "length_m = 1.0\nheight_m = 0.6", outline),
+               "solver = \"potential\"", "solver = \"interfoam\"\ncells_x = 20\ncells_z = 12");
+  for (const PeerCode& code : peer_codes()) {
+    const std::string message = refusal(sloped, code.name);
+    if (code.takes_outline)
+      EXPECT_EQ(message, "") << code.name;
+    else
+      EXPECT_EQ(message, at(sloped, outline) + "tank." + outline +
+                             ": expected a rectangle, length_m and height_m, for " + code.title);
+  }
+  const std::string round = replaced(sloped, outline, "diameter_m = 1.1");
+  EXPECT_EQ(refusal(round, "dualsphysics"),
+            at(round, "diameter_m") +
+                "tank.diameter_m = 1.1: expected a rectangle, length_m and "
+                "height_m, for DualSPHysics 5.4");
+}
+
 }  // namespace
 }  // namespace slosh::refused_case_test

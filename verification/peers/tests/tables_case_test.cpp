@@ -45,6 +45,33 @@ TEST(CsvCase, HoldsTheGeometryCounterClockwise) {
             (Texts{"0", "0", "0.6", "0.6", "0", "0", "0.35", "0.35", "0", "0", "0.1", "0.1"}));
 }
 
+TEST(CsvCase, HoldsTheCornersOfATankThatIsNoRectangle) {
+  Handed handed(replaced(replaced(plain_case, "length_m = 1.0\nheight_m = 0.6",
+                                  "outline_m = [[0, 0], [1, 0], [1, 0.7], [0, 0.7], [0, 0.1]]"),
+                         "solver = \"potential\"",
+                         "solver = \"interfoam\"\ncells_x = 20\ncells_z = 12") +
+                "[[pressure_gauge]]\nname = \"P\"\nx_m = 1\nz_m = 0.25\n");
+  const auto table = handed.to("csv").table("geometry.csv");
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(table.at("part"), (Texts{"tank", "tank", "tank", "tank", "tank", "liquid", "liquid",
+                                     "liquid", "liquid", "liquid"}));
+  EXPECT_EQ(table.at("x_m"), (Texts{"0", "1", "1", "0", "0", "0", "1", "1", "0", "0"}));
+  EXPECT_EQ(table.at("z_m"),
+            (Texts{"0", "0", "0.7", "0.7", "0.1", "0", "0", "0.35", "0.35", "0.1"}));
+  const auto gauges = handed.table("gauges.csv");
+  EXPECT_EQ(gauges.at("x_m").back(), "1");
+  EXPECT_EQ(gauges.at("z_m").back(), "0.25");
+  EXPECT_FALSE(fs::exists(handed.directory() / "tank.json"));
+}
+
+TEST(CsvCase, HoldsASensorInTheRoof) {
+  Handed handed(plain_case +
+                "[[pressure_gauge]]\nname = \"P\"\nwall = \"roof\"\nposition_m = 0.3\n");
+  const auto gauges = handed.to("csv").table("gauges.csv");
+  EXPECT_EQ(gauges.at("x_m").back(), "0.3");
+  EXPECT_EQ(gauges.at("z_m").back(), "0.6");
+}
+
 TEST(CsvCase, HoldsTheInitialWaveAsTheLiquidsPolygon) {
   Handed handed(plain_case + "[initial_wave]\nmode = 2\namplitude_m = 0.01\n");
   const auto x = handed.to("csv").numbers("geometry.csv", "x_m"),

@@ -79,11 +79,13 @@ TEST(TankFile, SetsTheLiquidOffAgainstATankThatStartsInTheEarthsFrame) {
 }
 
 TEST(TankFile, RefusesWhatItHasNoPlaceFor) {
-  CaseDefinition rolls = surging_tank(), blocked = surging_tank(), dam = surging_tank();
+  CaseDefinition rolls = surging_tank(), blocked = surging_tank(), dam = surging_tank(),
+                 sloped = surging_tank();
   rolls.motion.roll = RollDefinition{SineMotion{.amplitude = 0.1, .angular_frequency = 3}, 0.5, 0};
   blocked.obstacles.push_back({"baffle", 0.4, 0.5, 0, 0.1});
   dam.liquid.column_width = 0.3;
-  for (const CaseDefinition& definition : {rolls, blocked, dam})
+  sloped.tank.outline = {{0, 0}, {1, 0}, {0, 1}};
+  for (const CaseDefinition& definition : {rolls, blocked, dam, sloped})
     EXPECT_THROW(tank_file(definition), std::invalid_argument);
 }
 

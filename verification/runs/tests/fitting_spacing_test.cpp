@@ -41,6 +41,13 @@ TEST(FittingSpacing, OfLengthsWithoutACommonDivisorIsWithinTheStretchOfALattice)
   EXPECT_EQ(spacing_hint(refusal, definition, run_with(found)), "");
 }
 
+TEST(FittingSpacing, IsNotSoughtInATankThatIsNoRectangle) {
+  CaseDefinition definition = tank_of(1, 0.1);
+  definition.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}};
+  EXPECT_FALSE(nearest_fitting_spacing(definition, 0.03));
+  EXPECT_EQ(spacing_hint(refusal, definition, run_with(0.03)), "");
+}
+
 TEST(FittingSpacing, IsToldWhereARunsSpacingDoesNotFit) {
   const CaseDefinition definition = tank_of(1, 0.1);
   EXPECT_EQ(spacing_hint(refusal, definition, run_with(0.03)),

@@ -38,6 +38,15 @@ TEST_F(RunKey, IsTheSameForTheSameRun) {
   EXPECT_EQ(key(sample_case(), sph).size(), 65u);
 }
 
+// The keys of results that were stored before tanks had outlines.
+TEST_F(RunKey, OfARectangularTankDoesNotKnowOfOutlines) {
+  CaseDefinition definition = sample_case();
+  const std::string plain = key(definition, sph);
+  EXPECT_EQ(plain.substr(0, 32), "5634662564c68da25d2960d3b52328cb");
+  definition.pressure_gauges = {{"left", Wall::left, 0.1, 0.01, 10}};
+  EXPECT_EQ(key(definition, sph).substr(0, 32), "5b9828da6c63ed72d2fea468c671cf06");
+}
+
 TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
   const std::string before = key(sample_case(), sph);
   const std::vector<std::function<void(CaseDefinition&)>> changes{
@@ -45,6 +54,12 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       [](auto& c) { c.tank.length = 1.01; },
       [](auto& c) { c.tank.height = 0.9; },
       [](auto& c) { c.tank.breadth = 0.06; },
+      [](auto& c) {
+        c.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}};
+      },
+      [](auto& c) {
+        c.tank.outline = {{0, 0}, {1, 0}, {0.6, 1}};
+      },
       [](auto& c) { c.liquid.fill_depth = 0.36; },
       [](auto& c) { c.liquid.density = 999; },
       [](auto& c) { c.liquid.column_width = 0.3; },
@@ -103,6 +118,13 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
       },
       [](auto& c) {
         c.pressure_gauges = {{"left", Wall::left, 0.1, 0, 10}};
+      },
+      [](auto& c) {
+        c.pressure_gauges = {{.name = "left", .wall = Wall::left, .position = 0.1, .at = Corner{}}};
+      },
+      [](auto& c) {
+        c.pressure_gauges = {
+            {.name = "left", .wall = Wall::left, .position = 0.1, .at = Corner{0, 0.2}}};
       },
       [](auto& c) { c.start = Start::tank; },
       [](auto& c) { c.duration = 3; },

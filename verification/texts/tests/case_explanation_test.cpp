@@ -66,6 +66,25 @@ TEST(CaseExplanation, TellsWhatARunAtTheEndOfAnInputIsFor) {
                     "repeats coarse with fill_depth less by 0.0005 m, for u_input"));
 }
 
+TEST(CaseExplanation, TellsTheShapeOfTheTankAndWhereItsSensorsSit) {
+  CaseDefinition definition = tank();
+  EXPECT_TRUE(holds(explanation(definition, {}), "tank 1 m long, 1 m high "));
+  definition.pressure_gauges = {{"a", Wall::roof, 0.3}, {"b", Wall::left, 0.1}};
+  EXPECT_TRUE(holds(explanation(definition, {}),
+                    "wall_pressure@a on the roof at 0.3 m; wall_pressure@b on the left wall at 0.1 "
+                    "m"));
+  definition.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}};
+  definition.pressure_gauges = {
+      {.name = "a", .wall = Wall::bottom, .position = 0, .at = Corner{0.75, 0.5}}};
+  const std::string text = explanation(definition, {});
+  EXPECT_TRUE(holds(text, "tank a polygon of 3 corners, 1 m long, 1 m high ")) << text;
+  EXPECT_TRUE(holds(text, "wall_pressure@a on the outline at x = 0.75 m, z = 0.5 m")) << text;
+  EXPECT_TRUE(holds(text, "frequencies not known of a tank of this shape")) << text;
+  definition.tank.diameter = 1;
+  EXPECT_TRUE(holds(explanation(definition, {}),
+                    "tank a lying cylinder of 1 m diameter, as a polygon of 3 corners"));
+}
+
 TEST(CaseExplanation, SaysThatACaseWithoutRowsGatesNothing) {
   EXPECT_TRUE(holds(explanation(tank(), {}), "Gate rows none: the case is only shown"));
 }

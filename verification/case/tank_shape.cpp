@@ -1,0 +1,30 @@
+#include "verification/case/tank_shape.hpp"
+
+namespace slosh {
+
+Outline corners_of(const TankDefinition& tank) {
+  if (!is_rectangle(tank)) return tank.outline;
+  return {{0, 0}, {tank.length, 0}, {tank.length, tank.height}, {0, tank.height}};
+}
+
+double tank_area(const TankDefinition& tank) { return signed_area(corners_of(tank)); }
+
+Extent still_surface(const CaseDefinition& definition) {
+  if (is_rectangle(definition.tank)) return {0, definition.tank.length};
+  return extent_at(definition.tank.outline, definition.liquid.fill_depth);
+}
+
+double liquid_area(const CaseDefinition& definition) {
+  return liquid_area_below(definition, definition.liquid.fill_depth);
+}
+
+double liquid_area_below(const CaseDefinition& definition, double level) {
+  if (!is_rectangle(definition.tank)) return area_below(definition.tank.outline, level);
+  return definition.liquid.column_width.value_or(definition.tank.length) * level;
+}
+
+int excited_mode_step(const TankDefinition& tank) {
+  return is_rectangle(tank) || is_symmetric(tank.outline) ? 2 : 1;
+}
+
+}  // namespace slosh

@@ -1,0 +1,124 @@
+#include "verification/case/outline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace slosh::outline_test {
+namespace {
+
+using std::numbers::pi;
+
+// A tank with sloped walls: 1 m at the bottom, 2 m at the top, 1 m high.
+const Outline trapezium{{0.5, 0}, {1.5, 0}, {2, 1}, {0, 1}};
+const Outline bow_tie{{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+
+TEST(Outline, HasItsAreaAndThatBelowALevel) {
+  EXPECT_DOUBLE_EQ(signed_area(trapezium), 1.5);
+  EXPECT_DOUBLE_EQ(signed_area({trapezium.rbegin(), trapezium.rend()}), -1.5);
+  EXPECT_DOUBLE_EQ(area_below(trapezium, 0.5), 0.5 * (1 + 1.5) / 2);
+  EXPECT_DOUBLE_EQ(area_below(trapezium, 1), 1.5);
+  EXPECT_DOUBLE_EQ(area_below(trapezium, 2), 1.5);
+  EXPECT_DOUBLE_EQ(area_below(trapezium, 0), 0);
+}
+
+TEST(Outline, MeetsALevelFromWallToWall) {
+  const Extent middle = extent_at(trapezium, 0.5);
+  EXPECT_DOUBLE_EQ(middle.left, 0.25);
+  EXPECT_DOUBLE_EQ(middle.right, 1.75);
+  EXPECT_DOUBLE_EQ(middle.length(), 1.5);
+  EXPECT_DOUBLE_EQ(extent_at(trapezium, 0).length(), 1);
+  EXPECT_DOUBLE_EQ(extent_at(trapezium, 1).length(), 2);
+}
+
+TEST(Outline, TellsTheSidesThatMeetElsewhereThanAtTheirCorner) {
+  EXPECT_FALSE(crossing_sides(trapezium));
+  EXPECT_EQ(crossing_sides(bow_tie), std::pair(std::size_t{0}, std::size_t{2}));
+  EXPECT_TRUE(crossing_sides({{0, 0}, {1, 0}, {1, 0}, {1, 1}})) << "a corner twice";
+  EXPECT_TRUE(crossing_sides({{0, 0}, {1, 0}, {0.5, 0}, {1, 1}})) << "a side runs back";
+  EXPECT_TRUE(crossing_sides({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}})) << "a corner on a side";
+  EXPECT_FALSE(crossing_sides({{0, 0}, {1, 0}, {2, 0}, {1, 1}})) << "a corner in a straight side";
+}
+
+TEST(Outline, IsCutInOnePieceUnlessItHasTwoHumpsOrTwoPits) {
+  EXPECT_TRUE(is_in_one_piece_at_each_level(trapezium));
+  EXPECT_TRUE(is_in_one_piece_at_each_level({{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {2, 1}, {0, 1}}))
+      << "a step";
+  EXPECT_FALSE(is_in_one_piece_at_each_level({{0, 0}, {2, 0}, {2, 1}, {1, 0.5}, {0, 1}}));
+  EXPECT_FALSE(is_in_one_piece_at_each_level({{0, 0}, {1, 0.5}, {2, 0}, {2, 1}, {0, 1}}));
+}
+
+TEST(Outline, ContainsItsInsideAndItsSides) {
+  EXPECT_TRUE(contains(trapezium, {1, 0.5}));
+  EXPECT_TRUE(contains(trapezium, {1, 0}));
+  EXPECT_TRUE(contains(trapezium, {0.25, 0.5}));
+  EXPECT_TRUE(contains(trapezium, {2, 1}));
+  EXPECT_FALSE(contains(trapezium, {0.2, 0.5}));
+  EXPECT_FALSE(contains(trapezium, {1, -0.001}));
+  EXPECT_FALSE(contains(trapezium, {1.8, 0.5}));
+}
+
+TEST(Outline, HasTheNearestPlaceOnASide) {
+  const PlaceOnOutline on = nearest_on(trapezium, {1.2, -0.1});
+  EXPECT_EQ(on.side, 0u);
+  EXPECT_DOUBLE_EQ(on.along, 0.7);
+  EXPECT_DOUBLE_EQ(on.distance, 0.1);
+  EXPECT_DOUBLE_EQ(on.place.x, 1.2);
+  EXPECT_DOUBLE_EQ(on.place.z, 0);
+  EXPECT_DOUBLE_EQ(side_length(trapezium, 1), std::sqrt(1.25));
+}
+
+TEST(Outline, IsFollowedRoundItsCorners) {
+  const Outline square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const Corner up = moved_along(square, {0.9, 0}, 0.3);
+  EXPECT_NEAR(up.x, 1, 1e-15);
+  EXPECT_NEAR(up.z, 0.2, 1e-15);
+  const Corner back = moved_along(square, {0.1, 0}, -0.3);
+  EXPECT_NEAR(back.x, 0, 1e-15);
+  EXPECT_NEAR(back.z, 0.2, 1e-15);
+}
+
+TEST(Outline, IsSymmetricWhereItsImageIsTheSame) {
+  EXPECT_TRUE(is_symmetric(trapezium));
+  EXPECT_TRUE(is_symmetric(cylinder_outline(0.3)));
+  EXPECT_FALSE(is_symmetric({{0, 0}, {1, 0}, {2, 1}, {0, 1}}));
+}
+
+TEST(CylinderOutline, HasTheCirclesAreaAndAFlatBottomFromTheOrigin) {
+  for (const double diameter : {0.1, 1.0, 37.3}) {
+    const Outline outline = cylinder_outline(diameter);
+    ASSERT_EQ(outline.size(), 128u);
+    const double area = pi * diameter * diameter / 4;
+    EXPECT_NEAR(signed_area(outline), area, 1e-13 * area);
+    EXPECT_EQ(outline.front().z, 0);
+    EXPECT_EQ(outline.back().z, 0);
+    double least_x = 1, least_z = 1, length = 0, height = 0;
+    for (const Corner& corner : outline) {
+      least_x = std::min(least_x, corner.x);
+      least_z = std::min(least_z, corner.z);
+      length = std::max(length, corner.x);
+      height = std::max(height, corner.z);
+    }
+    EXPECT_EQ(least_x, 0);
+    EXPECT_EQ(least_z, 0);
+    EXPECT_EQ(length, height);
+    EXPECT_NEAR(length, 0.9999 * diameter, 1e-5 * diameter);
+    EXPECT_FALSE(crossing_sides(outline));
+    EXPECT_TRUE(is_in_one_piece_at_each_level(outline));
+    EXPECT_NEAR(area_below(outline, height / 2), area / 2, 1e-13 * area);
+  }
+}
+
+// The segment of a circle below the depth h: r^2 acos(1 - h / r) - (r - h) sqrt(2 r h - h^2).
+TEST(CylinderOutline, HoldsTheLiquidOfTheCircle) {
+  const Outline outline = cylinder_outline(1);
+  for (const double depth : {0.2, 0.35, 0.7}) {
+    const double r = 0.5, circle = r * r * std::acos(1 - depth / r) -
+                                   (r - depth) * std::sqrt(2 * r * depth - depth * depth);
+    EXPECT_NEAR(area_below(outline, depth), circle, 5e-4 * circle) << depth;
+  }
+}
+
+}  // namespace
+}  // namespace slosh::outline_test

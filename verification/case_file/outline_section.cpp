@@ -1,0 +1,84 @@
+// The outline of a tank that is no rectangle: corners, or the diameter of a lying cylinder.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "verification/case/outline.hpp"
+#include "verification/case_file/case_sections.hpp"
+
+namespace slosh {
+namespace {
+
+// Every side is compared with every other one; a circle of as many corners has its area to 1e-5.
+constexpr std::size_t most_corners = 1000;
+
+Outline read_corners(const TomlTable& tank) {
+  Outline outline;
+  for (const auto& [x, z] : tank.pairs("outline_m", "a corner [x, z] of two finite numbers, in m"))
+    outline.push_back({x, z});
+  if (outline.size() < 3 || outline.size() > most_corners)
+    tank.refuse("outline_m", fmt::format("3 to {} corners [x, z], in m, where these are {}",
+                                         most_corners, outline.size()));
+  return outline;
+}
+
+// The tank's frame begins at the left end and at the lowest place of its outline.
+void refuse_other_origin(const TomlTable& tank, const Outline& outline) {
+  const auto refuse_unless_zero = [&](double Corner::*coordinate, const char* name) {
+    const auto least = std::min_element(outline.begin(), outline.end(),
+                                        [&](const Corner& one, const Corner& other) {
+                                          return one.*coordinate < other.*coordinate;
+                                        });
+    if ((*least).*coordinate != 0)
+      tank.refuse_element("outline_m", static_cast<std::size_t>(least - outline.begin()),
+                          fmt::format("corners whose smallest {0} is 0, in m, where this {0} is "
+                                      "the smallest",
+                                      name));
+  };
+  refuse_unless_zero(&Corner::x, "x");
+  refuse_unless_zero(&Corner::z, "z");
+}
+
+void refuse_impossible_shape(const TomlTable& tank, const Outline& outline) {
+  if (const auto sides = crossing_sides(outline))
+    tank.refuse("outline_m",
+                fmt::format("sides that meet at their common corners alone, where the sides that "
+                            "begin at the corners {} and {} meet elsewhere",
+                            sides->first + 1, sides->second + 1));
+  if (!(signed_area(outline) > 0))
+    tank.refuse("outline_m", "corners in counter-clockwise order, where these are clockwise");
+  if (!is_in_one_piece_at_each_level(outline))
+    tank.refuse("outline_m",
+                "a tank that each horizontal line cuts in two places at most, so that its liquid "
+                "has one surface");
+}
+
+}  // namespace
+
+bool tells_outline(const TomlTable& tank) {
+  return tank.has("outline_m") || tank.has("diameter_m");
+}
+
+TankDefinition read_outline(const TomlTable& tank) {
+  const std::string key = tank.has("outline_m") ? "outline_m" : "diameter_m";
+  for (const char* other : {"length_m", "height_m", "diameter_m"})
+    if (other != key && tank.has(other))
+      tank.refuse(other,
+                  fmt::format("no {} beside {}, which tells the tank's whole shape", other, key));
+  TankDefinition read{};
+  if (key == "diameter_m") {
+    read.diameter = tank.get("diameter_m", positive("m"));
+    read.outline = cylinder_outline(*read.diameter);
+  } else {
+    read.outline = read_corners(tank);
+    refuse_other_origin(tank, read.outline);
+    refuse_impossible_shape(tank, read.outline);
+  }
+  for (const Corner& corner : read.outline) {
+    read.length = std::max(read.length, corner.x);
+    read.height = std::max(read.height, corner.z);
+  }
+  return read;
+}
+
+}  // namespace slosh

@@ -1,0 +1,19 @@
+// The one place that knows the natural frequencies of a case's tank: the comparison fits these
+// modes, and the page, the doubts and the theories' ranges name them.
+#pragma once
+
+#include <vector>
+
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+
+// Returns the frequencies of the tank's first `count` modes [rad/s], lowest first, by linear theory
+// of still water without gas. In a rectangle the mode n has n half waves between the walls. There
+// are none without gravity, nor where no theory of the tank's shape is known.
+std::vector<double> natural_frequencies(const CaseDefinition& definition, int count);
+
+// Returns those of the modes that natural_modes() of quantities.hpp names.
+std::vector<double> excited_frequencies(const CaseDefinition& definition, int count);
+
+}  // namespace slosh

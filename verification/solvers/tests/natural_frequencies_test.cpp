@@ -1,0 +1,44 @@
+#include "verification/solvers/natural_frequencies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verification/tests/sample_case.hpp"
+
+namespace slosh::natural_frequencies_test {
+namespace {
+
+double of_rectangle(int half_waves) {
+  const double k = half_waves * std::numbers::pi;
+  return std::sqrt(9.81 * k * std::tanh(0.35 * k));
+}
+
+TEST(NaturalFrequencies, OfARectangleAreThoseOfLinearTheory) {
+  const std::vector<double> found = natural_frequencies(sample_case(), 3);
+  ASSERT_EQ(found.size(), 3u);
+  for (int n = 1; n <= 3; ++n)
+    EXPECT_NEAR(found[static_cast<std::size_t>(n) - 1], of_rectangle(n), 1e-12);
+}
+
+TEST(NaturalFrequencies, ThatTheMotionExcitesAreThoseOfTheOddModes) {
+  const std::vector<double> found = excited_frequencies(sample_case(), 2);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0], of_rectangle(1), 1e-12);
+  EXPECT_NEAR(found[1], of_rectangle(3), 1e-12);
+}
+
+TEST(NaturalFrequencies, AreNoneWithoutGravityOrATheoryOfTheShape) {
+  CaseDefinition definition = sample_case();
+  definition.gravity = 0;
+  EXPECT_TRUE(natural_frequencies(definition, 2).empty());
+  EXPECT_TRUE(excited_frequencies(definition, 2).empty());
+  definition = sample_case();
+  definition.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}};
+  EXPECT_TRUE(natural_frequencies(definition, 2).empty());
+  EXPECT_TRUE(excited_frequencies(definition, 2).empty());
+}
+
+}  // namespace
+}  // namespace slosh::natural_frequencies_test
