@@ -114,7 +114,8 @@ struct Row<InterFoamRun> : CommonRow {
 
 template <>
 struct Row<LinearRun> : CommonRow {
-  static constexpr SolverKind kind{.name = "linear", .role = SolverRole::theory};
+  static constexpr SolverKind kind{
+      .name = "linear", .role = SolverRole::theory, .takes_outline = true};
   static bool sees_gas(const LinearRun& linear) { return linear.two_layer; }
   static std::string modes(const LinearRun& linear) {
     return linear.modes > 0 ? fmt::format(", {} modes", linear.modes) : "";

@@ -43,8 +43,9 @@ const std::vector<KeyTable>& case_key_tables() {
        "yes",
        "A tank, seen from the side: a rectangle, a polygon or a lying cylinder. x counts from its "
        "left end and z from its lowest place. Beside outline_m or diameter_m there is no obstacle, "
-       "no initial wave, no column_width_m and no wall_forces, natural_modes is 0, and only the "
-       "solvers sph, interfoam, record, external and stored take the case.",
+       "no initial wave, no column_width_m and no wall_forces, and only the solvers sph, "
+       "interfoam, "
+       "linear, record, external and stored take the case.",
        {{"length_m", "number > 0, m", "one of the three", "The inner length."},
         {"height_m", "number > 0, m", "with length_m", "The inner height, to the roof."},
         {"outline_m", "list of corners [x, z], m", "one of the three",
@@ -259,8 +260,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"window_end_s", "number above window_begin_s and <= duration_s, s", "no",
          "Default: duration_s."},
         {"natural_modes", "integer >= 0", "yes",
-         "The number of natural modes that are fitted beside the forced one: 0 for a dam, without "
-         "gravity or beside outline_m and diameter_m, at most 1 for a still tank's initial wave."},
+         "The number of natural modes that are fitted beside the forced one: 0 for a dam or "
+         "without gravity, at most 1 for a still tank's initial wave."},
         {"forcing", "\"from_spectrum\"", "no",
          "Finds the forcing frequency of a motion table from its spectrum in this window, and "
          "refuses a table that is not nearly one sine there."},
@@ -335,12 +336,15 @@ const std::vector<KeyTable>& case_key_tables() {
       {"run.linear",
        "[[run]] with solver = \"linear\"",
        "no",
-       "Linear potential theory, in closed form. A dam, an obstacle, and a still tank without an "
+       "Linear potential theory, in closed form, or in a tank that is no rectangle by spectral "
+       "elements. A dam, an obstacle, and a still tank without an "
        "initial wave are refused.",
        {{"modes", "integer >= 1", "yes, but refused for a still tank's initial wave",
-         "The number of natural modes that are summed."},
+         "The number of natural modes that are summed; at most 150 in a tank that is no rectangle, "
+         "whose modes are computed."},
         {"two_layer", "true or false", "no",
-         "Whether the gas above the liquid takes part: the form to compare interFoam with."},
+         "Whether the gas above the liquid takes part: the form to compare interFoam with. Refused "
+         "in a tank that is no rectangle."},
         {"valid_elevation_over_depth", "number > 0, fill depths", "yes",
          "The elevation up to which the solution may judge. Beyond it the curve is drawn and never "
          "gates."}}},

@@ -28,7 +28,7 @@ TankDefinition read_outline(const TomlTable& tank);
 void refuse_beside_outline(const TomlTable& root, const CaseDefinition& definition);
 void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& definition);
 void refuse_solver_of_outline(const TomlTable& run, const CaseDefinition& definition);
-Rule<int> natural_modes_of_outline(const CaseDefinition& definition);
+Rule<int> modes_of_outline(const CaseDefinition& definition);
 
 // Reads [[obstacle]]. The definition's tank, liquid and gauges must have been read.
 ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);

@@ -11,6 +11,9 @@
 namespace slosh {
 namespace {
 
+// More modes of a section would need finer elements than the reference has.
+constexpr int most_modes = 150;
+
 // The key of [tank] that tells the outline.
 std::string outline_key(const CaseDefinition& definition) {
   return definition.tank.diameter ? "tank.diameter_m" : "tank.outline_m";
@@ -47,10 +50,9 @@ void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& defi
           "wall depends on (a table names one by forcing_period_s in [comparison])");
 }
 
-Rule<int> natural_modes_of_outline(const CaseDefinition& definition) {
-  return {"0 beside " + outline_key(definition) +
-              ": the natural frequencies of such a tank are not known",
-          [](int modes) { return modes == 0; }, 0};
+Rule<int> modes_of_outline(const CaseDefinition& definition) {
+  return {fmt::format("an integer from 1 to {} beside {}", most_modes, outline_key(definition)),
+          [](int modes) { return modes >= 1 && modes <= most_modes; }, 40};
 }
 
 void refuse_solver_of_outline(const TomlTable& run, const CaseDefinition& definition) {

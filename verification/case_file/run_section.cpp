@@ -119,7 +119,12 @@ LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
   const bool wave_alone = definition.motion.still() && definition.initial_wave;
   if (wave_alone && run.has("modes"))
     run.refuse("modes", "no such key for a still tank: its initial wave is a single mode");
-  return {.modes = wave_alone ? 0 : run.get("modes", at_least(1)),
+  const bool rectangle = is_rectangle(definition.tank);
+  if (!rectangle && run.has("two_layer"))
+    run.refuse("two_layer", "no such key for a tank that is no rectangle: its theory has no gas");
+  return {.modes = wave_alone
+                       ? 0
+                       : run.get("modes", rectangle ? at_least(1) : modes_of_outline(definition)),
           .two_layer = run.flag("two_layer"),
           .valid_elevation_over_depth = read_valid_elevation(run)};
 }

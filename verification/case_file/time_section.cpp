@@ -30,7 +30,6 @@ Rule<double> sampled(const CaseDefinition& definition) {
 Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
   if (definition.gravity == 0)
     return {"0 without gravity: there is no natural mode", [](int modes) { return modes == 0; }, 0};
-  if (!is_rectangle(definition.tank)) return natural_modes_of_outline(definition);
   if (definition.liquid.column_width)
     return {"0 for a dam about to break, which linear theory does not describe",
             [](int modes) { return modes == 0; }, 0};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "reference/section/section_modes.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/tank_shape.hpp"
 #include "verification/solvers/reference_tank.hpp"
@@ -9,7 +10,13 @@
 namespace slosh {
 namespace {
 
-std::vector<double> frequencies_of_outline(const CaseDefinition&, int) { return {}; }
+std::vector<double> frequencies_of_outline(const CaseDefinition& definition, int count) {
+  if (count == 0) return {};
+  const reference::SectionModes modes(section_of(definition), count);
+  std::vector<double> frequencies;
+  for (int mode = 1; mode <= count; ++mode) frequencies.push_back(modes.angular_frequency(mode));
+  return frequencies;
+}
 
 }  // namespace
 

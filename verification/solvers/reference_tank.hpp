@@ -9,6 +9,7 @@
 
 #include "reference/linear_surge.hpp"
 #include "reference/potential_flow/nonlinear_potential_flow.hpp"
+#include "reference/section/section.hpp"
 #include "verification/case/case_definition.hpp"
 
 namespace slosh {
@@ -16,6 +17,15 @@ namespace slosh {
 inline reference::Tank tank_of(const CaseDefinition& definition) {
   return {definition.tank.length, definition.liquid.fill_depth, definition.gravity,
           definition.liquid.density};
+}
+
+// The same of any section, with the tank's coordinates.
+inline reference::Section section_of(const CaseDefinition& definition) {
+  reference::Section section{
+      {}, definition.liquid.fill_depth, definition.gravity, definition.liquid.density};
+  for (const Corner& corner : definition.tank.outline)
+    section.outline.push_back({corner.x, corner.z});
+  return section;
 }
 
 inline reference::Start start_of(const CaseDefinition& definition) {

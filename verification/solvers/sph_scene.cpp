@@ -41,6 +41,7 @@ sph::Wall wall_of(Wall wall) {
 
 sph::PressureGauge sensor_of(const PressureGaugeDefinition& gauge) {
   sph::PressureGauge sensor{gauge.name, wall_of(gauge.wall), gauge.position, gauge.width};
+  if (gauge.at) sensor.at = sph::Corner{gauge.at->x, gauge.at->z};
   return sensor;
 }
 

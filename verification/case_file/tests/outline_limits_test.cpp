@@ -75,11 +75,25 @@ TEST(Outline, ExcludesWhatStandsAtTheWallsOfARectangle) {
     EXPECT_NE(all.find(wanted), std::string::npos) << all << "\nwanted: " << wanted;
 }
 
-TEST(Outline, HasNoNaturalModesToFit) {
-  EXPECT_TRUE(complaint_of(top + replaced(tables, "natural_modes = 0", "natural_modes = 1") + runs)
-                  .starts_with("trial.toml:22: comparison.natural_modes = 1: expected 0 beside "
-                               "tank.diameter_m: the natural frequencies of such a tank are not "
-                               "known"));
+TEST(Outline, HasNaturalModesToFit) {
+  EXPECT_EQ(complaint_of(top + replaced(tables, "natural_modes = 0", "natural_modes = 2") + runs),
+            "");
+}
+
+TEST(Outline, HasALinearTheoryOfUpTo150ModesWithoutGas) {
+  const auto complaint_with = [](const std::string& keys) {
+    return complaint_of(top + tables +
+                        "[[run]]\nname = \"theory\"\nsolver = \"linear\"\n"
+                        "valid_elevation_over_depth = 0.1\n" +
+                        keys + runs);
+  };
+  EXPECT_EQ(complaint_with("modes = 40\n"), "");
+  EXPECT_NE(complaint_with("modes = 1000\n")
+                .find("run.modes = 1000: expected an integer from 1 to 150 beside "
+                      "tank.diameter_m"),
+            std::string::npos);
+  EXPECT_NE(complaint_with("modes = 40\ntwo_layer = true\n").find("its theory has no gas"),
+            std::string::npos);
 }
 
 TEST(Outline, HasFrictionBetweenWallsWhereTheMotionHasOneFrequency) {
@@ -96,13 +110,13 @@ TEST(Outline, HasFrictionBetweenWallsWhereTheMotionHasOneFrequency) {
 }
 
 TEST(Outline, ExcludesSolversThatKnowRectanglesAlone) {
-  for (const std::string solver : {"linear", "potential", "viscous_wave", "pysph"}) {
+  for (const std::string solver : {"potential", "viscous_wave", "pysph"}) {
     const std::string message =
         complaint_of(top + tables + "[[run]]\nname = \"a\"\nsolver = \"" + solver + "\"\n" + runs);
-    EXPECT_TRUE(message.starts_with(
-        "trial.toml:25: run.solver = \"" + solver +
-        "\": expected one of sph, interfoam, record, external, stored, which know more than "
-        "rectangles, beside tank.diameter_m"))
+    EXPECT_TRUE(message.starts_with("trial.toml:25: run.solver = \"" + solver +
+                                    "\": expected one of sph, interfoam, linear, record, external, "
+                                    "stored, which know more than "
+                                    "rectangles, beside tank.diameter_m"))
         << message;
   }
   EXPECT_NE(complaint_of(top + tables + "[[run]]\nname = \"a\"\nsolver = \"intrefoam\"\n" + runs)
@@ -111,8 +125,9 @@ TEST(Outline, ExcludesSolversThatKnowRectanglesAlone) {
 }
 
 TEST(Outline, IsTakenByTheSolversThatKnowMoreThanRectangles) {
-  EXPECT_EQ(solvers_that_take_outlines(),
-            (std::vector<std::string>{"sph", "interfoam", "record", "external", "stored"}));
+  EXPECT_EQ(
+      solvers_that_take_outlines(),
+      (std::vector<std::string>{"sph", "interfoam", "linear", "record", "external", "stored"}));
 }
 
 }  // namespace

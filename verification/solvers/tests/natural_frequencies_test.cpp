@@ -29,15 +29,30 @@ TEST(NaturalFrequencies, ThatTheMotionExcitesAreThoseOfTheOddModes) {
   EXPECT_NEAR(found[1], of_rectangle(3), 1e-12);
 }
 
-TEST(NaturalFrequencies, AreNoneWithoutGravityOrATheoryOfTheShape) {
+TEST(NaturalFrequencies, AreNoneWithoutGravity) {
   CaseDefinition definition = sample_case();
   definition.gravity = 0;
   EXPECT_TRUE(natural_frequencies(definition, 2).empty());
   EXPECT_TRUE(excited_frequencies(definition, 2).empty());
-  definition = sample_case();
-  definition.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}};
-  EXPECT_TRUE(natural_frequencies(definition, 2).empty());
-  EXPECT_TRUE(excited_frequencies(definition, 2).empty());
+}
+
+TEST(NaturalFrequencies, OfAnOutlineAreThoseOfItsSection) {
+  CaseDefinition definition = sample_case();
+  definition.tank.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::vector<double> found = natural_frequencies(definition, 3);
+  ASSERT_EQ(found.size(), 3u);
+  for (int n = 1; n <= 3; ++n)
+    EXPECT_NEAR(found[static_cast<std::size_t>(n) - 1], of_rectangle(n), 1e-7);
+}
+
+// A vertical middle line makes every second mode symmetric, which no surge or roll about it
+// excites.
+TEST(NaturalFrequencies, ThatTheMotionExcitesAreAllOfASkewSection) {
+  CaseDefinition definition = sample_case();
+  definition.tank.outline = {{0.3, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(excited_frequencies(definition, 2), natural_frequencies(definition, 2));
+  definition.tank.outline = {{0.2, 0}, {0.8, 0}, {1, 1}, {0, 1}};
+  EXPECT_EQ(excited_frequencies(definition, 2)[1], natural_frequencies(definition, 3)[2]);
 }
 
 }  // namespace
