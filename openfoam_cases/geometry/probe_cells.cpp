@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "openfoam_cases/errors.hpp"
@@ -21,6 +22,49 @@ Pair between_centres(double at, int cells) {
   return {first, at - 0.5 - first};
 }
 
+// Returns the weights of the plane's value at the probe: those that minimise the sum of
+// (weight * distance)^2 among all that read a linear field without error. Two or three cells in
+// line leave the plane undetermined, and the probe then reads its nearest cell.
+std::vector<CellShare> plane_shares(const TankMesh& mesh, Corner place, Cell own) {
+  const double scale = std::min(mesh.cell_width(), mesh.cell_height());
+  std::vector<CellShare> shares;
+  std::vector<std::array<double, 3>> terms;  // 1 and the place relative to the probe's
+  std::array<std::array<double, 3>, 3> sum{};
+  std::size_t nearest = 0;
+  for (int row = own.row - 1; row <= own.row + 1; ++row) {
+    for (int column = own.column - 1; column <= own.column + 1; ++column) {
+      if (!mesh.is_free({column, row})) continue;
+      const Corner centre = mesh.centre({column, row});
+      const std::array<double, 3> term{1, (centre.x - place.x) / scale,
+                                       (centre.z - place.z) / scale};
+      // A hundredth keeps the weight finite where the probe is at a centre.
+      const double weight = 1 / (term[1] * term[1] + term[2] * term[2] + 0.01);
+      if (!shares.empty() && weight > shares[nearest].weight) nearest = shares.size();
+      shares.push_back({{column, row}, weight});
+      terms.push_back(term);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) sum[i][j] += weight * term[i] * term[j];
+    }
+  }
+  // The first row of the inverse, by cofactors.
+  const auto& s = sum;
+  const std::array<double, 3> cofactors{s[1][1] * s[2][2] - s[1][2] * s[2][1],
+                                        s[1][2] * s[2][0] - s[1][0] * s[2][2],
+                                        s[1][0] * s[2][1] - s[1][1] * s[2][0]};
+  const double determinant =
+      s[0][0] * cofactors[0] + s[0][1] * cofactors[1] + s[0][2] * cofactors[2];
+  if (!(determinant > 1e-3 * s[0][0] * s[1][1] * s[2][2])) return {{shares.at(nearest).cell, 1}};
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    shares[k].weight *=
+        (cofactors[0] * terms[k][0] + cofactors[1] * terms[k][1] + cofactors[2] * terms[k][2]) /
+        determinant;
+  return shares;
+}
+
+bool is_whole(const TankMesh& mesh, Cell cell) {
+  return mesh.is_free(cell) && mesh.whole_cells(cell) == 1;
+}
+
 }  // namespace
 
 std::vector<CellShare> cell_shares(const TankMesh& mesh, double x, double z) {
@@ -32,9 +76,20 @@ std::vector<CellShare> cell_shares(const TankMesh& mesh, double x, double z) {
   const double across = x / mesh.cell_width(), up = z / mesh.cell_height();
   const Cell own{std::min(static_cast<int>(across), mesh.columns() - 1),
                  std::min(static_cast<int>(up), mesh.rows() - 1)};
-  require(mesh.is_free(own), "probe x", x, "a place outside the obstacles");
+  if (mesh.cut())
+    require(is_inside(mesh.cut()->outline(), {x, z}), "probe x", x,
+            fmt::format("with z = {} m a place inside the tank's outline", z));
+  else
+    require(mesh.is_free(own), "probe x", x, "a place outside the obstacles");
   const Pair column = between_centres(across, mesh.columns()),
              row = between_centres(up, mesh.rows());
+  if (mesh.cut()) {
+    bool all_whole = true;
+    for (const int i : {0, 1})
+      for (const int j : {0, 1})
+        all_whole = all_whole && is_whole(mesh, {column.first + i, row.first + j});
+    if (!all_whole) return plane_shares(mesh, {x, z}, own);
+  }
   std::vector<CellShare> shares;
   double sum = 0;
   for (const int i : {0, 1}) {
