@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "openfoam_cases/geometry/cell_order.hpp"
 #include "openfoam_cases/geometry/merge_pieces.hpp"
 #include "openfoam_cases/geometry/straight_points.hpp"
 
@@ -55,7 +56,8 @@ CutCell cell_of(const Loops& loops, std::size_t i, const std::vector<Corner>& po
                .area = 0,
                .centroid = {},
                .inside = {},
-               .is_whole = false};
+               .is_whole = false,
+               .process = 0};
   cell.area = area_of(cell.polygon);
   cell.centroid = cell.inside = centroid_of(cell.polygon);
   if (!is_inside(cell.polygon, cell.inside)) cell.inside = centroid_of(loops.largest[i]);
@@ -64,9 +66,17 @@ CutCell cell_of(const Loops& loops, std::size_t i, const std::vector<Corner>& po
   return cell;
 }
 
+bool is_oblique(const Polygon& polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    if (a.x != b.x && a.z != b.z) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-CutMesh::CutMesh(const Polygon& outline, const UniformGrid& grid)
+CutMesh::CutMesh(const Polygon& outline, const UniformGrid& grid, int processes)
     : outline_(outline),
       grid_(grid),
       index_(static_cast<std::size_t>(grid.columns) * grid.rows, -1) {
@@ -75,11 +85,13 @@ CutMesh::CutMesh(const Polygon& outline, const UniformGrid& grid)
   Loops loops = merged_loops(clipped, least_area * whole_area);
   drop_straight_points(loops.corners, clipped.outline, clipped.points);
   points_ = clipped.points;
+  std::vector<CellToOrder> to_order;
   for (std::size_t i = 0; i < loops.places.size(); ++i)
+    to_order.push_back({loops.places[i], is_oblique(places_of(loops.corners[i], points_))});
+  for (const int i : order_cells(to_order, processes)) {
     cells_.push_back(cell_of(loops, i, points_, whole_area));
-  std::sort(cells_.begin(), cells_.end(), [](const CutCell& a, const CutCell& b) {
-    return std::pair(a.place.row, a.place.column) < std::pair(b.place.row, b.place.column);
-  });
+    cells_.back().process = to_order[i].process;
+  }
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const Cell place = cells_[i].place;
     int& index = index_[static_cast<std::size_t>(place.row) * grid.columns + place.column];

@@ -19,6 +19,7 @@ struct CutCell {
   Corner centroid;           // [m]
   Corner inside;             // [m], the centroid or, where that lies outside, another place
   bool is_whole;             // a uniform cell, neither cut nor merged
+  int process;               // that computes it
 };
 
 // A face between two cells. Seen from begin to end the owner is on the left.
@@ -37,13 +38,14 @@ struct WallFace {
 class CutMesh {
  public:
   // Throws std::invalid_argument where the outline divides a cell into parts of which two are too
-  // large to be merged or touch, and where the cells are in rooms without a connection.
-  CutMesh(const Polygon& outline, const UniformGrid& grid);
+  // large to be merged or touch, where the cells are in rooms without a connection, and as
+  // order_cells() does.
+  CutMesh(const Polygon& outline, const UniformGrid& grid, int processes = 1);
 
   const Polygon& outline() const { return outline_; }
   const UniformGrid& grid() const { return grid_; }
   const std::vector<Corner>& points() const { return points_; }   // [m]
-  const std::vector<CutCell>& cells() const { return cells_; }    // row by row from the bottom
+  const std::vector<CutCell>& cells() const { return cells_; }    // in the order of cell_order.hpp
   const std::vector<InnerFace>& faces() const { return faces_; }  // by owner, then by neighbour
   const std::vector<WallFace>& walls() const { return walls_; }   // along the outline
   double perimeter() const;                                       // [m]

@@ -55,9 +55,8 @@ void write_list(const fs::path& directory, const char* name, const char* type,
                 const std::string& note, std::size_t count, const std::string& entries) {
   std::ofstream out(directory / name);
   out << fmt::format(
-      "FoamFile {{ version 2.0; format ascii; class {}; {}location \"constant/polyMesh\"; object "
-      "{}; }}\n\n{}\n(\n{}\n)\n",
-      type, note, name, count, entries);
+      "FoamFile {{ version 2.0; format ascii; class {}; {}object {}; }}\n\n{}\n(\n{}\n)\n", type,
+      note, name, count, entries);
   if (!out.flush()) throw std::runtime_error("cannot write " + (directory / name).string());
 }
 
@@ -69,6 +68,13 @@ std::string patch(const char* name, const char* type, std::size_t count, std::si
 }
 
 }  // namespace
+
+void write_decomposition(const CutMesh& mesh, const fs::path& case_directory) {
+  std::vector<int> processes;
+  for (const CutCell& cell : mesh.cells()) processes.push_back(cell.process);
+  write_list(case_directory / "constant", "decomposition", "labelList", "", processes.size(),
+             fmt::format("{}", fmt::join(processes, "\n")));
+}
 
 void write_poly_mesh(const CutMesh& mesh, Corner origin, const fs::path& case_directory) {
   const fs::path directory = case_directory / "constant" / "polyMesh";

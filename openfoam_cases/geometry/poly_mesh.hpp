@@ -8,6 +8,10 @@
 
 namespace slosh::openfoam {
 
+// Writes which process has which cell into the case's constant/decomposition, as decomposePar reads
+// it.
+void write_decomposition(const CutMesh& mesh, const std::filesystem::path& case_directory);
+
 // Writes points, faces, owner, neighbour and boundary into the case's constant/polyMesh. The cells
 // are numbered as in the mesh, and `origin` [m] becomes the origin of the points.
 void write_poly_mesh(const CutMesh& mesh, Corner origin,

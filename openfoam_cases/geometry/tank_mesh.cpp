@@ -57,7 +57,8 @@ void TankMesh::cut_by(const SloshingTank& tank) {
     throw std::invalid_argument(
         "OpenFOAM tank: obstacles: expected none in a tank with an outline, which can follow an "
         "obstacle that touches a wall");
-  cut_ = std::make_shared<CutMesh>(tank.outline, UniformGrid{length_, height_, columns_, rows_});
+  cut_ = std::make_shared<CutMesh>(tank.outline, UniformGrid{length_, height_, columns_, rows_},
+                                   tank.processes);
   filled_.assign(filled_.size(), true);
   for (const CutCell& cell : cut_->cells()) filled_[index(cell.place)] = false;
 }

@@ -61,7 +61,7 @@ class TankMesh {
   // are none.
   std::vector<Block> blocks() const;
   // Returns the free cells in OpenFOAM's order: block by block, and in each block row by row from
-  // the bottom; with an outline row by row in all.
+  // the bottom; with an outline in that of cell_order.hpp.
   std::vector<Cell> cells() const;
   // Returns the cell of the reference pressure: of the highest free cells the one nearest the
   // middle. With an outline it is a whole cell, unless there is none.
