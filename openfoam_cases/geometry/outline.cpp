@@ -41,10 +41,14 @@ void check_edges(const Polygon& outline) {
     const Corner a = outline[i], b = next(outline, i), c = outline[(i + 2) % count];
     const double along = (b.x - a.x) * (c.x - b.x) + (b.z - a.z) * (c.z - b.z);
     if ((a.x == b.x && a.z == b.z) || (turn(a, b, c) == 0 && along < 0))
-      throw std::invalid_argument(fmt::format(
-          "OpenFOAM tank: outline corner {} at ({}, {}) m: expected edges that have a length and "
-          "do not run back on themselves",
-          i + 1, b.x, b.z));
+      throw std::invalid_argument(
+          fmt::format("OpenFOAM tank: outline corner {}, counted from 0, at ({}, {}) m: expected "
+                      "edges that have a length and "
+                      "do not run back on themselves",
+                      (i + 1) % count, b.x, b.z));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Corner a = outline[i], b = next(outline, i);
     for (std::size_t k = i + 2; k < count; ++k) {
       if (i == 0 && k + 1 == count) continue;
       if (touch(a, b, outline[k], next(outline, k)))
