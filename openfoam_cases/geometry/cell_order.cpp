@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <tuple>
+#include <utility>
 
 namespace slosh::openfoam {
 namespace {
