@@ -11,6 +11,7 @@
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/geometry/liquid_edge.hpp"
+#include "openfoam_cases/geometry/outline.hpp"
 #include "openfoam_cases/geometry/probe_cells.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
 
@@ -48,6 +49,20 @@ void check_numbers(const SloshingTank& tank) {
   require(tank.cells_z >= 2, "cells_z", tank.cells_z, "at least 2");
   require(tank.processes >= 1 && tank.processes <= tank.cells_x, "processes", tank.processes,
           "between 1 and cells_x");
+}
+
+// Refuses what a mesh that an outline cuts cannot carry.
+void check_cut_tank(const SloshingTank& tank) {
+  check_outline(tank);
+  if (tank.column_width)
+    throw std::invalid_argument(fmt::format(
+        "OpenFOAM tank: column_width = {}: expected none in a tank with an outline, whose bottom "
+        "may not be level for the front to run along",
+        *tank.column_width));
+  if (!tank.loaded_walls.empty())
+    throw std::invalid_argument("OpenFOAM tank: loaded wall \"" + tank.loaded_walls.front() +
+                                "\": expected none in a tank with an outline, whose walls have no "
+                                "such names; the force on the whole tank is recorded in any case");
 }
 
 void check_gauges(const SloshingTank& tank, const TankMesh& mesh) {
@@ -129,16 +144,18 @@ void check_liquid(const SloshingTank& tank, const TankMesh& mesh) {
             "a bottom that the obstacles do not cover, for the front to run along");
   }
   const double volume = initial_volume(tank, mesh);
-  const double room = mesh.free_cells() * mesh.cell_width() * mesh.cell_height();
+  const double room = mesh.room();
   // 1e-9 of the room is what round-off alone could give.
   require(volume > 1e-9 * room && volume < (1 - 1e-9) * room, "liquid volume per metre", volume,
-          fmt::format("between nothing and the {} m2 that the obstacles leave", room));
+          fmt::format("between nothing and the {} m2 that the {} leave{}", room,
+                      mesh.cut() ? "outline" : "obstacles", mesh.cut() ? "s" : ""));
 }
 
 }  // namespace
 
 void check_tank(const SloshingTank& tank) {
   check_numbers(tank);
+  if (!tank.outline.empty()) check_cut_tank(tank);
   const TankMesh mesh(tank);
   if (tank.roll) check_roll(*tank.roll);
   if (tank.initial_wave) check_wave(*tank.initial_wave, tank);
@@ -147,7 +164,7 @@ void check_tank(const SloshingTank& tank) {
   check_gauges(tank, mesh);
   check_pressure_gauges(tank, mesh);
   check_probes(tank, mesh);
-  check_loaded_walls(tank, mesh);
+  if (!tank.loaded_walls.empty()) check_loaded_walls(tank, mesh);
   check_liquid(tank, mesh);
 }
 

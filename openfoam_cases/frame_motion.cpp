@@ -30,8 +30,8 @@ FrameMotion frame_motion(const SloshingTank& tank, double time) {
 Velocity initial_velocity(const SloshingTank& tank, const TankMesh& mesh, Cell cell) {
   if (!tank.roll) return {tank.initial_relative_velocity, 0};
   const double angle = tank.roll->angle(0), rate = tank.roll->initial_relative_rate;
-  const double x = mesh.centre_x(cell.column) - mesh.origin_x();
-  const double z = mesh.centre_z(cell.row) - mesh.origin_z();
+  const Corner centre = mesh.centre(cell);
+  const double x = centre.x - mesh.origin_x(), z = centre.z - mesh.origin_z();
   return {tank.initial_relative_velocity * std::cos(angle) - rate * z,
           -tank.initial_relative_velocity * std::sin(angle) + rate * x};
 }

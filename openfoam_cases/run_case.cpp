@@ -112,7 +112,7 @@ void run_case(const SloshingTank& tank, const fs::path& case_directory, const Pr
   const auto run_utility = [&](const std::string& name) {
     run_stage({name, {name}, limits.utility}, case_directory, {});
   };
-  run_utility("blockMesh");
+  if (tank.outline.empty()) run_utility("blockMesh");
   run_utility("topoSet");
   const char* program = program_of(tank);
   if (tank.processes == 1) {

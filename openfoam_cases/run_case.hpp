@@ -19,11 +19,11 @@ struct TimeLimits {
   double solver = std::numeric_limits<double>::infinity();
 };
 
-// Runs blockMesh, topoSet and interFoam; on several processes also decomposePar and, where there
-// are snapshots, reconstructPar. The output of each stays in log.<stage> in the case directory.
-// Throws RunError where a stage fails or reaches its time limit. The programs belong to the
-// caller's process group. At a time limit, and where `progress` throws, they are ended with every
-// process that they started.
+// Runs blockMesh (not with an outline, whose mesh is written), topoSet and interFoam; on several
+// processes also decomposePar and, where there are snapshots, reconstructPar. The output of each
+// stays in log.<stage> in the case directory. Throws RunError where a stage fails or reaches its
+// time limit. The programs belong to the caller's process group. At a time limit, and where
+// `progress` throws, they are ended with every process that they started.
 void run_case(const SloshingTank& tank, const std::filesystem::path& case_directory,
               const Progress& progress, const TimeLimits& limits = {});
 

@@ -1,4 +1,4 @@
-// A rectangular tank as interFoam (volume of fluid) is to solve it: the tank surges, rolls or both.
+// A tank as interFoam (volume of fluid) is to solve it: the tank surges, rolls or both.
 // The solution is computed in the tank's frame on a static mesh with a tabulated acceleration and
 // slip walls. x is measured from the left wall and z up from the bottom. The liquid starts under a
 // horizontal level, under a wave or as a dam about to break, and the tank may carry obstacles.
@@ -35,11 +35,14 @@ struct Corner {
 
 // A sensor in a wall of the tank that measures the mean pressure over its width.
 struct PressureGauge {
-  enum class Wall { left, right, bottom };
+  enum class Wall { left, right, bottom, roof };
   std::string name;
   Wall wall;
   double position;  // [m] of its middle, above the bottom or from the left wall
   double width;     // [m] along the wall; 0 for a point
+  // Its middle on the outline of a tank that has one, to 1e-6 of the tank's size; the wall and the
+  // position are then ignored. A width that reaches beyond a corner goes on along the next edge.
+  std::optional<Corner> at = {};
 };
 
 // A place in the tank where velocity and pressure are measured [m].
@@ -71,8 +74,10 @@ enum class InterfaceMethod {
 
 struct SloshingTank {
   double length, height, fill_depth;  // [m]
-  // The corners of a tank that is not rectangular, counter-clockwise. Length and height are those
-  // of the rectangle around it, whose bottom left corner is the origin.
+  // The corners of a tank that is not rectangular, counter-clockwise; they form a closed simple
+  // polygon. Length and height are those of the rectangle around it, whose bottom left corner is
+  // the origin, and cells_x and cells_z divide that rectangle (geometry/cut_mesh.hpp). It excludes
+  // obstacles, a column and forces by wall.
   std::vector<Corner> outline = {};
   // The liquid stands from the left wall to here [m]; empty where it reaches from wall to wall.
   std::optional<double> column_width = {};

@@ -25,7 +25,7 @@ std::string number(double value) { return fmt::format("{}", value); }
 // Returns the liquid's volume fraction in each cell, in OpenFOAM's order.
 std::string liquid_fractions(const SloshingTank& tank, const TankMesh& mesh) {
   std::vector<double> fractions;
-  for (const Cell cell : mesh.cells()) fractions.push_back(liquid_share(tank, cell));
+  for (const Cell cell : mesh.cells()) fractions.push_back(liquid_share(tank, mesh, cell));
   return fmt::format("{}", fmt::join(fractions, "\n"));
 }
 
@@ -69,6 +69,8 @@ data place(const TankMesh& mesh, double x, double z) {
   return place;
 }
 
+data place(const TankMesh& mesh, Corner at) { return place(mesh, at.x, at.z); }
+
 // Returns a section with the list of places; false, which omits the section, for an empty list.
 data section(const data& places) {
   if (places.list_value().empty()) return data(false);
@@ -77,7 +79,15 @@ data section(const data& places) {
   return section;
 }
 
-// Returns boxes around the centres of the columns' cells; no box has a centre on its face.
+// Returns the numbers of a column's cut cells.
+data cell_numbers(const TankMesh& mesh, int column) {
+  data section;
+  section.set("labels", fmt::format("{}", fmt::join(mesh.cut()->column(column), " ")));
+  return section;
+}
+
+// Returns boxes around the centres of the columns' cells; no box has a centre on its face. Cut
+// cells, whose centres are elsewhere, are given by their numbers.
 data column_boxes(const SloshingTank& tank, const TankMesh& mesh) {
   const double width = tank.length / tank.cells_x;
   data columns(data::type::list);
@@ -86,6 +96,8 @@ data column_boxes(const SloshingTank& tank, const TankMesh& mesh) {
     column.set("name", column_name(index));
     column.set("x_min", number((index + 0.25) * width - mesh.origin_x()));
     column.set("x_max", number((index + 0.75) * width - mesh.origin_x()));
+    column.set("uniform_cells", data(!mesh.cut()));
+    column.set("cut_cells", mesh.cut() ? cell_numbers(mesh, index) : data(false));
     columns << column;
   }
   return columns;
@@ -127,9 +139,7 @@ data bottom_row(const SloshingTank& tank, const TankMesh& mesh) {
 data gauge_cells(const SloshingTank& tank, const TankMesh& mesh) {
   data places(data::type::list);
   for (const int column : probed_columns(tank, mesh)) {
-    for (const int row : free_rows(mesh, column)) {
-      places << place(mesh, mesh.centre_x(column), mesh.centre_z(row));
-    }
+    for (const int row : free_rows(mesh, column)) places << place(mesh, mesh.inside({column, row}));
   }
   return section(places);
 }
@@ -148,7 +158,7 @@ data probe_cells(const SloshingTank& tank, const TankMesh& mesh) {
   data places(data::type::list);
   for (const Probe& probe : tank.probes) {
     for (const CellShare& share : cell_shares(mesh, probe.x, probe.z)) {
-      places << place(mesh, mesh.centre_x(share.cell.column), mesh.centre_z(share.cell.row));
+      places << place(mesh, mesh.inside(share.cell));
     }
   }
   return section(places);
@@ -166,6 +176,7 @@ data wall_patches(const SloshingTank& tank, const BlockMesh& mesh) {
     return values;
   };
   data patches(data::type::list);
+  if (mesh.hexahedra.empty()) return patches;  // an outline's mesh is no block mesh
   if (!by_wall) {
     patches << patch("walls", mesh.wall_faces);
     return patches;
@@ -228,8 +239,15 @@ data template_values(const SloshingTank& tank) {
   set("first_time_step", first_time_step(tank));
   set("pressure_corrections", pressure_corrections(tank));
   set("processes", tank.processes);
-  set("reference_x", (reference.column + 0.5) * tank.length / tank.cells_x - mesh.origin_x());
-  set("reference_z", (reference.row + 0.5) * tank.height / tank.cells_z - mesh.origin_z());
+  const Corner reference_place = mesh.cut()
+                                     ? mesh.inside(reference)
+                                     : Corner{(reference.column + 0.5) * tank.length / tank.cells_x,
+                                              (reference.row + 0.5) * tank.height / tank.cells_z};
+  set("reference_x", reference_place.x - mesh.origin_x());
+  set("reference_z", reference_place.z - mesh.origin_z());
+  values.set("cut_mesh", data(mesh.cut() != nullptr));
+  values.set("face_normal_gradient", mesh.cut() ? "limited corrected 0.5" : "orthogonal");
+  set("non_orthogonal_corrections", mesh.cut() ? 1 : 0);
   values.set("liquid_fractions", liquid_fractions(tank, mesh));
   const data table = motion_table(tank);
   set("motion_count", table.list_value().size());

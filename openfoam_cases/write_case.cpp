@@ -7,6 +7,8 @@
 
 #include "openfoam_cases/check_tank.hpp"
 #include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/geometry/poly_mesh.hpp"
+#include "openfoam_cases/geometry/tank_mesh.hpp"
 #include "openfoam_cases/template_values.hpp"
 
 namespace slosh::openfoam {
@@ -56,12 +58,17 @@ void write_case(const SloshingTank& tank, const fs::path& template_directory,
   fs::create_directories(case_directory);
   for (const auto& entry : fs::recursive_directory_iterator(template_directory)) {
     const fs::path target = case_directory / fs::relative(entry.path(), template_directory);
+    if (!tank.outline.empty() && entry.path().filename() == "blockMeshDict") continue;
     if (entry.is_directory()) {
       fs::create_directories(target);
     } else {
       fill_template(entry.path(), target, values);
     }
   }
+  if (tank.outline.empty()) return;
+  const TankMesh mesh(tank);
+  write_poly_mesh(*mesh.cut(), {mesh.origin_x(), mesh.origin_z()}, case_directory);
+  if (tank.processes > 1) write_decomposition(*mesh.cut(), case_directory);
 }
 
 }  // namespace slosh::openfoam

@@ -8,8 +8,10 @@
 namespace slosh::openfoam {
 
 // Fills in every file of the template directory and writes it to the same place in the case
-// directory, which must be absent or empty. Throws std::invalid_argument for an impossible tank and
-// for a case directory that is not empty, and RunError for a template with an undefined name.
+// directory, which must be absent or empty. In a tank with an outline it writes the mesh as well,
+// as constant/polyMesh in place of blockMeshDict. Throws std::invalid_argument for an impossible
+// tank and for a case directory that is not empty, and RunError for a template with an undefined
+// name.
 void write_case(const SloshingTank& tank, const std::filesystem::path& template_directory,
                 const std::filesystem::path& case_directory);
 

@@ -44,6 +44,24 @@ double share_up(const SloshingTank& tank, int row) {
   return std::clamp(tank.fill_depth / tank.height * tank.cells_z - row, 0.0, 1.0);
 }
 
+// A straight part of the level has the slope of the level's chord and its mean height.
+double area_under_wave(const SloshingTank& tank, const Polygon& polygon, double cell_width) {
+  constexpr int parts = 16;
+  const auto [left, right] = std::minmax_element(
+      polygon.begin(), polygon.end(), [](const Corner& a, const Corner& b) { return a.x < b.x; });
+  const int count = static_cast<int>(std::ceil(parts * (right->x - left->x) / cell_width));
+  double area = 0;
+  for (int i = 0; i < count; ++i) {
+    const double from = std::lerp(left->x, right->x, static_cast<double>(i) / count),
+                 to = std::lerp(left->x, right->x, (i + 1.0) / count);
+    const Polygon part = right_of(right_of(polygon, {from, 0}, {from, 1}), {to, 1}, {to, 0});
+    const double start = mean_height(tank, from, from), end = mean_height(tank, to, to);
+    const double lift = mean_height(tank, from, to) - (start + end) / 2;
+    area += area_of(right_of(part, {from, start + lift}, {to, end + lift}));
+  }
+  return area;
+}
+
 double share_under_wave(const SloshingTank& tank, Cell cell) {
   const double width = tank.length / tank.cells_x, height = tank.height / tank.cells_z;
   return share_below_level(tank, {.left = cell.column * width,
@@ -80,8 +98,24 @@ double liquid_share(const SloshingTank& tank, Cell cell) {
   return share_across(tank, cell.column) * share_up(tank, cell.row);
 }
 
+double liquid_share(const SloshingTank& tank, const TankMesh& mesh, Cell cell) {
+  if (!mesh.cut()) return liquid_share(tank, cell);
+  const CutCell& cut = mesh.cut()->at(cell);
+  if (cut.is_whole) return liquid_share(tank, cell);
+  const double wet = has_wavy_level(tank) ? area_under_wave(tank, cut.polygon, mesh.cell_width())
+                                          : area_below(cut.polygon, tank.fill_depth);
+  return std::clamp(wet / cut.area, 0.0, 1.0);
+}
+
 // The volume is the whole rectangle less what is displaced, so that it is exact without obstacles.
 double initial_volume(const SloshingTank& tank, const TankMesh& mesh) {
+  if (mesh.cut()) {
+    if (!has_wavy_level(tank)) return area_below(tank.outline, tank.fill_depth);
+    double volume = 0;
+    for (const Cell cell : mesh.cells())
+      volume += liquid_share(tank, mesh, cell) * mesh.cut()->at(cell).area;
+    return volume;
+  }
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {
     for (int column = 0; column < mesh.columns(); ++column) {
@@ -93,6 +127,14 @@ double initial_volume(const SloshingTank& tank, const TankMesh& mesh) {
 }
 
 double initial_depth(const SloshingTank& tank, const TankMesh& mesh, int column) {
+  if (mesh.cut()) {
+    double depth = 0;
+    for (const int index : mesh.cut()->column(column)) {
+      const CutCell& cell = mesh.cut()->cells()[index];
+      depth += liquid_share(tank, mesh, cell.place) * cell.area / mesh.cell_width();
+    }
+    return depth;
+  }
   if (has_wavy_level(tank))
     return mean_height(tank, column * mesh.cell_width(), (column + 1) * mesh.cell_width());
   double displaced = 0;

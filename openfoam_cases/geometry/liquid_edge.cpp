@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -25,6 +26,23 @@ std::optional<double> last_half_full(const std::vector<int>& cells,
     return cells[i] + in_cell;
   }
   return std::nullopt;
+}
+
+// The same in a column of cut cells, as a height: linear between the cells' centroids, and beside a
+// wall the height to which the liquid fills the last cell.
+double last_half_full_height(const CutMesh& mesh, int column,
+                             const std::vector<double>& fractions) {
+  const std::vector<int> cells = mesh.column(column);
+  assert(fractions.size() == cells.size());
+  for (std::size_t i = cells.size(); i-- > 0;) {
+    const double share = fractions[i];
+    if (!(share >= 0.5)) continue;
+    const CutCell& cell = mesh.cells()[cells[i]];
+    if (i + 1 == cells.size()) return Filling({cell.polygon}).level(share * cell.area);
+    const CutCell& above = mesh.cells()[cells[i + 1]];
+    return std::lerp(cell.centroid.z, above.centroid.z, (share - 0.5) / (share - fractions[i + 1]));
+  }
+  return mesh.filling(column).level(0);
 }
 
 }  // namespace
@@ -56,6 +74,7 @@ std::vector<int> free_rows(const TankMesh& mesh, int column) {
 }
 
 double highest_surface(const TankMesh& mesh, int column, const std::vector<double>& fractions) {
+  if (mesh.cut()) return last_half_full_height(*mesh.cut(), column, fractions);
   const std::vector<int> rows = free_rows(mesh, column);
   return last_half_full(rows, fractions).value_or(rows.front()) * mesh.cell_height();
 }

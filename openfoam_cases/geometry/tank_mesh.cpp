@@ -40,13 +40,27 @@ TankMesh::TankMesh(const SloshingTank& tank)
       rows_(tank.cells_z),
       length_(tank.length),
       height_(tank.height),
+      fill_depth_(tank.fill_depth),
       origin_x_(tank.roll ? tank.roll->axis_x : 0),
       origin_z_(tank.roll ? tank.roll->axis_z : 0),
       filled_(static_cast<std::size_t>(columns_) * rows_, false),
       column_breaks_{0, columns_},
       row_breaks_{0, rows_} {
+  if (!tank.outline.empty()) cut_by(tank);
   for (const Obstacle& obstacle : tank.obstacles) leave_out(obstacle);
   if (!tank.obstacles.empty()) check_rooms();
+}
+
+void TankMesh::cut_by(const SloshingTank& tank) {
+  check_outline(tank);
+  if (!tank.obstacles.empty())
+    throw std::invalid_argument(
+        "OpenFOAM tank: obstacles: expected none in a tank with an outline, which can follow an "
+        "obstacle that touches a wall");
+  cut_ = std::make_shared<CutMesh>(tank.outline, UniformGrid{length_, height_, columns_, rows_},
+                                   tank.processes);
+  filled_.assign(filled_.size(), true);
+  for (const CutCell& cell : cut_->cells()) filled_[index(cell.place)] = false;
 }
 
 void TankMesh::leave_out(const Obstacle& obstacle) {
@@ -121,8 +135,29 @@ int TankMesh::free_cells() const {
   return static_cast<int>(std::count(filled_.begin(), filled_.end(), false));
 }
 
+Corner TankMesh::centre(Cell cell) const {
+  return cut_ ? cut_->at(cell).centroid : Corner{centre_x(cell.column), centre_z(cell.row)};
+}
+
+Corner TankMesh::inside(Cell cell) const { return cut_ ? cut_->at(cell).inside : centre(cell); }
+
+double TankMesh::whole_cells(Cell cell) const {
+  return cut_ && !cut_->at(cell).is_whole ? cut_->at(cell).area / (cell_width() * cell_height())
+                                          : 1;
+}
+
+double TankMesh::room() const {
+  return cut_ ? area_of(cut_->outline()) : free_cells() * cell_width() * cell_height();
+}
+
+double TankMesh::depth_of(int column, double filling) const {
+  if (cut_) return filling * cut_->filling(column).area() / cell_width();
+  return filling * free_cells(column) * cell_height();
+}
+
 std::vector<Block> TankMesh::blocks() const {
   std::vector<Block> blocks;
+  if (cut_) return blocks;
   for (std::size_t k = 0; k + 1 < row_breaks_.size(); ++k) {
     for (std::size_t i = 0; i + 1 < column_breaks_.size(); ++i) {
       if (!is_free({column_breaks_[i], row_breaks_[k]})) continue;
@@ -135,6 +170,10 @@ std::vector<Block> TankMesh::blocks() const {
 
 std::vector<Cell> TankMesh::cells() const {
   std::vector<Cell> cells;
+  if (cut_) {
+    for (const CutCell& cell : cut_->cells()) cells.push_back(cell.place);
+    return cells;
+  }
   for (const Block& block : blocks()) {
     for (int row = block.row_begin; row < block.row_end; ++row) {
       for (int column = block.column_begin; column < block.column_end; ++column) {
@@ -146,11 +185,13 @@ std::vector<Cell> TankMesh::cells() const {
 }
 
 Cell TankMesh::reference_cell() const {
-  for (int row = rows_ - 1; row >= 0; --row) {
-    const int middle = columns_ / 2;
-    for (int offset = 0; offset < columns_; ++offset) {
-      for (const Cell cell : {Cell{middle + offset, row}, Cell{middle - offset, row}}) {
-        if (is_free(cell)) return cell;
+  for (const bool takes_cut_cells : {false, true}) {
+    for (int row = rows_ - 1; row >= 0; --row) {
+      const int middle = columns_ / 2;
+      for (int offset = 0; offset < columns_; ++offset) {
+        for (const Cell cell : {Cell{middle + offset, row}, Cell{middle - offset, row}}) {
+          if (is_free(cell) && (takes_cut_cells || whole_cells(cell) == 1)) return cell;
+        }
       }
     }
   }

@@ -2,18 +2,18 @@
 // which blockMesh builds it, and the order in which OpenFOAM then numbers the cells. Leaving out
 // blocks, rather than removing cells later, needs no further stage, maps no field and gives the
 // same mesh on any number of processes.
+//
+// In a tank with an outline the cells are those of a cut mesh. A cell has its own place, and a
+// place whose part was merged into another cell has none, as one that an obstacle fills.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "openfoam_cases/geometry/cut_mesh.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {
-
-// A cell's indices, counted from the left wall and from the bottom.
-struct Cell {
-  int column, row;
-};
 
 // The cells [column_begin, column_end) x [row_begin, row_end).
 struct Block {
@@ -24,12 +24,13 @@ class TankMesh {
  public:
   // Throws std::invalid_argument for an obstacle that reaches beyond the walls, whose edges are not
   // on the cells' faces, or which is thinner than a cell, and for obstacles that leave no cell or
-  // divide the tank into several parts.
+  // divide the tank into several parts; for an outline as check_outline() and CutMesh do.
   explicit TankMesh(const SloshingTank& tank);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   double length() const { return length_; }                 // [m]
+  double fill_depth() const { return fill_depth_; }         // [m]
   double cell_width() const { return length_ / columns_; }  // [m]
   double cell_height() const { return height_ / rows_; }    // [m]
   // The mesh's origin [m] from the tank's bottom left corner: the roll's axis, about which
@@ -45,16 +46,29 @@ class TankMesh {
   int free_cells(int column) const;
   int free_cells() const;
 
-  // Returns blocks that meet at whole sides; without obstacles there is one.
+  const CutMesh* cut() const { return cut_.get(); }  // nullptr without an outline
+  // Of a free cell [m]: its centroid, and a place inside it, which differs from the centroid only
+  // where that is outside.
+  Corner centre(Cell cell) const;
+  Corner inside(Cell cell) const;
+  double whole_cells(Cell cell) const;  // a free cell's area, in uniform cells
+  double room() const;                  // [m2], of all free cells
+  // Returns the depth [m] over a whole cell's width of the liquid that fills this fraction of a
+  // column.
+  double depth_of(int column, double filling) const;
+
+  // Returns blocks that meet at whole sides; without obstacles there is one. With an outline there
+  // are none.
   std::vector<Block> blocks() const;
   // Returns the free cells in OpenFOAM's order: block by block, and in each block row by row from
-  // the bottom.
+  // the bottom; with an outline in that of cell_order.hpp.
   std::vector<Cell> cells() const;
   // Returns the cell of the reference pressure: of the highest free cells the one nearest the
-  // middle.
+  // middle. With an outline it is a whole cell, unless there is none.
   Cell reference_cell() const;
 
  private:
+  void cut_by(const SloshingTank& tank);
   void leave_out(const Obstacle& obstacle);
   void check_rooms() const;
   std::size_t index(Cell cell) const {
@@ -62,10 +76,11 @@ class TankMesh {
   }
 
   int columns_, rows_;
-  double length_, height_;
+  double length_, height_, fill_depth_;
   double origin_x_, origin_z_;
-  std::vector<bool> filled_;                     // by obstacles
+  std::vector<bool> filled_;  // by obstacles, or without a cell of the outline's mesh
   std::vector<int> column_breaks_, row_breaks_;  // where blocks end, ascending, walls included
+  std::shared_ptr<const CutMesh> cut_;
 };
 
 }  // namespace slosh::openfoam

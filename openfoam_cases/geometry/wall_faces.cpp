@@ -7,6 +7,7 @@
 #include <map>
 
 #include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/geometry/outline_gauge.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -26,6 +27,8 @@ Cell cell_at(const TankMesh& mesh, Wall wall, int face) {
       return {0, face};
     case Wall::right:
       return {mesh.columns() - 1, face};
+    case Wall::roof:
+      return {face, mesh.rows() - 1};
     case Wall::bottom:
       break;
   }
@@ -38,6 +41,8 @@ FaceShare share_of(const TankMesh& mesh, Wall wall, int face, double weight) {
       return {0, mesh.centre_z(face), weight};
     case Wall::right:
       return {mesh.length(), mesh.centre_z(face), weight};
+    case Wall::roof:
+      return {mesh.centre_x(face), mesh.face_z(mesh.rows()), weight};
     case Wall::bottom:
       break;
   }
@@ -56,12 +61,32 @@ void check_place(const PressureGauge& gauge, double length) {
                       gauge.width, length));
 }
 
+// Returns the place in the rectangle around an outline.
+Corner place_on_wall(const TankMesh& mesh, const PressureGauge& gauge) {
+  switch (gauge.wall) {
+    case Wall::left:
+      return {0, gauge.position};
+    case Wall::right:
+      return {mesh.length(), gauge.position};
+    case Wall::roof:
+      return {gauge.position, mesh.face_z(mesh.rows())};
+    case Wall::bottom:
+      break;
+  }
+  return {gauge.position, 0};
+}
+
 }  // namespace
 
 std::vector<FaceShare> face_shares(const TankMesh& mesh, const PressureGauge& gauge) {
-  const bool along_bottom = gauge.wall == Wall::bottom;
-  const int faces = along_bottom ? mesh.columns() : mesh.rows();
-  const double spacing = along_bottom ? mesh.cell_width() : mesh.cell_height();
+  if (mesh.cut())
+    return outline_face_shares(*mesh.cut(), gauge.at ? *gauge.at : place_on_wall(mesh, gauge),
+                               gauge.width);
+  require(!gauge.at, "pressure gauge x", gauge.at ? gauge.at->x : 0,
+          "a wall and a position along it in a tank without an outline");
+  const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
+  const int faces = is_level ? mesh.columns() : mesh.rows();
+  const double spacing = is_level ? mesh.cell_width() : mesh.cell_height();
   check_place(gauge, spacing * faces);
   // In faces from the wall's end.
   const double begin = (gauge.position - gauge.width / 2) / spacing;

@@ -26,13 +26,11 @@ History column_level(const SloshingTank& tank, const TankMesh& mesh, const fs::p
                      int column) {
   const fs::path file = series_file(case_directory, column_name(column), "volFieldValue.dat");
   const History filling = read_series(tank, file, 2);
-  const int cells = mesh.free_cells(column);
-  check_cell_count(file, cells);
+  check_cell_count(file, mesh.free_cells(column));
   History level{{0}, {surface_level(mesh, column, initial_depth(tank, mesh, column))}};
   for (std::size_t i = 0; i < filling.time.size(); ++i) {
     level.time.push_back(filling.time[i]);
-    level.value.push_back(
-        surface_level(mesh, column, filling.value[i] * cells * mesh.cell_height()));
+    level.value.push_back(surface_level(mesh, column, mesh.depth_of(column, filling.value[i])));
   }
   return level;
 }
@@ -57,7 +55,7 @@ std::map<int, History> highest_surfaces(const SloshingTank& tank, const TankMesh
   for (const int column : probed_columns(tank, mesh)) {
     std::vector<double> at_start;
     for (const int row : free_rows(mesh, column)) {
-      at_start.push_back(liquid_share(tank, {column, row}));
+      at_start.push_back(liquid_share(tank, mesh, {column, row}));
     }
     surfaces[column] = {{0}, {highest_surface(mesh, column, at_start)}};
     cells += at_start.size();

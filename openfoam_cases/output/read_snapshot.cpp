@@ -68,12 +68,13 @@ std::vector<double> component(const std::vector<std::vector<double>>& rows, std:
   return values;
 }
 
-// Subtracts the mean over the gas; all cells are of the same size.
-void set_gas_datum(std::vector<double>& pressure, const std::vector<double>& liquid_share) {
+// Subtracts the mean over the gas; `sizes` are in whole cells.
+void set_gas_datum(const std::vector<double>& sizes, const std::vector<double>& liquid_share,
+                   std::vector<double>& pressure) {
   double gas = 0, sum = 0;
   for (std::size_t i = 0; i < pressure.size(); ++i) {
-    gas += 1 - liquid_share[i];
-    sum += (1 - liquid_share[i]) * pressure[i];
+    gas += sizes[i] * (1 - liquid_share[i]);
+    sum += sizes[i] * (1 - liquid_share[i]) * pressure[i];
   }
   for (double& value : pressure) value -= sum / gas;
 }
@@ -91,9 +92,13 @@ FieldSnapshot read_snapshot(const SloshingTank& tank, const TankMesh& mesh,
   snapshot.time = directory.time;
   snapshot.cell_width = mesh.cell_width();
   snapshot.cell_height = mesh.cell_height();
+  std::vector<double> sizes;
   for (const Cell cell : mesh.cells()) {
-    snapshot.x.push_back(mesh.centre_x(cell.column));
-    snapshot.z.push_back(mesh.centre_z(cell.row));
+    const Corner centre = mesh.centre(cell);
+    snapshot.x.push_back(centre.x);
+    snapshot.z.push_back(centre.z);
+    sizes.push_back(mesh.whole_cells(cell));
+    snapshot.area.push_back(sizes.back() * mesh.cell_width() * mesh.cell_height());
   }
   const std::size_t cells = snapshot.x.size();
   const auto velocity = read_field(directory.path / "U", cells, 3);
@@ -101,7 +106,7 @@ FieldSnapshot read_snapshot(const SloshingTank& tank, const TankMesh& mesh,
   snapshot.velocity_z = component(velocity, 2);
   snapshot.liquid_share = component(read_field(directory.path / "alpha.liquid", cells, 1), 0);
   snapshot.pressure = component(read_field(directory.path / "p", cells, 1), 0);
-  set_gas_datum(snapshot.pressure, snapshot.liquid_share);
+  set_gas_datum(sizes, snapshot.liquid_share, snapshot.pressure);
   return snapshot;
 }
 

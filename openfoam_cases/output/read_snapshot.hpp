@@ -8,11 +8,14 @@
 
 namespace slosh::openfoam {
 
-// Each field has one value per cell, in the same order; the obstacles' cells are left out.
+// Each field has one value per cell, in the same order; the obstacles' cells are left out. In a
+// tank with an outline the cells beside it are cut or merged: they have the centroid and the area
+// of what they are, 1/3 to 4/3 of a whole cell, rarely more.
 struct FieldSnapshot {
   double time;                     // [s]
-  double cell_width, cell_height;  // [m]
+  double cell_width, cell_height;  // of a whole cell [m]
   std::vector<double> x, z;        // of the cells' centres from the tank's bottom left corner [m]
+  std::vector<double> area;        // of the cells [m2]
   std::vector<double> velocity_x, velocity_z;  // relative to the tank, along its axes [m/s]
   std::vector<double> pressure;                // less the gas's mean pressure [Pa]
   std::vector<double> liquid_share;            // volume fraction, 0 to 1
