@@ -22,7 +22,7 @@ endfunction()
 
 add_custom_target(slosh_builds)
 objects_of(slosh_case "motion|cubic_spline|field_times" motion)
-objects_of(slosh_case "sensor_place|outline" places)
+objects_of(slosh_case "shape/sensor_place|shape/outline" places)
 objects_of(slosh_results "result_file" results)
 foreach(kind sph interfoam linear potential viscous_wave record external stored)
   objects_of(slosh_solvers "${kind}_run" ${kind}_run)

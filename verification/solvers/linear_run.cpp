@@ -8,7 +8,7 @@
 #include "reference/linear_surge.hpp"
 #include "reference/standing_wave.hpp"
 #include "verification/case/motion.hpp"
-#include "verification/case/sensor_place.hpp"
+#include "verification/case/shape/sensor_place.hpp"
 #include "verification/solvers/reference_tank.hpp"
 #include "verification/solvers/solver_runs.hpp"
 

@@ -1,9 +1,9 @@
-#include "verification/solvers/natural_frequencies.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 #include <cstddef>
 
 #include "verification/case/quantities.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/solvers/reference_tank.hpp"
 
 namespace slosh {
