@@ -9,10 +9,10 @@
 
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/motion.hpp"
-#include "verification/case/sensor_place.hpp"
+#include "verification/case/shape/sensor_place.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/case/tank_shape.hpp"
-#include "verification/solvers/natural_frequencies.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {

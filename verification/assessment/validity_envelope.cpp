@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "verification/case/motion.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/series/time_series.hpp"
-#include "verification/solvers/natural_frequencies.hpp"
 #include "verification/solvers/reference_tank.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "verification/case/motion.hpp"
-#include "verification/case/outline.hpp"
+#include "verification/case/shape/outline.hpp"
 
 namespace slosh {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 
 namespace slosh {
 namespace {

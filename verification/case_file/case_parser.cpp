@@ -7,8 +7,8 @@
 #include <set>
 
 #include "verification/case/changed_input.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/case/tank_shape.hpp"
 #include "verification/case/usual_values.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/groups/run_group.hpp"

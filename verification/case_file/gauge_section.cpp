@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "verification/case/outline.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/outline.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/peak_table.hpp"

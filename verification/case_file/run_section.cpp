@@ -6,6 +6,7 @@
 
 #include "verification/case/ensemble.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/time_table.hpp"

@@ -6,7 +6,7 @@
 #include <iostream>
 #include <memory>
 
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"

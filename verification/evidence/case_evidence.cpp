@@ -16,7 +16,7 @@
 #include "verification/gate/measured_value.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/series/windowed_series.hpp"
-#include "verification/solvers/natural_frequencies.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {

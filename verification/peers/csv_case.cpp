@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "verification/case/motion.hpp"
-#include "verification/case/sensor_place.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/sensor_place.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/peers/motion_table.hpp"
 #include "verification/peers/run_block.hpp"
 #include "verification/peers/tank_file.hpp"

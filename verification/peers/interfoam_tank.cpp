@@ -23,12 +23,12 @@ openfoam::PressureGauge::Wall wall_of(Wall wall) {
     case Wall::roof:
       break;
   }
-  throw std::invalid_argument(
-      "pressure_gauge.wall = \"roof\": expected another wall, for interFoam");
+  return Of::roof;
 }
 
 openfoam::PressureGauge sensor_of(const PressureGaugeDefinition& gauge) {
   openfoam::PressureGauge sensor{gauge.name, wall_of(gauge.wall), gauge.position, gauge.width};
+  if (gauge.at) sensor.at = openfoam::Corner{gauge.at->x, gauge.at->z};
   return sensor;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/files/whole_directory.hpp"
 #include "verification/peers/written_files.hpp"
 

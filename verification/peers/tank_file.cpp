@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "verification/case/motion.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 
 namespace slosh {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
-#include "verification/peers/peer_codes.hpp"
+#include "verification/peers/handed_case.hpp"
 
 namespace slosh {
 

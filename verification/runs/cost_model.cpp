@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/runs/run_effort.hpp"
 
 namespace slosh {

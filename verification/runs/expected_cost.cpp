@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/case/tank_shape.hpp"
 #include "verification/runs/cost_model.hpp"
 #include "verification/runs/cost_records.hpp"
 #include "verification/runs/run_case.hpp"

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "sph/start/initial_lattice.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 
 namespace slosh {
 namespace {

@@ -8,7 +8,7 @@
 #include "openfoam_cases/time_step.hpp"
 #include "sph/start/initial_lattice.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/runs/sph_step.hpp"
 
 namespace slosh {

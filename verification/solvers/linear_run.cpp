@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "verification/case/motion.hpp"
-#include "verification/case/outline.hpp"
-#include "verification/case/sensor_place.hpp"
-#include "verification/case/tank_shape.hpp"
-#include "verification/solvers/linear_flow.hpp"
-#include "verification/solvers/motion_samples.hpp"
+#include "verification/case/shape/sensor_place.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/solvers/reference_tank.hpp"
 #include "verification/solvers/solver_runs.hpp"
+#include "verification/solvers/theory/linear_flow.hpp"
+#include "verification/solvers/theory/motion_samples.hpp"
 
 namespace slosh {
 namespace {

@@ -12,11 +12,11 @@
 #include "verification/case/ensemble.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/case/tank_shape.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/runs/expected_cost.hpp"
-#include "verification/solvers/natural_frequencies.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 #include "verification/texts/run_summary.hpp"
 
 namespace slosh {

@@ -1,4 +1,4 @@
-#include "verification/case/sensor_place.hpp"
+#include "verification/case/shape/sensor_place.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::outline_section_test {

@@ -1,4 +1,4 @@
-#include "verification/solvers/natural_frequencies.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include "reference/section/section_roll.hpp"
 #include "reference/section/section_surge.hpp"
-#include "verification/solvers/linear_flow.hpp"
-#include "verification/solvers/motion_samples.hpp"
 #include "verification/solvers/reference_tank.hpp"
+#include "verification/solvers/theory/linear_flow.hpp"
+#include "verification/solvers/theory/motion_samples.hpp"
 
 namespace slosh {
 namespace {

@@ -1,6 +1,6 @@
-#include "verification/case/sensor_place.hpp"
+#include "verification/case/shape/sensor_place.hpp"
 
-#include "verification/case/outline.hpp"
+#include "verification/case/shape/outline.hpp"
 
 namespace slosh {
 namespace {

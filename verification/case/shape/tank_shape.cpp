@@ -1,4 +1,4 @@
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 
 namespace slosh {
 

@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include "verification/case/motion.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/case/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 
 namespace slosh {

@@ -6,9 +6,9 @@
 #include "reference/linear_roll.hpp"
 #include "reference/linear_surge.hpp"
 #include "reference/standing_wave.hpp"
-#include "verification/solvers/linear_flow.hpp"
-#include "verification/solvers/motion_samples.hpp"
 #include "verification/solvers/reference_tank.hpp"
+#include "verification/solvers/theory/linear_flow.hpp"
+#include "verification/solvers/theory/motion_samples.hpp"
 
 namespace slosh {
 namespace {

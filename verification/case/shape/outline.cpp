@@ -1,4 +1,4 @@
-#include "verification/case/outline.hpp"
+#include "verification/case/shape/outline.hpp"
 
 #include <algorithm>
 #include <cmath>

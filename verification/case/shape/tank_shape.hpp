@@ -2,7 +2,7 @@
 // its still surface reaches, and how much liquid it holds.
 #pragma once
 
-#include "verification/case/outline.hpp"
+#include "verification/case/shape/outline.hpp"
 
 namespace slosh {
 

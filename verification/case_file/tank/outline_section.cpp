@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "verification/case/outline.hpp"
+#include "verification/case/shape/outline.hpp"
 #include "verification/case_file/case_sections.hpp"
 
 namespace slosh {

@@ -1,10 +1,12 @@
-#include "verification/solvers/natural_frequencies.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 #include <cstddef>
+#include <map>
+#include <mutex>
 
 #include "reference/section/section_modes.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/case/tank_shape.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/solvers/reference_tank.hpp"
 
 namespace slosh {
@@ -12,9 +14,19 @@ namespace {
 
 std::vector<double> frequencies_of_outline(const CaseDefinition& definition, int count) {
   if (count == 0) return {};
-  const reference::SectionModes modes(section_of(definition), count);
-  std::vector<double> frequencies;
-  for (int mode = 1; mode <= count; ++mode) frequencies.push_back(modes.angular_frequency(mode));
+  // A report asks for the modes of the same few tanks again and again.
+  static std::mutex one_at_a_time;
+  static std::map<std::vector<double>, std::vector<double>> found;
+  const std::lock_guard lock(one_at_a_time);
+  std::vector<double> question{definition.gravity, definition.liquid.fill_depth,
+                               static_cast<double>(count)};
+  for (const Corner& corner : definition.tank.outline)
+    question.insert(question.end(), {corner.x, corner.z});
+  std::vector<double>& frequencies = found[question];
+  if (frequencies.empty()) {
+    const reference::SectionModes modes(section_of(definition), count);
+    for (int mode = 1; mode <= count; ++mode) frequencies.push_back(modes.angular_frequency(mode));
+  }
   return frequencies;
 }
 
