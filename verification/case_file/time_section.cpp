@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 
