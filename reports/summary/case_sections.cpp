@@ -10,6 +10,7 @@
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
+#include "verification/assessment/model_limits.hpp"
 #include "verification/case/case_definition.hpp"
 
 namespace slosh {
@@ -68,6 +69,10 @@ Section results_section(const CaseAssessment& assessment) {
     else if (status.state == RunState::not_supplied)
       section.paragraphs.push_back("The record `" + run + "` is not supplied: " + status.message +
                                    ". Rows that need it neither pass nor fail.");
+  for (const ModelLimit& limit : model_limits(definition))
+    if (limit.exceeded())
+      section.paragraphs.push_back("The models are doubtful here, because they leave out " +
+                                   limit_text(limit) + ".");
   for (const std::string& pair : assessment.not_comparable)
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);

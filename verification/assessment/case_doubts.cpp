@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/assessment/model_limits.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/sensor_place.hpp"
@@ -160,6 +161,11 @@ void doubt_references(const CaseDefinition& definition, const CaseRuns& theories
   }
 }
 
+void doubt_models(const CaseDefinition& definition, Doubts& doubts) {
+  for (const ModelLimit& limit : model_limits(definition))
+    if (limit.exceeded()) doubts.push_back("the models leave out " + limit_text(limit));
+}
+
 }  // namespace
 
 std::vector<std::string> case_doubts(const CaseDefinition& definition, const CaseRuns& theories) {
@@ -167,6 +173,7 @@ std::vector<std::string> case_doubts(const CaseDefinition& definition, const Cas
   doubt_spacings(definition, doubts);
   doubt_gauges(definition, doubts);
   doubt_times(definition, doubts);
+  doubt_models(definition, doubts);
   doubt_references(definition, theories, doubts);
   return doubts;
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "reports/wording/case_text.hpp"
+#include "verification/assessment/model_limits.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/motion.hpp"
@@ -152,6 +153,13 @@ std::string runs_text(const CaseDefinition& definition,
   return text;
 }
 
+std::string limits_text(const CaseDefinition& definition) {
+  std::string text = "What the models leave out\n";
+  for (const ModelLimit& limit : model_limits(definition))
+    text += wrapped((limit.exceeded() ? "BEYOND ITS LIMIT: " : "") + limit_text(limit), 2);
+  return text;
+}
+
 std::string bound_text(const GateRow& row) {
   if (row.improves_on) return "must be nearer to zero than that of " + *row.improves_on;
   if (row.between)
@@ -186,7 +194,7 @@ std::string explanation(const CaseDefinition& definition,
   if (!definition.tags.empty())
     text += wrapped(fmt::format("Tags: {}", fmt::join(definition.tags, ", ")), 0);
   return text + "\n" + flow_text(definition) + "\n" + runs_text(definition, known) + "\n" +
-         gates_text(definition);
+         limits_text(definition) + "\n" + gates_text(definition);
 }
 
 }  // namespace slosh
