@@ -53,7 +53,7 @@ TEST(FieldTrials, FindTheSmallestChangeOfTheFieldThatARowDetects) {
   EXPECT_EQ(strength(trials, MutationKind::lowered), 0.05);
   EXPECT_EQ(strength(trials, MutationKind::louder), 0.1);  // the rms is some 0.8 of the datum
   EXPECT_EQ(strength(trials, MutationKind::late), 0.1);    // 200 Pa
-  EXPECT_FALSE(strength(trials, MutationKind::noisy).has_value());  // the cells' means lose it
+  EXPECT_EQ(strength(trials, MutationKind::noisy), 0.5);   // a cell is the mean of 8 particles
   for (const MutationKind kind : {MutationKind::truncated, MutationKind::not_a_number,
                                   MutationKind::thousandfold, MutationKind::sign_flipped})
     EXPECT_TRUE(strength(trials, kind).has_value()) << mutation_name(kind);
