@@ -77,6 +77,7 @@ Section results_section(const CaseAssessment& assessment) {
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);
   section.fields = case_fields(assessment);
+  add(field_table(assessment), section);
   return section;
 }
 

@@ -85,6 +85,23 @@ Json peaks(const std::vector<SpectralPeak>& found) {
   return list;
 }
 
+Json field_entry(const FieldComparison& pair, const CaseDefinition& definition) {
+  Json moments = Json::array();
+  for (const FieldDifference& moment : pair.moments)
+    moments.push_back({{"time_s", moment.time},
+                       {"compared_cells", moment.compared_cells},
+                       {"pressure_rms_Pa", moment.pressure_rms},
+                       {"pressure_rms", moment.pressure_rms / pressure_under_depth(definition)},
+                       {"pressure_offset_Pa", moment.pressure_offset},
+                       {"lowest_pressure_Pa", moment.lowest_pressure},
+                       {"reference_lowest_pressure_Pa", moment.reference_lowest_pressure},
+                       {"tension_share", moment.tension_share},
+                       {"reference_tension_share", moment.reference_tension_share},
+                       {"uncovered_share", moment.uncovered_share},
+                       {"excess_share", moment.excess_share}});
+  return {{"candidate", pair.candidate}, {"reference", pair.reference}, {"moments", moments}};
+}
+
 }  // namespace
 
 Json comparison_entry(const Comparison& pair) {
@@ -319,6 +336,11 @@ std::string results_json(const std::string& campaign, bool quick,
     for (const Comparison& pair : one.comparisons)
       entry["comparisons"].push_back(comparison_entry(pair));
     for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
+    if (!one.fields.empty()) {
+      entry["fields"] = Json::array();
+      for (const FieldComparison& pair : one.fields)
+        entry["fields"].push_back(field_entry(pair, one.definition));
+    }
     entry["work_precision"] = work_precision_json(one);
     document["cases"].push_back(std::move(entry));
   }

@@ -35,7 +35,8 @@ std::string detected_text(const MutationTrials& trials,
 std::string unnoticed(const MutationTrials& trials) {
   std::vector<std::string> names;
   for (const MutationKind kind : ungraded_kinds)
-    if (!detected_from(trials, kind)) names.push_back(mutation_name(kind));
+    if (was_tried(trials, kind) && !detected_from(trials, kind))
+      names.push_back(mutation_name(kind));
   return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -54,7 +55,9 @@ reports::Table sensitivity_table(const CaseAssessment& assessment,
       "over the window), the gain of each natural mode (2 to 50 %), its decay (1.1 to 6 times as "
       "fast) and noise (1 to 50 % of the "
       "standard deviation), and what the row does not notice at all of a slip by a period, a "
-      "series cut short, NaN, swapped columns, values or units off by a thousand, a flipped sign.",
+      "series cut short, NaN, swapped columns, values or units off by a thousand, a flipped sign. "
+      "The lag of a pressure field is a distance along the tank, in % of its length; it has no "
+      "frequency, drift, chirp and modes, and loses its last moments where a series is cut short.",
       {"row", "amplitude [%]", "lag [% of a period]", "frequency [%]", "datum [%]", "drift [%]",
        "chirp [% of a period]", "natural modes [%]", "decay [%]", "noise [%]", "does not notice"},
       {}};

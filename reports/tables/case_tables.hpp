@@ -69,6 +69,12 @@ std::optional<reports::Table> order_table(const CaseAssessment& assessment);
 // that is compared with theory or a record.
 std::optional<reports::Table> ablation_table(const CaseAssessment& assessment);
 
+// field_tables.cpp
+
+// For each run and snapshot time the rms of the pressure field against interFoam's, and how the
+// liquids overlap (field_difference.hpp). Needs fields that were compared.
+std::optional<reports::Table> field_table(const CaseAssessment& assessment);
+
 // impact_tables.cpp
 
 // For each run and pressure: the time and the peak of each impact and the plateau after it; the

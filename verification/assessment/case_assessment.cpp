@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/metric_table.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/case_evidence.hpp"
@@ -94,7 +96,51 @@ std::vector<std::string> quantities_of(const CaseDefinition& definition, const C
   return quantities;
 }
 
+// The interFoam runs on whose mesh fields are compared, the finest first.
+std::vector<std::string> field_references(const CaseDefinition& definition, const CaseRuns& runs) {
+  std::vector<std::string> references;
+  const auto add = [&](const std::string& run) {
+    if (has_result(runs, run) && !runs.results.at(run).snapshots.empty() &&
+        std::find(references.begin(), references.end(), run) == references.end())
+      references.push_back(run);
+  };
+  add(finest_interfoam(definition, runs));
+  for (const GateRow& row : definition.gate)
+    if (is_of_fields(row.metric)) add(row.reference);
+  return references;
+}
+
+void compare_all_fields(CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const CaseRuns& runs = assessment.runs;
+  if (definition.snapshot_times.empty()) return;
+  for (const std::string& reference : field_references(definition, runs))
+    for (const RunDefinition& candidate : definition.runs) {
+      const std::string& name = candidate.name;
+      if (name == reference || is_later_member(candidate) || !has_result(runs, name) ||
+          runs.results.at(name).snapshots.empty())
+        continue;
+      try {
+        FieldComparison compared =
+            compare_fields(runs.results.at(name), runs.results.at(reference), definition);
+        compared.candidate = name;
+        compared.reference = reference;
+        assessment.fields.push_back(std::move(compared));
+      } catch (const ComparisonError& error) {
+        assessment.not_comparable.push_back(
+            fmt::format("the fields of {} against {}: {}", name, reference, error.what()));
+      }
+    }
+}
+
 }  // namespace
+
+const FieldComparison* fields_compared(const CaseAssessment& assessment,
+                                       const std::string& candidate, const std::string& reference) {
+  for (const FieldComparison& one : assessment.fields)
+    if (one.candidate == candidate && one.reference == reference) return &one;
+  return nullptr;
+}
 
 bool has_selected_runs(const CaseAssessment& assessment) {
   const auto& status = assessment.runs.status;
@@ -146,6 +192,7 @@ CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
     }
   for (const GateRow& row : definition.gate) assessment.gate.push_back(evidence.judge(row));
   assessment.fitted = evidence.release_fitted();
+  compare_all_fields(assessment);
   return assessment;
 }
 

@@ -8,6 +8,7 @@
 #include "verification/case/case_definition.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/case_runs.hpp"
+#include "verification/gate/field_metrics.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/metrics/comparison.hpp"
 
@@ -25,10 +26,17 @@ struct CaseAssessment {
   std::vector<GateOutcome> gate;
   // Those comparisons, and all others that the rows and their uncertainties rest on.
   FittedComparisons fitted = {};
+  // Of each other run that recorded fields at all snapshot times against the finest interFoam and
+  // against those that gate rows on fields name.
+  std::vector<FieldComparison> fields = {};
 };
 
 // Marks references that have left their declared range, compares the runs and judges the gate rows.
 CaseAssessment assess(CaseDefinition definition, CaseRuns runs);
+
+// The comparison of the two runs' fields. Returns nullptr where there is none.
+const FieldComparison* fields_compared(const CaseAssessment& assessment,
+                                       const std::string& candidate, const std::string& reference);
 
 // Whether the user selected any of the case's runs.
 bool has_selected_runs(const CaseAssessment& assessment);

@@ -1,5 +1,7 @@
 #include "verification/case/field_times.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +17,13 @@ std::vector<double> field_times(const CaseDefinition& definition) {
   };
   times.erase(std::unique(times.begin(), times.end(), same), times.end());
   return times;
+}
+
+std::vector<std::string> moment_names(const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (std::size_t n = 1; n <= definition.snapshot_times.size(); ++n)
+    names.push_back(fmt::format("moment_{}", n));
+  return names;
 }
 
 }  // namespace slosh

@@ -81,6 +81,13 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
        {Metric::impact_percentile, "impact_percentile", "1",
         "share of the experiment's repeats that peak lower", impact, Fit::none, nowhere,
         unpredicted, range_alone, below(0.5, unit, "every percentile lies between 0 and 1")},
+       {Metric::pressure_field_rms, "pressure_field_rms", "1",
+        "rms difference of the pressure field over the pressure under the fill depth", field,
+        Fit::none, nowhere, as_field_rms, any_bound,
+        below(0.5, unit, "without pressure a candidate has 0.58 against a liquid at rest")},
+       {Metric::pressure_field_tension, "pressure_field_tension", "1",
+        "share of the liquid under tension", field, Fit::none, nowhere, unpredicted, any_bound,
+        below(1, unit, "a liquid that is all under tension has 1")},
        {Metric::cost_to_reach, "cost_to_reach", "s", "processor time to reach an error", cost,
         Fit::none, nowhere, unpredicted, limit_alone,
         below(3.2e7, unit, "nobody waits for a year of one core")}}};
@@ -128,6 +135,7 @@ bool is_of_a_pair(const MetricEntry& metric) {
     case MeasuredOn::own_series:
     case MeasuredOn::impact:
     case MeasuredOn::plateau:
+    case MeasuredOn::field:
     case MeasuredOn::cost:
       return false;
   }
@@ -142,6 +150,8 @@ bool is_of_impacts(Metric metric) {
   const MeasuredOn measured_on = metric_entry(metric).measured_on;
   return measured_on == MeasuredOn::impact || measured_on == MeasuredOn::plateau;
 }
+
+bool is_of_fields(Metric metric) { return metric_entry(metric).measured_on == MeasuredOn::field; }
 
 bool is_cost(Metric metric) { return metric_entry(metric).measured_on == MeasuredOn::cost; }
 
@@ -168,6 +178,7 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
     case MeasuredOn::whole_window:
     case MeasuredOn::own_series:
     case MeasuredOn::plateau:
+    case MeasuredOn::field:
     case MeasuredOn::cost:
       break;
   }
@@ -186,6 +197,7 @@ std::optional<std::string> default_mode(const MetricEntry& metric) {
     case MeasuredOn::front:
     case MeasuredOn::own_series:
     case MeasuredOn::plateau:
+    case MeasuredOn::field:
     case MeasuredOn::cost:
       break;
   }

@@ -44,6 +44,9 @@ enum class Metric {
   impact_time,        // of one impact's peak, less the published one
   plateau_error,      // the mean over the published plateau's time
   impact_percentile,  // the share of the experiment's repeats with a lower peak
+  // Of the pressure fields at the case's snapshot times against interFoam's (field_metrics.hpp).
+  pressure_field_rms,      // the rms of the difference over the pressure under the fill depth
+  pressure_field_tension,  // the share of the candidate's liquid under tension
   // Of the candidate's family: the cost of the row's error (work_precision.hpp).
   cost_to_reach
 };
@@ -61,7 +64,8 @@ enum class MeasuredOn {
   own_series,   // the candidate alone
   impact,
   plateau,
-  cost  // all runs of the candidate's family
+  field,  // one moment of the case, or the mean over all
+  cost    // all runs of the candidate's family
 };
 
 // Whose harmonic fit gives the metric its value and its interval.
@@ -87,6 +91,7 @@ enum class MutationResponse {
   as_rms_residual,      // the rms of the difference over the reference's deviation
   as_largest_residual,  // the largest difference
   as_noise,             // white noise over the deviation
+  as_field_rms,         // the rms of the difference of two fields over the datum
   unpredicted           // nothing but an unusable series must be detected
 };
 
@@ -137,12 +142,13 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit);
 bool is_of_a_pair(const MetricEntry& metric);
 bool is_of_candidate_alone(Metric metric);
 bool is_of_impacts(Metric metric);
+bool is_of_fields(Metric metric);
 bool is_cost(Metric metric);
 bool is_angle(Metric metric);  // in degrees, and so known up to whole turns
 
 // The modes of a GateRow on which a metric can be judged. `fitted` are the modes that are fitted to
 // the quantity, "forced", "natural_1", ...; `is_front` says that the quantity has no modes. Empty
-// for a metric of impacts, whose modes the case names.
+// for a metric of impacts, whose modes the case names; of the moments of fields "whole" alone.
 std::vector<std::string> measured_modes(const MetricEntry& metric,
                                         const std::vector<std::string>& fitted, bool is_front);
 // The mode that --limit takes where it names none: "forced" or "whole". Returns nullopt where a

@@ -508,14 +508,16 @@ const std::vector<KeyTable>& case_key_tables() {
          "a run. A pattern never means the reference."},
         {"reference", "run name",
          "yes, but refused with a metric of the candidate alone or of impacts",
-         "What the candidate is compared with. Beside limits it is that of the metrics that take "
-         "one."},
+         "What the candidate is compared with; for a metric of fields an interFoam run. Beside "
+         "limits it is that of the metrics that take one."},
         {"quantity", "quantity", "no",
          "A compared quantity, below. A metric of the candidate alone takes any series, one of "
-         "impacts the pressure at their gauge, and a row against a record the record's quantity. "
+         "impacts the pressure at their gauge, one of fields pressure_field, and a row against a "
+         "record the record's quantity. "
          "Default: the case's first, which is that of its first gauge but for a dam's front."},
         {"mode", "text", "no",
-         "forced, forced_1, ..., natural_1, ..., impact_1, ..., or whole, as the metric asks. Of "
+         "forced, forced_1, ..., natural_1, ..., impact_1, ..., moment_1, ..., or whole, as the "
+         "metric asks. Of "
          "impacts and of several forced modes one must be named. Default: forced where the tank "
          "moves and the metric can be of it, else "
          "natural_1; whole for the other metrics."},

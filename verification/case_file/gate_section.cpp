@@ -6,6 +6,7 @@
 
 #include "verification/case/case_definition.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/field_times.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
@@ -60,6 +61,11 @@ std::vector<std::string> fitted_to(const std::string& quantity, const CaseDefini
 std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& quantity,
                                   const CaseDefinition& definition) {
   if (metric.measured_on == MeasuredOn::impact) return impact_names(definition.impacts.value());
+  if (is_of_fields(metric.metric)) {
+    std::vector<std::string> modes{"whole"};
+    for (std::string& moment : moment_names(definition)) modes.push_back(std::move(moment));
+    return modes;
+  }
   return measured_modes(metric, fitted_to(quantity, definition), !has_modes(quantity));
 }
 
@@ -258,6 +264,35 @@ void read_impact_series(const TomlTable& row, const MetricEntry& metric,
   gate_row.unit = read_unit(row, metric.name, metric.unit);
 }
 
+// The reference's mesh is what the fields are compared on, and its liquid is known by cells.
+std::vector<std::string> meshes_besides(const std::string& candidate,
+                                        const CaseDefinition& definition) {
+  std::vector<std::string> names;
+  for (const RunDefinition& run : definition.runs)
+    if (std::holds_alternative<InterFoamRun>(run.solver) && !is_later_member(run) &&
+        run.name != candidate)
+      names.push_back(run.name);
+  return names;
+}
+
+void read_field_quantity(const TomlTable& row, const CaseDefinition& definition,
+                         GateRow& gate_row) {
+  if (definition.snapshot_times.empty())
+    row.refuse("metric",
+               "a metric that needs no snapshot_times_s in [time], which this case lacks");
+  if (!(definition.gravity > 0))
+    row.refuse("metric", "a metric that needs no gravity, which this case lacks");
+  gate_row.reference = row.choice("reference", "an interFoam run other than the candidate",
+                                  meshes_besides(gate_row.candidate, definition));
+  gate_row.quantity = choice_or_first(row, "quantity", "the pressure field", {pressure_field});
+}
+
+void read_field(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
+                GateRow& gate_row) {
+  read_field_quantity(row, definition, gate_row);
+  gate_row.unit = read_unit(row, metric.name, metric.unit);
+}
+
 bool takes_reference(const TomlTable& row) {
   for (const MetricEntry& entry : metric_table())
     if (entry.name == row.written("metric"))
@@ -303,6 +338,8 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
     read_own_series(row, metric, definition, gate_row);
   } else if (is_of_impacts(metric.metric)) {
     read_impact_series(row, metric, definition, gate_row);
+  } else if (is_of_fields(metric.metric)) {
+    read_field(row, metric, definition, gate_row);
   } else {
     read_compared_series(row, metric, definition, gate_row);
   }
@@ -333,6 +370,8 @@ GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definiti
       measure.choice("quantity", "a compared quantity", compared);
   } else if (is_of_impacts(metric.metric)) {
     read_impact_quantity(measure, metric, definition, row);
+  } else if (is_of_fields(metric.metric)) {
+    read_field_quantity(measure, definition, row);
   } else {
     read_reference_and_quantity(measure, definition, row);
   }

@@ -35,6 +35,8 @@ std::string measured_on(const MetricEntry& metric) {
       return "a published impact";
     case MeasuredOn::plateau:
       return "the published plateau";
+    case MeasuredOn::field:
+      return "the fields at the snapshot times";
     case MeasuredOn::cost:
       return "the candidate's method against the reference";
   }

@@ -12,6 +12,7 @@
 #include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
+#include "verification/gate/field_metrics.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/runs/run_case.hpp"
@@ -36,11 +37,15 @@ bool resolves(const std::vector<ToneRequest>& modes, const TimeSeries& record,
 }
 
 // Throws ResultError for a run without a result, such as a failed member of an ensemble.
-const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
-                            const std::string& quantity) {
+const RunResult& result_of(const CaseRuns& runs, const std::string& run) {
   const auto found = runs.results.find(run);
   if (found == runs.results.end()) throw ResultError("there is no result of " + run);
-  return found->second.at(quantity);
+  return found->second;
+}
+
+const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
+                            const std::string& quantity) {
+  return result_of(runs, run).at(quantity);
 }
 
 }  // namespace
@@ -186,10 +191,15 @@ GateEvidence CaseEvidence::gate_evidence() {
   const MeasureCost cost = [this, find](const GateRow& row) {
     return cost_to_reach(definition_, runs_, row, find);
   };
+  const MeasureFields fields = [this](const GateRow& row) {
+    return field_metric(row, result_of(runs_, row.candidate), result_of(runs_, row.reference),
+                        definition_);
+  };
   const FindEnsemble ensemble = [this](const std::string& run) {
     return EnsembleOfRun{members_of(definition_, run), !is_simulation(run_named(definition_, run))};
   };
-  const GateEvidence evidence{find, find_series, measure_impacts, {}, cost, ensemble, history};
+  const GateEvidence evidence{find, find_series, measure_impacts, {},
+                              cost, ensemble,    history,         fields};
   GateEvidence against_coarser = evidence;
   against_coarser.comparison = [this](const std::string& candidate, const std::string& reference,
                                       const std::string& quantity) -> const Comparison& {
@@ -205,7 +215,7 @@ GateEvidence CaseEvidence::gate_evidence() {
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);
   };
-  return {find, find_series, measure_impacts, uncertainty, cost, ensemble, history};
+  return {find, find_series, measure_impacts, uncertainty, cost, ensemble, history, fields};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

@@ -29,6 +29,10 @@ using FindHistory = std::function<TimeSeries(const std::string& run, const std::
 // where the run has no such series.
 using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
 
+// Returns the row's field_metric() of its candidate against its reference. Throws what
+// field_metric() throws, and ResultError where one of them has no result.
+using MeasureFields = std::function<double(const GateRow& row)>;
+
 // This form of the campaign leaves out something that a row needs; what() names it.
 struct NotSelectedError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -61,6 +65,7 @@ struct GateEvidence {
   MeasureCost cost = {};
   FindEnsemble ensemble = {};  // empty: each run stands for itself
   FindHistory history = {};    // for the metrics of the start
+  MeasureFields fields = {};
 };
 
 }  // namespace slosh

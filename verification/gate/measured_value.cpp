@@ -103,6 +103,8 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::impact_time:
     case Metric::plateau_error:
     case Metric::impact_percentile:
+    case Metric::pressure_field_rms:
+    case Metric::pressure_field_tension:
     case Metric::cost_to_reach:
       break;  // measured_once() measures these without a comparison
   }
@@ -159,6 +161,10 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
   if (is_of_impacts(row.metric)) {
     require_unit(row, "Pa");
     return {evidence.impacts(row.candidate, row), 0};
+  }
+  if (is_of_fields(row.metric)) {
+    require_unit(row, "1");
+    return {evidence.fields(row), 0};
   }
   if (is_cost(row.metric)) {
     require_unit(row, "s");

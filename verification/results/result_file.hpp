@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "verification/files/result_error.hpp"
+#include "verification/series/field_snapshot.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -35,16 +36,6 @@ struct RunCost {
   // 0 where they are not counted.
   double steps = 0;
   double elements = 0;  // particles (walls apart) or cells
-};
-
-// The liquid at one moment, as rectangles of equal size: the particles, or the cells that are at
-// least half liquid.
-struct FieldSnapshot {
-  double time;                                 // [s]
-  double width, height;                        // of a rectangle [m]
-  std::vector<double> x, z;                    // middles, from the tank's bottom left corner [m]
-  std::vector<double> velocity_x, velocity_z;  // against the tank, along its axes [m/s]
-  std::vector<double> pressure;                // above the gas's [Pa]
 };
 
 struct RunResult {

@@ -101,6 +101,7 @@ std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& ca
     case MutationResponse::as_frequency:
     case MutationResponse::as_decay:
     case MutationResponse::as_noise:
+    case MutationResponse::as_field_rms:
     case MutationResponse::unpredicted:
       break;
   }

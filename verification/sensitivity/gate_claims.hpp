@@ -19,6 +19,7 @@
 //                        offset, a drift, a mode, a chirp)
 //   as_largest_residual  at least |f - 1| max |c| - E; and max |x| - E where x is added
 //   as_noise             at least s / sqrt(1 + s^2) of noise
+//   as_field_rms         see field_trials.hpp
 // The lower bounds of residuals follow from the triangle inequality. The row claims the mutation
 // where this value lies outside its bounds. Of a shift, a stretch, a noise, an added series and max
 // |c| nine tenths count: the rest is lost at the ends of the window, where values are held, and

@@ -10,6 +10,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/gate/impact_metrics.hpp"
+#include "verification/sensitivity/field_trials.hpp"
 
 namespace slosh {
 namespace {
@@ -100,6 +101,7 @@ std::vector<MutationTrials> trials_of(const CaseAssessment& assessment, const Ro
 }
 
 bool can_be_mutated(const CaseAssessment& assessment, const GateOutcome& outcome) {
+  if (is_of_fields(outcome.row.metric)) return is_judged(outcome.verdict);
   return is_judged(outcome.verdict) &&
          has_series(assessment.runs, outcome.row.candidate, outcome.row.quantity);
 }
@@ -156,17 +158,28 @@ std::vector<RowSensitivity> gate_sensitivity(const CaseAssessment& assessment,
                                              const ForEachIndex& for_each) {
   const std::string evidence = cache ? cache->evidence_of(assessment) : "";
   std::map<std::size_t, MutationTrials> by_row;
-  std::vector<std::size_t> to_try;
+  std::vector<std::size_t> to_try, of_fields;
   for (std::size_t i = 0; i < assessment.gate.size(); ++i) {
     if (!can_be_mutated(assessment, assessment.gate[i])) continue;
     if (auto cached = cache ? cache->find(evidence, assessment.gate[i].row) : std::nullopt)
       by_row[i] = std::move(*cached);
+    else if (is_of_fields(assessment.gate[i].row.metric))
+      of_fields.push_back(i);
     else
       to_try.push_back(i);
   }
   const std::vector<RowGroup> groups = groups_of(assessment, to_try);
   std::vector<std::vector<MutationTrials>> found(groups.size());
-  for_each(groups.size(), [&](std::size_t i) { found[i] = trials_of(assessment, groups[i]); });
+  std::vector<MutationTrials> found_of_fields(of_fields.size());
+  for_each(groups.size() + of_fields.size(), [&](std::size_t i) {
+    if (i < groups.size())
+      found[i] = trials_of(assessment, groups[i]);
+    else
+      found_of_fields[i - groups.size()] =
+          try_field_mutations(assessment, assessment.gate[of_fields[i - groups.size()]]);
+  });
+  for (std::size_t k = 0; k < of_fields.size(); ++k)
+    by_row[of_fields[k]] = std::move(found_of_fields[k]);
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (std::size_t k = 0; k < groups[g].rows.size(); ++k)
       by_row[groups[g].rows[k]] = std::move(found[g][k]);

@@ -1,5 +1,6 @@
 // The sensitivity of a case's gate rows, found on the case's own results: each row is put through
-// the trials of mutation_trials.hpp and judged with all its evidence, uncertainties included.
+// the trials of mutation_trials.hpp, or of field_trials.hpp, and judged with all its evidence,
+// uncertainties included.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +29,8 @@ void one_after_another(std::size_t count, const std::function<void(std::size_t)>
 // the pressure under it for a pressure, 0 for a quantity without a datum.
 double datum_of(const CaseDefinition& definition, const std::string& quantity);
 
-// Covers the judged rows whose candidate has the row's series. Rows that the cache holds are not
-// tried again; it may be nullptr.
+// Covers the judged rows whose candidate has the row's series, and those on fields. Rows that the
+// cache holds are not tried again; it may be nullptr.
 std::vector<RowSensitivity> gate_sensitivity(const CaseAssessment& assessment,
                                              SensitivityCache* cache = nullptr,
                                              const ForEachIndex& for_each = one_after_another);

@@ -5,27 +5,6 @@
 namespace slosh {
 namespace {
 
-struct GradedMutation {
-  MutationKind kind;
-  std::vector<double> strengths;  // increasing
-};
-
-std::vector<GradedMutation> graded_mutations() {
-  const std::vector<double> scale{0.01, 0.02, 0.05, 0.1, 0.2},
-      shift{0.005, 0.01, 0.02, ten_degrees, 0.05, 0.1},
-      frequency{0.001, 0.002, 0.005, 0.01, 0.02, 0.05}, offset{0.005, 0.01, 0.02, 0.05, 0.1},
-      drift{0.1, 0.2, 0.5, 1}, chirp{0.02, 0.05, 0.1, 0.2}, noise{0.01, 0.02, 0.05, 0.1, 0.2, 0.5};
-  return {{MutationKind::louder, scale},        {MutationKind::quieter, scale},
-          {MutationKind::late, shift},          {MutationKind::early, shift},
-          {MutationKind::faster, frequency},    {MutationKind::slower, frequency},
-          {MutationKind::raised, offset},       {MutationKind::lowered, offset},
-          {MutationKind::drifting, drift},      {MutationKind::chirped, chirp},
-          {MutationKind::noisy, noise},         {MutationKind::slipped, {1}},
-          {MutationKind::truncated, {0.2}},     {MutationKind::not_a_number, {1}},
-          {MutationKind::swapped_columns, {1}}, {MutationKind::thousandfold, {1}},
-          {MutationKind::other_unit, {1}},      {MutationKind::sign_flipped, {1}}};
-}
-
 bool moves_the_datum(MutationKind kind) {
   return kind == MutationKind::raised || kind == MutationKind::lowered;
 }
@@ -55,6 +34,22 @@ std::vector<Mutation> mutations_tried(const MutationFrame& frame) {
 }
 
 }  // namespace
+
+std::vector<GradedMutation> graded_mutations() {
+  const std::vector<double> scale{0.01, 0.02, 0.05, 0.1, 0.2},
+      shift{0.005, 0.01, 0.02, ten_degrees, 0.05, 0.1},
+      frequency{0.001, 0.002, 0.005, 0.01, 0.02, 0.05}, offset{0.005, 0.01, 0.02, 0.05, 0.1},
+      drift{0.1, 0.2, 0.5, 1}, chirp{0.02, 0.05, 0.1, 0.2}, noise{0.01, 0.02, 0.05, 0.1, 0.2, 0.5};
+  return {{MutationKind::louder, scale},        {MutationKind::quieter, scale},
+          {MutationKind::late, shift},          {MutationKind::early, shift},
+          {MutationKind::faster, frequency},    {MutationKind::slower, frequency},
+          {MutationKind::raised, offset},       {MutationKind::lowered, offset},
+          {MutationKind::drifting, drift},      {MutationKind::chirped, chirp},
+          {MutationKind::noisy, noise},         {MutationKind::slipped, {1}},
+          {MutationKind::truncated, {0.2}},     {MutationKind::not_a_number, {1}},
+          {MutationKind::swapped_columns, {1}}, {MutationKind::thousandfold, {1}},
+          {MutationKind::other_unit, {1}},      {MutationKind::sign_flipped, {1}}};
+}
 
 std::vector<MutationTrials> try_mutations(const std::vector<TriedRow>& rows,
                                           const TimeSeries& candidate, const MutationFrame& frame,
@@ -95,6 +90,11 @@ std::optional<double> detected_from(const MutationTrials& trials, MutationKind k
     if (one.mutation.kind == kind && one.mutation.strength > missed)
       from = std::min(from.value_or(one.mutation.strength), one.mutation.strength);
   return from;
+}
+
+bool was_tried(const MutationTrials& trials, MutationKind kind) {
+  return std::any_of(trials.outcomes.begin(), trials.outcomes.end(),
+                     [&](const MutationOutcome& one) { return one.mutation.kind == kind; });
 }
 
 std::vector<Mutation> broken_claims(const MutationTrials& trials) {

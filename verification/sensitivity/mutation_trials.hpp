@@ -16,6 +16,15 @@ namespace slosh {
 // [periods] The lag that the rows of every case must detect together (case_coverage.hpp).
 inline constexpr double ten_degrees = 10.0 / 360;
 
+// A kind of mutation and the strengths at which it is tried.
+struct GradedMutation {
+  MutationKind kind;
+  std::vector<double> strengths;  // increasing
+};
+
+// All kinds but those of natural modes.
+std::vector<GradedMutation> graded_mutations();
+
 // A row, and the metric of its candidate as it is, in the row's unit.
 struct TriedRow {
   GateRow row;
@@ -57,6 +66,9 @@ bool detects(const MutationTrials& trials, const Mutation& mutation);
 // The smallest strength from which on every strength that was tried is detected. Returns nullopt
 // where the strongest one is not.
 std::optional<double> detected_from(const MutationTrials& trials, MutationKind kind);
+
+// Whether any strength of the kind was tried. A row that does not pass as it is has no trials.
+bool was_tried(const MutationTrials& trials, MutationKind kind);
 
 // The mutations that were claimed and not detected.
 std::vector<Mutation> broken_claims(const MutationTrials& trials);

@@ -88,6 +88,10 @@ class EvidenceHash {
       add(series.time);
       add(series.value);
     }
+    for (const FieldSnapshot& field : result.snapshots) {
+      for (const double one : {field.time, field.width, field.height}) add(one);
+      for (const std::vector<double>* values : {&field.x, &field.z, &field.pressure}) add(*values);
+    }
   }
   std::string digits() const { return hash_.digits(); }
 

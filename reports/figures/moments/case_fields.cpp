@@ -51,16 +51,6 @@ FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<dou
 
 }  // namespace
 
-const FieldSnapshot* snapshot_at(const CaseDefinition& definition, const RunResult& result,
-                                 double time) {
-  const auto& snapshots = result.snapshots;
-  const double tolerance = 0.5 * definition.sample_interval;
-  const auto found = std::find_if(snapshots.begin(), snapshots.end(), [&](const auto& snapshot) {
-    return std::abs(snapshot.time - time) < tolerance;
-  });
-  return found == snapshots.end() ? nullptr : &*found;
-}
-
 const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::string& run,
                                  double time) {
   return snapshot_at(assessment.definition, assessment.runs.results.at(run), time);

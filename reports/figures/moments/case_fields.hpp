@@ -7,12 +7,11 @@
 
 #include "reports/model/report_model.hpp"
 #include "verification/assessment/case_assessment.hpp"
+#include "verification/gate/field_metrics.hpp"
 
 namespace slosh {
 
-// Return null where the run recorded no field at that time.
-const FieldSnapshot* snapshot_at(const CaseDefinition& definition, const RunResult& result,
-                                 double time);
+// Returns null where the run recorded no field at that time.
 const FieldSnapshot* snapshot_at(const CaseAssessment& assessment, const std::string& run,
                                  double time);
 

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "verification/sensitivity/gate_sensitivity.hpp"
+#include "verification/tests/field_results.hpp"
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -94,6 +95,16 @@ TEST_F(SensitivityCacheTest, AreFoundOutAgainWhereTheJudgeTheCaseOrAResultChange
   case_.text = text;
   for (auto& [run, result] : runs_.results)
     if (!result.series.empty()) result.series[0].value.back() += 1e-12;
+  EXPECT_EQ(known_rows(), (Rows{false, false}));
+}
+
+TEST_F(SensitivityCacheTest, AreFoundOutAgainWhereAFieldChanges) {
+  FieldSnapshot& field = runs_.results.at("particles")
+                             .snapshots.emplace_back(tiled_field(
+                                 2, {0.1, 0.1}, [](double, double z) { return 1000 * z; }));
+  report();
+  EXPECT_EQ(known_rows(), (Rows{true, true}));
+  field.pressure.back() += 1e-9;
   EXPECT_EQ(known_rows(), (Rows{false, false}));
 }
 
