@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sph/walls/solid_particles.hpp"
+#include "sph/walls/solid_place.hpp"
 #include "sph/walls/tank_outline.hpp"
 
 namespace slosh::sph {

@@ -8,11 +8,10 @@
 #include <numbers>
 #include <optional>
 
-#include "sph/scheme.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/solvers/sph_scene.hpp"
+#include "verification/solvers/artificial_viscosity.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
@@ -112,11 +111,8 @@ void limit_artificial_viscosity(const CaseDefinition& definition, double frequen
   const double wave_number = pi / still_surface(definition).length();
   for (const RunDefinition& run : definition.runs) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph || !sph->numbers.artificial_viscosity) continue;
-    const sph::Scene scene = sph_scene(definition, *sph);
-    const double h = sph->numbers.smoothing_length_ratio.value_or(1.5) * sph->particle_spacing,
-                 c0 = sph->numbers.sound_speed_ratio.value_or(10) * sph::expected_speed(scene),
-                 viscosity = *sph->numbers.artificial_viscosity * h * c0 / 8;
+    if (!sph) continue;
+    const double viscosity = artificial_viscosity(definition, *sph);
     const double loss = 2 * viscosity * wave_number * wave_number * 2 * pi / frequency;
     if (loss <= worst) continue;
     worst = loss;
