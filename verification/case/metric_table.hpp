@@ -44,6 +44,13 @@ enum class Metric {
   impact_time,        // of one impact's peak, less the published one
   plateau_error,      // the mean over the published plateau's time
   impact_percentile,  // the share of the experiment's repeats with a lower peak
+  impact_arrival,     // the time at which the pressure first reaches a share of the published peak
+  impact_peak_error,  // the peak over the published one, less 1
+  impulse_error,      // the impulse from the arrival on over the published one, less 1
+  // Of the candidate in the band of a record's quantiles (quantile_band.hpp), over the window or a
+  // part of it.
+  outside_band,    // the share of the time outside the band
+  band_excursion,  // the largest distance outside the band
   // Of the candidate's family: the cost of the row's error (work_precision.hpp).
   cost_to_reach
 };
@@ -61,7 +68,8 @@ enum class MeasuredOn {
   own_series,   // the candidate alone
   impact,
   plateau,
-  cost  // all runs of the candidate's family
+  band,  // the window, or a part of it, of a record with a band
+  cost   // all runs of the candidate's family
 };
 
 // Whose harmonic fit gives the metric its value and its interval.
@@ -137,6 +145,7 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit);
 bool is_of_a_pair(const MetricEntry& metric);
 bool is_of_candidate_alone(Metric metric);
 bool is_of_impacts(Metric metric);
+bool is_of_band(Metric metric);
 bool is_cost(Metric metric);
 bool is_angle(Metric metric);  // in degrees, and so known up to whole turns
 
