@@ -3,6 +3,7 @@
 // case stand in one curve.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "reports/figures/case_figures.hpp"
@@ -68,7 +69,7 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   figure.id = definition.name + (is_filtered ? "-filtered-peaks" : "-peaks");
   figure.title = is_filtered ? "Distribution of the peaks, filtered" : "Distribution of the peaks";
   figure.x_label = "peak over the published one [1]";
-  figure.y_label = "share of the peaks that are not higher [1]";
+  figure.y_label = "share of the peaks up to it [1]";
   std::vector<std::string> runs;
   for (const Repeats& repeats : repeated_runs(definition)) {
     const std::vector<double> peaks = of_runs(assessment, repeats, pressure);
@@ -87,13 +88,20 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   }
   if (impacts.times.size() == 1)
     for (const auto& [label, edge] :
-         {std::pair{"lower edge of the band", lower_edge}, {"upper edge of the band", upper_edge}})
+         {std::pair{"lower edge", lower_edge}, {"upper edge", upper_edge}})
       if (const auto peak = edge_of_band(assessment, pressure + edge))
         figure.markers.push_back({label, *peak});
+  // The edges of a band set no scale of their own.
+  double highest = 0;
+  for (const Curve& curve : figure.curves) highest = std::max(highest, curve.x.back());
+  for (const reports::Marker& edge : figure.markers) highest = std::max(highest, edge.x);
+  figure.x_range = {0, 1.05 * highest};
   figure.caption = fmt::format(
       "Each peak over the published mean of its impact; the steps of a curve are its peaks. Runs "
       "are repeats that differ only in the random seed of their start. {}{} Published: {}.",
-      is_filtered ? "The runs are filtered and the published peaks are not. " : "",
+      figure.markers.empty()
+          ? is_filtered ? "The runs are filtered and the published peaks are not. " : ""
+          : "Vertical lines: the peaks of the edges of the record's band. ",
       who_is_who(definition, runs), impacts.source);
   return figure;
 }
