@@ -25,8 +25,9 @@ std::vector<reports::Figure> figures_of(const CaseAssessment& assessment,
 }  // namespace
 
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment) {
-  return figures_of(assessment, {motion_figures, main_history, residual_figures, sliding_figures,
-                                 phasor_figures, convergence_figures, cost_figures});
+  return figures_of(
+      assessment, {motion_figures, main_history, impact_figures, residual_figures, sliding_figures,
+                   phasor_figures, convergence_figures, cost_figures});
 }
 
 std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment) {

@@ -10,9 +10,9 @@
 namespace slosh {
 
 // Returns the figures of the case's own page: the tank's roll; the time series of its first
-// quantity (as figures 1 to 3 of Li et al. 2010); residuals with the tolerance band; amplitude and
-// lag over time and as phasors; convergence; and, last, error against run time and against memory.
-// A figure without a run to show is left out.
+// quantity (as figures 1 to 3 of Li et al. 2010); the distributions of impacts' peaks; residuals
+// with the tolerance band; amplitude and lag over time and as phasors; convergence; and, last,
+// error against run time and against memory. A figure without a run to show is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
 
 // Returns those of its appendix: the time series of the other quantities (figures 5 and 6 there);
@@ -36,6 +36,9 @@ std::vector<reports::Figure> motion_figures(const CaseAssessment& assessment);
 // The time series of the case's first quantity, and of its other compared quantities.
 std::vector<reports::Figure> main_history(const CaseAssessment& assessment);
 std::vector<reports::Figure> other_histories(const CaseAssessment& assessment);
+
+// The distributions of the peaks of impacts, of repeated runs beside the experiment's repeats.
+std::vector<reports::Figure> impact_figures(const CaseAssessment& assessment);
 
 // Candidate minus reference, with the tolerance band.
 std::vector<reports::Figure> residual_figures(const CaseAssessment& assessment);

@@ -26,6 +26,22 @@ std::vector<double> scaled(std::vector<double> values, double scale) {
   return values;
 }
 
+// Adds the band of the experiment's repeats, where the record has it of this quantity.
+reports::Curve with_band(reports::Curve curve, const RunResult& record, const std::string& quantity,
+                         double scale) {
+  for (const TimeSeries& edge : record.series) {
+    if (edge.name == quantity + lower_edge) curve.lower = scaled(edge.value, scale);
+    if (edge.name == quantity + upper_edge) curve.upper = scaled(edge.value, scale);
+  }
+  if (curve.lower.size() != curve.y.size() || curve.upper.size() != curve.y.size()) {
+    curve.lower.clear();
+    curve.upper.clear();
+  } else {
+    curve.ribbon = "band of the experiment's repeats";
+  }
+  return curve;
+}
+
 }  // namespace
 
 std::vector<std::string> finest_runs(const CaseAssessment& assessment,
@@ -97,6 +113,8 @@ reports::Curve history_curve(const CaseAssessment& assessment, const std::string
   curve.look = look_of(assessment.definition, run);
   curve.sets_scale = is_in_range(assessment, run);
   if (const auto* record = std::get_if<RecordRun>(&run_named(assessment.definition, run).solver)) {
+    if (record->has_band)
+      return with_band(std::move(curve), assessment.runs.results.at(run), quantity, scales.value);
     if (record->time.size() <= most_points) curve.style = reports::Curve::Style::points;
     if (record->uncertainty)
       set_uncertainty(curve, std::vector(curve.y.size(), scales.value * *record->uncertainty),
@@ -161,14 +179,20 @@ std::vector<reports::Span> outside_window(const CaseDefinition& definition, doub
 std::string who_is_who(const CaseDefinition& definition, const std::vector<std::string>& runs) {
   std::vector<std::string> texts;
   bool bars = false;
+  std::string bands;
   for (const std::string& name : runs) {
     const RunDefinition& run = run_named(definition, name);
     texts.push_back(name + ": " + caption_text(run));
     const auto* record = std::get_if<RecordRun>(&run.solver);
-    bars |= record && record->uncertainty;
+    bars |= record && record->uncertainty && !record->has_band;
+    if (record && record->has_band)
+      bands += fmt::format(
+          " The ribbon about {} is the band of the experiment's repeats, from a lower to an upper "
+          "quantile.",
+          name);
   }
-  return fmt::format("{}.{}", fmt::join(texts, "; "),
-                     bars ? " Bars, or a ribbon, show the 95 % interval of a record." : "");
+  return fmt::format("{}.{}{}", fmt::join(texts, "; "),
+                     bars ? " Bars, or a ribbon, show the 95 % interval of a record." : "", bands);
 }
 
 }  // namespace slosh

@@ -182,6 +182,10 @@ Json gate_entry(const GateOutcome& outcome) {
   if (const auto& judged = outcome.judgement) entry["uncertainty_95"] = uncertainty_entry(*judged);
   if (row.limit) entry["limit"] = *row.limit;
   if (row.error) entry["error"] = *row.error;
+  if (row.part) {
+    entry["part_begin_s"] = row.part->first;
+    entry["part_end_s"] = row.part->second;
+  }
   if (row.between) entry["between"] = {row.between->first, row.between->second};
   if (row.improves_on) entry["improves_on"] = *row.improves_on;
   return entry;

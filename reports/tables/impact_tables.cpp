@@ -22,13 +22,17 @@ std::string pressure_word(const std::string& quantity) {
 }
 
 Row published_row(const ImpactsDefinition& impacts) {
-  Row row{"published", "mean ± sd of the repeats"};
+  const bool has_spread = !impacts.peak_deviations.empty();
+  Row row{"published", has_spread ? "mean ± sd of the repeats" : "as published"};
   for (std::size_t n = 0; n < impacts.times.size(); ++n) {
     row.push_back(fmt::format("{:.3f}", impacts.times[n]));
-    row.push_back(
-        fmt::format("{:.0f} ± {:.0f}", impacts.peak_means[n], impacts.peak_deviations[n]));
+    row.push_back(has_spread ? fmt::format("{:.0f} ± {:.0f}", impacts.peak_means[n],
+                                           impacts.peak_deviations[n])
+                             : fmt::format("{:.0f}", impacts.peak_means[n]));
+    if (impacts.arrivals) row.push_back(fmt::format("{:.4f}", impacts.arrivals->times[n]));
+    if (impacts.impulses) row.push_back(fmt::format("{:.0f}", impacts.impulses->values[n]));
   }
-  row.push_back(fmt::format("{:.0f}", impacts.plateau));
+  if (impacts.plateau > 0) row.push_back(fmt::format("{:.0f}", impacts.plateau));
   return row;
 }
 
@@ -48,6 +52,29 @@ std::string time_difference(double time, std::size_t n, const TimeSeries& pressu
   return "";
 }
 
+// Adds the arrival, with the difference to the published one, and the impulse, with its error, as
+// far as the case publishes them. Throws ComparisonError as arrival_in() and impulse_in() do.
+void add_arrival_cells(const TimeSeries& pressure, std::size_t n, const CaseDefinition& definition,
+                       Row& row) {
+  const ImpactsDefinition& impacts = definition.impacts.value();
+  if (impacts.arrivals) {
+    const std::optional<double> arrival = arrival_in(pressure, n, definition);
+    row.push_back(
+        arrival ? fmt::format("{:.4f} ({:+.4f})", *arrival, *arrival - impacts.arrivals->times[n])
+                : "no arrival");
+  }
+  if (impacts.impulses) {
+    const std::optional<double> found = impulse_in(pressure, n, definition);
+    row.push_back(found ? fmt::format("{:.0f} ({:+.0f} %)", *found,
+                                      100 * (*found / impacts.impulses->values[n] - 1))
+                        : "no arrival");
+  }
+}
+
+std::size_t cells_of_an_impact(const ImpactsDefinition& impacts) {
+  return 2 + (impacts.arrivals ? 1 : 0) + (impacts.impulses ? 1 : 0);
+}
+
 Row run_row(const CaseAssessment& assessment, const std::string& run, const TimeSeries& pressure) {
   const CaseDefinition& definition = assessment.definition;
   const ImpactsDefinition& impacts = definition.impacts.value();
@@ -57,38 +84,55 @@ Row run_row(const CaseAssessment& assessment, const std::string& run, const Time
     const auto peaks = impacts_in(pressure, definition);
     for (std::size_t n = 0; n < peaks.size(); ++n) {
       if (!peaks[n]) {
-        row.insert(row.end(), {"no impact", ""});
+        row.push_back("no impact");
+        row.resize(2 + cells_of_an_impact(impacts) * (n + 1));
         continue;
       }
       row.push_back(fmt::format("{:.3f}", peaks[n]->time) +
                     time_difference(peaks[n]->time, n, pressure, record, definition));
       row.push_back(fmt::format("{:.0f} ({})", peaks[n]->pressure,
                                 place_among_repeats(definition, n, peaks[n]->pressure)));
+      add_arrival_cells(pressure, n, definition, row);
     }
   } catch (const ComparisonError& error) {
     row.push_back(error.what());
-    row.resize(2 + 2 * impacts.times.size());
+    row.resize(2 + cells_of_an_impact(impacts) * impacts.times.size());
   }
-  row.push_back(plateau_cell(pressure, definition));
+  if (impacts.plateau > 0) row.push_back(plateau_cell(pressure, definition));
   return row;
 }
 
 std::string caption(const CaseDefinition& definition) {
   const ImpactsDefinition& impacts = definition.impacts.value();
+  const bool is_single = impacts.plateau == 0;
   std::string text = fmt::format(
-      "The highest pressure within a quarter of the period ({} s) of each published time. In "
+      "The highest pressure within {} of each published time. In "
       "brackets after its time: the difference to the published time (for the filtered pressure, "
       "to the time in the record with the same filter, if the record is supplied). In brackets "
       "after the peak: ",
-      impacts.period);
+      is_single ? fmt::format("{:g} s", impacts.period / 4)
+                : fmt::format("a quarter of the period ({} s)", impacts.period));
   text +=
       impacts.repeats.empty()
-          ? "its distance from the mean of the experiment's repeats, in their standard deviations "
-            "(sd); the table of the repeats is not supplied, so there are no percentiles. "
+          ? (impacts.peak_deviations.empty()
+                 ? "its difference to the published peak. "
+                 : "its distance from the mean of the experiment's repeats, in their standard "
+                   "deviations (sd); the table of the repeats is not supplied, so there are no "
+                   "percentiles. ")
           : fmt::format("the percentage of the experiment's {} repeats that have a lower peak. ",
                         impacts.repeats.front().size());
-  text += fmt::format("Plateau: the mean from {} to {} s. Published: {}.", impacts.plateau_begin,
-                      impacts.plateau_end, impacts.source);
+  if (impacts.arrivals)
+    text += fmt::format(
+        "Arrival: when the pressure first reaches {:.3g} of the published peak, and in brackets "
+        "the difference to the published arrival. ",
+        impacts.arrivals->share);
+  if (impacts.impulses)
+    text += fmt::format("Impulse: the integral of the pressure over {:g} s from the arrival on. ",
+                        impacts.impulses->duration);
+  if (impacts.plateau > 0)
+    text += fmt::format("Plateau: the mean from {} to {} s. ", impacts.plateau_begin,
+                        impacts.plateau_end);
+  text += fmt::format("Published: {}.", impacts.source);
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     if (gauge.name == impacts.gauge && gauge.filter_cutoff)
       text += fmt::format(" Filter: {}; the published peaks are not filtered.",
@@ -116,7 +160,10 @@ Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
   Row row{"experiment", "as published", fmt::format("{}", impact + 1)};
   if (impacts.repeats.empty()) {
     row.insert(row.end(), {"", fmt::format("{:.0f}", impacts.peak_means[impact]),
-                           fmt::format("{:.0f}", impacts.peak_deviations[impact]), "not supplied"});
+                           impacts.peak_deviations.empty()
+                               ? std::string("not published")
+                               : fmt::format("{:.0f}", impacts.peak_deviations[impact]),
+                           "not supplied"});
   } else {
     const Distribution peaks = repeated_peaks(definition, impact);
     row.push_back(fmt::format("{0} of {0}", peaks.sorted().size()));
@@ -163,10 +210,13 @@ std::optional<Table> impact_table(const CaseAssessment& assessment) {
               caption(definition),
               {"run", "pressure"},
               {published_row(*definition.impacts)}};
-  for (std::size_t n = 1; n <= definition.impacts->times.size(); ++n)
+  for (std::size_t n = 1; n <= definition.impacts->times.size(); ++n) {
     table.header.insert(table.header.end(),
                         {fmt::format("impact {} [s]", n), fmt::format("peak {} [Pa]", n)});
-  table.header.push_back("plateau [Pa]");
+    if (definition.impacts->arrivals) table.header.push_back(fmt::format("arrival {} [s]", n));
+    if (definition.impacts->impulses) table.header.push_back(fmt::format("impulse {} [Pa s]", n));
+  }
+  if (definition.impacts->plateau > 0) table.header.push_back("plateau [Pa]");
   const auto add_runs = [&](bool records) {
     for (const RunDefinition& run : definition.runs) {
       if (is_record(run) != records) continue;

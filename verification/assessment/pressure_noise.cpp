@@ -44,6 +44,8 @@ double plateau_noise(const TimeSeries& pressure, const CaseDefinition& definitio
   if (!definition.impacts)
     throw ComparisonError("the case " + definition.name + " has no [impacts]");
   const ImpactsDefinition& impacts = *definition.impacts;
+  if (!(impacts.plateau > 0))
+    throw ComparisonError("the [impacts] of the case " + definition.name + " have no plateau");
   double sum = 0;
   std::size_t count = 0;
   for (const double time : impacts.times) {

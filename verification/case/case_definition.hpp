@@ -231,6 +231,10 @@ struct RecordRun {
   std::vector<double> time, value;    // [s], unit; none where it is not supplied
   std::optional<double> uncertainty;  // half width of the values' 95 % interval, in the unit
   bool supplied = true;
+  // The quantiles of the experiment's repeats about the values, at the same times. The edges are
+  // empty where the record is not supplied.
+  bool has_band = false;
+  std::vector<double> lower = {}, upper = {};
   // What a run of this harness gave earlier: it tells what has moved and not what is right, so that
   // rows of regression alone may rest on it and nothing else is compared with it.
   bool earlier_run = false;
@@ -373,24 +377,48 @@ struct GateRow {
   SourceLocation where;
   std::optional<double> error = {};  // normalised rms, for cost_to_reach only
   RowKind kind = RowKind::validation;
+  // The part of the comparison's window [s] over which a metric of a band is taken; by default all
+  // of it.
+  std::optional<std::pair<double, double>> part = {};
 };
 
-// Published measurements of a tank in which the liquid hits a wall once a period: the peaks and the
-// plateau of the pressure at one gauge, over repeats of the experiment.
+// The published arrivals of impacts: when the pressure first reaches a share of the published peak.
+struct ArrivalsDefinition {
+  double share;                           // of each mean peak
+  std::vector<double> times;              // [s], by impact
+  std::optional<double> half_width = {};  // [s], of the 95 % interval of the times, if published
+};
+
+// The published impulses: the integral of the pressure over a time after the arrival.
+struct ImpulsesDefinition {
+  double duration;                        // [s], from the arrival on
+  std::vector<double> values;             // [Pa s], by impact
+  std::optional<double> half_width = {};  // [Pa s], of the 95 % interval, if published
+};
+
+// Published measurements of a tank in which the liquid hits a wall, once or once a period: the
+// peaks, the arrivals, the impulses and the plateau of the pressure at one gauge, over repeats of
+// the experiment.
 struct ImpactsDefinition {
-  std::string gauge;                                // of pressure
-  std::vector<double> times;                        // [s], of the peaks in the published record
-  double period;                                    // [s], of the motion
-  std::vector<double> peak_means, peak_deviations;  // [Pa], by impact: mean and standard deviation
-  double plateau_begin, plateau_end;                // [s], after an impact
-  double plateau;                                   // [Pa], the published record's mean there
+  std::string gauge;          // of pressure
+  std::vector<double> times;  // [s], of the peaks in the published record
+  // [s], of the motion; of a single impact four times the time within which it is sought to either
+  // side.
+  double period;
+  std::vector<double> peak_means;       // [Pa], by impact
+  std::vector<double> peak_deviations;  // [Pa], by impact, if published, else empty
+  // [s], after an impact, and the published record's mean there [Pa]; 0 where none is published.
+  double plateau_begin, plateau_end, plateau;
   // The half widths of the 95 % intervals of the times [s] and of the plateau [Pa], if published.
   std::optional<double> times_half_width = {}, plateau_half_width = {};
+  std::optional<double> peaks_half_width = {};  // [Pa], of the mean peaks, likewise
   // The table of the repeats: the path where it lies or should lie (empty: the case names none),
   // and its peaks [Pa] by impact (empty: it is not supplied).
   std::filesystem::path peak_table;
   std::vector<std::vector<double>> repeats;
   std::string source;
+  std::optional<ArrivalsDefinition> arrivals = {};
+  std::optional<ImpulsesDefinition> impulses = {};
 };
 
 struct CaseDefinition {

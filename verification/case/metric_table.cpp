@@ -81,6 +81,20 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
        {Metric::impact_percentile, "impact_percentile", "1",
         "share of the experiment's repeats that peak lower", impact, Fit::none, nowhere,
         unpredicted, range_alone, below(0.5, unit, "every percentile lies between 0 and 1")},
+       {Metric::impact_arrival, "impact_arrival", "s", "time of the arrival less the published one",
+        impact, Fit::none, nowhere, unpredicted, any_bound,
+        below(0.25, impact_period, "an impact is sought within a quarter of the motion's period")},
+       {Metric::impact_peak_error, "impact_peak_error", "1", "error of the peak of an impact",
+        impact, Fit::none, nowhere, unpredicted, any_bound,
+        below(1, unit, "a candidate without an impact has -1")},
+       {Metric::impulse_error, "impulse_error", "1", "error of the impulse of an impact", impact,
+        Fit::none, nowhere, unpredicted, any_bound,
+        below(1, unit, "a candidate without an impact has -1")},
+       {Metric::outside_band, "outside_band", "1", "share of the time outside the record's band",
+        band, Fit::none, nowhere, unpredicted, any_bound,
+        below(1, unit, "a candidate that is never inside has 1")},
+       {Metric::band_excursion, "band_excursion", "", "largest distance outside the record's band",
+        band, Fit::none, nowhere, unpredicted, any_bound, below(1e9, unit, of_any_size)},
        {Metric::pressure_field_rms, "pressure_field_rms", "1",
         "rms difference of the pressure field over the pressure under the fill depth", field,
         Fit::none, nowhere, as_field_rms, any_bound,
@@ -131,6 +145,7 @@ bool is_of_a_pair(const MetricEntry& metric) {
     case MeasuredOn::whole_window:
     case MeasuredOn::oscillation:
     case MeasuredOn::front:
+    case MeasuredOn::band:
       return true;
     case MeasuredOn::own_series:
     case MeasuredOn::impact:
@@ -151,6 +166,7 @@ bool is_of_impacts(Metric metric) {
   return measured_on == MeasuredOn::impact || measured_on == MeasuredOn::plateau;
 }
 
+bool is_of_band(Metric metric) { return metric_entry(metric).measured_on == MeasuredOn::band; }
 bool is_of_fields(Metric metric) { return metric_entry(metric).measured_on == MeasuredOn::field; }
 
 bool is_cost(Metric metric) { return metric_entry(metric).measured_on == MeasuredOn::cost; }
@@ -178,6 +194,7 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
     case MeasuredOn::whole_window:
     case MeasuredOn::own_series:
     case MeasuredOn::plateau:
+    case MeasuredOn::band:
     case MeasuredOn::field:
     case MeasuredOn::cost:
       break;
@@ -197,6 +214,7 @@ std::optional<std::string> default_mode(const MetricEntry& metric) {
     case MeasuredOn::front:
     case MeasuredOn::own_series:
     case MeasuredOn::plateau:
+    case MeasuredOn::band:
     case MeasuredOn::field:
     case MeasuredOn::cost:
       break;

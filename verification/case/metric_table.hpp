@@ -44,6 +44,13 @@ enum class Metric {
   impact_time,        // of one impact's peak, less the published one
   plateau_error,      // the mean over the published plateau's time
   impact_percentile,  // the share of the experiment's repeats with a lower peak
+  impact_arrival,     // the time at which the pressure first reaches a share of the published peak
+  impact_peak_error,  // the peak over the published one, less 1
+  impulse_error,      // the impulse from the arrival on over the published one, less 1
+  // Of the candidate in the band of a record's quantiles (quantile_band.hpp), over the window or a
+  // part of it.
+  outside_band,    // the share of the time outside the band
+  band_excursion,  // the largest distance outside the band
   // Of the pressure fields at the case's snapshot times against interFoam's (field_metrics.hpp).
   pressure_field_rms,      // the rms of the difference over the pressure under the fill depth
   pressure_field_tension,  // the share of the candidate's liquid under tension
@@ -64,6 +71,7 @@ enum class MeasuredOn {
   own_series,   // the candidate alone
   impact,
   plateau,
+  band,   // the window, or a part of it, of a record with a band
   field,  // one moment of the case, or the mean over all
   cost    // all runs of the candidate's family
 };
@@ -142,6 +150,7 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit);
 bool is_of_a_pair(const MetricEntry& metric);
 bool is_of_candidate_alone(Metric metric);
 bool is_of_impacts(Metric metric);
+bool is_of_band(Metric metric);
 bool is_of_fields(Metric metric);
 bool is_cost(Metric metric);
 bool is_angle(Metric metric);  // in degrees, and so known up to whole turns

@@ -69,6 +69,9 @@ bool is_gauged(const std::string& series);
 
 // The suffix of the series of potential flow from a run with fewer nodes.
 inline constexpr const char* coarser = "/coarser";
+// The suffixes of the edges of a record's band, and of a pressure through a gauge's filter.
+inline constexpr const char *lower_edge = "/lower", *upper_edge = "/upper";
+inline constexpr const char* through_filter = "/filtered";
 
 // Returns the numbers of the first `count` natural modes that linear theory excites, lowest first:
 // those that the tank's motion excites, which are the odd ones of a symmetric tank, and that of the

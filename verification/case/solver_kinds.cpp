@@ -179,7 +179,9 @@ struct Row<RecordRun> : CommonRow {
   }
   static json hashed(const RecordRun& record) {
     const json uncertainty = record.uncertainty ? json(*record.uncertainty) : json(nullptr);
-    return {{"record", {record.quantity, record.unit, record.time, record.value, uncertainty}}};
+    json hashed{{"record", {record.quantity, record.unit, record.time, record.value, uncertainty}}};
+    if (record.has_band) hashed["band"] = {record.lower, record.upper};
+    return hashed;
   }
 };
 

@@ -239,14 +239,34 @@ const std::vector<KeyTable>& case_key_tables() {
         {"times_s", "increasing list of numbers, s", "yes",
          "The published times of the peaks, one or more, at least half a period apart and a "
          "quarter of it inside the run."},
-        {"period_s", "number > 0, s", "yes", "The period of the motion that brings the impacts."},
+        {"period_s", "number > 0, s", "where sought_within_s is absent",
+         "The period of the motion that brings the impacts."},
+        {"sought_within_s", "number > 0, s", "no",
+         "In place of period_s, for a single impact: it is sought this long to either side of its "
+         "time, of which a quarter of the period is the measure otherwise."},
         {"peaks_Pa", "list of numbers > 0, Pa", "yes",
          "The published mean peak of each impact: as many as times_s."},
-        {"peaks_sd_Pa", "list of numbers > 0, Pa", "yes",
+        {"peaks_sd_Pa", "list of numbers > 0, Pa", "with period_s",
          "The standard deviation of each, over the repeats."},
-        {"plateau_begin_s", "number >= 0, s", "yes", ""},
-        {"plateau_end_s", "number > plateau_begin_s and <= duration_s, s", "yes", ""},
-        {"plateau_Pa", "number > 0, Pa", "yes", "The published mean pressure between the two."},
+        {"peaks_half_width_Pa", "number > 0, Pa", "no",
+         "Half the 95 % interval of the mean peaks."},
+        {"plateau_begin_s", "number >= 0, s", "with period_s",
+         "The plateau may be left out beside sought_within_s."},
+        {"plateau_end_s", "number > plateau_begin_s and <= duration_s, s", "with plateau_begin_s",
+         ""},
+        {"plateau_Pa", "number > 0, Pa", "with plateau_begin_s",
+         "The published mean pressure between the two."},
+        {"arrival_share", "number > 0 and < 1", "with arrivals_s",
+         "An impact arrives when the pressure first reaches this share of its published peak."},
+        {"arrivals_s", "list of numbers > 0, s", "with arrival_share",
+         "The published arrivals: as many as times_s."},
+        {"arrivals_half_width_s", "number > 0, s", "no", "Half the 95 % interval of the arrivals."},
+        {"impulse_duration_s", "number > 0, s", "with impulses_Pa_s",
+         "The time from the arrival on over which the impulse is taken."},
+        {"impulses_Pa_s", "list of numbers > 0, Pa s", "with impulse_duration_s",
+         "The published impulses: as many as times_s."},
+        {"impulses_half_width_Pa_s", "number > 0, Pa s", "no",
+         "Half the 95 % interval of the impulses."},
         {"times_half_width_s", "number > 0, s", "no", "Half the 95 % interval of the times."},
         {"plateau_half_width_Pa", "number > 0, Pa", "no", "Half the 95 % interval of the plateau."},
         {"peak_table", "path below the directory of the user's records", "no",
@@ -385,6 +405,12 @@ const std::vector<KeyTable>& case_key_tables() {
         {"value_column", "text", "yes", "The name of the column of values."},
         {"quantity", "compared quantity", "yes", "What the record measures."},
         {"unit", "unit of the quantity", "yes", "The unit of the values."},
+        {"scale", "number > 0", "no",
+         "The values, and those of the band, are scale times their column. Default: 1."},
+        {"lower_column", "text", "with upper_column",
+         "The name of the column of a lower quantile of the experiment's repeats. The two make a "
+         "band about the values, for outside_band and band_excursion."},
+        {"upper_column", "text", "with lower_column", "The same of an upper quantile."},
         {"uncertainty", "number > 0, the record's unit", "no",
          "The same as for a shipped record."}}},
       {"run.external",
@@ -499,8 +525,9 @@ const std::vector<KeyTable>& case_key_tables() {
        "One requirement, or with candidates, modes and limits several: one for each run, mode and "
        "metric that they list. Exactly one of limit, lower with upper, and improves_on is given "
        "for "
-       "each metric. No two rows have the same candidate, reference, quantity, mode, metric, error "
-       "and improves_on.",
+       "each metric. No two rows have the same candidate, reference, quantity, mode, metric, "
+       "error, "
+       "part and improves_on.",
        {{"candidate", "run name", "where candidates is absent",
          "The run that is judged. A record is never a candidate."},
         {"candidates", "list of run names or patterns", "no",
@@ -513,7 +540,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"quantity", "quantity", "no",
          "A compared quantity, below. A metric of the candidate alone takes any series, one of "
          "impacts the pressure at their gauge, one of fields pressure_field, and a row against a "
-         "record the record's quantity. "
+         "record the record's quantity, of a pressure also the filtered one. "
          "Default: the case's first, which is that of its first gauge but for a dam's front."},
         {"mode", "text", "no",
          "forced, forced_1, ..., natural_1, ..., impact_1, ..., moment_1, ..., or whole, as the "
@@ -540,6 +567,11 @@ const std::vector<KeyTable>& case_key_tables() {
          "The candidate must be nearer to zero than this third run, by more than the intervals."},
         {"error", "number above 0 and below 1", "with metric = \"cost_to_reach\" alone",
          "The normalised rms error whose cost is bounded."},
+        {"part_begin_s", "number, s, within the comparison's window",
+         "with part_end_s, of outside_band or band_excursion alone",
+         "The part of the comparison's window over which the metric is taken. Default: all of it."},
+        {"part_end_s", "number above part_begin_s, s, within the comparison's window",
+         "with part_begin_s", ""},
         {"kind", "\"validation\" or \"regression\"", "no",
          "Where the limit comes from: theory, experiment, requirement; or earlier measurements. "
          "Default: validation."},

@@ -138,7 +138,7 @@ void read_bound(const TomlTable& row, const MetricEntry& metric, const CaseDefin
 bool bounds_the_same(const GateRow& a, const GateRow& b) {
   const auto subject = [](const GateRow& row) {
     return std::tie(row.candidate, row.reference, row.quantity, row.mode, row.metric, row.error,
-                    row.improves_on);
+                    row.improves_on, row.part);
   };
   return subject(a) == subject(b);
 }
@@ -165,6 +165,48 @@ void read_error(const TomlTable& row, const MetricEntry& metric, GateRow& gate_r
   gate_row.error =
       row.get("error", Rule<double>{"a normalised rms above 0 and below 1, without unit",
                                     [](double value) { return value > 0 && value < 1; }});
+}
+
+// The part of the window over which a metric of a band is taken.
+void read_part(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
+               GateRow& gate_row) {
+  const bool given = row.has("part_begin_s") || row.has("part_end_s");
+  if (!given) return;
+  if (!is_of_band(metric.metric))
+    row.refuse(row.has("part_begin_s") ? "part_begin_s" : "part_end_s",
+               "no such key: only a metric of a band is taken over a part of the window");
+  const double begin = definition.window_begin, end = definition.window_end;
+  const double from = row.get(
+      "part_begin_s",
+      Rule<double>{fmt::format("a number from {:.6g} to below {:.6g}, in s: within the window of "
+                               "[comparison]",
+                               begin, end),
+                   [=](double time) { return time >= begin && time < end; }});
+  const double to = row.get(
+      "part_end_s",
+      Rule<double>{fmt::format("a number above part_begin_s ({:.6g}) and <= {:.6g}, in s: within "
+                               "the window of [comparison]",
+                               from, end),
+                   [=](double time) { return time > from && time <= end; }});
+  gate_row.part = {from, to};
+}
+
+// A metric of a band is of a record that has one.
+void require_band(const TomlTable& row, const MetricEntry& metric, const RecordRun* record) {
+  if (is_of_band(metric.metric) && !(record && record->has_band))
+    row.refuse("reference",
+               fmt::format("a record with lower_column and upper_column: {} is measured on their "
+                           "band",
+                           metric.name));
+}
+
+// The quantity of the record, and the filtered one beside it where its gauge has a filter.
+std::vector<std::string> quantities_of(const RecordRun& record, const CaseDefinition& definition) {
+  std::vector<std::string> quantities{record.quantity};
+  const std::string filtered = record.quantity + "/filtered";
+  for (const std::string& one : compared_quantities(definition))
+    if (one == filtered) quantities.push_back(one);
+  return quantities;
 }
 
 // Some metrics take a limit alone, others a range alone.
@@ -213,20 +255,21 @@ void refuse_reference(const TomlTable& row, const MetricEntry& metric, const cha
                fmt::format("no reference: {} is measured on {}", metric.name, measured_on));
 }
 
-void read_reference_and_quantity(const TomlTable& row, const CaseDefinition& definition,
-                                 GateRow& gate_row) {
+void read_reference_and_quantity(const TomlTable& row, const MetricEntry& metric,
+                                 const CaseDefinition& definition, GateRow& gate_row) {
   gate_row.reference = row.choice("reference", "a run other than the candidate",
                                   runs_besides({gate_row.candidate}, definition));
   const RecordRun* record = as_record(definition, gate_row.reference);
-  gate_row.quantity =
-      record ? choice_or_first(row, "quantity", "the record's quantity", {record->quantity})
-             : choice_or_first(row, "quantity", "a compared quantity",
-                               compared_quantities(definition));
+  require_band(row, metric, record);
+  gate_row.quantity = record ? choice_or_first(row, "quantity", "the record's quantity",
+                                               quantities_of(*record, definition))
+                             : choice_or_first(row, "quantity", "a compared quantity",
+                                               compared_quantities(definition));
 }
 
 void read_compared_series(const TomlTable& row, const MetricEntry& metric,
                           const CaseDefinition& definition, GateRow& gate_row) {
-  read_reference_and_quantity(row, definition, gate_row);
+  read_reference_and_quantity(row, metric, definition, gate_row);
   gate_row.unit =
       read_unit(row, metric.name, metric_unit(metric.metric, unit_of(gate_row.quantity)));
 }
@@ -248,12 +291,27 @@ void read_own_series(const TomlTable& row, const MetricEntry& metric,
   }
 }
 
+// Each metric of impacts needs what it compares with.
+void require_published(const TomlTable& row, Metric metric, const ImpactsDefinition& impacts) {
+  const auto require = [&](bool published, const char* keys) {
+    if (!published)
+      row.refuse("metric", fmt::format("a metric that needs no {} in [impacts], which this case "
+                                       "does not have",
+                                       keys));
+  };
+  if (metric == Metric::plateau_error) require(impacts.plateau > 0, "plateau_Pa");
+  if (metric == Metric::impact_arrival || metric == Metric::impulse_error)
+    require(impacts.arrivals.has_value(), "arrivals_s");
+  if (metric == Metric::impulse_error) require(impacts.impulses.has_value(), "impulses_Pa_s");
+}
+
 // Reads the pressure at the gauge of the case's impacts, unfiltered or filtered.
 void read_impact_quantity(const TomlTable& row, const MetricEntry& metric,
                           const CaseDefinition& definition, GateRow& gate_row) {
   refuse_reference(row, metric, "the published impacts");
   if (!definition.impacts)
     row.refuse("metric", "a metric that needs no [impacts], which this case does not have");
+  require_published(row, metric.metric, *definition.impacts);
   gate_row.quantity = choice_or_first(row, "quantity", "the pressure at the gauge of [impacts]",
                                       impact_pressures(definition));
 }
@@ -346,6 +404,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.mode = read_mode(row, metric, gate_row.quantity, definition);
   read_bound(row, metric, definition, gate_row);
   read_error(row, metric, gate_row);
+  read_part(row, metric, definition, gate_row);
   require_form_of_bound(row, metric, gate_row);
   gate_row.kind = read_row_kind(row);
   const RecordRun* record = as_record(definition, gate_row.reference);
@@ -373,7 +432,7 @@ GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definiti
   } else if (is_of_fields(metric.metric)) {
     read_field_quantity(measure, definition, row);
   } else {
-    read_reference_and_quantity(measure, definition, row);
+    read_reference_and_quantity(measure, metric, definition, row);
   }
   const bool is_compared =
       std::find(compared.begin(), compared.end(), row.quantity) != compared.end();

@@ -36,12 +36,58 @@ std::vector<double> read_times(const TomlTable& impacts, double period, double d
   return times;
 }
 
-std::vector<double> read_of_each_impact(const TomlTable& impacts, const char* key,
+std::vector<double> read_of_each_impact(const TomlTable& impacts, const char* key, const char* unit,
                                         std::size_t count) {
-  std::vector<double> values = impacts.numbers(key, positive("Pa"));
+  std::vector<double> values = impacts.numbers(key, positive(unit));
   if (values.size() != count)
-    impacts.refuse(key, fmt::format("as many numbers as times_s has, {}, in Pa", count));
+    impacts.refuse(key, fmt::format("as many numbers as times_s has, {}, in {}", count, unit));
   return values;
+}
+
+// The motion's period; of a single impact, which no period brings, four times the time within which
+// it is sought.
+double read_period(const TomlTable& impacts) {
+  if (!impacts.has("sought_within_s")) return impacts.get("period_s", positive("s"));
+  if (impacts.has("period_s"))
+    impacts.refuse("sought_within_s", "no such key beside period_s, a quarter of which it is");
+  return 4 * impacts.get("sought_within_s", positive("s"));
+}
+
+void read_plateau(const TomlTable& impacts, double duration, ImpactsDefinition& read) {
+  read.plateau_half_width = impacts.find("plateau_half_width_Pa", positive("Pa"));
+  bool given = read.plateau_half_width.has_value();
+  for (const char* key : {"plateau_begin_s", "plateau_end_s", "plateau_Pa"})
+    given |= impacts.has(key);
+  // A case of repeated impacts must publish one, as it always had to.
+  if (!given && impacts.has("sought_within_s")) return;
+  read.plateau_begin = impacts.get("plateau_begin_s", not_negative("s"));
+  read.plateau_end =
+      impacts.get("plateau_end_s", end_after("plateau_begin_s", read.plateau_begin, duration));
+  read.plateau = impacts.get("plateau_Pa", positive("Pa"));
+}
+
+void read_arrivals(const TomlTable& impacts, ImpactsDefinition& read) {
+  if (!impacts.has("arrival_share") && !impacts.has("arrivals_s")) {
+    for (const char* key : {"arrivals_half_width_s", "impulse_duration_s", "impulses_Pa_s",
+                            "impulses_half_width_Pa_s"})
+      if (impacts.has(key)) impacts.refuse(key, "no such key without arrival_share and arrivals_s");
+    return;
+  }
+  const Rule<double> a_share{"a number > 0 and < 1, of the published peak",
+                             [](double share) { return share > 0 && share < 1; }, 0.5};
+  read.arrivals =
+      ArrivalsDefinition{impacts.get("arrival_share", a_share),
+                         read_of_each_impact(impacts, "arrivals_s", "s", read.times.size()),
+                         impacts.find("arrivals_half_width_s", positive("s"))};
+  if (!impacts.has("impulse_duration_s") && !impacts.has("impulses_Pa_s")) {
+    if (impacts.has("impulses_half_width_Pa_s"))
+      impacts.refuse("impulses_half_width_Pa_s", "no such key without impulses_Pa_s");
+    return;
+  }
+  read.impulses =
+      ImpulsesDefinition{impacts.get("impulse_duration_s", positive("s")),
+                         read_of_each_impact(impacts, "impulses_Pa_s", "Pa s", read.times.size()),
+                         impacts.find("impulses_half_width_Pa_s", positive("Pa s"))};
 }
 
 void read_repeats(const TomlTable& impacts, const std::filesystem::path& experiments,
@@ -190,16 +236,18 @@ ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& d
   impacts.allow_only(keys_of("impacts"));
   ImpactsDefinition read{};
   read.gauge = impacts.choice("gauge", "a pressure gauge", pressure_gauge_names(definition));
-  read.period = impacts.get("period_s", positive("s"));
+  read.period = read_period(impacts);
   read.times = read_times(impacts, read.period, definition.duration);
-  read.peak_means = read_of_each_impact(impacts, "peaks_Pa", read.times.size());
-  read.peak_deviations = read_of_each_impact(impacts, "peaks_sd_Pa", read.times.size());
-  read.plateau_begin = impacts.get("plateau_begin_s", not_negative("s"));
-  read.plateau_end = impacts.get(
-      "plateau_end_s", end_after("plateau_begin_s", read.plateau_begin, definition.duration));
-  read.plateau = impacts.get("plateau_Pa", positive("Pa"));
+  if (impacts.has("sought_within_s") && read.times.size() > 1)
+    impacts.refuse("sought_within_s", "period_s in its place where there are several times_s");
+  const std::size_t count = read.times.size();
+  read.peak_means = read_of_each_impact(impacts, "peaks_Pa", "Pa", count);
+  if (impacts.has("peaks_sd_Pa") || !impacts.has("sought_within_s"))
+    read.peak_deviations = read_of_each_impact(impacts, "peaks_sd_Pa", "Pa", count);
+  read.peaks_half_width = impacts.find("peaks_half_width_Pa", positive("Pa"));
   read.times_half_width = impacts.find("times_half_width_s", positive("s"));
-  read.plateau_half_width = impacts.find("plateau_half_width_Pa", positive("Pa"));
+  read_plateau(impacts, definition.duration, read);
+  read_arrivals(impacts, read);
   read_repeats(impacts, experiments, read);
   read.source = impacts.get("source", any_text());
   return read;

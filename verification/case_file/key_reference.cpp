@@ -35,6 +35,8 @@ std::string measured_on(const MetricEntry& metric) {
       return "a published impact";
     case MeasuredOn::plateau:
       return "the published plateau";
+    case MeasuredOn::band:
+      return "the window, or a part of it, of a record with a band";
     case MeasuredOn::field:
       return "the fields at the snapshot times";
     case MeasuredOn::cost:

@@ -164,6 +164,32 @@ RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& defini
           .earlier_run = run.flag("earlier_run")};
 }
 
+// The columns of the quantiles of the experiment's repeats.
+std::optional<std::pair<std::string, std::string>> band_columns(const TomlTable& run) {
+  if (!run.has("lower_column") && !run.has("upper_column")) return std::nullopt;
+  return std::pair{run.get("lower_column", any_text()), run.get("upper_column", any_text())};
+}
+
+std::vector<double> read_column(const RecordRun& record, TimeColumns columns,
+                                const std::string& value, double factor) {
+  columns.value = value;
+  std::vector<double> values = read_time_columns(record.file, columns).value;
+  for (double& one : values) one *= factor;
+  return values;
+}
+
+void read_band(const TomlTable& run, const TimeColumns& columns,
+               const std::pair<std::string, std::string>& edges, double factor, RecordRun& record) {
+  record.lower = read_column(record, columns, edges.first, factor);
+  record.upper = read_column(record, columns, edges.second, factor);
+  for (std::size_t i = 0; i < record.time.size(); ++i)
+    if (!(record.lower[i] <= record.upper[i]))
+      run.refuse("upper_column",
+                 fmt::format("a column whose values are nowhere below those of lower_column; at "
+                             "{:.6g} s they are",
+                             record.time[i]));
+}
+
 // Checks the keys even if the record is absent.
 RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition,
                           const std::filesystem::path& experiments) {
@@ -174,6 +200,8 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
   const double si = si_value(unit, unit_of(quantity));
   const TimeColumns columns{run.get("time_column", any_text()), run.get("value_column", any_text()),
                             unit};
+  const double factor = si * run.find("scale", positive("1")).value_or(1);
+  const auto edges = band_columns(run);
   const bool named = !experiments.empty();
   RecordRun record{
       .file = (named ? experiments : "SLOSH_EXPERIMENTS") /
@@ -182,14 +210,16 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
       .unit = unit_of(quantity),
       .time = {},
       .value = {},
-      .uncertainty = run.find("uncertainty", positive(unit))};
+      .uncertainty = run.find("uncertainty", positive(unit)),
+      .has_band = edges.has_value()};
   if (record.uncertainty) *record.uncertainty *= si;
   record.supplied = named && std::filesystem::is_regular_file(record.file);
   if (!record.supplied) return record;
   TimeTable table = read_time_columns(record.file, columns);
   record.time = std::move(table.time);
   record.value = std::move(table.value);
-  for (double& value : record.value) value *= si;
+  for (double& value : record.value) value *= factor;
+  if (edges) read_band(run, columns, *edges, factor, record);
   return record;
 }
 

@@ -42,6 +42,11 @@ struct CompareOptions {
   std::filesystem::path json;       // empty: none
 };
 
+bool has_series(const RunResult& result, const std::string& name) {
+  return std::any_of(result.series.begin(), result.series.end(),
+                     [&](const TimeSeries& one) { return one.name == name; });
+}
+
 std::vector<std::string> common_series(const RunResult& candidate, const RunResult& reference) {
   std::vector<std::string> names;
   for (const TimeSeries& one : candidate.series)
@@ -143,6 +148,14 @@ void print_modes(const Comparison& comparison) {
             << "\n";
 }
 
+void print_band(const Comparison& comparison) {
+  if (!comparison.margin) return;
+  std::cout << fmt::format(
+      "outside the reference's band: {} of the time, by {} at most\n",
+      in_unit(share_outside(*comparison.margin, comparison.window), "1"),
+      in_unit(largest_excursion(*comparison.margin, comparison.window), comparison.unit));
+}
+
 void print(const Comparison& comparison) {
   std::cout << fmt::format("{} of {} against {}, {:.6g} to {:.6g} s\n", comparison.quantity,
                            comparison.candidate, comparison.reference, comparison.window.begin,
@@ -157,6 +170,7 @@ void print(const Comparison& comparison) {
             << "Sprague and Geers: magnitude "
             << with_interval(comparison.sprague_geers_magnitude, "1") << ", phase "
             << with_interval(comparison.sprague_geers_phase, "1") << "\n";
+  print_band(comparison);
   if (!comparison.modes.empty()) return print_modes(comparison);
   std::cout << fmt::format("lag that fits best: {:.4g} s, normalised rms without it: {}\n",
                            comparison.alignment.lag,
@@ -194,9 +208,13 @@ Comparison compared(const CompareOptions& options, const Installation& installat
     definition = read_case(find_case(options.case_name, installation.cases));
   const TimeSeries& of_candidate = series_of(candidate, options.candidate, quantity);
   const TimeSeries& of_reference = series_of(reference, options.reference, quantity);
-  Comparison comparison = compare(of_candidate, of_reference,
-                                  window_of(options, definition, of_candidate, of_reference),
-                                  modes_to_fit(options, definition, quantity));
+  const TimeWindow window = window_of(options, definition, of_candidate, of_reference);
+  const std::vector<ToneRequest> modes = modes_to_fit(options, definition, quantity);
+  PreparedSeries prepared("reference", of_reference, window, modes);
+  if (has_series(reference, quantity + lower_edge))
+    prepared.add_band({reference.at(quantity + lower_edge), reference.at(quantity + upper_edge)});
+  Comparison comparison =
+      compare(PreparedSeries("candidate", of_candidate, window, modes), prepared);
   comparison.candidate = options.candidate.string();
   comparison.reference = options.reference.string();
   return comparison;

@@ -102,9 +102,14 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
     if (const auto known = known_->series.find(key); known != known_->series.end())
       return *known->second;
   std::shared_ptr<const PreparedSeries>& here = fitted_.series[key];
-  if (!here)
-    here = std::make_shared<PreparedSeries>(role, series_of(runs_, run, quantity), window, modes,
-                                            needed_.detail);
+  if (!here) {
+    auto made = std::make_shared<PreparedSeries>(role, series_of(runs_, run, quantity), window,
+                                                 modes, needed_.detail);
+    if (has_series(runs_, run, quantity + lower_edge))
+      made->add_band({series_of(runs_, run, quantity + lower_edge),
+                      series_of(runs_, run, quantity + upper_edge)});
+    here = std::move(made);
+  }
   return *here;
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "verification/case/quantities.hpp"
-#include "verification/runs/run_case.hpp"
-#include "verification/series/low_pass_filter.hpp"
+#include "verification/runs/filtered_pressures.hpp"
 
 namespace slosh {
 
@@ -22,7 +21,9 @@ RunResult judged_part(const RunResult& result, const std::string& quantity) {
   part.diagnostics = result.diagnostics;
   part.cost = result.cost;
   for (const TimeSeries& one : result.series)
-    if (one.name == quantity || one.name == quantity + coarser) part.series.push_back(one);
+    if (one.name == quantity || one.name == quantity + coarser ||
+        one.name == quantity + lower_edge || one.name == quantity + upper_edge)
+      part.series.push_back(one);
   return part;
 }
 
@@ -38,18 +39,9 @@ const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseR
 
 std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition, CaseRuns& runs) {
   std::vector<std::string> failures;
-  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
-    if (!gauge.filter_cutoff) continue;
-    const std::string quantity = "wall_pressure@" + gauge.name;
-    for (auto& [name, result] : runs.results) {
-      if (!has_series(runs, name, quantity)) continue;
-      try {
-        result.series.push_back(low_pass(result.at(quantity), *gauge.filter_cutoff));
-      } catch (const ComparisonError& error) {
-        failures.push_back(name + ": " + error.what());
-      }
-    }
-  }
+  for (auto& [name, result] : runs.results)
+    for (const std::string& why : add_filtered_pressures(definition, result))
+      failures.push_back(name + ": " + why);
   return failures;
 }
 

@@ -29,16 +29,16 @@ struct CaseRuns {
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
 // The part of a result that rows on the quantity are judged by: its name, its cost, its
-// diagnostics, the quantity's series and that of the potential flow with fewer nodes.
+// diagnostics, the quantity's series, the edges of its band and the potential flow with fewer
+// nodes.
 RunResult judged_part(const RunResult& result, const std::string& quantity);
 
 // The series of the first record that has the quantity. Returns nullptr where none is supplied.
 const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,
                                    const std::string& quantity);
 
-// Adds the low-pass filtered series, "wall_pressure@B/filtered" beside "wall_pressure@B", to each
-// result with the pressure of a gauge that names a cutoff. Returns "RUN: why" for each series that
-// could not be filtered.
+// Adds the low-pass filtered pressures to each result (filtered_pressures.hpp). Returns "RUN: why"
+// for each series that could not be filtered.
 std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition, CaseRuns& runs);
 
 }  // namespace slosh

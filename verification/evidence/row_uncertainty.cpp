@@ -43,6 +43,10 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
 Contribution of_record(const CaseRuns& runs, const GateRow& row, const RecordRun& record,
                        const RowMeasures& measures) {
   if (row.kind == RowKind::regression) return as_when_measured("against the same record");
+  if (is_of_band(row.metric))
+    return {0,
+            "the band is what the experiment's repeats span; how well its edges are known is "
+            "not counted"};
   if (!record.uncertainty)
     return Contribution::unknown(fmt::format(
         "the record {} declares no uncertainty; the key `uncertainty` of its run would provide it",
@@ -66,6 +70,20 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
   if (row.metric == Metric::plateau_error)
     return half_width(impacts.plateau_half_width, std::abs(1 + value) / impacts.plateau,
                       "plateau_half_width_Pa");
+  const auto of_impact = [&](const std::vector<double>& values) {
+    for (std::size_t n = 0; n < values.size(); ++n)
+      if (row.mode == fmt::format("impact_{}", n + 1)) return values[n];
+    return not_a_number;
+  };
+  if (row.metric == Metric::impact_arrival)
+    return half_width(impacts.arrivals.value().half_width, 1, "arrivals_half_width_s");
+  if (row.metric == Metric::impact_peak_error)
+    return half_width(impacts.peaks_half_width, std::abs(1 + value) / of_impact(impacts.peak_means),
+                      "peaks_half_width_Pa");
+  if (row.metric == Metric::impulse_error)
+    return half_width(impacts.impulses.value().half_width,
+                      std::abs(1 + value) / of_impact(impacts.impulses->values),
+                      "impulses_half_width_Pa_s");
   if (row.metric != Metric::impact_percentile)
     throw std::logic_error("no uncertainty is published for " + metric_name(row.metric));
   // The share of the repeats below the peak, by the normal approximation of the binomial.

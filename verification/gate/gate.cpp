@@ -305,6 +305,8 @@ std::string state_name(RunState state) {
 
 std::string measured_name(const GateRow& row) {
   const std::string name = metric_name(row.metric);
+  if (row.part)
+    return fmt::format("{} from {:g} to {:g} s", name, row.part->first, row.part->second);
   return row.error ? fmt::format("{} {}", name, in_unit(*row.error, "1")) : name;
 }
 

@@ -129,7 +129,8 @@ int exit_status_of(const std::vector<Verdict>& verdicts);
 std::string verdict_name(Verdict verdict);
 // "finished", "solver failed", "no result", "not selected", "not supplied", "out of range"
 std::string state_name(RunState state);
-// "amplitude_error"; a cost also names its error: "cost_to_reach 10 %"
+// "amplitude_error"; a cost also names its error: "cost_to_reach 10 %", and a metric of a part of
+// the window that part: "outside_band from 0.43 to 0.5 s"
 std::string measured_name(const GateRow& row);
 // "CANDIDATE against REFERENCE, MODE METRIC of QUANTITY", followed by ", below that of RUN" for a
 // row that demands an improvement on a run

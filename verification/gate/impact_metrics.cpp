@@ -12,6 +12,11 @@ const ImpactsDefinition& published(const CaseDefinition& definition) {
   throw ComparisonError("the case " + definition.name + " has no [impacts]");
 }
 
+const ArrivalsDefinition& arrivals_of(const ImpactsDefinition& impacts) {
+  if (impacts.arrivals) return *impacts.arrivals;
+  throw ComparisonError("the case's [impacts] has no arrival_share and arrivals_s");
+}
+
 // 0 for "impact_1", 1 for "impact_2", ...
 std::size_t impact_number(const std::string& mode, const ImpactsDefinition& impacts) {
   for (std::size_t n = 0; n < impacts.times.size(); ++n)
@@ -45,6 +50,7 @@ std::vector<std::optional<ImpactPeak>> impacts_in(const TimeSeries& pressure,
 
 double plateau_error(const TimeSeries& pressure, const CaseDefinition& definition) {
   const ImpactsDefinition& impacts = published(definition);
+  if (!(impacts.plateau > 0)) throw ComparisonError("the case's [impacts] publishes no plateau");
   return plateau_mean(pressure, {impacts.plateau_begin, impacts.plateau_end}) / impacts.plateau - 1;
 }
 
@@ -73,6 +79,23 @@ double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries
   return peak->time;
 }
 
+std::optional<double> arrival_in(const TimeSeries& pressure, std::size_t n,
+                                 const CaseDefinition& definition) {
+  const ImpactsDefinition& impacts = published(definition);
+  return arrival_time(pressure, impact_windows(impacts.times, impacts.period).at(n),
+                      arrivals_of(impacts).share * impacts.peak_means.at(n));
+}
+
+std::optional<double> impulse_in(const TimeSeries& pressure, std::size_t n,
+                                 const CaseDefinition& definition) {
+  const ImpactsDefinition& impacts = published(definition);
+  if (!impacts.impulses)
+    throw ComparisonError("the case's [impacts] has no impulse_duration_s and impulses_Pa_s");
+  const std::optional<double> arrival = arrival_in(pressure, n, definition);
+  if (!arrival) return std::nullopt;
+  return impulse(pressure, {*arrival, *arrival + impacts.impulses->duration});
+}
+
 double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
                      const TimeSeries* record, const CaseDefinition& definition) {
   if (metric == Metric::plateau_error) return plateau_error(pressure, definition);
@@ -81,12 +104,25 @@ double impact_metric(Metric metric, const std::string& mode, const TimeSeries& p
   const std::optional<ImpactPeak> peak = impacts_in(pressure, definition).at(n);
   if (!peak && record && lacks_impact(*record, n, definition))
     throw not_in_record(*record, n, definition);
-  if (metric == Metric::impact_time)
-    return peak ? peak->time - expected_time(n, pressure, record, definition) : not_a_number;
-  if (metric != Metric::impact_percentile)
-    throw std::logic_error("an impact has no value of " + metric_name(metric));
-  const Distribution repeats = repeated_peaks(definition, n);
-  return peak ? repeats.percentile(peak->pressure) / 100 : not_a_number;
+  switch (metric) {
+    case Metric::impact_time:
+      return peak ? peak->time - expected_time(n, pressure, record, definition) : not_a_number;
+    case Metric::impact_percentile: {
+      const Distribution repeats = repeated_peaks(definition, n);
+      return peak ? repeats.percentile(peak->pressure) / 100 : not_a_number;
+    }
+    case Metric::impact_arrival:
+      return arrival_in(pressure, n, definition).value_or(not_a_number) -
+             arrivals_of(impacts).times.at(n);
+    case Metric::impact_peak_error:
+      return peak ? peak->pressure / impacts.peak_means.at(n) - 1 : not_a_number;
+    case Metric::impulse_error: {
+      const std::optional<double> found = impulse_in(pressure, n, definition);
+      return found ? *found / impacts.impulses->values.at(n) - 1 : not_a_number;
+    }
+    default:
+      throw std::logic_error("an impact has no value of " + metric_name(metric));
+  }
 }
 
 }  // namespace slosh

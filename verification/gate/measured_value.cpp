@@ -59,6 +59,19 @@ Estimate spectral_peak_error(const Comparison& comparison) {
       0};
 }
 
+// The metric holds for the declared window or its declared part alone, like normalised_rms.
+Estimate band_value(const GateRow& row, const Comparison& comparison) {
+  if (!comparison.margin)
+    throw ComparisonError(
+        fmt::format("{} has no band for {}; expected a record with lower_column "
+                    "and upper_column",
+                    comparison.reference, comparison.quantity));
+  const TimeWindow window =
+      row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
+  const auto value = row.metric == Metric::outside_band ? share_outside : largest_excursion;
+  return {value(*comparison.margin, window), 0};
+}
+
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
   switch (metric) {
     case Metric::amplitude_error:
@@ -103,6 +116,11 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::impact_time:
     case Metric::plateau_error:
     case Metric::impact_percentile:
+    case Metric::impact_arrival:
+    case Metric::impact_peak_error:
+    case Metric::impulse_error:
+    case Metric::outside_band:
+    case Metric::band_excursion:
     case Metric::pressure_field_rms:
     case Metric::pressure_field_tension:
     case Metric::cost_to_reach:
@@ -172,6 +190,7 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
   }
   const Comparison& comparison = evidence.comparison(row.candidate, row.reference, row.quantity);
   require_unit(row, comparison.unit);
+  if (is_of_band(row.metric)) return band_value(row, comparison);
   return metric_value(row.metric, row.mode, comparison);
 }
 

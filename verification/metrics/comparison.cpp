@@ -165,6 +165,10 @@ PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindo
   spectrum = power_spectrum(series, window);
 }
 
+void PreparedSeries::add_band(const QuantileBand& around) {
+  band = {cut_to_window(around.lower, window), cut_to_window(around.upper, window)};
+}
+
 std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
                                           TimeWindow window,
                                           const std::vector<ToneRequest>& modes) {
@@ -185,6 +189,7 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
   const CommonSamples common = common_samples(candidate.series, reference.cut);
   compare_whole_window(common, blocks_of(result.window, modes), result);
   compare_waves(common, modes, result);
+  if (reference.band) result.margin = band_margin(common.time, common.candidate, *reference.band);
   result.cross_correlation_lag = result.cross_correlation_lag_degrees = not_a_number;
   result.alignment = {not_a_number, not_a_number};
   if (modes.empty())

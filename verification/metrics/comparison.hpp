@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "verification/fits/harmonic_fit.hpp"
+#include "verification/metrics/quantile_band.hpp"
 #include "verification/metrics/time_alignment.hpp"
 #include "verification/series/spectrum.hpp"
 #include "verification/series/time_series.hpp"
@@ -36,6 +37,10 @@ struct PreparedSeries {
   PreparedSeries(const std::string& role, TimeSeries series, TimeWindow window,
                  std::vector<ToneRequest> modes, Detail detail = Detail::fitted_tones);
 
+  // Adds the band of a reference, whose edges are checked and cut as the series is. Throws
+  // ComparisonError as cut_to_window() does.
+  void add_band(const QuantileBand& around);
+
   std::string quantity;
   TimeSeries series;  // named by its role and quantity
   TimeWindow window;
@@ -43,6 +48,7 @@ struct PreparedSeries {
   TimeSeries cut;                    // to the window
   std::optional<SeriesFit> fit;      // nullopt without modes and for Detail::spectrum_alone
   std::optional<Spectrum> spectrum;  // nullopt without modes
+  std::optional<QuantileBand> band;  // cut to the window
 };
 
 struct ModeComparison {
@@ -81,6 +87,8 @@ struct Comparison {
   // Of both at the reference's times inside the window, with the first mode's period.
   WaveStatistics candidate_wave, reference_wave;
   TimeSeries residual;  // c - r at the reference's times inside the window
+  // The candidate's margin in the reference's band (quantile_band.hpp); nullopt without a band.
+  std::optional<TimeSeries> margin;
   // One more than there are modes, highest first; empty without modes.
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;
 };

@@ -10,6 +10,7 @@
 #include "verification/case/changed_input.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/results/provenance.hpp"
+#include "verification/runs/filtered_pressures.hpp"
 #include "verification/runs/fitting_spacing.hpp"
 #include "verification/solvers/solver_runs.hpp"
 
@@ -89,6 +90,8 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
     result.cost.steps = own.steps;
     result.cost.elements = own.elements;
   }
+  // What cannot be filtered is told where the result is judged.
+  add_filtered_pressures(solved, result);
   result.case_name = definition.name;
   result.run_name = run.name;
   result.solver = solver_name(run);

@@ -6,9 +6,10 @@
 //                          sph/recording/still_water.hpp
 //   interFoam, also        "liquid_volume" [m2]
 //   potential flow, also   each series with the suffix `coarser`, from a run with fewer nodes
-//   a record               its own quantity alone
+//   a record               its own quantity, and the edges of its band
 //   an external program    those that the case declares
-// SPH and interFoam leave snapshots at the case's times.
+// A pressure whose gauge has a filter is there filtered too (filtered_pressures.hpp). SPH and
+// interFoam leave snapshots at the case's times.
 #pragma once
 
 #include <string>

@@ -76,6 +76,33 @@ std::vector<std::optional<ImpactPeak>> impact_peaks(const TimeSeries& pressure,
   return peaks;
 }
 
+std::optional<double> arrival_time(const TimeSeries& pressure, TimeWindow window, double level) {
+  if (!(level > 0) || !std::isfinite(level))
+    throw ComparisonError(fmt::format(
+        "{}: the level of an arrival = {}: expected a number > 0, in Pa", pressure.name, level));
+  const TimeSeries cut = cut_to_window(pressure, window);
+  for (std::size_t i = 1; i < cut.time.size(); ++i)
+    if (cut.value[i - 1] < level && cut.value[i] >= level)
+      return std::lerp(cut.time[i - 1], cut.time[i],
+                       (level - cut.value[i - 1]) / (cut.value[i] - cut.value[i - 1]));
+  return std::nullopt;
+}
+
+double impulse(const TimeSeries& pressure, TimeWindow window) {
+  cut_to_window(pressure, window);  // only for its checks
+  double sum = 0;
+  for (std::size_t i = 1; i < pressure.time.size(); ++i) {
+    const double t0 = pressure.time[i - 1], t1 = pressure.time[i];
+    const double from = std::max(t0, window.begin), to = std::min(t1, window.end);
+    if (!(from < to)) continue;
+    const auto at = [&](double t) {
+      return std::lerp(pressure.value[i - 1], pressure.value[i], (t - t0) / (t1 - t0));
+    };
+    sum += 0.5 * (to - from) * (at(from) + at(to));
+  }
+  return sum;
+}
+
 double plateau_mean(const TimeSeries& series, TimeWindow window) {
   const TimeSeries cut = cut_to_window(series, window);
   double sum = 0;

@@ -37,6 +37,16 @@ std::vector<std::optional<ImpactPeak>> impact_peaks(const TimeSeries& pressure,
                                                     const std::vector<TimeWindow>& windows,
                                                     double threshold);
 
+// The time [s] in the window at which the pressure first reaches the level [Pa], on the straight
+// line between the samples; nullopt where it does not, or has the level from the window's beginning
+// on. Throws ComparisonError as cut_to_window() does, and where the level is not a positive finite
+// number.
+std::optional<double> arrival_time(const TimeSeries& pressure, TimeWindow window, double level);
+
+// The integral over the window [Pa s], by the trapezoidal rule with values on the straight line
+// between the samples at its ends. Throws ComparisonError as cut_to_window() does.
+double impulse(const TimeSeries& pressure, TimeWindow window);
+
 // Mean over time (trapezoidal rule) of the samples inside a window, such as the plateau after an
 // impact, in the series' unit. Throws ComparisonError as cut_to_window() does.
 double plateau_mean(const TimeSeries& series, TimeWindow window);

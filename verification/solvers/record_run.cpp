@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "verification/case/quantities.hpp"
 #include "verification/solvers/solver_runs.hpp"
 
 namespace slosh {
@@ -18,6 +19,10 @@ RunResult run_solver(const RecordRun& record, const RunRequest& request) {
   if (!record.supplied) throw refused(request.run, where_to_get(record, request.definition));
   RunResult result;
   result.series.push_back({record.quantity, record.unit, record.time, record.value});
+  if (record.has_band) {
+    result.series.push_back({record.quantity + lower_edge, record.unit, record.time, record.lower});
+    result.series.push_back({record.quantity + upper_edge, record.unit, record.time, record.upper});
+  }
   result.active_terms = {"published record"};
   if (record.uncertainty) result.diagnostics["uncertainty_" + record.unit] = *record.uncertainty;
   request.progress(record.time.back(), 0);

@@ -230,5 +230,30 @@ TEST(EnergyFigure, IsLeftOutWithoutTheWholeBudget) {
   EXPECT_TRUE(figure_of(assess(surge_case(), runs), "energy-particles").id.empty());
 }
 
+TEST(PressureFigure, ShadesTheBandOfARecord) {
+  CaseDefinition definition = gauged_surge();
+  RecordRun& record = std::get<RecordRun>(definition.runs.back().solver);
+  record.uncertainty.reset();
+  record.has_band = true;
+  CaseRuns runs = gauged_runs();
+  for (const auto& [edge, value] : {std::pair{"/lower", 1000.0}, {"/upper", 1100.0}})
+    add_series(runs, "measured", std::string("wall_pressure@B") + edge, "Pa", value);
+  const CaseAssessment assessment = assess(definition, runs);
+  const reports::Figure figure = figure_of(assessment, "wall_pressure-B");
+  const reports::Curve& measured = figure.curves.at(3);
+  EXPECT_EQ(measured.lower, waving("", "", 1000).value);
+  EXPECT_EQ(measured.upper, waving("", "", 1100).value);
+  EXPECT_EQ(measured.ribbon, "band of the experiment's repeats");
+  EXPECT_EQ(measured.style, reports::Curve::Style::line);
+  EXPECT_NE(
+      figure.caption.find("The ribbon about measured is the band of the experiment's repeats, "
+                          "from a lower to an upper quantile."),
+      std::string::npos)
+      << figure.caption;
+  const reports::Figure filtered = figure_of(assessment, "filtered_wall_pressure-B");
+  EXPECT_EQ(filtered.curves.at(3).lower,
+            assessment.runs.results.at("measured").at("wall_pressure@B/filtered/lower").value);
+}
+
 }  // namespace
 }  // namespace slosh::history_figures_test

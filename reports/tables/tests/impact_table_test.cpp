@@ -83,6 +83,36 @@ TEST(ImpactTable, SaysWhatDoesNotOccurOrIsNaNOrHasNoResult) {
   for (const Row& row : rows) EXPECT_EQ(row.size(), rows[0].size());
 }
 
+TEST(ImpactTable, OfASingleImpactTellsItsArrivalAndItsImpulse) {
+  CaseDefinition definition = impact_case();
+  ImpactsDefinition single = *definition.impacts;
+  single.times = {2.375};
+  single.peak_means = {3710};
+  single.peak_deviations.clear();
+  single.repeats.clear();
+  single.plateau = single.plateau_begin = single.plateau_end = 0;
+  single.arrivals = ArrivalsDefinition{.share = 0.5, .times = {2.374}};
+  single.impulses = ImpulsesDefinition{.duration = 0.07, .values = {50}};
+  definition.impacts = single;
+  CaseAssessment assessment = one_run(pressure_of({.late = 0.012}), definition);
+  add_run(assessment, "dry", sph, {pressure_of({.impacts = 0})});
+  const auto table = impact_table(assessment);
+  EXPECT_EQ(table->header, (Row{"run", "pressure", "impact 1 [s]", "peak 1 [Pa]", "arrival 1 [s]",
+                                "impulse 1 [Pa s]"}));
+  EXPECT_EQ(table->rows.at(0), (Row{"published", "as published", "2.375", "3710", "2.3740", "50"}));
+  const Row& run = table->rows.at(1);
+  EXPECT_EQ(run.at(2), "2.387 (+0.012)");
+  EXPECT_EQ(run.at(3), "3710 (+0 %)");
+  EXPECT_TRUE(run.at(4).starts_with("2.38")) << run[4];
+  EXPECT_NE(run.at(5).find(" %)"), std::string::npos) << run[5];
+  EXPECT_EQ(table->rows.at(2).at(2), "no impact");
+  for (const Row& row : table->rows) EXPECT_EQ(row.size(), table->header.size());
+  EXPECT_NE(table->caption.find("Arrival: when the pressure first reaches 0.5 of the published "
+                                "peak"),
+            std::string::npos);
+  EXPECT_EQ(table->caption.find("Plateau"), std::string::npos);
+}
+
 // Through the whole assessment: the rows find their series, filtered ones included.
 CaseAssessment assessed(const TimeSeries& pressure, bool with_record = true) {
   CaseDefinition definition = impact_case();

@@ -23,6 +23,8 @@ std::string place_among_repeats(const CaseDefinition& definition, std::size_t im
   const ImpactsDefinition& impacts = definition.impacts.value();
   if (!impacts.repeats.empty())
     return fmt::format("{:.0f} %", repeated_peaks(definition, impact).percentile(peak));
+  if (impacts.peak_deviations.empty())
+    return fmt::format("{:+.0f} %", 100 * (peak / impacts.peak_means[impact] - 1));
   return fmt::format("{:+.1f} sd",
                      (peak - impacts.peak_means[impact]) / impacts.peak_deviations[impact]);
 }

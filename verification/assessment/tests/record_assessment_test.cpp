@@ -274,5 +274,86 @@ TEST(RecordReport, DrawsTheRecordAsPointsWithItsUncertainty) {
     EXPECT_EQ(figure.id.find("spectrum"), std::string::npos) << "there is no tone to look for";
 }
 
+RecordRun record_with_band() {
+  RecordRun published = record();
+  published.has_band = true;
+  for (const double value : published.value) {
+    published.lower.push_back(value - 0.01);
+    published.upper.push_back(value + 0.02);
+  }
+  return published;
+}
+
+// The rows on the band, the first over all of it and the second over its second half.
+CaseDefinition banded_case() {
+  CaseDefinition definition = dam_case();
+  definition.runs[0].solver = record_with_band();
+  definition.gate = {front_row(Metric::outside_band, "1", 0.2),
+                     front_row(Metric::outside_band, "1", 0.1),
+                     front_row(Metric::band_excursion, "m", 0.01)};
+  definition.gate[1].part = {0.5, 0.8};
+  return definition;
+}
+
+CaseAssessment assess_banded(const TimeSeries& front, CaseDefinition definition = banded_case()) {
+  CaseRuns runs = dam_runs(front);
+  const RecordRun published = record_with_band();
+  for (const auto& [edge, value] :
+       {std::pair{"/lower", published.lower}, {"/upper", published.upper}})
+    runs.results.at("published")
+        .series.push_back({std::string("front_position") + edge, "m", published.time, value});
+  return assess(std::move(definition), std::move(runs));
+}
+
+TEST(RecordAssessment, JudgesACandidateInTheBandOfTheRepeats) {
+  const CaseAssessment inside = assess_banded(front_series(0.01));
+  for (const GateOutcome& outcome : inside.gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
+    EXPECT_EQ(outcome.value.value, 0);
+  }
+  EXPECT_EQ(row_name(inside.gate.at(1).row),
+            "particles against published, whole outside_band from 0.5 to 0.8 s of front_position");
+}
+
+TEST(RecordAssessment, ViolatesRowsOnTheBandByWhatLeavesIt) {
+  // 5 % too far is 0.037 m at 0.8 s: outside from about 0.55 s on.
+  const CaseAssessment scaled = assess_banded(front_series(0.01, 1.05));
+  EXPECT_EQ(scaled.gate.at(0).verdict, Verdict::violated) << scaled.gate[0].message;
+  EXPECT_EQ(scaled.gate.at(1).verdict, Verdict::violated) << scaled.gate[1].message;
+  EXPECT_GT(scaled.gate[1].value.value, scaled.gate[0].value.value);
+  EXPECT_NEAR(scaled.gate.at(2).value.value, 0.05 * front_at(0.8) - 0.02, 1e-4);
+  TimeSeries late = front_series(0.01);
+  for (double& time : late.time) time += 0.05;
+  late.time.front() = 0;
+  EXPECT_EQ(assess_banded(late).gate.at(0).verdict, Verdict::violated);
+  TimeSeries poisoned = front_series(0.01);
+  poisoned.value[60] = std::numeric_limits<double>::quiet_NaN();
+  TimeSeries truncated = front_series(0.01);
+  truncated.time.resize(60);
+  truncated.value.resize(60);
+  for (const TimeSeries& front : {poisoned, truncated})
+    for (const GateOutcome& outcome : assess_banded(front).gate)
+      EXPECT_EQ(outcome.verdict, Verdict::not_compared) << outcome.message;
+}
+
+TEST(RecordAssessment, ComparesNoBandThatTheRecordLacks) {
+  const CaseAssessment assessment = assess(banded_case(), dam_runs(front_series(0.01)));
+  for (const GateOutcome& outcome : assessment.gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+    EXPECT_NE(outcome.message.find("published has no band for front_position"), std::string::npos)
+        << outcome.message;
+  }
+}
+
+TEST(RecordAssessment, KnowsTheBandAsTheSpreadOfTheRepeats) {
+  CaseDefinition definition = banded_case();
+  for (GateRow& row : definition.gate) row.kind = RowKind::validation;
+  const CaseAssessment assessment = assess_banded(front_series(0.01), definition);
+  for (const GateOutcome& outcome : assessment.gate)
+    EXPECT_EQ(outcome.judgement.value().contributions.reference.half_width.value(), 0);
+  // The candidate's numerical uncertainty is still unknown.
+  EXPECT_EQ(assessment.gate.at(0).verdict, Verdict::inconclusive);
+}
+
 }  // namespace
 }  // namespace slosh::record_assessment_test

@@ -404,8 +404,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "band_energy_error, cross_correlation_lag, spectral_peak_error, rms_error, "
                 "crest_error, trough_error, "
                 "mean_offset, noise_share, initial_value, impact_time, "
-                "plateau_error, impact_percentile, pressure_field_rms, pressure_field_tension, "
-                "cost_to_reach; nearest: "
+                "plateau_error, impact_percentile, impact_arrival, impact_peak_error, "
+                "impulse_error, outside_band, band_excursion, pressure_field_rms, "
+                "pressure_field_tension, cost_to_reach; nearest: "
                 "amplitude_error"},
         Mistake{
             "TimeLagOfWhatSwings",

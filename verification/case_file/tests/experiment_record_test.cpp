@@ -188,5 +188,68 @@ TEST(PublishedRecord, OfAkyildizAndUnalIsInPascal) {
   EXPECT_DOUBLE_EQ(record.value.front(), 3226);
 }
 
+const std::string band = "lower_column = \"low\"\nupper_column = \"high\"\n";
+constexpr const char* banded =
+    "t_s,low,p,high\n0,0.9,1,1.2\n1,1.9,2,2.2\n2,2.9,3,3.2\n3,3.9,4,4.2\n";
+
+TEST(ExperimentRecord, MayHaveABandOfQuantilesAndAScale) {
+  const RecordRun record = read_record(experiment + band + "scale = 2\n", banded);
+  EXPECT_TRUE(record.has_band);
+  EXPECT_EQ(record.value, (std::vector<double>{2000, 4000, 6000, 8000}));
+  EXPECT_EQ(record.lower.at(0), 1800);
+  EXPECT_EQ(record.upper.at(3), 8400);
+  EXPECT_FALSE(read_record(experiment, banded).has_band);
+}
+
+TEST(ExperimentRecord, IsRefusedWithABandThatIsNone) {
+  const std::string upside_down = complaint_about_record(
+      experiment + "lower_column = \"high\"\nupper_column = \"low\"\n", banded);
+  EXPECT_NE(upside_down.find("run.upper_column = \"low\": expected a column whose values are "
+                             "nowhere below those of lower_column; at 0 s they are"),
+            std::string::npos)
+      << upside_down;
+  const std::string half = complaint_about_record(experiment + "lower_column = \"low\"\n", banded);
+  EXPECT_NE(half.find("run.upper_column is missing"), std::string::npos) << half;
+}
+
+const std::string band_row =
+    "[[gate]]\ncandidate = \"coarse\"\nreference = \"probe\"\nmetric = \"outside_band\"\n"
+    "limit = 0.2\nreason = \"a reason\"\nsource = \"a source\"\n";
+
+TEST(ExperimentRecord, WithABandServesRowsOnItEvenWhereItIsNotSupplied) {
+  const CaseDefinition definition =
+      read_text(text_with(experiment + band + band_row + "part_begin_s = 2\npart_end_s = 3.5\n"));
+  const GateRow row = definition.gate.back();
+  EXPECT_EQ(row.metric, Metric::outside_band);
+  EXPECT_EQ(row.part, std::pair(2.0, 3.5));
+  EXPECT_EQ(row.quantity, "wall_pressure@b");
+  EXPECT_FALSE(read_text(text_with(experiment + band + band_row)).gate.back().part);
+}
+
+TEST(ExperimentRecord, WithoutABandServesNoRowOnOne) {
+  const std::string message = complaint_about_record(experiment + band_row, probe);
+  EXPECT_NE(message.find("gate.reference = \"probe\": expected a record with lower_column and "
+                         "upper_column: outside_band is measured on their band"),
+            std::string::npos)
+      << message;
+}
+
+TEST(ExperimentRecord, HasPartsOfTheWindowForItsBandAlone) {
+  const auto said = [](const std::string& row) {
+    return complaint_about_record(experiment + band + row, banded);
+  };
+  EXPECT_NE(said(band_row + "part_begin_s = 0.5\npart_end_s = 3\n")
+                .find("gate.part_begin_s = 0.5: expected a number from 1 to below 20"),
+            std::string::npos);
+  EXPECT_NE(said(band_row + "part_begin_s = 3\npart_end_s = 3\n")
+                .find("gate.part_end_s = 3: expected a number above part_begin_s (3)"),
+            std::string::npos);
+  std::string other = band_row;
+  other.replace(other.find("outside_band"), 12, "rms_error");
+  EXPECT_NE(said(other + "part_begin_s = 3\npart_end_s = 4\n")
+                .find("only a metric of a band is taken over a part of the window"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace slosh::experiment_record_test

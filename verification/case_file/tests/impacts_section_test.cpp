@@ -227,5 +227,53 @@ TEST(GateOnImpacts, NeedsThem) {
             std::string::npos);
 }
 
+const std::string single = R"([impacts]
+gauge = "B"
+times_s = [2.375]
+sought_within_s = 0.2
+peaks_Pa = [3710]
+arrival_share = 0.3
+arrivals_s = [2.36]
+arrivals_half_width_s = 0.001
+impulse_duration_s = 0.07
+impulses_Pa_s = [120]
+source = "a paper"
+)";
+
+TEST(Impacts, MayBeASingleOneWithItsArrivalAndItsImpulse) {
+  const ImpactsDefinition read = read_text(text_with(single)).impacts.value();
+  EXPECT_EQ(read.period, 0.8);
+  EXPECT_EQ(read.plateau, 0);
+  EXPECT_TRUE(read.peak_deviations.empty());
+  ASSERT_TRUE(read.arrivals && read.impulses);
+  EXPECT_EQ(read.arrivals->share, 0.3);
+  EXPECT_EQ(read.arrivals->times, std::vector<double>{2.36});
+  EXPECT_EQ(read.arrivals->half_width, 0.001);
+  EXPECT_EQ(read.impulses->duration, 0.07);
+  EXPECT_EQ(read.impulses->values, std::vector<double>{120});
+  EXPECT_FALSE(read.impulses->half_width);
+}
+
+TEST(Impacts, AreRefusedWhereASingleOneIsMistaken) {
+  const auto said = [](const std::string& from, const std::string& to) {
+    const Workspace workspace;
+    std::string section = single;
+    section.replace(section.find(from), from.size(), to);
+    return complaint(workspace.write("trial.toml", text_with(section)), workspace.path());
+  };
+  EXPECT_NE(said("sought_within_s = 0.2\n", "sought_within_s = 0.2\nperiod_s = 1\n")
+                .find("no such key beside period_s"),
+            std::string::npos);
+  EXPECT_NE(said("arrival_share = 0.3", "arrival_share = 1").find("a number > 0 and < 1"),
+            std::string::npos);
+  EXPECT_NE(said("[2.36]", "[2.36, 3]").find("as many numbers as times_s has, 1, in s"),
+            std::string::npos);
+  EXPECT_NE(said("arrival_share = 0.3\narrivals_s = [2.36]\n", "")
+                .find("no such key without arrival_share and arrivals_s"),
+            std::string::npos);
+  EXPECT_NE(said("sought_within_s = 0.2\n", "period_s = 1\n").find("peaks_sd_Pa is missing"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace slosh::impacts_section_test

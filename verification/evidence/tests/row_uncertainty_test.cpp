@@ -386,6 +386,24 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
   EXPECT_FALSE(reference().has_value());
   definition.impacts->plateau_half_width = 10;
   EXPECT_NEAR(reference().value(), 1.1 * 10 / 500, 1e-12);
+  definition.impacts->times = {1, 3};
+  definition.impacts->peak_means = {4000, 5000};
+  definition.impacts->arrivals = ArrivalsDefinition{0.5, {0.9, 2.9}};
+  definition.impacts->impulses = ImpulsesDefinition{0.07, {300, 400}};
+  row.mode = "impact_2";
+  for (const Metric metric :
+       {Metric::impact_arrival, Metric::impact_peak_error, Metric::impulse_error}) {
+    row.metric = metric;
+    EXPECT_FALSE(reference().has_value()) << metric_name(metric);
+  }
+  definition.impacts->arrivals->half_width = 0.002;
+  definition.impacts->peaks_half_width = 100;
+  definition.impacts->impulses->half_width = 8;
+  EXPECT_NEAR(reference().value(), 1.1 * 8 / 400, 1e-12);
+  row.metric = Metric::impact_peak_error;
+  EXPECT_NEAR(reference().value(), 1.1 * 100 / 5000, 1e-12);
+  row.metric = Metric::impact_arrival;
+  EXPECT_EQ(reference().value(), 0.002);
 }
 
 TEST(ValidityEnvelope, LetsASmallWaveFarFromResonanceGate) {

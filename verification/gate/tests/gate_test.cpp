@@ -196,7 +196,9 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
 }
 
 TEST(Gate, HasAValueForEveryMetricOfTheTable) {
-  const Comparison comparison = comparison_of(0.01);
+  Comparison comparison = comparison_of(0.01);
+  comparison.window = {0, 1};
+  comparison.margin = TimeSeries{"margin", "m", {0, 1}, {1, -1}};
   TimeSeries series{"elevation@right", "m", {}, {}};
   for (int i = 0; i <= 1000; ++i) {
     series.time.push_back(0.01 * i);

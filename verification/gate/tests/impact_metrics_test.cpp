@@ -203,5 +203,62 @@ TEST(ImpactMetrics, TimeOfTheFilteredPressureIsThatOfTheRecordFilteredAlike) {
                ComparisonError);
 }
 
+CaseDefinition case_with_arrivals() {
+  CaseDefinition definition = impact_case();
+  ImpactsDefinition& impacts = definition.impacts.value();
+  impacts.arrivals = ArrivalsDefinition{.share = 0.5, .times = {}};
+  impacts.impulses = ImpulsesDefinition{.duration = 0.05, .values = {}};
+  for (std::size_t n = 0; n < impacts.times.size(); ++n) {
+    impacts.arrivals->times.push_back(arrival_in(pressure_of({}), n,
+                                                 [&] {
+                                                   CaseDefinition one = definition;
+                                                   one.impacts->arrivals->times = impacts.times;
+                                                   return one;
+                                                 }())
+                                          .value());
+    impacts.impulses->values.push_back(impulse_in(pressure_of({}), n, definition).value());
+  }
+  return definition;
+}
+
+TEST(ImpactMetrics, OfTheArrivalAndTheImpulseAreZeroOfTheExperimentItself) {
+  for (const Metric metric :
+       {Metric::impact_arrival, Metric::impact_peak_error, Metric::impulse_error}) {
+    const GateOutcome outcome =
+        judge(row_of(metric, "impact_2"), pressure_of({}), case_with_arrivals());
+    EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
+    EXPECT_NEAR(outcome.value.value, 0, 1e-9) << metric_name(metric);
+  }
+}
+
+TEST(ImpactMetrics, OfTheArrivalTheImpulseAndThePeakAreWhatTheyAreDefinedAs) {
+  const CaseDefinition definition = case_with_arrivals();
+  const auto value = [&](Metric metric, const ImpactRun& run) {
+    return judge(row_of(metric, "impact_3"), pressure_of(run), definition).value.value;
+  };
+  EXPECT_NEAR(value(Metric::impact_arrival, {.late = 0.012}), 0.012, 1e-4);
+  EXPECT_NEAR(value(Metric::impulse_error, {.late = 0.012}), 0, 0.01);
+  EXPECT_NEAR(value(Metric::impact_peak_error, {.late = 0.012}), 0, 1e-3);
+  EXPECT_NEAR(value(Metric::impact_peak_error, {.scale = 1.3}), 0.3, 1e-9);
+  EXPECT_GT(value(Metric::impulse_error, {.scale = 1.3}), 0.28);
+  EXPECT_LT(value(Metric::impact_arrival, {.scale = 1.3}),
+            0);  // the share is of the published peak
+}
+
+TEST(ImpactMetrics, OfTheArrivalAndTheImpulseAreViolatedByAnImpactThatDoesNotCome) {
+  for (const Metric metric :
+       {Metric::impact_arrival, Metric::impact_peak_error, Metric::impulse_error}) {
+    const GateOutcome outcome =
+        judge(row_of(metric, "impact_4"), pressure_of({.impacts = 2}), case_with_arrivals());
+    EXPECT_EQ(outcome.verdict, Verdict::violated) << outcome.message;
+    EXPECT_TRUE(std::isnan(outcome.value.value));
+  }
+}
+
+TEST(ImpactMetrics, OfTheArrivalAreNotComparedWhereNoneIsPublished) {
+  for (const Metric metric : {Metric::impact_arrival, Metric::impulse_error})
+    EXPECT_EQ(judge(row_of(metric, "impact_1"), pressure_of({})).verdict, Verdict::not_compared);
+}
+
 }  // namespace
 }  // namespace slosh::impact_metrics_test

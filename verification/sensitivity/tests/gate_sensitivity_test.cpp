@@ -96,5 +96,47 @@ TEST(GateSensitivity, FindsOutARowThatLetsPassWhatItMustDetect) {
                                       row + "natural_1 damped 0.5 should be detected and is not"}));
 }
 
+// The surge's particles in a band of a record that is theory itself, 1 mm to either side.
+CaseAssessment surge_in_a_band() {
+  const TimeSeries theory = elevation_of({});
+  RecordRun record{"record.csv", surge_quantity, "m", theory.time, theory.value};
+  record.has_band = true;
+  CaseRuns runs = surge_runs();
+  TimeSeries lower = theory, upper = theory;
+  lower.name += "/lower";
+  upper.name += "/upper";
+  for (double& value : lower.value) value -= 0.001;
+  for (double& value : upper.value) value += 0.001;
+  record.lower = lower.value;
+  record.upper = upper.value;
+  runs.results["measured"] = result_of("measured", theory);
+  runs.results["measured"].series.insert(runs.results["measured"].series.end(), {lower, upper});
+  runs.status["measured"] = {RunState::finished, ""};
+  CaseDefinition definition = surge_case();
+  definition.runs.push_back(sample_run(record));
+  definition.runs.back().name = "measured";
+  definition.gate = {surge_row("whole", Metric::outside_band, "1", 0.1),
+                     surge_row("whole", Metric::band_excursion, "m", 0.0005)};
+  for (GateRow& row : definition.gate) {
+    row.reference = "measured";
+    row.kind = RowKind::regression;
+  }
+  return assess(definition, runs);
+}
+
+TEST(GateSensitivity, OfABandFindsWhatLeavesIt) {
+  const auto sensitivity = gate_sensitivity(surge_in_a_band());
+  ASSERT_EQ(sensitivity.size(), 2U);
+  for (const RowSensitivity& one : sensitivity) {
+    ASSERT_TRUE(one.trials.passes_as_it_is);
+    for (const MutationKind kind :
+         {MutationKind::louder, MutationKind::quieter, MutationKind::late, MutationKind::raised,
+          MutationKind::lowered, MutationKind::truncated, MutationKind::not_a_number})
+      EXPECT_TRUE(detected_from(one.trials, kind).has_value())
+          << short_row_name(one.row) << ", kind " << static_cast<int>(kind);
+  }
+  EXPECT_TRUE(broken_claims(sensitivity).empty());
+}
+
 }  // namespace
 }  // namespace slosh::gate_sensitivity_test

@@ -165,5 +165,25 @@ TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
   EXPECT_NEAR(plateau_mean(pressure, {2.45, 2.65}), 670, 1);
 }
 
+const TimeSeries rise{
+    .name = "p", .unit = "Pa", .time = {0, 1, 1.5, 2, 4, 5}, .value = {0, 0, 10, 30, 10, 40}};
+
+TEST(ArrivalTime, IsTheFirstCrossingBetweenTheSamples) {
+  EXPECT_DOUBLE_EQ(arrival_time(rise, {0, 5}, 5).value(), 1.25);
+  EXPECT_DOUBLE_EQ(arrival_time(rise, {0, 5}, 20).value(), 1.75);
+  EXPECT_FALSE(arrival_time(rise, {0, 5}, 41));
+  EXPECT_FALSE(arrival_time(rise, {1, 5}, 50));
+  EXPECT_FALSE(arrival_time({"p", "Pa", {0, 1, 2, 3}, {9, 8, 7, 6}}, {0, 3}, 5));
+  EXPECT_THROW(arrival_time(rise, {0, 7}, 5), ComparisonError);
+  EXPECT_THROW(arrival_time(rise, {0, 5}, 0), ComparisonError);
+}
+
+TEST(Impulse, IsTheIntegralOverTheWindowWhereverItEnds) {
+  EXPECT_DOUBLE_EQ(impulse(rise, {0, 5}), 2.5 + 10 + 40 + 25);
+  EXPECT_DOUBLE_EQ(impulse(rise, {0.5, 4.5}), 2.5 + 10 + 40 + 0.5 * 17.5);
+  EXPECT_DOUBLE_EQ(impulse(rise, {0.75, 4.25}), 2.5 + 10 + 40 + 0.25 * 13.75);
+  EXPECT_THROW(impulse(rise, {0, 7}), ComparisonError);
+}
+
 }  // namespace
 }  // namespace slosh::impact_peaks_test

@@ -1,0 +1,86 @@
+#include "verification/metrics/quantile_band.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/series/windowed_series.hpp"
+
+namespace slosh {
+namespace {
+
+// One interval between samples, or the part of it that lies in the window.
+struct Interval {
+  double length;        // [s]
+  double begins, ends;  // the margin at either end
+};
+
+void require_covered(const TimeSeries& margin, TimeWindow window) {
+  const std::vector<double>& time = margin.time;
+  if (time.size() < 2 || !(window.begin < window.end))
+    throw ComparisonError(fmt::format("{}: no samples between {:.6g} and {:.6g} s", margin.name,
+                                      window.begin, window.end));
+  const double interval =
+      (time.back() - time.front()) / static_cast<double>(time.size() - 1) * (1 + 1e-9);
+  if (window.begin < time.front() - interval || window.end > time.back() + interval)
+    throw ComparisonError(
+        fmt::format("{}: compared from {:.6g} to {:.6g} s; expected it to cover {:.6g} to {:.6g} s",
+                    margin.name, time.front(), time.back(), window.begin, window.end));
+}
+
+std::vector<Interval> intervals_in(const TimeSeries& margin, TimeWindow window) {
+  require_covered(margin, window);
+  std::vector<Interval> intervals;
+  for (std::size_t i = 1; i < margin.time.size(); ++i) {
+    const double t0 = margin.time[i - 1], t1 = margin.time[i];
+    const double from = std::max(t0, window.begin), to = std::min(t1, window.end);
+    if (!(from < to)) continue;
+    const auto at = [&](double t) {
+      return std::lerp(margin.value[i - 1], margin.value[i], (t - t0) / (t1 - t0));
+    };
+    intervals.push_back({to - from, at(from), at(to)});
+  }
+  return intervals;
+}
+
+// The share of an interval for which a margin that is linear in it is negative.
+double negative_share(const Interval& interval) {
+  const auto [length, a, b] = interval;
+  if (std::isnan(a) || std::isnan(b)) return not_a_number;
+  if (a >= 0 && b >= 0) return 0;
+  if (a < 0 && b < 0) return 1;
+  return std::min(a, b) / (std::min(a, b) - std::max(a, b));
+}
+
+}  // namespace
+
+TimeSeries band_margin(const std::vector<double>& time, const std::vector<double>& candidate,
+                       const QuantileBand& band) {
+  const std::vector<double> lower = interpolate(band.lower, time);
+  const std::vector<double> upper = interpolate(band.upper, time);
+  TimeSeries margin{"margin in the band of " + band.lower.name, band.lower.unit, time, {}};
+  for (std::size_t i = 0; i < time.size(); ++i)
+    margin.value.push_back(std::min(candidate[i] - lower[i], upper[i] - candidate[i]));
+  return margin;
+}
+
+double share_outside(const TimeSeries& margin, TimeWindow window) {
+  double outside = 0, all = 0;
+  for (const Interval& interval : intervals_in(margin, window)) {
+    outside += interval.length * negative_share(interval);
+    all += interval.length;
+  }
+  return outside / all;
+}
+
+double largest_excursion(const TimeSeries& margin, TimeWindow window) {
+  double largest = 0;
+  for (const auto& [length, begins, ends] : intervals_in(margin, window)) {
+    if (std::isnan(begins) || std::isnan(ends)) return not_a_number;
+    largest = std::max({largest, -begins, -ends});
+  }
+  return largest;
+}
+
+}  // namespace slosh

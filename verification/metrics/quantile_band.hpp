@@ -1,0 +1,34 @@
+// How a series keeps to a band, such as the quantiles of an experiment's repeats. The margin
+//   m = min(c - lower, upper - c)
+// of the candidate c is positive inside the band and negative outside, where -m is the distance to
+// its nearer edge. Between two samples the margin is linear. A candidate need not lie inside the
+// band to the same share as one repeat of the experiment does: a band of the quantiles 2.5 and
+// 97.5 % holds a repeat for 95 % of the time on average.
+#pragma once
+
+#include <vector>
+
+#include "verification/series/time_series.hpp"
+
+namespace slosh {
+
+// The edges at the times of the series about which the band lies.
+struct QuantileBand {
+  TimeSeries lower, upper;
+};
+
+// The margin of a candidate's values at these times, all of which lie within the band's, in the
+// band's unit.
+TimeSeries band_margin(const std::vector<double>& time, const std::vector<double>& candidate,
+                       const QuantileBand& band);
+
+// The share of the window's time for which the margin is negative. Both functions throw
+// ComparisonError where the window is empty or reaches beyond the margin by more than one mean
+// interval between samples, and return NaN where a value in the window is NaN.
+double share_outside(const TimeSeries& margin, TimeWindow window);
+
+// The largest distance outside the band within the window, in the margin's unit; 0 where the margin
+// is never negative.
+double largest_excursion(const TimeSeries& margin, TimeWindow window);
+
+}  // namespace slosh
