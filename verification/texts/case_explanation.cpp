@@ -80,7 +80,7 @@ std::string frequency_text(double omega) {
 std::string frequencies_text(const CaseDefinition& definition) {
   if (definition.gravity == 0) return "none without gravity";
   const std::vector<double> natural = natural_frequencies(definition, 3);
-  if (natural.empty()) return "not known of a tank of this shape";
+  if (natural.empty()) return "not known of a tank with a ledge under the still surface";
   std::string text;
   for (std::size_t m = 0; m < natural.size(); ++m)
     text += fmt::format("{}{} {}", m == 0 ? "" : "; ", m + 1, frequency_text(natural[m]));

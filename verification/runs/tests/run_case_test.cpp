@@ -194,9 +194,9 @@ std::string refusal(const CaseDefinition& definition, const RunDefinition& run) 
 TEST(RunOfACase, RefusesARollForWallsThatCannotTurnWithItsPlace) {
   CaseDefinition definition = sample_case();
   definition.motion.roll = {.angle = SineMotion{0.07, 2}, .axis_x = 0.5, .axis_z = 0};
-  SphRun ghosts{"recommended", 0.05, 0.05};
-  ghosts.variant = "ghost_walls";
-  EXPECT_EQ(refusal(definition, sample_run(ghosts))
+  SphRun verlet{"recommended", 0.05, 0.05};
+  verlet.variant = "verlet";
+  EXPECT_EQ(refusal(definition, sample_run(verlet))
                 .find("small_surge.toml:42: run a_run: motion.roll: expected none"),
             0u);
 }

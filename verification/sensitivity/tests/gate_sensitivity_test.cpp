@@ -99,7 +99,7 @@ TEST(GateSensitivity, FindsOutARowThatLetsPassWhatItMustDetect) {
 // The surge's particles in a band of a record that is theory itself, 1 mm to either side.
 CaseAssessment surge_in_a_band() {
   const TimeSeries theory = elevation_of({});
-  RecordRun record{"record.csv", surge_quantity, "m", theory.time, theory.value};
+  RecordRun record{"record.csv", surge_quantity, "m", theory.time, theory.value, {}};
   record.has_band = true;
   CaseRuns runs = surge_runs();
   TimeSeries lower = theory, upper = theory;

@@ -45,6 +45,14 @@ TEST(NaturalFrequencies, OfAnOutlineAreThoseOfItsSection) {
     EXPECT_NEAR(found[static_cast<std::size_t>(n) - 1], of_rectangle(n), 1e-7);
 }
 
+TEST(NaturalFrequencies, AreNotKnownOfATankWithALedgeUnderTheStillSurface) {
+  CaseDefinition definition = sample_case();
+  definition.tank.outline = {{0.2, 0}, {0.8, 0}, {0.8, 0.1}, {1, 0.1},
+                             {1, 1},   {0, 1},   {0, 0.1},   {0.2, 0.1}};
+  EXPECT_TRUE(natural_frequencies(definition, 2).empty());
+  EXPECT_TRUE(excited_frequencies(definition, 2).empty());
+}
+
 // A vertical middle line makes every second mode symmetric, which no surge or roll about it
 // excites.
 TEST(NaturalFrequencies, ThatTheMotionExcitesAreAllOfASkewSection) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 
 #include "reference/section/section_modes.hpp"
 #include "verification/case/quantities.hpp"
@@ -23,9 +24,12 @@ std::vector<double> frequencies_of_outline(const CaseDefinition& definition, int
   for (const Corner& corner : definition.tank.outline)
     question.insert(question.end(), {corner.x, corner.z});
   std::vector<double>& frequencies = found[question];
-  if (frequencies.empty()) {
+  if (!frequencies.empty()) return frequencies;
+  try {
     const reference::SectionModes modes(section_of(definition), count);
     for (int mode = 1; mode <= count; ++mode) frequencies.push_back(modes.angular_frequency(mode));
+  } catch (const std::invalid_argument&) {
+    // The theory knows no ledge under the still surface. A run of it says so in its own words.
   }
   return frequencies;
 }
