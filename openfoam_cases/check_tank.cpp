@@ -11,9 +11,9 @@
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
 #include "openfoam_cases/geometry/liquid_edge.hpp"
-#include "openfoam_cases/geometry/outline.hpp"
 #include "openfoam_cases/geometry/probe_cells.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/outline/outline.hpp"
 
 namespace slosh::openfoam {
 namespace {

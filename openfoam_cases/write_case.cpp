@@ -7,8 +7,8 @@
 
 #include "openfoam_cases/check_tank.hpp"
 #include "openfoam_cases/errors.hpp"
-#include "openfoam_cases/geometry/poly_mesh.hpp"
 #include "openfoam_cases/geometry/tank_mesh.hpp"
+#include "openfoam_cases/outline/poly_mesh.hpp"
 #include "openfoam_cases/template_values.hpp"
 
 namespace slosh::openfoam {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "openfoam_cases/geometry/cut_mesh.hpp"
+#include "openfoam_cases/outline/cut_mesh.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 
 namespace slosh::openfoam {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "openfoam_cases/errors.hpp"
-#include "openfoam_cases/geometry/outline_gauge.hpp"
+#include "openfoam_cases/outline/outline_gauge.hpp"
 
 namespace slosh::openfoam {
 namespace {

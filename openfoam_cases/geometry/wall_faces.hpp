@@ -7,14 +7,10 @@
 
 #include <vector>
 
+#include "openfoam_cases/geometry/face_share.hpp"
 #include "openfoam_cases/geometry/tank_mesh.hpp"
 
 namespace slosh::openfoam {
-
-struct FaceShare {
-  double x, z;    // the face's centre [m] from the tank's bottom left corner
-  double weight;  // the weights of a gauge's faces sum to 1
-};
 
 // Throws std::invalid_argument for a gauge that reaches beyond the ends of its wall or covers a
 // part of the wall where an obstacle is, and for one at a place of the outline (PressureGauge::at)

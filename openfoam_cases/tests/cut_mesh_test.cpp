@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/cut_mesh.hpp"
+#include "openfoam_cases/outline/cut_mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "openfoam_cases/geometry/outline.hpp"
+#include "openfoam_cases/outline/outline.hpp"
 
 #include <gtest/gtest.h>
 
-#include "openfoam_cases/geometry/filling.hpp"
+#include "openfoam_cases/outline/filling.hpp"
 #include "openfoam_cases/tests/outlines.hpp"
 
 namespace slosh::openfoam::outline_test {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "openfoam_cases/child_program.hpp"
-#include "openfoam_cases/geometry/outline.hpp"
+#include "openfoam_cases/outline/outline.hpp"
 #include "openfoam_cases/tests/outlines.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 

@@ -10,7 +10,7 @@
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
-#include "verification/assessment/model_limits.hpp"
+#include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/case/case_definition.hpp"
 
 namespace slosh {

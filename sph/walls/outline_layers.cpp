@@ -58,6 +58,7 @@ std::vector<SolidPlace> outline_layers(const TankOutline& outline, double dp, do
       }
     }
   }
+  places.shrink_to_fit();  // they stay as long as the run
   return places;
 }
 

@@ -141,6 +141,7 @@ std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double
   const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, depth);
   if (tank_walls) fill_tank_walls(scene, depth, along_walls, obstacles, places);
   for (const Rectangle& obstacle : obstacles) fill_obstacle(scene, obstacle, depth, places);
+  places.shrink_to_fit();  // they stay as long as the run
   return places;
 }
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "reports/wording/case_text.hpp"
-#include "verification/assessment/model_limits.hpp"
+#include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/motion.hpp"

@@ -1,4 +1,4 @@
-#include "verification/assessment/case_doubts.hpp"
+#include "verification/assessment/doubts/case_doubts.hpp"
 
 #include <gtest/gtest.h>
 

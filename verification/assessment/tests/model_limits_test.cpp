@@ -1,4 +1,4 @@
-#include "verification/assessment/model_limits.hpp"
+#include "verification/assessment/doubts/model_limits.hpp"
 
 #include <gtest/gtest.h>
 

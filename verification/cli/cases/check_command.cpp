@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "verification/assessment/case_doubts.hpp"
+#include "verification/assessment/doubts/case_doubts.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/cli/command_tree.hpp"

@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/outline.hpp"
+#include "openfoam_cases/outline/outline.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/poly_mesh.hpp"
+#include "openfoam_cases/outline/poly_mesh.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

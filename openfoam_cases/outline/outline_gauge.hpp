@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "openfoam_cases/geometry/cut_mesh.hpp"
-#include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/geometry/face_share.hpp"
+#include "openfoam_cases/outline/cut_mesh.hpp"
 
 namespace slosh::openfoam {
 

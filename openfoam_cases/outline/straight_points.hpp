@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "openfoam_cases/geometry/clipped_cells.hpp"
+#include "openfoam_cases/outline/clipped_cells.hpp"
 
 namespace slosh::openfoam {
 

@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/merge_pieces.hpp"
+#include "openfoam_cases/outline/merge_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "openfoam_cases/geometry/cell.hpp"
-#include "openfoam_cases/geometry/outline.hpp"
+#include "openfoam_cases/outline/outline.hpp"
 
 namespace slosh::openfoam {
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "openfoam_cases/geometry/cut_mesh.hpp"
+#include "openfoam_cases/outline/cut_mesh.hpp"
 
 namespace slosh::openfoam {
 

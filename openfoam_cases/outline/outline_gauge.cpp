@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/outline_gauge.hpp"
+#include "openfoam_cases/outline/outline_gauge.hpp"
 
 #include <fmt/format.h>
 

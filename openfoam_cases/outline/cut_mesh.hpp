@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "openfoam_cases/geometry/clipped_cells.hpp"
-#include "openfoam_cases/geometry/filling.hpp"
+#include "openfoam_cases/outline/clipped_cells.hpp"
+#include "openfoam_cases/outline/filling.hpp"
 
 namespace slosh::openfoam {
 

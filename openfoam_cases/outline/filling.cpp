@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/filling.hpp"
+#include "openfoam_cases/outline/filling.hpp"
 
 #include <algorithm>
 #include <cmath>

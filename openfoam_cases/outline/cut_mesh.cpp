@@ -1,13 +1,13 @@
-#include "openfoam_cases/geometry/cut_mesh.hpp"
+#include "openfoam_cases/outline/cut_mesh.hpp"
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "openfoam_cases/geometry/cell_order.hpp"
-#include "openfoam_cases/geometry/merge_pieces.hpp"
-#include "openfoam_cases/geometry/straight_points.hpp"
+#include "openfoam_cases/outline/cell_order.hpp"
+#include "openfoam_cases/outline/merge_pieces.hpp"
+#include "openfoam_cases/outline/straight_points.hpp"
 
 namespace slosh::openfoam {
 namespace {

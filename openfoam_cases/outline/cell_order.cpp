@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/cell_order.hpp"
+#include "openfoam_cases/outline/cell_order.hpp"
 
 #include <fmt/format.h>
 

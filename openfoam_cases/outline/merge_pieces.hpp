@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "openfoam_cases/geometry/clipped_cells.hpp"
+#include "openfoam_cases/outline/clipped_cells.hpp"
 
 namespace slosh::openfoam {
 

@@ -1,4 +1,4 @@
-#include "verification/assessment/case_doubts.hpp"
+#include "verification/assessment/doubts/case_doubts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/assessment/model_limits.hpp"
+#include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/sensor_place.hpp"

@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/clipped_cells.hpp"
+#include "openfoam_cases/outline/clipped_cells.hpp"
 
 #include <fmt/format.h>
 

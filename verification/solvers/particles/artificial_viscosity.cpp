@@ -1,4 +1,4 @@
-#include "verification/solvers/artificial_viscosity.hpp"
+#include "verification/solvers/particles/artificial_viscosity.hpp"
 
 #include "sph/scheme.hpp"
 #include "verification/solvers/sph_scene.hpp"

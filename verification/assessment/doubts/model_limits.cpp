@@ -1,4 +1,4 @@
-#include "verification/assessment/model_limits.hpp"
+#include "verification/assessment/doubts/model_limits.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,7 @@
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/solvers/artificial_viscosity.hpp"
+#include "verification/solvers/particles/artificial_viscosity.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {

@@ -1,4 +1,4 @@
-#include "openfoam_cases/geometry/straight_points.hpp"
+#include "openfoam_cases/outline/straight_points.hpp"
 
 #include <algorithm>
 #include <utility>
