@@ -5,8 +5,8 @@
 #include "reference/section/section_roll.hpp"
 #include "reference/section/section_surge.hpp"
 #include "verification/solvers/reference_tank.hpp"
-#include "verification/solvers/theory/linear_flow.hpp"
 #include "verification/solvers/theory/motion_samples.hpp"
+#include "verification/solvers/theory/sampled_flow.hpp"
 
 namespace slosh {
 namespace {
@@ -24,11 +24,10 @@ std::optional<reference::SectionRoll> roll_of(const reference::SectionModes& mod
                                  motion_step(definition)});
 }
 
-class FlowInOutline : public LinearFlow {
+class FlowInOutline : public SampledFlow {
  public:
   FlowInOutline(const LinearRun& linear, const CaseDefinition& definition)
-      : definition_(definition),
-        times_(sample_times(definition)),
+      : SampledFlow(definition),
         modes_(section_of(definition), linear.modes),
         surges_(surges_of<reference::SectionSurge>(definition,
                                                    [&](const auto& motion) {
@@ -88,18 +87,6 @@ class FlowInOutline : public LinearFlow {
     });
   }
 
-  static void add(std::vector<double>& sum, const std::vector<double>& values) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += values[i];
-  }
-  template <class Value>
-  std::vector<double> series(const Value& value) const {
-    std::vector<double> values;
-    for (const double t : times_) values.push_back(value(t));
-    return values;
-  }
-
-  const CaseDefinition& definition_;
-  std::vector<double> times_;
   reference::SectionModes modes_;
   std::vector<reference::SectionSurge> surges_;
   std::optional<reference::SectionRoll> roll_;

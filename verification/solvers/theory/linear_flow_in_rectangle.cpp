@@ -7,8 +7,8 @@
 #include "reference/linear_surge.hpp"
 #include "reference/standing_wave.hpp"
 #include "verification/solvers/reference_tank.hpp"
-#include "verification/solvers/theory/linear_flow.hpp"
 #include "verification/solvers/theory/motion_samples.hpp"
+#include "verification/solvers/theory/sampled_flow.hpp"
 
 namespace slosh {
 namespace {
@@ -47,12 +47,11 @@ std::optional<reference::StandingWave> wave_of(const LinearRun& linear,
       {definition.initial_wave->mode, definition.initial_wave->amplitude});
 }
 
-class FlowInRectangle : public LinearFlow {
+class FlowInRectangle : public SampledFlow {
  public:
   FlowInRectangle(const LinearRun& linear, const CaseDefinition& definition)
-      : definition_(definition),
+      : SampledFlow(definition),
         modes_(linear.modes),
-        times_(sample_times(definition)),
         surges_(surges_of<reference::LinearSurge>(definition,
                                                   [&](const auto& motion) {
                                                     return solution<reference::LinearSurge>(
@@ -120,19 +119,7 @@ class FlowInRectangle : public LinearFlow {
     });
   }
 
-  static void add(std::vector<double>& sum, const std::vector<double>& values) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += values[i];
-  }
-  template <class Value>
-  std::vector<double> series(const Value& value) const {
-    std::vector<double> values;
-    for (const double t : times_) values.push_back(value(t));
-    return values;
-  }
-
-  const CaseDefinition& definition_;
   int modes_;
-  std::vector<double> times_;
   std::vector<reference::LinearSurge> surges_;
   std::optional<reference::LinearRoll> roll_;
   std::optional<reference::StandingWave> wave_;
