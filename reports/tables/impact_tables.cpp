@@ -170,7 +170,7 @@ Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
     const Row rest = moments(peaks);
     row.insert(row.end(), rest.begin(), rest.end());
   }
-  row.insert(row.end(), {"", "", ""});
+  row.insert(row.end(), {"", "", "", "", "", ""});
   return row;
 }
 
@@ -182,18 +182,24 @@ Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std:
           pressure_word(pressure), fmt::format("{}", impact + 1),
           fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
   if (sample.peaks.empty()) {
-    row.insert(row.end(), 5, "");
+    row.insert(row.end(), 8, "");
   } else {
     const Distribution peaks("peaks of " + repeats.front()->name, sample.peaks);
     const Row rest = moments(peaks);
     row.insert(row.end(), rest.begin(), rest.end());
     if (definition.impacts->repeats.empty()) {
-      row.insert(row.end(), {"not supplied", ""});
+      row.insert(row.end(), {"not supplied", "", "", "", ""});
     } else {
       const Distribution experiment = repeated_peaks(definition, impact);
       const double area = area_metric(peaks, experiment);
-      row.insert(row.end(), {fmt::format("{:.0f}", area),
-                             fmt::format("{:.0f}", 100 * area / experiment.mean())});
+      row.push_back(fmt::format("{:.0f}", area));
+      if (const auto found = against_experiment(definition, sample, impact))
+        row.insert(row.end(), {area_text(*found), median_ratio_text(*found),
+                               fmt::format("{:.2g}", found->ks_p.value),
+                               fmt::format("{:.2g}", found->ad_p.value)});
+      else
+        row.insert(row.end(), {fmt::format("{:.0f}", 100 * area / experiment.mean()),
+                               "fewer than 20 peaks", "", ""});
     }
   }
   row.push_back(fmt::format("{}", fmt::join(sample.left_out, "; ")));
@@ -247,9 +253,13 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
       "Impact peaks of runs that differ only in the random seed of their perturbed initial state, "
       "and those of the experiment's repeats. The area metric is the area between the two "
       "cumulative distributions, also given in percent of the experiment's mean. Both samples are "
-      "small, so even two samples of one distribution have an area metric above zero.",
+      "small, so even two samples of one distribution have an area metric above zero. In brackets: "
+      "95 % intervals by the bootstrap. p: the share of random divisions of all peaks into two "
+      "such samples that differ as much or more, by Kolmogorov and Smirnov (KS) and by Anderson "
+      "and Darling (AD); below 0.05 the samples are told apart.",
       {"repeats", "pressure", "impact", "occurred in", "mean [Pa]", "sd [Pa]", "central 90 % [Pa]",
-       "area metric [Pa]", "area metric [% of mean]", "left out (reason)"},
+       "area metric [Pa]", "area metric [% of mean]", "median over the experiment's", "p (KS)",
+       "p (AD)", "left out (reason)"},
       {}};
   for (std::size_t impact = 0; impact < definition.impacts->times.size(); ++impact) {
     table.rows.push_back(experiment_row(definition, impact));

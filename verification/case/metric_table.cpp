@@ -14,7 +14,10 @@ constexpr const char* of_any_size =
     "nothing in a tank is as large; even a water hammer at 10 m/s has 1.5e7 Pa";
 constexpr RequiredBound any_bound{BoundForm::any, ""},
     limit_alone{BoundForm::limit, "cheaper is better"},
-    range_alone{BoundForm::range, "neither end of the repeats is the better one"};
+    range_alone{BoundForm::range, "neither end of the repeats is the better one"},
+    p_value_range{BoundForm::range, "a p-value must be large enough, and at most 1"},
+    area_limit{BoundForm::limit, "no area is below zero"};
+constexpr const char* between_0_and_1 = "every p-value lies between 0 and 1";
 
 constexpr std::array<MetricEntry, metric_count> metric_rows() {
   using enum MeasuredOn;
@@ -90,6 +93,27 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
        {Metric::impulse_error, "impulse_error", "1", "error of the impulse of an impact", impact,
         Fit::none, nowhere, unpredicted, any_bound,
         below(1, unit, "a candidate without an impact has -1")},
+       {Metric::peak_mean_p_value, "peak_mean_p_value", "1",
+        "p-value of equal mean peaks of the ensemble and of the experiment's repeats, by Welch",
+        repeated_impact, Fit::none, nowhere, unpredicted, p_value_range,
+        below(0.5, unit, between_0_and_1)},
+       {Metric::peak_ks_p_value, "peak_ks_p_value", "1",
+        "p-value of equal distributions of the peaks, by Kolmogorov and Smirnov", repeated_impact,
+        Fit::none, nowhere, unpredicted, p_value_range, below(0.5, unit, between_0_and_1)},
+       {Metric::peak_ad_p_value, "peak_ad_p_value", "1",
+        "p-value of equal distributions of the peaks, by Anderson and Darling", repeated_impact,
+        Fit::none, nowhere, unpredicted, p_value_range, below(0.5, unit, between_0_and_1)},
+       {Metric::peak_area, "peak_area", "1",
+        "area between the cumulative distributions of the peaks over the experiment's mean peak",
+        repeated_impact, Fit::none, nowhere, unpredicted, area_limit,
+        below(1, unit, "a candidate whose peaks are all zero has 1")},
+       {Metric::peak_median_error, "peak_median_error", "1",
+        "error of the median of the peaks over the ensemble", repeated_impact, Fit::none, nowhere,
+        unpredicted, any_bound, below(1, unit, "a candidate whose peaks are all zero has -1")},
+       {Metric::peak_p90_error, "peak_p90_error", "1",
+        "error of the quantile of 90 % of the peaks over the ensemble", repeated_impact, Fit::none,
+        nowhere, unpredicted, any_bound,
+        below(1, unit, "a candidate whose peaks are all zero has -1")},
        {Metric::outside_band, "outside_band", "1", "share of the time outside the record's band",
         band, Fit::none, nowhere, unpredicted, any_bound,
         below(1, unit, "a candidate that is never inside has 1")},
@@ -149,6 +173,7 @@ bool is_of_a_pair(const MetricEntry& metric) {
       return true;
     case MeasuredOn::own_series:
     case MeasuredOn::impact:
+    case MeasuredOn::repeated_impact:
     case MeasuredOn::plateau:
     case MeasuredOn::field:
     case MeasuredOn::cost:
@@ -163,7 +188,16 @@ bool is_of_candidate_alone(Metric metric) {
 
 bool is_of_impacts(Metric metric) {
   const MeasuredOn measured_on = metric_entry(metric).measured_on;
-  return measured_on == MeasuredOn::impact || measured_on == MeasuredOn::plateau;
+  return measured_on == MeasuredOn::impact || measured_on == MeasuredOn::plateau ||
+         is_of_repeats(metric);
+}
+
+bool is_of_repeats(Metric metric) {
+  return metric_entry(metric).measured_on == MeasuredOn::repeated_impact;
+}
+
+bool is_p_value(Metric metric) {
+  return is_of_repeats(metric) && metric_entry(metric).bound.form == BoundForm::range;
 }
 
 bool is_of_band(Metric metric) { return metric_entry(metric).measured_on == MeasuredOn::band; }
@@ -190,6 +224,7 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
       if (fitted.empty()) return {};
       break;
     case MeasuredOn::impact:
+    case MeasuredOn::repeated_impact:
       return {};
     case MeasuredOn::whole_window:
     case MeasuredOn::own_series:
@@ -208,6 +243,7 @@ std::optional<std::string> default_mode(const MetricEntry& metric) {
       return "forced";
     case MeasuredOn::natural_mode:
     case MeasuredOn::impact:
+    case MeasuredOn::repeated_impact:
       return std::nullopt;
     case MeasuredOn::whole_window:
     case MeasuredOn::oscillation:

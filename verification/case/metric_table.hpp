@@ -47,6 +47,14 @@ enum class Metric {
   impact_arrival,     // the time at which the pressure first reaches a share of the published peak
   impact_peak_error,  // the peak over the published one, less 1
   impulse_error,      // the impulse from the arrival on over the published one, less 1
+  // Of the peaks of one impact over an ensemble against those over the experiment's repeats
+  // (distributions/peak_comparison.hpp).
+  peak_mean_p_value,  // of Welch's test of equal means
+  peak_ks_p_value,    // of the Kolmogorov-Smirnov test of equal distributions
+  peak_ad_p_value,    // of the Anderson-Darling test of equal distributions
+  peak_area,          // between the cumulative distributions, over the experiment's mean
+  peak_median_error,  // the ratio of the medians, less 1
+  peak_p90_error,     // the ratio of the quantiles of 90 %, less 1
   // Of the candidate in the band of a record's quantiles (quantile_band.hpp), over the window or a
   // part of it.
   outside_band,    // the share of the time outside the band
@@ -70,6 +78,7 @@ enum class MeasuredOn {
                 // quantity has one lag per mode
   own_series,   // the candidate alone
   impact,
+  repeated_impact,  // over an ensemble, against the experiment's repeats
   plateau,
   band,   // the window, or a part of it, of a record with a band
   field,  // one moment of the case, or the mean over all
@@ -150,6 +159,10 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit);
 bool is_of_a_pair(const MetricEntry& metric);
 bool is_of_candidate_alone(Metric metric);
 bool is_of_impacts(Metric metric);
+// Whether the metric is of the peaks of a whole ensemble against those of the experiment's repeats.
+bool is_of_repeats(Metric metric);
+// Whether the metric is a p-value, whose largest value is 1: an upper bound of 1 is none.
+bool is_p_value(Metric metric);
 bool is_of_band(Metric metric);
 bool is_of_fields(Metric metric);
 bool is_cost(Metric metric);

@@ -81,7 +81,8 @@ const std::vector<KeyTable>& campaign_key_tables() {
          "A compared quantity of the case, or any series of the unit 1 for a metric of the "
          "candidate alone. Default: as in [[gate]]."},
         {"metric", "text", "yes",
-         "A metric of one run, as in [[gate]]. cost_to_reach and impact_percentile are refused."},
+         "A metric of one run, as in [[gate]]. A metric that takes only a limit or only a range is "
+         "refused."},
         {"mode", "text", "no", "As in [[gate]]."},
         {"goal", "number > 0, in the metric's unit", "yes",
          "What is aimed at. It is no limit and decides no verdict."}}},

@@ -558,10 +558,10 @@ const std::vector<KeyTable>& case_key_tables() {
          "The metric's unit, which a series that is not compared must name for a metric that has "
          "the quantity's. Default: the unit that it must be."},
         {"limit", "number > 0", "one of the three",
-         "The largest magnitude that passes. cost_to_reach takes only a limit."},
+         "The largest magnitude that passes. cost_to_reach and peak_area take only a limit."},
         {"lower", "number", "one of the three",
          "With upper: the range that passes, narrower than twice the widest bound. "
-         "impact_percentile takes only a range."},
+         "impact_percentile and the p-values take only a range."},
         {"upper", "number above lower", "with lower", ""},
         {"improves_on", "run name", "one of the three",
          "The candidate must be nearer to zero than this third run, by more than the intervals."},

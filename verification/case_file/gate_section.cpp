@@ -58,9 +58,14 @@ std::vector<std::string> fitted_to(const std::string& quantity, const CaseDefini
   return modes;
 }
 
+bool is_of_one_impact(const MetricEntry& metric) {
+  return metric.measured_on == MeasuredOn::impact ||
+         metric.measured_on == MeasuredOn::repeated_impact;
+}
+
 std::vector<std::string> modes_of(const MetricEntry& metric, const std::string& quantity,
                                   const CaseDefinition& definition) {
-  if (metric.measured_on == MeasuredOn::impact) return impact_names(definition.impacts.value());
+  if (is_of_one_impact(metric)) return impact_names(definition.impacts.value());
   if (is_of_fields(metric.metric)) {
     std::vector<std::string> modes{"whole"};
     for (std::string& moment : moment_names(definition)) modes.push_back(std::move(moment));
@@ -239,8 +244,8 @@ std::string read_mode(const TomlTable& row, const MetricEntry& metric, const std
                       const CaseDefinition& definition) {
   const std::vector<std::string> modes = modes_of(metric, quantity, definition);
   const std::string expected = measured_on_text(metric) + where_forced_is_named(row, definition);
-  const bool must_be_named = metric.measured_on == MeasuredOn::impact ||
-                             std::count_if(modes.begin(), modes.end(), is_forced) > 1;
+  const bool must_be_named =
+      is_of_one_impact(metric) || std::count_if(modes.begin(), modes.end(), is_forced) > 1;
   return must_be_named ? row.choice("mode", expected, modes)
                        : choice_or_first(row, "mode", expected, modes);
 }
@@ -303,6 +308,7 @@ void require_published(const TomlTable& row, Metric metric, const ImpactsDefinit
   if (metric == Metric::impact_arrival || metric == Metric::impulse_error)
     require(impacts.arrivals.has_value(), "arrivals_s");
   if (metric == Metric::impulse_error) require(impacts.impulses.has_value(), "impulses_Pa_s");
+  if (is_of_repeats(metric)) require(!impacts.peak_table.empty(), "peak_table");
 }
 
 // Reads the pressure at the gauge of the case's impacts, unfiltered or filtered.

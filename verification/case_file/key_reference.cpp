@@ -33,6 +33,8 @@ std::string measured_on(const MetricEntry& metric) {
       return "the candidate alone";
     case MeasuredOn::impact:
       return "a published impact";
+    case MeasuredOn::repeated_impact:
+      return "a published impact, over an ensemble";
     case MeasuredOn::plateau:
       return "the published plateau";
     case MeasuredOn::band:

@@ -12,6 +12,7 @@
 #include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
+#include "verification/gate/distributions/repeated_impacts.hpp"
 #include "verification/gate/field_metrics.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/gate/measured_value.hpp"
@@ -203,8 +204,16 @@ GateEvidence CaseEvidence::gate_evidence() {
   const FindEnsemble ensemble = [this](const std::string& run) {
     return EnsembleOfRun{members_of(definition_, run), !is_simulation(run_named(definition_, run))};
   };
-  const GateEvidence evidence{find, find_series, measure_impacts, {},
-                              cost, ensemble,    history,         fields};
+  const MeasureRepeats repeats = [this](const std::vector<std::string>& members,
+                                        const GateRow& row) {
+    std::vector<const TimeSeries*> pressures;
+    for (const std::string& run : members)
+      pressures.push_back(&series_of(runs_, run, row.quantity));
+    return repeated_impact_metric(row, pressures,
+                                  series_of_record(definition_, runs_, row.quantity), definition_);
+  };
+  const GateEvidence evidence{find,     find_series, measure_impacts, {},     cost,
+                              ensemble, history,     fields,          repeats};
   GateEvidence against_coarser = evidence;
   against_coarser.comparison = [this](const std::string& candidate, const std::string& reference,
                                       const std::string& quantity) -> const Comparison& {
@@ -220,7 +229,8 @@ GateEvidence CaseEvidence::gate_evidence() {
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);
   };
-  return {find, find_series, measure_impacts, uncertainty, cost, ensemble, history, fields};
+  return {find,     find_series, measure_impacts, uncertainty, cost,
+          ensemble, history,     fields,          repeats};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

@@ -57,6 +57,9 @@ Contribution of_record(const CaseRuns& runs, const GateRow& row, const RecordRun
           "the record's declared uncertainty"};
 }
 
+// What a p-value says of a difference does not depend on where the difference comes from.
+constexpr const char* of_the_ensemble = "the test is of the ensemble as it is";
+
 // The uncertainty of the published impacts' times, plateau and repeats.
 Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, double value) {
   const auto half_width = [&](const std::optional<double>& declared, double scale,
@@ -95,6 +98,8 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
 
 Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs,
                           const GateRow& row, const RowMeasures& measures) {
+  if (is_of_repeats(row.metric))
+    return {0, "the finite number of the experiment's repeats is in the metric's own interval"};
   if (is_of_impacts(row.metric))
     return of_impacts(definition.impacts.value(), row, measures.measure(row).value);
   if (row.reference.empty()) return {0, "no reference: the metric is zero in a correct run"};
@@ -112,6 +117,7 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
 
 Contribution of_inputs(const CaseDefinition& definition, const GateRow& row,
                        const RowMeasures& measures) {
+  if (is_p_value(row.metric)) return {0, of_the_ensemble};
   if (!rests_on_experiment(definition, row))
     return {0, "both sides have the same tank, liquid and motion"};
   if (row.kind == RowKind::regression) return as_when_measured("with the same inputs");
@@ -131,10 +137,13 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
   if (is_cost(row.metric)) return found;
   found.time_series = repeat_spread(definition, runs, row, measures.measure);
   found.reference = of_reference(definition, runs, row, measures);
-  found.discretisation =
-      rests_on_experiment(definition, row)
-          ? numerical(definition, runs, row, Role::candidate, measures.measure)
-          : Contribution{0, "the candidate's discretisation error is what the row measures"};
+  if (is_p_value(row.metric))
+    found.discretisation = {0, of_the_ensemble};
+  else
+    found.discretisation =
+        rests_on_experiment(definition, row)
+            ? numerical(definition, runs, row, Role::candidate, measures.measure)
+            : Contribution{0, "the candidate's discretisation error is what the row measures"};
   found.input = of_inputs(definition, row, measures);
   return found;
 }

@@ -9,7 +9,8 @@
 //   time_series     A flow that is sensitive to small disturbances has the spread of its repeats.
 //   input           Against an experiment this is the effect of its uncertain inputs. Against
 //                   theory or another method it is zero: both sides have the same inputs.
-// A cost has the interval of its timings alone.
+// A cost has the interval of its timings alone. A p-value has that of its permutations alone: the
+// test is of the ensemble as it is, numerical errors and inputs included.
 #pragma once
 
 #include <functional>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -116,8 +117,11 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                      in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
 }
 
-// "; mean over 4 x 3 repeats" for ensembles, "" for single runs.
+// "; mean over 4 x 3 repeats" for ensembles, "; 20 repeats" for their distribution, "" for single
+// runs.
 std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
+  if (is_of_repeats(row.metric))
+    return fmt::format("; {} repeats", ensemble_of(row.candidate, evidence).members.size());
   if (!is_of_ensembles(row, evidence)) return "";
   const std::size_t candidates = ensemble_of(row.candidate, evidence).members.size();
   return row.reference.empty() ? fmt::format("; mean over {} repeats", candidates)
@@ -189,7 +193,9 @@ std::optional<std::pair<Verdict, std::string>> obstacle_to(
 
 AllowedRange allowed_by(const GateRow& row) {
   if (row.limit) return {-*row.limit, *row.limit};
-  return {row.between->first, row.between->second};
+  const bool unbounded = is_p_value(row.metric) && row.between->second >= 1;
+  return {row.between->first,
+          unbounded ? std::numeric_limits<double>::infinity() : row.between->second};
 }
 
 std::optional<AllowedRange> tolerance_of(const CaseDefinition& definition,

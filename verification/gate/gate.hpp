@@ -93,7 +93,8 @@ struct GateOutcome {
   std::optional<ThreeWayOutcome> judgement = {};
 };
 
-// The range in which the metric of a row with a limit or a range must lie, in the row's unit.
+// The range in which the metric of a row with a limit or a range must lie, in the row's unit. A
+// p-value cannot exceed 1, so that an upper bound of 1 is infinite: no interval reaches across it.
 AllowedRange allowed_by(const GateRow& row);
 
 // The range that the case's first row with a limit or a range on this metric allows, for the

@@ -29,6 +29,11 @@ using FindHistory = std::function<TimeSeries(const std::string& run, const std::
 // where the run has no such series.
 using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
 
+// Returns the row's repeated_impact_metric() of an ensemble. Throws what that throws, and
+// ResultError where a member has no such series.
+using MeasureRepeats =
+    std::function<Estimate(const std::vector<std::string>& members, const GateRow& row)>;
+
 // Returns the row's field_metric() of its candidate against its reference. Throws what
 // field_metric() throws, and ResultError where one of them has no result.
 using MeasureFields = std::function<double(const GateRow& row)>;
@@ -66,6 +71,7 @@ struct GateEvidence {
   FindEnsemble ensemble = {};  // empty: each run stands for itself
   FindHistory history = {};    // for the metrics of the start
   MeasureFields fields = {};
+  MeasureRepeats repeats = {};
 };
 
 }  // namespace slosh

@@ -17,13 +17,6 @@ const ArrivalsDefinition& arrivals_of(const ImpactsDefinition& impacts) {
   throw ComparisonError("the case's [impacts] has no arrival_share and arrivals_s");
 }
 
-// 0 for "impact_1", 1 for "impact_2", ...
-std::size_t impact_number(const std::string& mode, const ImpactsDefinition& impacts) {
-  for (std::size_t n = 0; n < impacts.times.size(); ++n)
-    if (mode == fmt::format("impact_{}", n + 1)) return n;
-  throw ComparisonError("the case has no " + mode);
-}
-
 ComparisonError not_in_record(const TimeSeries& record, std::size_t n,
                               const CaseDefinition& definition) {
   return ComparisonError(fmt::format(
@@ -96,14 +89,26 @@ std::optional<double> impulse_in(const TimeSeries& pressure, std::size_t n,
   return impulse(pressure, {*arrival, *arrival + impacts.impulses->duration});
 }
 
+std::size_t impact_number(const std::string& mode, const CaseDefinition& definition) {
+  for (std::size_t n = 0; n < published(definition).times.size(); ++n)
+    if (mode == fmt::format("impact_{}", n + 1)) return n;
+  throw ComparisonError("the case has no " + mode);
+}
+
+std::optional<ImpactPeak> peak_in(const TimeSeries& pressure, std::size_t n,
+                                  const TimeSeries* record, const CaseDefinition& definition) {
+  const std::optional<ImpactPeak> peak = impacts_in(pressure, definition).at(n);
+  if (!peak && record && lacks_impact(*record, n, definition))
+    throw not_in_record(*record, n, definition);
+  return peak;
+}
+
 double impact_metric(Metric metric, const std::string& mode, const TimeSeries& pressure,
                      const TimeSeries* record, const CaseDefinition& definition) {
   if (metric == Metric::plateau_error) return plateau_error(pressure, definition);
   const ImpactsDefinition& impacts = published(definition);
-  const std::size_t n = impact_number(mode, impacts);
-  const std::optional<ImpactPeak> peak = impacts_in(pressure, definition).at(n);
-  if (!peak && record && lacks_impact(*record, n, definition))
-    throw not_in_record(*record, n, definition);
+  const std::size_t n = impact_number(mode, definition);
+  const std::optional<ImpactPeak> peak = peak_in(pressure, n, record, definition);
   switch (metric) {
     case Metric::impact_time:
       return peak ? peak->time - expected_time(n, pressure, record, definition) : not_a_number;

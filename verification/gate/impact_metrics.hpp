@@ -56,6 +56,15 @@ std::optional<double> arrival_in(const TimeSeries& pressure, std::size_t n,
 std::optional<double> impulse_in(const TimeSeries& pressure, std::size_t n,
                                  const CaseDefinition& definition);
 
+// Returns 0 for "impact_1", 1 for "impact_2", ... Throws ComparisonError for an impact that the
+// case does not have.
+std::size_t impact_number(const std::string& mode, const CaseDefinition& definition);
+
+// The peak [Pa] of the n-th impact; nullopt where the impact does not occur. Throws ComparisonError
+// as impacts_in() does, and where it does not occur in the record either.
+std::optional<ImpactPeak> peak_in(const TimeSeries& pressure, std::size_t n,
+                                  const TimeSeries* record, const CaseDefinition& definition);
+
 // The metric in its own unit; NaN where the mode's impact does not occur in the candidate's
 // pressure. Throws what the functions above throw, and ComparisonError where the impact does not
 // occur in the record either.

@@ -119,6 +119,12 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::impact_arrival:
     case Metric::impact_peak_error:
     case Metric::impulse_error:
+    case Metric::peak_mean_p_value:
+    case Metric::peak_ks_p_value:
+    case Metric::peak_ad_p_value:
+    case Metric::peak_area:
+    case Metric::peak_median_error:
+    case Metric::peak_p90_error:
     case Metric::outside_band:
     case Metric::band_excursion:
     case Metric::pressure_field_rms:
@@ -226,6 +232,10 @@ std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row,
 }
 
 Estimate measured(const GateRow& row, const GateEvidence& evidence) {
+  if (is_of_repeats(row.metric)) {
+    require_unit(row, "1");
+    return evidence.repeats(ensemble_of(row.candidate, evidence).members, row);
+  }
   if (!is_of_ensembles(row, evidence)) return measured_once(row, evidence);
   const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
   const EnsembleOfRun reference = reference_of(row, evidence);
@@ -239,9 +249,10 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence) {
 }
 
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence) {
-  return !is_cost(row.metric) && ensemble_of(row.candidate, evidence).members.size() *
-                                         reference_of(row, evidence).members.size() >
-                                     1;
+  return !is_cost(row.metric) && !is_of_repeats(row.metric) &&
+         ensemble_of(row.candidate, evidence).members.size() *
+                 reference_of(row, evidence).members.size() >
+             1;
 }
 
 }  // namespace slosh

@@ -14,7 +14,8 @@ inline constexpr Estimate no_value{not_a_number, not_a_number};
 
 // The metric of the row's candidate in the metric's unit. Where the candidate or the reference is
 // an ensemble, this is the mean over all pairs of their members with the interval of
-// ensemble_mean.hpp, which replaces the intervals of single histories; a cost has no ensemble mean.
+// ensemble_mean.hpp, which replaces the intervals of single histories; a cost has no ensemble mean,
+// and a metric of repeats is of the ensemble as one sample.
 // Throws what the functions of the evidence throw, and ComparisonError where the row's unit is not
 // the metric's.
 Estimate measured(const GateRow& row, const GateEvidence& evidence);

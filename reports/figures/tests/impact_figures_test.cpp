@@ -56,6 +56,14 @@ TEST(ImpactFigures, OfASingleImpactMarkTheEdgesOfTheRecordsBand) {
   EXPECT_NEAR(figures[0].markers[1].x, 1.2, 1e-3);
 }
 
+TEST(ImpactFigures, TellHowEnoughRepeatsCompareWithTheExperiments) {
+  EXPECT_EQ(impact_figures(repeats(impact_case(), 3))[0].caption.find("Kolmogorov"),
+            std::string::npos);
+  const std::string caption = impact_figures(repeats(impact_case(), 20))[0].caption;
+  EXPECT_NE(caption.find(" repeat_0, impact 1: 20 peaks, median "), std::string::npos) << caption;
+  EXPECT_NE(caption.find("; impact 4: 20 peaks, median "), std::string::npos) << caption;
+}
+
 TEST(ImpactFigures, AreOfRepeatsAlone) {
   EXPECT_TRUE(impact_figures(repeats(impact_case(), 1)).empty());
   CaseAssessment assessment = repeats(impact_case(), 3);

@@ -64,4 +64,33 @@ PeakSample peak_sample(const CaseAssessment& assessment, const Repeats& repeats,
   return sample;
 }
 
+std::optional<PeakComparison> against_experiment(const CaseDefinition& definition,
+                                                 const PeakSample& sample, std::size_t impact) {
+  if (definition.impacts->repeats.empty() || sample.peaks.size() < fewest_repeats)
+    return std::nullopt;
+  const Distribution experiment = repeated_peaks(definition, impact);
+  if (experiment.sorted().size() < fewest_repeats) return std::nullopt;
+  return compare_peaks(Distribution("peaks of repeated runs", sample.peaks), experiment);
+}
+
+std::string median_ratio_text(const PeakComparison& comparison) {
+  const auto& [value, interval] = comparison.median_error;
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", 1 + value.value, 1 + interval.low,
+                     1 + interval.high);
+}
+
+std::string area_text(const PeakComparison& comparison) {
+  const auto& [value, interval] = comparison.area;
+  return fmt::format("{:.0f} ({:.0f} to {:.0f})", 100 * value.value, 100 * interval.low,
+                     100 * interval.high);
+}
+
+std::string comparison_text(const PeakComparison& comparison) {
+  return fmt::format(
+      "median {} times the experiment's, area {} % of its mean, p {:.2g} by Kolmogorov and Smirnov "
+      "and {:.2g} by Anderson and Darling",
+      median_ratio_text(comparison), area_text(comparison), comparison.ks_p.value,
+      comparison.ad_p.value);
+}
+
 }  // namespace slosh

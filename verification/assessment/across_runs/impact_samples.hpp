@@ -3,11 +3,13 @@
 // distribution of its peak can.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/gate/distributions/peak_comparison.hpp"
 
 namespace slosh {
 
@@ -28,5 +30,19 @@ struct PeakSample {
 PeakSample peak_sample(const CaseAssessment& assessment,
                        const std::vector<const RunDefinition*>& repeats,
                        const std::string& pressure, std::size_t impact);
+
+// How the sample compares with the experiment's repeats of that impact. Returns nullopt where their
+// table is not supplied, and for fewer peaks than fewest_repeats.
+std::optional<PeakComparison> against_experiment(const CaseDefinition& definition,
+                                                 const PeakSample& sample, std::size_t impact);
+
+// "median 1.12 (0.95 to 1.30) times the experiment's, area 15 (0 to 29) % of its mean, p 0.03 by
+// Kolmogorov and Smirnov and 0.02 by Anderson and Darling"
+std::string comparison_text(const PeakComparison& comparison);
+
+// "1.12 (0.95 to 1.30)": the ratio of the medians with its 95 % interval.
+std::string median_ratio_text(const PeakComparison& comparison);
+// "15 (0 to 29)": the area in percent of the experiment's mean, with its 95 % interval.
+std::string area_text(const PeakComparison& comparison);
 
 }  // namespace slosh

@@ -219,6 +219,36 @@ TEST(GateOnImpacts, IsRefusedByItsLine) {
   }
 }
 
+TEST(GateOnImpacts, TakesThePeaksOfAnEnsembleAgainstTheTableOfRepeats) {
+  const std::string pressure = "wall_pressure@B", table = impacts + "peak_table = \"p.txt\"\n";
+  const CaseDefinition definition =
+      read_text(text_with(table) + "[[gate]]\ncandidate = \"coarse\"\nquantity = \"" + pressure +
+                "\"\nmodes = [\"impact_1\", \"impact_3\"]\n"
+                "limits.peak_ks_p_value = { lower = 0.05, upper = 1 }\nlimits.peak_area = 0.25\n"
+                "limits.peak_median_error = 0.2\nreason = \"r\"\nsource = \"s\"\n");
+  ASSERT_EQ(definition.gate.size(), 7u);
+  EXPECT_EQ(definition.gate[1].between, (std::pair{0.05, 1.0}));
+  EXPECT_TRUE(definition.gate[1].reference.empty());
+  const auto said = [&](const std::string& section, const std::string& row) {
+    const Workspace workspace;
+    return complaint(workspace.write("trial.toml", text_with(section) + row));
+  };
+  EXPECT_NE(said(impacts, row_on(pressure, "impact_1", "peak_area", "1", limit))
+                .find("gate.metric = \"peak_area\": expected a metric that needs no peak_table in "
+                      "[impacts], which this case does not have"),
+            std::string::npos);
+  EXPECT_NE(said(table, row_on(pressure, "impact_1", "peak_ks_p_value", "1", limit))
+                .find("gate = a row on peak_ks_p_value: expected lower with upper"),
+            std::string::npos);
+  EXPECT_NE(said(table, row_on(pressure, "impact_1", "peak_area", "1", bounds))
+                .find("gate = a row on peak_area: expected"),
+            std::string::npos);
+  EXPECT_NE(said(table, row_on(pressure, "whole", "peak_p90_error", "1", limit))
+                .find("gate.mode = \"whole\": expected what peak_p90_error is measured on, one of "
+                      "impact_1"),
+            std::string::npos);
+}
+
 TEST(GateOnImpacts, NeedsThem) {
   const Workspace workspace;
   const std::string row = row_on("elevation@right", "impact_1", "impact_time", "s", limit);

@@ -213,7 +213,11 @@ TEST(Gate, HasAValueForEveryMetricOfTheTable) {
       .impacts = [](const auto&, const GateRow&) { return 0.1; },
       .cost = [](const GateRow&) { return CostAtError{Reach::between, 15, 0.1, 0.8, {}, {}}; },
       .history = own,
-      .fields = [](const GateRow&) { return 0.1; }};
+      .fields = [](const GateRow&) { return 0.1; },
+      .repeats =
+          [](const auto&, const GateRow&) {
+            return Estimate{0.1, 0};
+          }};
   for (const MetricEntry& metric : metric_table()) {
     const std::string quantity_unit = is_of_impacts(metric.metric) ? "Pa" : "m";
     const std::vector<std::string> modes =
