@@ -29,6 +29,8 @@ Row published_row(const ImpactsDefinition& impacts) {
     row.push_back(has_spread ? fmt::format("{:.0f} ± {:.0f}", impacts.peak_means[n],
                                            impacts.peak_deviations[n])
                              : fmt::format("{:.0f}", impacts.peak_means[n]));
+    row.push_back(impacts.rise_times ? fmt::format("{:.4f}", impacts.rise_times->values[n])
+                                     : std::string("not published"));
     if (impacts.arrivals) row.push_back(fmt::format("{:.4f}", impacts.arrivals->times[n]));
     if (impacts.impulses) row.push_back(fmt::format("{:.0f}", impacts.impulses->values[n]));
   }
@@ -52,6 +54,16 @@ std::string time_difference(double time, std::size_t n, const TimeSeries& pressu
   return "";
 }
 
+// "0.0042 (+0.0012)": the rise time and, where one is published, the difference to it.
+std::string rise_cell(const TimeSeries& pressure, const ImpactPeak& peak, std::size_t n,
+                      const ImpactsDefinition& impacts) {
+  const std::optional<double> rise = rise_time(pressure, peak);
+  if (!rise) return "no rise from half the peak";
+  return fmt::format("{:.4f}", *rise) +
+         (impacts.rise_times ? fmt::format(" ({:+.4f})", *rise - impacts.rise_times->values[n])
+                             : "");
+}
+
 // Adds the arrival, with the difference to the published one, and the impulse, with its error, as
 // far as the case publishes them. Throws ComparisonError as arrival_in() and impulse_in() do.
 void add_arrival_cells(const TimeSeries& pressure, std::size_t n, const CaseDefinition& definition,
@@ -72,7 +84,7 @@ void add_arrival_cells(const TimeSeries& pressure, std::size_t n, const CaseDefi
 }
 
 std::size_t cells_of_an_impact(const ImpactsDefinition& impacts) {
-  return 2 + (impacts.arrivals ? 1 : 0) + (impacts.impulses ? 1 : 0);
+  return 3 + (impacts.arrivals ? 1 : 0) + (impacts.impulses ? 1 : 0);
 }
 
 Row run_row(const CaseAssessment& assessment, const std::string& run, const TimeSeries& pressure) {
@@ -92,6 +104,7 @@ Row run_row(const CaseAssessment& assessment, const std::string& run, const Time
                     time_difference(peaks[n]->time, n, pressure, record, definition));
       row.push_back(fmt::format("{:.0f} ({})", peaks[n]->pressure,
                                 place_among_repeats(definition, n, peaks[n]->pressure)));
+      row.push_back(rise_cell(pressure, *peaks[n], n, impacts));
       add_arrival_cells(pressure, n, definition, row);
     }
   } catch (const ComparisonError& error) {
@@ -121,6 +134,7 @@ std::string caption(const CaseDefinition& definition) {
                    "percentiles. ")
           : fmt::format("the percentage of the experiment's {} repeats that have a lower peak. ",
                         impacts.repeats.front().size());
+  text += "Rise: twice the time from half the peak to the peak. ";
   if (impacts.arrivals)
     text += fmt::format(
         "Arrival: when the pressure first reaches {:.3g} of the published peak, and in brackets "
@@ -218,7 +232,8 @@ std::optional<Table> impact_table(const CaseAssessment& assessment) {
               {published_row(*definition.impacts)}};
   for (std::size_t n = 1; n <= definition.impacts->times.size(); ++n) {
     table.header.insert(table.header.end(),
-                        {fmt::format("impact {} [s]", n), fmt::format("peak {} [Pa]", n)});
+                        {fmt::format("impact {} [s]", n), fmt::format("peak {} [Pa]", n),
+                         fmt::format("rise {} [s]", n)});
     if (definition.impacts->arrivals) table.header.push_back(fmt::format("arrival {} [s]", n));
     if (definition.impacts->impulses) table.header.push_back(fmt::format("impulse {} [Pa s]", n));
   }

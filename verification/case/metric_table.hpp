@@ -45,6 +45,7 @@ enum class Metric {
   plateau_error,      // the mean over the published plateau's time
   impact_percentile,  // the share of the experiment's repeats with a lower peak
   impact_arrival,     // the time at which the pressure first reaches a share of the published peak
+  impact_rise_time,   // twice the time from half the peak to it, less the published rise time
   impact_peak_error,  // the peak over the published one, less 1
   impulse_error,      // the impulse from the arrival on over the published one, less 1
   // Of the peaks of one impact over an ensemble against those over the experiment's repeats

@@ -25,6 +25,7 @@
 #include "verification/input/nearest_name.hpp"
 #include "verification/metrics/comparison.hpp"
 #include "verification/results/result_file.hpp"
+#include "verification/texts/impact_text.hpp"
 #include "verification/texts/verdict_text.hpp"
 
 namespace slosh {
@@ -195,11 +196,21 @@ void write_json(const Comparison& comparison, const std::vector<GateOutcome>& ou
                 {"exit_status", status},
                 {"comparison", comparison_entry(comparison)},
                 {"gate", Json::array()}};
+  if (comparison.margin) {
+    document["comparison"]["outside_band"] = share_outside(*comparison.margin, comparison.window);
+    document["comparison"]["band_excursion"] =
+        largest_excursion(*comparison.margin, comparison.window);
+  }
   for (const GateOutcome& outcome : outcomes) document["gate"].push_back(outcome_entry(outcome));
   replace_file(file, document.dump(2) + "\n", Durability::process_crash);
 }
 
-Comparison compared(const CompareOptions& options, const Installation& installation) {
+struct ComparedFiles {
+  Comparison comparison;
+  std::string impacts;  // impact_lines(), of a case whose impacts are in the quantity
+};
+
+ComparedFiles compared(const CompareOptions& options, const Installation& installation) {
   const RunResult candidate = read_result(options.candidate);
   const RunResult reference = read_result(options.reference);
   const std::string quantity = compared_quantity(options, candidate, reference);
@@ -217,13 +228,16 @@ Comparison compared(const CompareOptions& options, const Installation& installat
       compare(PreparedSeries("candidate", of_candidate, window, modes), prepared);
   comparison.candidate = options.candidate.string();
   comparison.reference = options.reference.string();
-  return comparison;
+  return {std::move(comparison), definition && has_impacts(*definition, quantity)
+                                     ? impact_lines(*definition, of_candidate, of_reference)
+                                     : ""};
 }
 
 int compare_results(const CompareOptions& options, const Installation& installation) {
-  const Comparison comparison = compared(options, installation);
+  const auto [comparison, impacts] = compared(options, installation);
   const std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
   print(comparison);
+  std::cout << impacts;
   for (const GateOutcome& outcome : outcomes)
     std::cout << as_shown(
         fmt::format("{}: {} {}: {}\n", verdict_name(outcome.verdict), outcome.row.mode,

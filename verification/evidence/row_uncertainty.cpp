@@ -80,6 +80,8 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
   };
   if (row.metric == Metric::impact_arrival)
     return half_width(impacts.arrivals.value().half_width, 1, "arrivals_half_width_s");
+  if (row.metric == Metric::impact_rise_time)
+    return half_width(impacts.rise_times.value().half_width, 1, "rise_times_half_width_s");
   if (row.metric == Metric::impact_peak_error)
     return half_width(impacts.peaks_half_width, std::abs(1 + value) / of_impact(impacts.peak_means),
                       "peaks_half_width_Pa");

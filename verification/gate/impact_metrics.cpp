@@ -89,6 +89,21 @@ std::optional<double> impulse_in(const TimeSeries& pressure, std::size_t n,
   return impulse(pressure, {*arrival, *arrival + impacts.impulses->duration});
 }
 
+std::vector<ImpactNumbers> impact_numbers(const TimeSeries& pressure,
+                                          const CaseDefinition& definition) {
+  const ImpactsDefinition& impacts = published(definition);
+  std::vector<ImpactNumbers> all;
+  for (const std::optional<ImpactPeak>& peak : impacts_in(pressure, definition)) {
+    ImpactNumbers one{.peak = peak};
+    const std::size_t n = all.size();
+    if (peak) one.rise_time = rise_time(pressure, *peak);
+    if (impacts.arrivals) one.arrival = arrival_in(pressure, n, definition);
+    if (impacts.impulses) one.impulse = impulse_in(pressure, n, definition);
+    all.push_back(one);
+  }
+  return all;
+}
+
 std::size_t impact_number(const std::string& mode, const CaseDefinition& definition) {
   for (std::size_t n = 0; n < published(definition).times.size(); ++n)
     if (mode == fmt::format("impact_{}", n + 1)) return n;
@@ -119,6 +134,11 @@ double impact_metric(Metric metric, const std::string& mode, const TimeSeries& p
     case Metric::impact_arrival:
       return arrival_in(pressure, n, definition).value_or(not_a_number) -
              arrivals_of(impacts).times.at(n);
+    case Metric::impact_rise_time:
+      if (!impacts.rise_times) throw ComparisonError("the case's [impacts] has no rise_times_s");
+      return peak ? rise_time(pressure, *peak).value_or(not_a_number) -
+                        impacts.rise_times->values.at(n)
+                  : not_a_number;
     case Metric::impact_peak_error:
       return peak ? peak->pressure / impacts.peak_means.at(n) - 1 : not_a_number;
     case Metric::impulse_error: {

@@ -56,6 +56,17 @@ std::optional<double> arrival_in(const TimeSeries& pressure, std::size_t n,
 std::optional<double> impulse_in(const TimeSeries& pressure, std::size_t n,
                                  const CaseDefinition& definition);
 
+// What is told of one impact; nullopt for what does not occur or is not published.
+struct ImpactNumbers {
+  std::optional<ImpactPeak> peak = {};
+  std::optional<double> rise_time = {}, arrival = {};  // [s]
+  std::optional<double> impulse = {};                  // [Pa s]
+};
+
+// The numbers of all impacts. Throws ComparisonError as the functions above do.
+std::vector<ImpactNumbers> impact_numbers(const TimeSeries& pressure,
+                                          const CaseDefinition& definition);
+
 // Returns 0 for "impact_1", 1 for "impact_2", ... Throws ComparisonError for an impact that the
 // case does not have.
 std::size_t impact_number(const std::string& mode, const CaseDefinition& definition);

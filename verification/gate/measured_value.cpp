@@ -117,6 +117,7 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::plateau_error:
     case Metric::impact_percentile:
     case Metric::impact_arrival:
+    case Metric::impact_rise_time:
     case Metric::impact_peak_error:
     case Metric::impulse_error:
     case Metric::peak_mean_p_value:

@@ -88,6 +88,19 @@ std::optional<double> arrival_time(const TimeSeries& pressure, TimeWindow window
   return std::nullopt;
 }
 
+std::optional<double> rise_time(const TimeSeries& pressure, const ImpactPeak& peak) {
+  const double half = 0.5 * peak.pressure;
+  const auto at = std::lower_bound(pressure.time.begin(), pressure.time.end(), peak.time);
+  for (auto i = static_cast<std::size_t>(at - pressure.time.begin()); i > 0; --i)
+    if (pressure.value[i - 1] < half) {
+      const double t_half =
+          std::lerp(pressure.time[i - 1], pressure.time[i],
+                    (half - pressure.value[i - 1]) / (pressure.value[i] - pressure.value[i - 1]));
+      return 2 * (peak.time - t_half);
+    }
+  return std::nullopt;
+}
+
 double impulse(const TimeSeries& pressure, TimeWindow window) {
   cut_to_window(pressure, window);  // only for its checks
   double sum = 0;

@@ -34,15 +34,18 @@ TEST(ImpactTable, GivesTimesPeaksPercentilesAndPlateau) {
       impact_table(one_run(pressure_of({.late = 0.012, .scale = 1.1}), impact_case()));
   ASSERT_TRUE(table);
   EXPECT_EQ(table->header,
-            (Row{"run", "pressure", "impact 1 [s]", "peak 1 [Pa]", "impact 2 [s]", "peak 2 [Pa]",
-                 "impact 3 [s]", "peak 3 [Pa]", "impact 4 [s]", "peak 4 [Pa]", "plateau [Pa]"}));
+            (Row{"run", "pressure", "impact 1 [s]", "peak 1 [Pa]", "rise 1 [s]", "impact 2 [s]",
+                 "peak 2 [Pa]", "rise 2 [s]", "impact 3 [s]", "peak 3 [Pa]", "rise 3 [s]",
+                 "impact 4 [s]", "peak 4 [Pa]", "rise 4 [s]", "plateau [Pa]"}));
   ASSERT_EQ(table->rows.size(), 2u);
   EXPECT_EQ(table->rows[0],
-            (Row{"published", "mean ± sd of the repeats", "2.375", "3710 ± 732", "4.073",
-                 "4816 ± 1501", "5.718", "4691 ± 1706", "7.303", "4643 ± 1323", "670"}));
-  EXPECT_EQ(table->rows[1], (Row{"particles", "unfiltered", "2.387 (+0.012)", "4081 (60 %)",
-                                 "4.085 (+0.012)", "5298 (60 %)", "5.730 (+0.012)", "5160 (60 %)",
-                                 "7.315 (+0.012)", "5107 (60 %)", "737 (+10 %)"}));
+            (Row{"published", "mean ± sd of the repeats", "2.375", "3710 ± 732", "not published",
+                 "4.073", "4816 ± 1501", "not published", "5.718", "4691 ± 1706", "not published",
+                 "7.303", "4643 ± 1323", "not published", "670"}));
+  EXPECT_EQ(table->rows[1],
+            (Row{"particles", "unfiltered", "2.387 (+0.012)", "4081 (60 %)", "RISE1",
+                 "4.085 (+0.012)", "5298 (60 %)", "RISE2", "5.730 (+0.012)", "5160 (60 %)", "RISE3",
+                 "7.315 (+0.012)", "5107 (60 %)", "RISE4", "737 (+10 %)"}));
 }
 
 TEST(ImpactTable, CountsDeviationsWhereTheRepeatsAreNotSuppliedAndSaysSo) {
@@ -76,7 +79,7 @@ TEST(ImpactTable, SaysWhatDoesNotOccurOrIsNaNOrHasNoResult) {
   add_run(assessment, "poisoned", sph, {poisoned});
   add_absent_run(assessment, "gone", sph, RunState::failed);
   const auto rows = impact_table(assessment)->rows;
-  EXPECT_EQ(rows.at(1).at(4), "no impact");
+  EXPECT_EQ(rows.at(1).at(5), "no impact");
   EXPECT_NE(rows.at(2).at(2).find("not finite"), std::string::npos) << rows[2][2];
   EXPECT_EQ(rows[2].back(), "not available");
   EXPECT_EQ(rows.at(3).at(1), "solver failed");
@@ -93,18 +96,21 @@ TEST(ImpactTable, OfASingleImpactTellsItsArrivalAndItsImpulse) {
   single.plateau = single.plateau_begin = single.plateau_end = 0;
   single.arrivals = ArrivalsDefinition{.share = 0.5, .times = {2.374}};
   single.impulses = ImpulsesDefinition{.duration = 0.07, .values = {50}};
+  single.rise_times = RiseTimesDefinition{{0.001}};
   definition.impacts = single;
   CaseAssessment assessment = one_run(pressure_of({.late = 0.012}), definition);
   add_run(assessment, "dry", sph, {pressure_of({.impacts = 0})});
   const auto table = impact_table(assessment);
-  EXPECT_EQ(table->header, (Row{"run", "pressure", "impact 1 [s]", "peak 1 [Pa]", "arrival 1 [s]",
-                                "impulse 1 [Pa s]"}));
-  EXPECT_EQ(table->rows.at(0), (Row{"published", "as published", "2.375", "3710", "2.3740", "50"}));
+  EXPECT_EQ(table->header, (Row{"run", "pressure", "impact 1 [s]", "peak 1 [Pa]", "rise 1 [s]",
+                                "arrival 1 [s]", "impulse 1 [Pa s]"}));
+  EXPECT_EQ(table->rows.at(0),
+            (Row{"published", "as published", "2.375", "3710", "0.0010", "2.3740", "50"}));
   const Row& run = table->rows.at(1);
   EXPECT_EQ(run.at(2), "2.387 (+0.012)");
   EXPECT_EQ(run.at(3), "3710 (+0 %)");
-  EXPECT_TRUE(run.at(4).starts_with("2.38")) << run[4];
-  EXPECT_NE(run.at(5).find(" %)"), std::string::npos) << run[5];
+  EXPECT_EQ(run.at(4), "RISE5");
+  EXPECT_TRUE(run.at(5).starts_with("2.38")) << run[5];
+  EXPECT_NE(run.at(6).find(" %)"), std::string::npos) << run[6];
   EXPECT_EQ(table->rows.at(2).at(2), "no impact");
   for (const Row& row : table->rows) EXPECT_EQ(row.size(), table->header.size());
   EXPECT_NE(table->caption.find("Arrival: when the pressure first reaches 0.5 of the published "

@@ -249,6 +249,18 @@ TEST(GateOnImpacts, TakesThePeaksOfAnEnsembleAgainstTheTableOfRepeats) {
             std::string::npos);
 }
 
+TEST(GateOnImpacts, TakesARiseTimeWhereOneIsPublished) {
+  const std::string row = row_on("wall_pressure@B", "impact_1", "impact_rise_time", "s", limit);
+  const Workspace workspace;
+  EXPECT_NE(complaint(workspace.write("trial.toml", text_with(impacts) + row))
+                .find("gate.metric = \"impact_rise_time\": expected a metric that needs no "
+                      "rise_times_s in [impacts]"),
+            std::string::npos);
+  EXPECT_EQ(
+      read_text(text_with(impacts + "rise_times_s = [0.1, 0.2, 0.3]\n") + row).gate.at(1).metric,
+      Metric::impact_rise_time);
+}
+
 TEST(GateOnImpacts, NeedsThem) {
   const Workspace workspace;
   const std::string row = row_on("elevation@right", "impact_1", "impact_time", "s", limit);
@@ -267,6 +279,8 @@ arrivals_s = [2.36]
 arrivals_half_width_s = 0.001
 impulse_duration_s = 0.07
 impulses_Pa_s = [120]
+rise_times_s = [0.004]
+rise_times_half_width_s = 0.0005
 source = "a paper"
 )";
 
@@ -282,6 +296,8 @@ TEST(Impacts, MayBeASingleOneWithItsArrivalAndItsImpulse) {
   EXPECT_EQ(read.impulses->duration, 0.07);
   EXPECT_EQ(read.impulses->values, std::vector<double>{120});
   EXPECT_FALSE(read.impulses->half_width);
+  EXPECT_EQ(read.rise_times.value().values, std::vector<double>{0.004});
+  EXPECT_EQ(read.rise_times->half_width, 0.0005);
 }
 
 TEST(Impacts, AreRefusedWhereASingleOneIsMistaken) {
@@ -300,6 +316,10 @@ TEST(Impacts, AreRefusedWhereASingleOneIsMistaken) {
             std::string::npos);
   EXPECT_NE(said("arrival_share = 0.3\narrivals_s = [2.36]\n", "")
                 .find("no such key without arrival_share and arrivals_s"),
+            std::string::npos);
+  EXPECT_NE(said("rise_times_s = [0.004]\n", "").find("no such key without rise_times_s"),
+            std::string::npos);
+  EXPECT_NE(said("[0.004]", "[0]").find("impacts.rise_times_s = 0: expected a number > 0, in s"),
             std::string::npos);
   EXPECT_NE(said("sought_within_s = 0.2\n", "period_s = 1\n").find("peaks_sd_Pa is missing"),
             std::string::npos);

@@ -255,6 +255,46 @@ TEST(ImpactMetrics, OfTheArrivalAndTheImpulseAreViolatedByAnImpactThatDoesNotCom
   }
 }
 
+TEST(ImpactMetrics, OfTheRiseTimeAreThatOfTheExperimentOrAreViolated) {
+  CaseDefinition definition = impact_case();
+  const GateRow row = row_of(Metric::impact_rise_time, "impact_2");
+  EXPECT_EQ(judge(row, pressure_of({}), definition).verdict, Verdict::not_compared);
+  // A bell on a plateau that begins with it: the pressure jumps to the plateau at the peak alone,
+  // so that half the peak is reached where the bell has (4816 / 2) / 4146.
+  const double half = 2 * std::sqrt(8e-6 * std::log(4146 / 2408.0));
+  definition.impacts->rise_times = RiseTimesDefinition{{half, half, half, half}};
+  EXPECT_NEAR(judge(row, pressure_of({.sampling = 1e-4}), definition).value.value, 0, 1e-4);
+  GateRow narrow = row;
+  narrow.limit = 1e-3;
+  EXPECT_EQ(judge(narrow, pressure_of({.sampling = 1e-4}), definition).verdict, Verdict::pass);
+  TimeSeries slow = pressure_of({.sampling = 1e-4});
+  for (double& t : slow.time) t = 4.073 + 2 * (t - 4.073);  // of twice the rise time
+  slow.time.erase(slow.time.begin(), slow.time.begin() + 10000);
+  slow.value.erase(slow.value.begin(), slow.value.begin() + 10000);
+  EXPECT_EQ(judge(narrow, slow,
+                  [&] {
+                    CaseDefinition one = definition;
+                    one.impacts->times = {2.375, 4.073};
+                    one.impacts->peak_means.resize(2);
+                    return one;
+                  }())
+                .verdict,
+            Verdict::violated);
+  EXPECT_EQ(judge(row, pressure_of({.impacts = 1}), definition).verdict, Verdict::violated);
+}
+
+TEST(ImpactMetrics, TellTheNumbersOfEachImpact) {
+  const auto numbers = impact_numbers(pressure_of({.impacts = 3}), case_with_arrivals());
+  ASSERT_EQ(numbers.size(), 4u);
+  EXPECT_NEAR(numbers[2].peak.value().pressure, 4691, 1);
+  EXPECT_GT(numbers[2].rise_time.value(), 0.002);
+  EXPECT_LT(numbers[2].rise_time.value(), 0.008);
+  EXPECT_NEAR(numbers[2].arrival.value(), case_with_arrivals().impacts->arrivals->times[2], 1e-9);
+  EXPECT_TRUE(numbers[2].impulse);
+  EXPECT_FALSE(numbers[3].peak || numbers[3].rise_time || numbers[3].arrival || numbers[3].impulse);
+  EXPECT_FALSE(impact_numbers(pressure_of({}), impact_case())[0].arrival);
+}
+
 TEST(ImpactMetrics, OfTheArrivalAreNotComparedWhereNoneIsPublished) {
   for (const Metric metric : {Metric::impact_arrival, Metric::impulse_error})
     EXPECT_EQ(judge(row_of(metric, "impact_1"), pressure_of({})).verdict, Verdict::not_compared);

@@ -178,6 +178,16 @@ TEST(ArrivalTime, IsTheFirstCrossingBetweenTheSamples) {
   EXPECT_THROW(arrival_time(rise, {0, 5}, 0), ComparisonError);
 }
 
+TEST(RiseTime, IsTwiceTheTimeFromHalfThePeakToIt) {
+  // From 2 at 1 s to 10 at 3 s: half the peak is crossed at 1.75 s.
+  const TimeSeries triangle{"p", "Pa", {0, 1, 3, 4}, {6, 2, 10, 0}};
+  EXPECT_DOUBLE_EQ(rise_time(triangle, {3, 10}).value(), 2.5);
+  // The last crossing counts, and a straight rise from zero has its whole length.
+  EXPECT_DOUBLE_EQ(rise_time({"p", "Pa", {0, 1, 2, 3, 4, 5}, {0, 8, 0, 5, 10, 0}}, {4, 10}).value(),
+                   2);
+  EXPECT_FALSE(rise_time({"p", "Pa", {0, 1, 2}, {6, 10, 0}}, {1, 10}));
+}
+
 TEST(Impulse, IsTheIntegralOverTheWindowWhereverItEnds) {
   EXPECT_DOUBLE_EQ(impulse(rise, {0, 5}), 2.5 + 10 + 40 + 25);
   EXPECT_DOUBLE_EQ(impulse(rise, {0.5, 4.5}), 2.5 + 10 + 40 + 0.5 * 17.5);
