@@ -114,7 +114,7 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   figure.x_range = {0, 1.05 * highest};
   figure.caption = fmt::format(
       "Each peak over the published mean of its impact; the steps of a curve are its peaks. Runs "
-      "are repeats that differ only in the random seed of their start. {}{} Published: {}.{}",
+      "are repeats that differ only in their random seed. {}{} Published: {}.{}",
       figure.markers.empty()
           ? is_filtered ? "The runs are filtered and the published peaks are not. " : ""
           : "Vertical lines: the peaks of the edges of the record's band. ",

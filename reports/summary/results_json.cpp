@@ -7,6 +7,7 @@
 #include "verification/assessment/predictions.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
+#include "verification/case/changed_input.hpp"
 
 namespace slosh {
 namespace {
@@ -58,6 +59,8 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   const RunStatus& status = runs.status.at(name);
   Json entry{{"name", name}, {"state", state_name(status.state)}, {"message", status.message}};
   if (!run.ensemble.empty()) entry["ensemble"] = run.ensemble;
+  for (const auto& [input, change] : run.drawn_inputs)
+    entry["drawn_inputs"].push_back({{"input", input_name(input)}, {"change", change}});
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
   if (const auto* external = std::get_if<ExternalRun>(&run.solver))
     entry.update(external_entry(*external));

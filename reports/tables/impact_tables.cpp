@@ -265,8 +265,8 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
   Table table{
       definition.name + "-repeats",
       "Distribution of peaks over repeated runs",
-      "Impact peaks of runs that differ only in the random seed of their perturbed initial state, "
-      "and those of the experiment's repeats. The area metric is the area between the two "
+      "Impact peaks of runs that differ only in their random seed, and those of the experiment's "
+      "repeats. The area metric is the area between the two "
       "cumulative distributions, also given in percent of the experiment's mean. Both samples are "
       "small, so even two samples of one distribution have an area metric above zero. In brackets: "
       "95 % intervals by the bootstrap. p: the share of random divisions of all peaks into two "

@@ -48,7 +48,7 @@ bool are_repeats(const CaseDefinition& definition, const RunDefinition& run,
                  const std::string& other) {
   const auto* sph = std::get_if<SphRun>(&run.solver);
   const auto* candidate = std::get_if<SphRun>(&run_named(definition, other).solver);
-  return sph && candidate && repeat_one_another(*sph, *candidate);
+  return sph && !run.varies_inputs && candidate && repeat_one_another(*sph, *candidate);
 }
 
 // Returns whether the row's value, bounds or uncertainty (row_uncertainty.hpp) depend on the run.

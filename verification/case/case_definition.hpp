@@ -332,6 +332,14 @@ struct InputEnd {
   std::string repeated_run;
 };
 
+// A change of an input, in its unit.
+struct InputChange {
+  Input input;
+  double change;
+
+  bool operator==(const InputChange&) const = default;
+};
+
 struct RunDefinition {
   std::string name;
   std::variant<SphRun, InterFoamRun, LinearRun, ViscousWaveRun, PotentialRun, RecordRun,
@@ -345,6 +353,10 @@ struct RunDefinition {
   // Set for a run that the case adds for an uncertain input: it solves the case with this input
   // changed (changed_input.hpp).
   std::optional<InputEnd> at_input = {};
+  // A member of an ensemble with vary_inputs solves the case with these inputs changed, each drawn
+  // from its interval (drawn_inputs.hpp).
+  bool varies_inputs = false;
+  std::vector<InputChange> drawn_inputs = {};
 };
 
 // Where a row's limit comes from, and so what its passing shows. A row is of validation, the

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/outline.hpp"
@@ -114,8 +115,11 @@ CaseDefinition with_input(CaseDefinition definition, Input input, double change)
 }
 
 CaseDefinition definition_solved_by(const RunDefinition& run, const CaseDefinition& definition) {
-  if (!run.at_input) return definition;
-  return with_input(definition, run.at_input->input, run.at_input->change);
+  if (run.at_input) return with_input(definition, run.at_input->input, run.at_input->change);
+  CaseDefinition solved = definition;
+  for (const auto& [input, change] : run.drawn_inputs)
+    solved = with_input(std::move(solved), input, change);
+  return solved;
 }
 
 std::vector<RunDefinition> runs_at_ends(const InputUncertainty& input,
@@ -126,6 +130,8 @@ std::vector<RunDefinition> runs_at_ends(const InputUncertainty& input,
     RunDefinition run = repeated;
     run.name = fmt::format("{}_{}_{}", repeated.name, input_name(input.input), end);
     run.ensemble.clear();
+    run.varies_inputs = false;
+    run.drawn_inputs.clear();
     run.at_input = InputEnd{input.input, change, repeated.name};
     runs.push_back(std::move(run));
   }

@@ -23,7 +23,7 @@ std::string input_unit(Input input, const MotionDefinition& motion);
 CaseDefinition with_input(CaseDefinition definition, Input input, double change);
 
 // Returns the case that the run solves: with a changed input if the run stands at the end of an
-// input's interval, and as it is otherwise.
+// input's interval, with its drawn inputs if it has any, and as it is otherwise.
 CaseDefinition definition_solved_by(const RunDefinition& run, const CaseDefinition& definition);
 
 // Returns the runs RUN_INPUT_lower and RUN_INPUT_upper, in this order.

@@ -30,6 +30,11 @@ std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats) 
   return members;
 }
 
+int start_seed(const RunDefinition& run) {
+  RunDefinition copy = run;
+  return seed_of(copy);
+}
+
 bool is_later_member(const RunDefinition& run) {
   return !run.ensemble.empty() && run.ensemble != run.name;
 }

@@ -1,6 +1,7 @@
-// repeats = N makes an ensemble of one [[run]]: N runs that differ only in the seed of their
-// disturbed start. The first keeps the name and represents the ensemble in gate rows and
-// refinements; the others are NAME_2 ... NAME_N. Each is planned, started and stored as any run.
+// repeats = N makes an ensemble of one [[run]]: N runs that differ only in their seed, by which
+// their start is disturbed, or their inputs are drawn (drawn_inputs.hpp), or both. The first keeps
+// the name and represents the ensemble in gate rows and refinements; the others are NAME_2 ...
+// NAME_N. Each is planned, started and stored as any run.
 #pragma once
 
 #include <string>
@@ -12,9 +13,12 @@ namespace slosh {
 
 inline constexpr int most_repeats = 1000;
 
-// Returns the members of the ensemble that an SPH or interFoam run with start_disorder > 0 begins,
-// with the seeds start_seed, start_seed + 1, ...
+// Returns the members of the ensemble that an SPH or interFoam run begins, with the seeds
+// start_seed, start_seed + 1, ...
 std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats);
+
+// Returns the seed of an SPH or interFoam run. Throws std::bad_variant_access for any other.
+int start_seed(const RunDefinition& run);
 
 // Returns whether the run is the second or a later member of an ensemble.
 bool is_later_member(const RunDefinition& run);

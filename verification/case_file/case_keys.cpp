@@ -336,10 +336,14 @@ const std::vector<KeyTable>& case_key_tables() {
         {"start_disorder", "number from 0 to 0.2, particle spacings", "no",
          "Each particle's start is shifted at random by up to this much."},
         {"start_seed", "integer >= 0", "no",
-         "The seed of the shifts. It needs start_disorder > 0."},
+         "The seed of the shifts and of drawn inputs. It needs start_disorder > 0 or "
+         "vary_inputs."},
         {"repeats", "integer from 2 to 1000", "no",
          "The number of runs of an ensemble, which differ only in their seed. It needs "
-         "start_disorder > 0."},
+         "start_disorder > 0 or vary_inputs."},
+        {"vary_inputs", "true or false", "no",
+         "Whether each repeat draws every [[input]] of the case anew, from the normal distribution "
+         "with the declared 95 % interval, by its seed. It needs repeats. Default: false."},
         {"energy_budget", "true or false", "no",
          "Whether the run records where the liquid's energy goes."}}},
       {"run.interfoam",
@@ -357,7 +361,8 @@ const std::vector<KeyTable>& case_key_tables() {
          "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
          "not a dam, an initial wave or a tank with obstacles."},
         {"start_seed", "integer >= 0", "no", "The same as for SPH."},
-        {"repeats", "integer from 2 to 1000", "no", "The same as for SPH."}}},
+        {"repeats", "integer from 2 to 1000", "no", "The same as for SPH."},
+        {"vary_inputs", "true or false", "no", "The same as for SPH."}}},
       {"run.linear",
        "[[run]] with solver = \"linear\"",
        "no",

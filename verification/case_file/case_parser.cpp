@@ -7,6 +7,7 @@
 #include <set>
 
 #include "verification/case/changed_input.hpp"
+#include "verification/case/inputs/drawn_inputs.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case/usual_values.hpp"
@@ -236,7 +237,10 @@ class CaseReader {
     try {
       const auto read = [&](const TomlTable& run) {
         refuse_solver_of_outline(run, definition_);
-        return slosh::read_runs(run, definition_, experiments_);
+        std::vector<RunDefinition> runs = slosh::read_runs(run, definition_, experiments_);
+        if (runs.front().varies_inputs && !root_.has("input"))
+          run.refuse("vary_inputs", "no such key without an [[input]]: there is nothing to draw");
+        return runs;
       };
       for (const RunDefinition& run : read_whole(table, read))
         add_named(table, "run", run, definition_.runs);
@@ -297,7 +301,10 @@ class CaseReader {
       if (can_judge_group(group))
         for (const TomlTable& row : gate_rows(group, definition_)) read_row(row);
     });
-    if (inputs) allow([&] { add_runs_at_ends(); });
+    if (inputs) {
+      draw_inputs(definition_);
+      allow([&] { add_runs_at_ends(); });
+    }
   }
 
   // These runs are added last, so that neither a gate row nor a refinement can name them.

@@ -53,11 +53,14 @@ struct DisturbedStart {
 
 DisturbedStart read_start(const TomlTable& run, const Rule<double>& rule) {
   const double disorder = run.find("start_disorder", rule).value_or(0);
+  const bool varies = run.flag("vary_inputs");
+  if (varies && !run.has("repeats"))
+    run.refuse("vary_inputs", "no such key without repeats, whose inputs it draws");
   for (const char* key : {"start_seed", "repeats"})
-    if (run.has(key) && !(disorder > 0))
+    if (run.has(key) && !(disorder > 0) && !varies)
       run.refuse(key,
-                 fmt::format("no such key without start_disorder > 0: there is nothing to vary "
-                             "(1e-6 {} is enough in a chaotic flow)",
+                 fmt::format("no such key without start_disorder > 0 or vary_inputs: there is "
+                             "nothing to vary (1e-6 {} is enough in a chaotic flow)",
                              &rule == &a_disorder ? "particle spacings" : "heights of a cell"));
   return {disorder, run.find("start_seed", at_least(0)).value_or(0)};
 }
@@ -302,7 +305,8 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
   return {.name = run.get("name", file_safe_name()),
           .solver = section.read(run, definition, experiments),
           .quick = run.flag("quick"),
-          .where = run.where()};
+          .where = run.where(),
+          .varies_inputs = run.flag("vary_inputs")};
 }
 
 }  // namespace

@@ -225,6 +225,7 @@ GateEvidence CaseEvidence::gate_evidence() {
       .measure_against_coarser =
           [against_coarser](const GateRow& row) { return measured(row, against_coarser); },
       .input = [this](const GateRow& row) { return input_contribution(row); },
+      .pairs = [evidence](const GateRow& row) { return measured_pairs(row, evidence); },
       .measure_with = measure_with_series()};
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);

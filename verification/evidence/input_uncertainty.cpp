@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "verification/case/changed_input.hpp"
+#include "verification/case/metric_table.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/runs/run_case.hpp"
@@ -81,6 +82,11 @@ Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns&
   if (definition.inputs.empty())
     return Contribution::unknown(
         "the uncertainty of the experiment's inputs is unknown: the case declares no [[input]]");
+  if (is_of_repeats(row.metric))
+    return Contribution::unknown(
+        "the effect of the inputs on a distribution is unknown; an ensemble with vary_inputs = "
+        "true "
+        "would count it");
   double squares = 0;
   std::vector<std::string> parts;
   for (const InputUncertainty& one : definition.inputs) {

@@ -2,6 +2,7 @@
 
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "verification/series/sample_moments.hpp"
@@ -10,14 +11,17 @@ namespace slosh {
 namespace {
 
 double prediction_half_width(const std::vector<double>& values) {
-  const double n = static_cast<double>(values.size());
-  double squares = 0;
-  for (const double value : without_mean(values)) squares += value * value;
-  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
-  return t * std::sqrt(squares / (n - 1) * (1 + 1 / n));
+  return half_width_of_95_percent(values) * std::sqrt(1 + 1 / static_cast<double>(values.size()));
 }
 
 }  // namespace
+
+double half_width_of_95_percent(const std::vector<double>& values) {
+  if (values.size() < 2) throw std::invalid_argument("a single value has no scatter");
+  const double n = static_cast<double>(values.size());
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  return t * rms(without_mean(values)) * std::sqrt(n / (n - 1));
+}
 
 bool repeat_one_another(const SphRun& one, const SphRun& other) {
   SphRun alike = one;
@@ -36,7 +40,9 @@ double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, con
   std::vector<double> values;
   for (const RunDefinition& run : definition.runs) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph || !runs.results.contains(run.name) || !repeat_one_another(*sph, *candidate)) continue;
+    if (!sph || run.varies_inputs || !runs.results.contains(run.name) ||
+        !repeat_one_another(*sph, *candidate))
+      continue;
     GateRow repeated = row;
     repeated.candidate = run.name;
     try {

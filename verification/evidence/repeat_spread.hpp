@@ -12,6 +12,10 @@
 
 namespace slosh {
 
+// t_(0.975, n-1) s of n values: the half width in which 95 % of such values lie about a known mean.
+// Throws std::invalid_argument for fewer than two.
+double half_width_of_95_percent(const std::vector<double>& values);
+
 bool repeat_one_another(const SphRun& one, const SphRun& other);
 
 // Zero where fewer than three repeats have the metric, and for an ensemble (repeats = N), whose

@@ -117,12 +117,28 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
   return numerical(definition, runs, row, Role::reference, measures.measure);
 }
 
+// What the inputs' intervals do to the metric of one member, where each member draws them. The
+// interval of the mean, which falls with their number, is that of the time series.
+Contribution of_members(const GateRow& row, const RowMeasures& measures) {
+  if (is_of_repeats(row.metric))
+    return {0, "the ensemble draws its inputs: they are in its own scatter"};
+  std::vector<double> values;
+  for (const std::vector<Estimate>& against : measures.pairs(row)) {
+    values.push_back(0);
+    for (const Estimate& one : against)
+      values.back() += one.value / static_cast<double>(against.size());
+  }
+  return {half_width_of_95_percent(values),
+          fmt::format("the scatter of the {} members, which draw the inputs", values.size())};
+}
+
 Contribution of_inputs(const CaseDefinition& definition, const GateRow& row,
                        const RowMeasures& measures) {
   if (is_p_value(row.metric)) return {0, of_the_ensemble};
   if (!rests_on_experiment(definition, row))
     return {0, "both sides have the same tank, liquid and motion"};
   if (row.kind == RowKind::regression) return as_when_measured("with the same inputs");
+  if (run_named(definition, row.candidate).varies_inputs) return of_members(row, measures);
   return measures.input(row);
 }
 

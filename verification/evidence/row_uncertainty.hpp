@@ -7,7 +7,10 @@
 //                   unknown for a run on no refinement path. Against theory or another method it is
 //                   zero: the candidate's discretisation error is what the row measures.
 //   time_series     A flow that is sensitive to small disturbances has the spread of its repeats.
-//   input           Against an experiment this is the effect of its uncertain inputs. Against
+//   input           Against an experiment this is the effect of its uncertain inputs. Where the
+//                   candidate is an ensemble that draws them (vary_inputs), it is the interval in
+//                   which 95 % of its members lie, t_(0.975, n-1) s, in the place of that of
+//                   [[input]]: the scatter already holds it. Against
 //                   theory or another method it is zero: both sides have the same inputs.
 // A cost has the interval of its timings alone. A p-value has that of its permutations alone: the
 // test is of the ensemble as it is, numerical errors and inputs included.
@@ -37,6 +40,8 @@ struct RowMeasures {
   MeasureRow measure_against_coarser = {};
   // input_uncertainty() of a row that rests on an experiment.
   std::function<Contribution(const GateRow&)> input = {};
+  // Measures each member of the candidate against each of the reference (measured_value.hpp).
+  std::function<std::vector<std::vector<Estimate>>(const GateRow&)> pairs = {};
   MeasureWithSeries measure_with = {};  // for rows against a record
 };
 

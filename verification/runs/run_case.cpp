@@ -8,6 +8,7 @@
 #include "openfoam_cases/errors.hpp"
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
+#include "verification/case/inputs/drawn_inputs.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/runs/filtered_pressures.hpp"
@@ -98,6 +99,8 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
   result.case_text = definition.text;
   result.key = settings.key;
   result.provenance.merge(provenance(settings.command));
+  if (const std::string drawn = drawn_inputs_text(run, definition.motion); !drawn.empty())
+    result.provenance["drawn_inputs"] = drawn;
   // What compiled Slosh has compiled no other code.
   if (is_stored(run) || solver_kind(run).answered_with == AnsweredWith::user_program)
     for (const char* of_slosh : {"compiler", "compiler_flags"}) result.provenance.erase(of_slosh);

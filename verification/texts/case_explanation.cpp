@@ -137,9 +137,12 @@ std::string runs_text(const CaseDefinition& definition,
     const KnownRun of_run = found == known.end() ? KnownRun{} : found->second;
     if (is_later_member(run)) continue;
     const std::size_t repeats = members_of(definition, run.name).size();
-    text += fmt::format("  {}{}{}\n", run.name,
-                        repeats > 1 ? fmt::format("  (an ensemble of {}, each:)", repeats) : "",
-                        run.quick ? "  (quick form too)" : "");
+    text +=
+        fmt::format("  {}{}{}\n", run.name,
+                    repeats > 1 ? fmt::format("  (an ensemble of {}{}, each:)", repeats,
+                                              run.varies_inputs ? ", which draw the inputs" : "")
+                                : "",
+                    run.quick ? "  (quick form too)" : "");
     if (run.at_input) text += wrapped(purpose_text(*run.at_input, definition), 6);
     text += wrapped(
         solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run.cost), 6);

@@ -11,10 +11,14 @@ namespace {
 
 using Repeats = std::vector<const RunDefinition*>;
 
-bool differ_in_seed_alone(const SphRun& one, const SphRun& other) {
-  SphRun alike = other;
-  alike.start_seed = one.start_seed;
-  return one == alike && one.start_seed != other.start_seed;
+bool differ_in_seed_alone(const RunDefinition& one, const RunDefinition& other) {
+  if (!one.ensemble.empty() && one.ensemble == other.ensemble) return true;
+  const auto *first = std::get_if<SphRun>(&one.solver),
+             *second = std::get_if<SphRun>(&other.solver);
+  if (!first || !second || one.varies_inputs || other.varies_inputs) return false;
+  SphRun alike = *second;
+  alike.start_seed = first->start_seed;
+  return *first == alike && first->start_seed != second->start_seed;
 }
 
 }  // namespace
@@ -32,10 +36,8 @@ std::string place_among_repeats(const CaseDefinition& definition, std::size_t im
 std::vector<Repeats> repeated_runs(const CaseDefinition& definition) {
   std::vector<Repeats> groups;
   for (const RunDefinition& run : definition.runs) {
-    const SphRun* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph) continue;
     const auto group = std::find_if(groups.begin(), groups.end(), [&](const Repeats& one) {
-      return differ_in_seed_alone(std::get<SphRun>(one.front()->solver), *sph);
+      return differ_in_seed_alone(*one.front(), run);
     });
     if (group == groups.end())
       groups.push_back({&run});

@@ -17,8 +17,8 @@ namespace slosh {
 // table of the repeats is not supplied, "-0.3 sd" from the published mean.
 std::string place_among_repeats(const CaseDefinition& definition, std::size_t impact, double peak);
 
-// The SPH runs that differ in start_seed only, in the order of the case file; two or more in each
-// group.
+// The members of each ensemble, and the SPH runs that differ in start_seed only, in the order of
+// the case file; two or more in each group.
 std::vector<std::vector<const RunDefinition*>> repeated_runs(const CaseDefinition& definition);
 
 // The peaks of one impact over repeated runs.

@@ -9,6 +9,7 @@
 #include "verification/campaign/run_selection.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/sensitivity/gate_sensitivity.hpp"
+#include "verification/tests/impact_runs.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::ensemble_assessment_test {
@@ -94,6 +95,55 @@ TEST(EnsembleAssessment, IsTabulatedWithItsSpread) {
   EXPECT_EQ(table->rows[0].at(4), "single run");
   EXPECT_EQ(table->rows[0].at(6), "pass");
   EXPECT_FALSE(ensemble_table(assess(surge_case(), surge_runs())).has_value());
+}
+
+// Peaks as those of the experiment's repeats, over an ensemble of 25, and a row of each metric on
+// them.
+CaseAssessment of_peaks() {
+  CaseAssessment assessment = no_runs_of(impact_case());
+  RunDefinition first{};
+  first.name = "particles";
+  SphRun sph{"recommended", 0.004, 0.004};
+  sph.start_disorder = 0.05;
+  first.solver = sph;
+  CaseDefinition& definition = assessment.definition;
+  definition.runs = ensemble_of(first, 25);
+  for (std::size_t k = 0; k < definition.runs.size(); ++k) {
+    const std::string& name = definition.runs[k].name;
+    assessment.runs.status[name] = {RunState::finished, ""};
+    assessment.runs.results[name] =
+        result_with(name, {pressure_of({.scale = 0.5 + static_cast<double>(k) / 24})});
+  }
+  for (const Metric metric :
+       {Metric::peak_mean_p_value, Metric::peak_ks_p_value, Metric::peak_ad_p_value,
+        Metric::peak_area, Metric::peak_median_error, Metric::peak_p90_error}) {
+    GateRow row = surge_row("impact_4", metric, "1", 0.45);
+    row.reference.clear();
+    row.quantity = impact_pressure;
+    row.kind = RowKind::regression;
+    if (is_p_value(metric)) {
+      row.limit.reset();
+      row.between = {0.05, 1};
+    }
+    definition.gate.push_back(row);
+  }
+  return assess(definition, assessment.runs);
+}
+
+TEST(EnsembleAssessment, JudgesTheDistributionOfItsPeaksAndSeesItMadeWrong) {
+  const CaseAssessment assessment = of_peaks();
+  for (const GateOutcome& outcome : assessment.gate)
+    EXPECT_EQ(outcome.verdict, Verdict::pass) << row_name(outcome.row) << outcome.message;
+  EXPECT_FALSE(ensemble_table(assessment)) << "they are no means";
+  for (const auto& [row, trials] : gate_sensitivity(assessment)) {
+    EXPECT_FALSE(detects_no_change(trials)) << row_name(row);
+    for (const Mutation& mutation : {Mutation{MutationKind::thousandfold, 1},
+                                     {MutationKind::sign_flipped, 1},
+                                     {MutationKind::truncated, 0.2},
+                                     {MutationKind::not_a_number, 1}})
+      EXPECT_TRUE(detects(trials, mutation))
+          << row_name(row) << " " << mutation_name(mutation.kind);
+  }
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
                 "cells_x, cells_z, processes, interface_method, start_disorder, start_seed, "
-                "repeats; nearest known "
+                "repeats, vary_inputs; nearest known "
                 "key: "},
         Mistake{"OfAnotherMotion",
                 {"amplitude_m", "amplitude_deg"},

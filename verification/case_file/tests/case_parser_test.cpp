@@ -11,6 +11,7 @@
 
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/inputs/drawn_inputs.hpp"
 #include "verification/tests/temporary_directory.hpp"
 #include "verification/tests/trial_case.hpp"
 
@@ -441,15 +442,48 @@ TEST(Ensemble, OfInterFoamStartsFromDisturbedLevels) {
   EXPECT_EQ(std::get<InterFoamRun>(definition.runs[2].solver).start_seed, 0);
 }
 
+std::string drawing(const std::string& keys, const std::string& input = uncertain_depth) {
+  return edited({"cells_z = 40\n", "cells_z = 40\n" + keys}) + input;
+}
+
+TEST(Ensemble, MayDrawTheInputsOfItsMembersAndNeedsNoDisorderThen) {
+  const CaseDefinition definition =
+      read_text(drawing("repeats = 3\nvary_inputs = true\nstart_seed = 5\n"));
+  ASSERT_EQ(definition.runs.size(), 5U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const RunDefinition& member = definition.runs[k + 2];
+    EXPECT_EQ(member.ensemble, "mesh");
+    EXPECT_EQ(std::get<InterFoamRun>(member.solver).start_disorder, 0);
+    ASSERT_EQ(member.drawn_inputs.size(), 1U) << member.name;
+    EXPECT_EQ(member.drawn_inputs, drawn_inputs(definition.inputs, 5 + static_cast<int>(k)));
+  }
+  EXPECT_TRUE(definition.runs[1].drawn_inputs.empty());
+}
+
+TEST(Ensemble, DrawsNoInputsWithoutRepeatsOrAnInput) {
+  const Workspace workspace;
+  const auto said = [&](const std::string& text) {
+    return complaint(workspace.write("trial.toml", text));
+  };
+  EXPECT_NE(said(drawing("vary_inputs = true\n"))
+                .find("run.vary_inputs = true: expected no such key without repeats"),
+            std::string::npos);
+  EXPECT_NE(said(drawing("repeats = 3\nvary_inputs = true\n", ""))
+                .find("run.vary_inputs = true: expected no such key without an [[input]]: there is "
+                      "nothing to draw"),
+            std::string::npos);
+}
+
 TEST(Ensemble, IsRefusedWhereItsMembersWouldBeOneRun) {
   const auto complaint_of = [](const std::string& keys) {
     return complaint_about({"quick = true\n", keys + "quick = true\n"});
   };
   for (const char* keys : {"repeats = 4\n", "start_disorder = 0\nrepeats = 4\n"})
-    EXPECT_NE(complaint_of(keys).find(
-                  "run.repeats = 4: expected no such key without start_disorder > 0: there is "
-                  "nothing to vary (1e-6 particle spacings is enough in a chaotic flow)"),
-              std::string::npos)
+    EXPECT_NE(
+        complaint_of(keys).find(
+            "run.repeats = 4: expected no such key without start_disorder > 0 or vary_inputs: "
+            "there is nothing to vary (1e-6 particle spacings is enough in a chaotic flow)"),
+        std::string::npos)
         << complaint_of(keys);
   for (const char* count : {"1", "0", "-2", "1001"})
     EXPECT_NE(complaint_of(std::string("start_disorder = 1e-6\nrepeats = ") + count + "\n")

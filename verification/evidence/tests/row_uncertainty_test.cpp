@@ -404,11 +404,65 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
   definition.impacts->arrivals->half_width = 0.002;
   definition.impacts->peaks_half_width = 100;
   definition.impacts->impulses->half_width = 8;
+  row.metric = Metric::impulse_error;
   EXPECT_NEAR(reference().value(), 1.1 * 8 / 400, 1e-12);
   row.metric = Metric::impact_peak_error;
   EXPECT_NEAR(reference().value(), 1.1 * 100 / 5000, 1e-12);
   row.metric = Metric::impact_arrival;
   EXPECT_EQ(reference().value(), 0.002);
+}
+
+TEST(RowUncertainty, OfAnEnsembleThatDrawsItsInputsCountsThemOnce) {
+  CaseDefinition definition = surge_case();
+  definition.impacts = ImpactsDefinition{};
+  definition.impacts->times_half_width = 0.002;
+  for (RunDefinition& run : definition.runs) run.varies_inputs = run.name == "particles";
+  GateRow row = surge_row("impact_1", Metric::impact_time, "s", 0.1);
+  row.reference.clear();
+  const RowMeasures measures{.measure =
+                                 [](const GateRow&) {
+                                   return Estimate{0.02, 0};
+                                 },
+                             .input =
+                                 [](const GateRow&) {
+                                   ADD_FAILURE() << "[[input]] is in the scatter";
+                                   return Contribution{};
+                                 },
+                             .pairs = [](const GateRow&) -> std::vector<std::vector<Estimate>> {
+                               return {{{0.01, 0}}, {{0.02, 0}}, {{0.03, 0}}};
+                             }};
+  const auto input = [&] { return row_uncertainty(definition, surge_runs(), row, measures).input; };
+  EXPECT_NEAR(input().half_width.value(), 4.30265 * 0.01, 1e-6);  // t s of three members
+  EXPECT_EQ(input().basis, "the scatter of the 3 members, which draw the inputs");
+  row.kind = RowKind::regression;
+  EXPECT_EQ(input().half_width.value(), 0);
+  row.kind = RowKind::validation;
+  for (const Metric metric : {Metric::peak_area, Metric::peak_ks_p_value}) {
+    row.metric = metric;
+    EXPECT_EQ(input().half_width.value(), 0) << metric_name(metric);
+  }
+}
+
+TEST(RowUncertainty, OfAPValueIsThatOfItsPermutationsAlone) {
+  CaseDefinition definition = surge_case();
+  definition.impacts = ImpactsDefinition{};
+  GateRow row = surge_row("impact_1", Metric::peak_ks_p_value, "1", 0.1);
+  row.reference.clear();
+  const auto found = [&] {
+    return row_uncertainty(definition, surge_runs(), row,
+                           {.measure =
+                                [](const GateRow&) {
+                                  return Estimate{0.3, 0.01};
+                                },
+                            .input = [](const GateRow&) { return Contribution::unknown("x"); }});
+  };
+  EXPECT_EQ(missing_for_validation(found()), "");
+  EXPECT_EQ(validation_uncertainty(found()), 0);
+  EXPECT_TRUE(found().input.half_width);
+  row.metric = Metric::peak_median_error;
+  EXPECT_EQ(found().reference.half_width.value(), 0);
+  EXPECT_FALSE(found().discretisation.half_width) << "particles is on no refinement path";
+  EXPECT_FALSE(found().input.half_width);
 }
 
 TEST(ValidityEnvelope, LetsASmallWaveFarFromResonanceGate) {
