@@ -20,7 +20,7 @@ std::string numbers_text(const ImpactNumbers& impact) {
     if (value) text += fmt::format(", {} {:.4g} {}", what, *value, unit);
   };
   add("rise time", impact.rise_time, "s");
-  add("arrival", impact.arrival, "s");
+  if (impact.arrival) text += fmt::format(", arrival {:.4f} s", *impact.arrival);
   add("impulse", impact.impulse, "Pa s");
   return text;
 }

@@ -40,6 +40,27 @@ TEST(RepeatedRuns, DifferInTheirSeedAlone) {
   EXPECT_EQ(groups[0][2]->name, "repeat_2");
 }
 
+TEST(RepeatedRuns, AreTheMembersOfAnEnsembleWhateverItsSolver) {
+  CaseAssessment assessment = repeats(2);
+  for (const char* name : {"mesh", "mesh_2"}) {
+    add_run(assessment, name, InterFoamRun{80, 30}, {});
+    assessment.definition.runs.back().ensemble = "mesh";
+    assessment.definition.runs.back().varies_inputs = true;
+  }
+  // Its inputs are its own: it repeats none of the runs that are alike but for the seed.
+  for (const char* name : {"drawn", "drawn_2"}) {
+    add_run(assessment, name, repeat(*name + static_cast<int>(std::string(name).size())), {});
+    assessment.definition.runs.back().ensemble = "drawn";
+    assessment.definition.runs.back().varies_inputs = true;
+  }
+  const auto groups = repeated_runs(assessment.definition);
+  ASSERT_EQ(groups.size(), 3u);
+  EXPECT_EQ(groups[0].front()->name, "repeat_0");
+  EXPECT_EQ(groups[1].back()->name, "mesh_2");
+  EXPECT_EQ(groups[2].back()->name, "drawn_2");
+  for (const auto& group : groups) EXPECT_EQ(group.size(), 2u);
+}
+
 TEST(RepeatTable, IsLeftOutWithoutRepeatsOrImpacts) {
   EXPECT_FALSE(repeat_table(repeats(1)));
   CaseAssessment assessment = repeats(3);
