@@ -65,6 +65,12 @@ void check_cut_tank(const SloshingTank& tank) {
                                 "such names; the force on the whole tank is recorded in any case");
 }
 
+// DarcyForchheimer finds no viscosity of the mixture in compressibleInterFoam.
+void check_compressible_tank(const SloshingTank& tank) {
+  require(tank.gap_friction == 0, "gap_friction", tank.gap_friction,
+          "zero for compressibleInterFoam, which knows no friction of the front and the back wall");
+}
+
 void check_gauges(const SloshingTank& tank, const TankMesh& mesh) {
   std::set<std::string> names;
   for (const Gauge& gauge : tank.gauges) {
@@ -156,6 +162,7 @@ void check_liquid(const SloshingTank& tank, const TankMesh& mesh) {
 void check_tank(const SloshingTank& tank) {
   check_numbers(tank);
   if (!tank.outline.empty()) check_cut_tank(tank);
+  if (is_compressible(tank)) check_compressible_tank(tank);
   const TankMesh mesh(tank);
   if (tank.roll) check_roll(*tank.roll);
   if (tank.initial_wave) check_wave(*tank.initial_wave, tank);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "openfoam_cases/compressible_fluids.hpp"
 #include "openfoam_cases/frame_motion.hpp"
 #include "openfoam_cases/geometry/block_mesh.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
@@ -230,6 +231,10 @@ data template_values(const SloshingTank& tank) {
   set("liquid_kinematic_viscosity", tank.liquid.kinematic_viscosity);
   set("gas_density", tank.gas.density);
   set("gas_kinematic_viscosity", tank.gas.kinematic_viscosity);
+  values.set("compressible", data(is_compressible(tank)));
+  set("initial_pressure", is_compressible(tank) ? atmosphere : 0);
+  set("level_z", tank.fill_depth - mesh.origin_z());
+  set_compressible_fluids(tank, values);
   values.set("porous_medium", porous_medium(tank));
   values.set("initial_velocity", initial_field(tank, mesh));
   values.set("program", program_of(tank));

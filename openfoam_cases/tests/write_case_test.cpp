@@ -70,9 +70,9 @@ TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
   EXPECT_EQ(entry(file("constant/g"), "value"), "(0 0 -9.81)");
 }
 
-TEST_F(WrittenCase, NamesTheProgramOfItsInterface) {
+TEST_F(WrittenCase, NamesItsProgram) {
   SloshingTank tank = small_tank();
-  tank.interface_method = InterfaceMethod::iso_advector;
+  tank.program = Program::inter_iso_foam;
   write(tank);
   EXPECT_EQ(entry(file("system/controlDict"), "application"), "interIsoFoam");
   const TemporaryDirectory plain;
@@ -80,6 +80,24 @@ TEST_F(WrittenCase, NamesTheProgramOfItsInterface) {
   EXPECT_EQ(entry(contents(plain.path() / "system/controlDict"), "application"), "interFoam");
   EXPECT_EQ(contents(plain.path() / "system/fvSolution"), file("system/fvSolution"))
       << "interIsoFoam has its own defaults";
+}
+
+TEST_F(WrittenCase, GivesCompressibleFluidsTheTanksDensitiesAtOneAtmosphere) {
+  SloshingTank tank = small_tank();
+  tank.program = Program::compressible_inter_foam;
+  write(tank);
+  const std::string liquid = file("constant/thermophysicalProperties.liquid"),
+                    gas = file("constant/thermophysicalProperties.gas");
+  const auto number_after = [](const std::string& text, const std::string& key) {
+    return std::stod(text.substr(text.find(key + " ") + key.size()));
+  };
+  const double temperature = 293.15, pressure = 101325, R = number_after(liquid, "{ R");
+  EXPECT_NEAR(number_after(liquid, "rho0") + pressure / (R * temperature), 998.2, 1e-9);
+  EXPECT_NEAR(std::sqrt(R * temperature), 1482.3, 1e-6) << "the speed of sound";
+  EXPECT_NEAR(pressure * number_after(gas, "molWeight") / (8314.47 * temperature), 1.2, 1e-12);
+  EXPECT_EQ(entry(file("0/p_rgh"), "internalField"), "uniform 101325");
+  EXPECT_EQ(entry(file("constant/hRef"), "value"), "0.357");
+  EXPECT_FALSE(fs::exists(directory_.path() / "constant/transportProperties"));
 }
 
 TEST_F(WrittenCase, SlowsTheLiquidDownInAPorousMediumWhereTheWallsCauseFriction) {

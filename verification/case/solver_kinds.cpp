@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace slosh {
 namespace {
@@ -79,18 +79,29 @@ struct Row<SphRun> : CommonRow {
   }
 };
 
+// What holds for every program of interFoam's family.
+constexpr SolverKind foam_kind(const char* name) {
+  return {.name = name,
+          .role = SolverRole::simulation,
+          .answered_with = AnsweredWith::openfoam,
+          .build = "interfoam",
+          .elements = "cells",
+          .solves_flow = true,
+          .takes_time_limit = true,
+          .takes_outline = true};
+}
+
 template <>
 struct Row<InterFoamRun> : CommonRow {
-  static constexpr SolverKind kind{.name = "interfoam",
-                                   .role = SolverRole::simulation,
-                                   .answered_with = AnsweredWith::openfoam,
-                                   .elements = "cells",
-                                   .solves_flow = true,
-                                   .takes_time_limit = true,
-                                   .takes_outline = true};
+  // In the order of FoamProgram.
+  static constexpr SolverKind kinds[] = {foam_kind("interfoam"), foam_kind("interisofoam"),
+                                         foam_kind("compressible_interfoam")};
+  static const SolverKind& kind_of(const InterFoamRun& mesh) {
+    return kinds[static_cast<std::size_t>(mesh.program)];
+  }
   static bool sees_gas(const InterFoamRun&) { return true; }
-  static const char* program(const InterFoamRun& mesh) {
-    return mesh.interface_method == InterfaceMethod::mules ? "interFoam" : "interIsoFoam";
+  static std::string program(const InterFoamRun& mesh) {
+    return name_of(mesh.program, foam_program_names);
   }
   static std::string family(const RunDefinition& run) {
     return program(std::get<InterFoamRun>(run.solver));
@@ -105,8 +116,7 @@ struct Row<InterFoamRun> : CommonRow {
   }
   static json hashed(const InterFoamRun& mesh) {
     json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
-    if (mesh.interface_method != InterfaceMethod::mules)
-      settings["interface_method"] = name_of(mesh.interface_method, interface_method_names);
+    if (mesh.program != FoamProgram::inter_foam) settings["program"] = program(mesh);
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
     return settings;
   }
@@ -270,34 +280,59 @@ Row<Run> row_of(const Run&) {
   return {};
 }
 
-// The rows' kinds, in the order of the variant's alternatives.
-template <class... Runs>
-constexpr std::array<const SolverKind*, sizeof...(Runs)> kinds_of(const std::variant<Runs...>*) {
-  return {&Row<Runs>::kind...};
+// The kinds of a row, of which OpenFOAM's has one for each program.
+template <class Run>
+std::span<const SolverKind> kinds_of_row() {
+  if constexpr (requires { Row<Run>::kinds; })
+    return Row<Run>::kinds;
+  else
+    return {&Row<Run>::kind, 1};
 }
 
-constexpr auto kinds = kinds_of(static_cast<const decltype(RunDefinition::solver)*>(nullptr));
+// All kinds, in the order of the variant's alternatives.
+template <class... Runs>
+std::vector<const SolverKind*> kinds_of(const std::variant<Runs...>*) {
+  std::vector<const SolverKind*> all;
+  for (const std::span<const SolverKind> row : {kinds_of_row<Runs>()...})
+    for (const SolverKind& kind : row) all.push_back(&kind);
+  return all;
+}
+
+const std::vector<const SolverKind*>& kinds() {
+  static const auto all = kinds_of(static_cast<const decltype(RunDefinition::solver)*>(nullptr));
+  return all;
+}
 
 }  // namespace
 
-const SolverKind& solver_kind(const RunDefinition& run) { return *kinds.at(run.solver.index()); }
+const SolverKind& solver_kind(const RunDefinition& run) {
+  return std::visit(
+      [](const auto& solver) -> const SolverKind& {
+        using Of = decltype(row_of(solver));
+        if constexpr (requires { Of::kind_of(solver); })
+          return Of::kind_of(solver);
+        else
+          return Of::kind;
+      },
+      run.solver);
+}
 
 const SolverKind* find_solver_kind(std::string_view name) {
-  for (const SolverKind* kind : kinds)
+  for (const SolverKind* kind : kinds())
     if (kind->name == name) return kind;
   return nullptr;
 }
 
 std::set<std::string> solvers_answered_with(AnsweredWith what) {
   std::set<std::string> names;
-  for (const SolverKind* kind : kinds)
+  for (const SolverKind* kind : kinds())
     if (kind->answered_with == what) names.insert(kind->name);
   return names;
 }
 
 std::vector<std::string> solvers_that_take_outlines() {
   std::vector<std::string> names;
-  for (const SolverKind* kind : kinds)
+  for (const SolverKind* kind : kinds())
     if (kind->takes_outline) names.push_back(kind->name);
   return names;
 }

@@ -49,8 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes, interface_method, start_disorder, start_seed, "
-                "repeats; nearest known "
+                "cells_x, cells_z, processes, start_disorder, start_seed, repeats; nearest known "
                 "key: "},
         Mistake{"OfAnotherMotion",
                 {"amplitude_m", "amplitude_deg"},
@@ -153,7 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"BreadthForATheory",
                 {"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = 0.06\n"},
                 "trial.toml:38: run.solver = \"linear\": expected a solver that counts the "
-                "friction of the front and the back wall, sph or interfoam, where [tank] has "
+                "friction of the front and the back wall, one of sph, interfoam and interisofoam, "
+                "where [tank] has "
                 "breadth_m"},
         Mistake{"FillAboveTank",
                 {"fill_depth_m = 0.5", "fill_depth_m = 1.5"},
@@ -296,12 +296,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Twice",
                 {"\"mesh\"", "\"coarse\""},
                 "trial.toml:48: run.name = \"coarse\": expected a name that no other run has"},
-        Mistake{
-            "UnknownSolver",
-            {"\"interfoam\"", "\"interFoam\""},
-            "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
-            "interfoam, linear, viscous_wave, potential, record, external, stored, pysph; nearest: "
-            "interfoam"},
+        Mistake{"UnknownSolver",
+                {"\"interfoam\"", "\"interFoam\""},
+                "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
+                "interfoam, interisofoam, compressible_interfoam, linear, viscous_wave, potential, "
+                "record, external, stored, pysph; nearest: "
+                "interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
                 "trial.toml:38: run.modes = 0: expected an integer >= 1"},

@@ -225,7 +225,7 @@ TEST(CaseParser, AddsACoarseRunAtBothEndsOfAnUncertainInput) {
   const Workspace workspace;
   EXPECT_NE(complaint(workspace.write("trial.toml",
                                       valid_text + uncertain_depth + "coarse_run = \"nothing\"\n"))
-                .find("input.coarse_run = \"nothing\": expected an SPH or interFoam run of this "
+                .find("input.coarse_run = \"nothing\": expected an SPH or OpenFOAM run of this "
                       "case"),
             std::string::npos);
 }
