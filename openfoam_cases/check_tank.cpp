@@ -49,6 +49,9 @@ void check_numbers(const SloshingTank& tank) {
   require(tank.cells_z >= 2, "cells_z", tank.cells_z, "at least 2");
   require(tank.processes >= 1 && tank.processes <= tank.cells_x, "processes", tank.processes,
           "between 1 and cells_x");
+  // Beyond 1 MULES is no longer bounded.
+  require(tank.courant_number > 0 && tank.courant_number <= 1, "courant_number",
+          tank.courant_number, "above 0 and at most 1");
 }
 
 // Refuses what a mesh that an outline cuts cannot carry.

@@ -109,6 +109,9 @@ struct SloshingTank {
   std::vector<double> snapshot_times = {};  // [s]
   int cells_x, cells_z;
   int processes = 1;
+  // The largest Courant number, of any cell and of those of the interface. In violent flow it
+  // limits the time step.
+  double courant_number = 0.5;
   Program program = Program::inter_foam;
 };
 

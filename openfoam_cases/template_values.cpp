@@ -242,6 +242,7 @@ data template_values(const SloshingTank& tank) {
   set("sample_interval", tank.sample_interval);
   set("max_time_step", max_time_step(tank));
   set("first_time_step", first_time_step(tank));
+  set("courant_number", tank.courant_number);
   set("pressure_corrections", pressure_corrections(tank));
   set("processes", tank.processes);
   const Corner reference_place = mesh.cut()

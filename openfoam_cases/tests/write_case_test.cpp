@@ -82,6 +82,15 @@ TEST_F(WrittenCase, NamesItsProgram) {
       << "interIsoFoam has its own defaults";
 }
 
+TEST_F(WrittenCase, LimitsTheCourantNumberOfAllCellsAndOfTheInterface) {
+  SloshingTank tank = small_tank();
+  tank.courant_number = 0.25;
+  write(tank);
+  const std::string control = file("system/controlDict");
+  EXPECT_EQ(entry(control, "maxCo"), "0.25");
+  EXPECT_EQ(entry(control, "maxAlphaCo"), "0.25");
+}
+
 TEST_F(WrittenCase, GivesCompressibleFluidsTheTanksDensitiesAtOneAtmosphere) {
   SloshingTank tank = small_tank();
   tank.program = Program::compressible_inter_foam;
@@ -272,6 +281,10 @@ TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].x = 1.2; }).find("gauge x"),
             std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].name = "left"; }).find("two gauges"),
+            std::string::npos);
+  EXPECT_EQ(refused([](SloshingTank& t) { t.courant_number = 1.1; }),
+            "OpenFOAM tank: courant_number = 1.1: expected above 0 and at most 1");
+  EXPECT_NE(refused([](SloshingTank& t) { t.courant_number = NAN; }).find("courant_number = nan"),
             std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.processes = 21; }).find("processes"),
             std::string::npos);

@@ -206,6 +206,7 @@ struct InterFoamRun {
   double start_disorder = 0;
   int start_seed = 0;
   FoamProgram program = FoamProgram::inter_foam;
+  double interface_courant_number = 0.5;  // the largest, of any cell and of the interface's
 };
 
 // Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the

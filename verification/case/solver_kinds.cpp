@@ -19,6 +19,7 @@ struct CommonRow {
   static double resolution(const auto&) { return 0; }
   static std::optional<double> particle_spacing(const auto&) { return {}; }
   static std::string method_of(const auto&) { return ""; }
+  static std::string changes(const auto&) { return ""; }
 };
 
 json hashed_series(const std::vector<SeriesSource>& sources) {
@@ -49,6 +50,7 @@ struct Row<SphRun> : CommonRow {
     return 1 / (sph.particle_spacing * sph.surface_particle_spacing);
   }
   static std::optional<double> particle_spacing(const SphRun& sph) { return sph.particle_spacing; }
+  static std::string changes(const SphRun& sph) { return changes_of(sph); }
   static std::string text(const SphRun& sph) {
     const std::string changes = changes_of(sph);
     std::string text =
@@ -112,11 +114,22 @@ struct Row<InterFoamRun> : CommonRow {
            (mesh.processes > 1 ? fmt::format(", {} processes", mesh.processes) : "");
   }
   static std::string caption(const InterFoamRun& mesh) {
-    return fmt::format("{}, {} x {} cells", program(mesh), mesh.cells_x, mesh.cells_z);
+    const std::string changed = changes(mesh);
+    return fmt::format("{}, {} x {} cells{}{}", program(mesh), mesh.cells_x, mesh.cells_z,
+                       changed.empty() ? "" : ", ", changed);
+  }
+  static std::string changes(const InterFoamRun& mesh) {
+    std::vector<std::string> changes;
+    if (mesh.interface_courant_number != InterFoamRun().interface_courant_number)
+      changes.push_back(
+          fmt::format("interface_courant_number = {:g}", mesh.interface_courant_number));
+    return fmt::format("{}", fmt::join(changes, ", "));
   }
   static json hashed(const InterFoamRun& mesh) {
     json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
     if (mesh.program != FoamProgram::inter_foam) settings["program"] = program(mesh);
+    if (const std::string changed = changes(mesh); !changed.empty())
+      settings["changes"] = {mesh.interface_courant_number};
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
     return settings;
   }
@@ -385,14 +398,14 @@ std::string changes_of(const SphRun& run) {
   return fmt::format("{}", fmt::join(changes, ", "));
 }
 
-bool is_changed(const RunDefinition& run) {
-  const auto* sph = std::get_if<SphRun>(&run.solver);
-  return sph && !changes_of(*sph).empty();
+std::string changes_of(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).changes(solver); }, run.solver);
 }
 
+bool is_changed(const RunDefinition& run) { return !changes_of(run).empty(); }
+
 std::string work_family(const RunDefinition& run) {
-  return is_changed(run) ? family(run) + ", " + changes_of(std::get<SphRun>(run.solver))
-                         : family(run);
+  return is_changed(run) ? family(run) + ", " + changes_of(run) : family(run);
 }
 
 }  // namespace slosh

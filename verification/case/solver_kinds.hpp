@@ -98,8 +98,10 @@ inline constexpr double unseen_disorder = 1e-4;
 
 // What a run changes of its scheme: "", "antuono", "courant_number = 0.4", ...
 std::string changes_of(const SphRun& run);
+// The same of any run. Of a mesh it is what has not its default; other runs change nothing.
+std::string changes_of(const RunDefinition& run);
 
-// Whether an SPH run has something of its scheme changed.
+// Whether a run has something of its scheme changed.
 bool is_changed(const RunDefinition& run);
 
 // The family, and what the run changes of its scheme: "recommended", "recommended, courant_number =

@@ -350,6 +350,9 @@ const std::vector<KeyTable>& case_key_tables() {
         {"cells_z", "integer >= 2", "yes", "The number of cells over the tank's height."},
         {"processes", "integer from 1 to cells_x", "no",
          "The number of MPI processes. Default: 1."},
+        {"interface_courant_number", "number > 0 and <= 1", "no",
+         "The largest Courant number, of any cell and of those of the interface, which shortens "
+         "the time step of violent flow. Default: 0.5."},
         {"start_disorder", "number from 0 to 0.2, cell heights", "no",
          "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
          "not a dam, an initial wave or a tank with obstacles."},

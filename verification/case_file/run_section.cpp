@@ -80,6 +80,9 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
           .energy_budget = run.flag("energy_budget")};
 }
 
+const Rule<double> a_courant_number{"a number > 0 and <= 1",
+                                    [](double number) { return number > 0 && number <= 1; }, 0.5};
+
 // Throws for a solver without friction, of a tank whose front and back wall cause it.
 void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
   if (definition.tank.breadth)
@@ -107,7 +110,9 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
           .processes = processes.value_or(1),
           .start_disorder = start.disorder,
           .start_seed = start.seed,
-          .program = program};
+          .program = program,
+          .interface_courant_number = run.find("interface_courant_number", a_courant_number)
+                                          .value_or(InterFoamRun().interface_courant_number)};
 }
 
 double read_valid_elevation(const TomlTable& run) {

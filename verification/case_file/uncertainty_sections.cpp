@@ -45,7 +45,7 @@ bool are_alike(const RunDefinition& one, const RunDefinition& other, RefinedNumb
   const auto* a = std::get_if<SphRun>(&one.solver);
   const auto* b = std::get_if<SphRun>(&other.solver);
   if (a && b) return without(*a, number) == without(*b, number);
-  return !a && !b && family(one) == family(other);
+  return !a && !b && work_family(one) == work_family(other);
 }
 
 bool has_number(const RunDefinition& run, RefinedNumber number) {

@@ -68,6 +68,7 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .cells_x = run.cells_x,
       .cells_z = run.cells_z,
       .processes = run.processes,
+      .courant_number = run.interface_courant_number,
       .program = program_of(run.program)};
   for (const Corner& corner : definition.tank.outline) tank.outline.push_back({corner.x, corner.z});
   if (const auto& wave = definition.initial_wave)

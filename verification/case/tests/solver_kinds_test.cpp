@@ -75,6 +75,19 @@ TEST(SolverKinds, TellTheProgramsOfOpenFoamApart) {
       << "the results of interFoam keep their keys";
 }
 
+TEST(SolverKinds, TellAMeshWithAnotherCourantNumberApart) {
+  const RunDefinition usual = run_of(InterFoamRun{50, 40});
+  InterFoamRun mesh{50, 40};
+  mesh.interface_courant_number = 0.25;
+  const RunDefinition shorter = run_of(mesh);
+  EXPECT_EQ(family(shorter), "interFoam");
+  EXPECT_EQ(work_family(shorter), "interFoam, interface_courant_number = 0.25");
+  EXPECT_EQ(caption_text(shorter), "interFoam, 50 x 40 cells, interface_courant_number = 0.25");
+  EXPECT_TRUE(is_changed(shorter));
+  EXPECT_FALSE(is_changed(usual));
+  EXPECT_NE(hashed_settings(shorter), hashed_settings(usual));
+}
+
 TEST(SolverKinds, KnowAStoredResultByItsMethod) {
   const RunDefinition& stored = runs.at("stored");
   EXPECT_TRUE(is_stored(stored));

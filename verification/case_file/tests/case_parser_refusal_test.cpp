@@ -49,8 +49,17 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes, start_disorder, start_seed, repeats; nearest known "
+                "cells_x, cells_z, processes, interface_courant_number, start_disorder, "
+                "start_seed, repeats; nearest known "
                 "key: "},
+        Mistake{"CourantNumberAboveOne",
+                {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 1.5"},
+                "trial.toml:51: run.interface_courant_number = 1.5: expected a number > 0 and <= "
+                "1"},
+        Mistake{"CourantNumberOfZero",
+                {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 0.0"},
+                "trial.toml:51: run.interface_courant_number = 0.0: expected a number > 0 and <= "
+                "1"},
         Mistake{"OfAnotherMotion",
                 {"amplitude_m", "amplitude_deg"},
                 "trial.toml:19: motion.surge.amplitude_deg = 0.02: expected only these keys here: "
