@@ -49,6 +49,8 @@ void check_numbers(const SloshingTank& tank) {
   require(tank.cells_z >= 2, "cells_z", tank.cells_z, "at least 2");
   require(tank.processes >= 1 && tank.processes <= tank.cells_x, "processes", tank.processes,
           "between 1 and cells_x");
+  require(!tank.no_slip || tank.liquid.kinematic_viscosity > 0, "kinematic_viscosity",
+          tank.liquid.kinematic_viscosity, "above 0 m2/s for a liquid that sticks to the walls");
   // Beyond 1 MULES is no longer bounded.
   require(tank.courant_number > 0 && tank.courant_number <= 1, "courant_number",
           tank.courant_number, "above 0 and at most 1");

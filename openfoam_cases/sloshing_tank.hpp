@@ -112,6 +112,11 @@ struct SloshingTank {
   // The largest Courant number, of any cell and of those of the interface. In violent flow it
   // limits the time step.
   double courant_number = 0.5;
+  bool no_slip = false;  // at all walls, those of obstacles too; it needs a viscous liquid
+  // [m], of the cells beside the walls, from where they grow to uniform ones in the middle
+  // (geometry/cell_faces.hpp). Without it all cells are uniform. It excludes obstacles and an
+  // outline.
+  std::optional<double> wall_cell = {};
   Program program = Program::inter_foam;
 };
 

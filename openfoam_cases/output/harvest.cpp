@@ -84,7 +84,8 @@ History front(const SloshingTank& tank, const TankMesh& mesh, const fs::path& ca
   const Rows rows = read_rows(tank, series_file(case_directory, "bottom_row", "alpha.liquid"),
                               1 + bottom_columns(mesh).size());
   std::vector<double> at_start;
-  for (const int column : bottom_columns(mesh)) at_start.push_back(liquid_share(tank, {column, 0}));
+  for (const int column : bottom_columns(mesh))
+    at_start.push_back(liquid_share(tank, mesh, {column, 0}));
   History history{{0}, {front_position(mesh, at_start)}};
   for (std::size_t i = 0; i < rows.time.size(); ++i) {
     history.time.push_back(rows.time[i]);

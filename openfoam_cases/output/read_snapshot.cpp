@@ -9,6 +9,7 @@
 
 #include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/output/read_series.hpp"
+#include "openfoam_cases/output/uniform_cells.hpp"
 #include "openfoam_cases/time_step.hpp"
 
 namespace slosh::openfoam {
@@ -107,6 +108,7 @@ FieldSnapshot read_snapshot(const SloshingTank& tank, const TankMesh& mesh,
   snapshot.liquid_share = component(read_field(directory.path / "alpha.liquid", cells, 1), 0);
   snapshot.pressure = component(read_field(directory.path / "p", cells, 1), 0);
   set_gas_datum(sizes, snapshot.liquid_share, snapshot.pressure);
+  if (mesh.is_graded()) take_uniform_cells(mesh, snapshot);
   return snapshot;
 }
 

@@ -207,6 +207,10 @@ struct InterFoamRun {
   int start_seed = 0;
   FoamProgram program = FoamProgram::inter_foam;
   double interface_courant_number = 0.5;  // the largest, of any cell and of the interface's
+  bool no_slip = false;                   // the liquid sticks to the walls
+  // [m], of the cells beside the walls, from where they grow to uniform ones in the middle. Without
+  // it all cells are uniform.
+  std::optional<double> wall_cell = {};
 };
 
 // Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the

@@ -123,13 +123,16 @@ struct Row<InterFoamRun> : CommonRow {
     if (mesh.interface_courant_number != InterFoamRun().interface_courant_number)
       changes.push_back(
           fmt::format("interface_courant_number = {:g}", mesh.interface_courant_number));
+    if (mesh.no_slip) changes.push_back("no_slip");
+    if (mesh.wall_cell) changes.push_back("graded cells");
     return fmt::format("{}", fmt::join(changes, ", "));
   }
   static json hashed(const InterFoamRun& mesh) {
     json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
     if (mesh.program != FoamProgram::inter_foam) settings["program"] = program(mesh);
     if (const std::string changed = changes(mesh); !changed.empty())
-      settings["changes"] = {mesh.interface_courant_number};
+      settings["changes"] = {mesh.interface_courant_number, mesh.no_slip,
+                             mesh.wall_cell.value_or(0)};
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
     return settings;
   }

@@ -353,6 +353,14 @@ const std::vector<KeyTable>& case_key_tables() {
         {"interface_courant_number", "number > 0 and <= 1", "no",
          "The largest Courant number, of any cell and of those of the interface, which shortens "
          "the time step of violent flow. Default: 0.5."},
+        {"no_slip", "true or false", "no",
+         "Whether the liquid sticks to the walls, which cells much thinner than the Stokes layer "
+         "resolve: see wall_cell_m. Default: it slips."},
+        {"wall_cell_m", "number > 0, m", "no",
+         "The thickness of the cells beside all walls, three to five of them in a Stokes layer. "
+         "From there each cell is thicker by a fifth at most, up to uniform ones in the middle; "
+         "cells_x and cells_z stay the numbers of cells. Refused with an obstacle, outline_m or "
+         "diameter_m. Default: uniform cells."},
         {"start_disorder", "number from 0 to 0.2, cell heights", "no",
          "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
          "not a dam, an initial wave or a tank with obstacles."},

@@ -83,6 +83,16 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
 const Rule<double> a_courant_number{"a number > 0 and <= 1",
                                     [](double number) { return number > 0 && number <= 1; }, 0.5};
 
+// The thickness of the cells beside the walls is that of the thinner ones of a uniform mesh at
+// most.
+Rule<double> a_wall_cell(const CaseDefinition& definition, int cells_x, int cells_z) {
+  const double uniform =
+      std::min(definition.tank.length / cells_x, definition.tank.height / cells_z);
+  return {fmt::format("a number > 0 and <= {:.4g}, the width and the height of uniform cells, in m",
+                      uniform),
+          [uniform](double value) { return value > 0 && value <= uniform; }, uniform};
+}
+
 // Throws for a solver without friction, of a tank whose front and back wall cause it.
 void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
   if (definition.tank.breadth)
@@ -99,6 +109,14 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
   const auto processes =
       run.find<int>("processes", {fmt::format("an integer from 1 to cells_x ({})", cells_x),
                                   [cells_x](int value) { return value >= 1 && value <= cells_x; }});
+  const auto wall_cell = run.find("wall_cell_m", a_wall_cell(definition, cells_x, cells_z));
+  if (wall_cell && (!is_rectangle(definition.tank) || !definition.obstacles.empty()))
+    run.refuse("wall_cell_m",
+               "no such key in a tank with an obstacle or another shape than a rectangle, whose "
+               "cells are uniform");
+  const bool no_slip = run.flag("no_slip");
+  if (no_slip && !(definition.liquid.kinematic_viscosity > 0))
+    run.refuse("no_slip", "no such key for a liquid without viscosity, which slips");
   const DisturbedStart start = read_start(run, a_disturbed_level);
   if (start.disorder > 0 &&
       (definition.initial_wave || definition.liquid.column_width || !definition.obstacles.empty()))
@@ -112,7 +130,9 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
           .start_seed = start.seed,
           .program = program,
           .interface_courant_number = run.find("interface_courant_number", a_courant_number)
-                                          .value_or(InterFoamRun().interface_courant_number)};
+                                          .value_or(InterFoamRun().interface_courant_number),
+          .no_slip = no_slip,
+          .wall_cell = wall_cell};
 }
 
 double read_valid_elevation(const TomlTable& run) {

@@ -69,6 +69,8 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .cells_z = run.cells_z,
       .processes = run.processes,
       .courant_number = run.interface_courant_number,
+      .no_slip = run.no_slip,
+      .wall_cell = run.wall_cell,
       .program = program_of(run.program)};
   for (const Corner& corner : definition.tank.outline) tank.outline.push_back({corner.x, corner.z});
   if (const auto& wave = definition.initial_wave)

@@ -52,7 +52,9 @@ RunResult run_solver(const InterFoamRun& interfoam, const RunRequest& request) {
   const bool is_iso = interfoam.program == FoamProgram::inter_iso_foam;
   result.active_terms = {"volume of fluid, liquid and gas",
                          std::string("interface by ") + (is_iso ? "isoAdvector" : "MULES"),
-                         "laminar viscosity", "slip walls", "acceleration in the tank's frame"};
+                         "laminar viscosity", interfoam.no_slip ? "no-slip walls" : "slip walls",
+                         "acceleration in the tank's frame"};
+  if (interfoam.wall_cell) result.active_terms.push_back("cells graded towards the walls");
   if (interfoam.program == FoamProgram::compressible_inter_foam)
     result.active_terms.push_back("compressible liquid, and gas of constant temperature");
   if (tank.gap_friction > 0)

@@ -88,6 +88,18 @@ TEST(SolverKinds, TellAMeshWithAnotherCourantNumberApart) {
   EXPECT_NE(hashed_settings(shorter), hashed_settings(usual));
 }
 
+TEST(SolverKinds, TellAMeshWithNoSlipOrGradedCellsApart) {
+  InterFoamRun graded{50, 40};
+  graded.no_slip = true;
+  graded.wall_cell = 0.001;
+  EXPECT_EQ(work_family(run_of(graded)), "interFoam, no_slip, graded cells");
+  InterFoamRun thinner = graded;
+  thinner.wall_cell = 0.0005;
+  EXPECT_NE(hashed_settings(run_of(graded)), hashed_settings(run_of(thinner)));
+  EXPECT_EQ(work_family(run_of(graded)), work_family(run_of(thinner)))
+      << "meshes of a refinement have wall cells of their own";
+}
+
 TEST(SolverKinds, KnowAStoredResultByItsMethod) {
   const RunDefinition& stored = runs.at("stored");
   EXPECT_TRUE(is_stored(stored));

@@ -49,13 +49,17 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes, interface_courant_number, start_disorder, "
+                "cells_x, cells_z, processes, interface_courant_number, no_slip, wall_cell_m, "
+                "start_disorder, "
                 "start_seed, repeats; nearest known "
                 "key: "},
         Mistake{"CourantNumberAboveOne",
                 {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 1.5"},
                 "trial.toml:51: run.interface_courant_number = 1.5: expected a number > 0 and <= "
                 "1"},
+        Mistake{"WallCellThickerThanTheCells",
+                {"cells_x = 50", "cells_x = 50\nwall_cell_m = 0.1"},
+                "trial.toml:51: run.wall_cell_m = 0.1: expected a number > 0 and <= "},
         Mistake{"CourantNumberOfZero",
                 {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 0.0"},
                 "trial.toml:51: run.interface_courant_number = 0.0: expected a number > 0 and <= "
