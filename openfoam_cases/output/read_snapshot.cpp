@@ -80,6 +80,20 @@ void set_gas_datum(const std::vector<double>& sizes, const std::vector<double>& 
   for (double& value : pressure) value -= sum / gas;
 }
 
+void take_uniform_cells(const TankMesh& mesh, FieldSnapshot& snapshot) {
+  for (std::vector<double>* field :
+       {&snapshot.velocity_x, &snapshot.velocity_z, &snapshot.pressure, &snapshot.liquid_share})
+    *field = means_over_uniform_cells(mesh, *field);
+  const CellFaces across(mesh.length(), mesh.columns()), up(mesh.up().length(), mesh.rows());
+  for (int row = 0; row < mesh.rows(); ++row)
+    for (int column = 0; column < mesh.columns(); ++column) {
+      const int cell = row * mesh.columns() + column;
+      snapshot.x[cell] = across.centre(column);
+      snapshot.z[cell] = up.centre(row);
+      snapshot.area[cell] = mesh.cell_width() * mesh.cell_height();
+    }
+}
+
 }  // namespace
 
 FieldSnapshot read_snapshot(const SloshingTank& tank, const TankMesh& mesh,

@@ -25,31 +25,19 @@ std::vector<std::vector<Overlap>> overlaps(const CellFaces& graded) {
 
 }  // namespace
 
-void take_uniform_cells(const TankMesh& mesh, FieldSnapshot& snapshot) {
+std::vector<double> means_over_uniform_cells(const TankMesh& mesh,
+                                             const std::vector<double>& field) {
   const auto columns = overlaps(mesh.across()), rows = overlaps(mesh.up());
-  const auto means = [&](const std::vector<double>& of_graded) {
-    std::vector<double> of_uniform;
-    for (const std::vector<Overlap>& row : rows)
-      for (const std::vector<Overlap>& column : columns) {
-        double mean = 0;
-        for (const Overlap& k : row)
-          for (const Overlap& i : column)
-            mean += k.share * i.share * of_graded[k.index * mesh.columns() + i.index];
-        of_uniform.push_back(mean);
-      }
-    return of_uniform;
-  };
-  for (std::vector<double>* field :
-       {&snapshot.velocity_x, &snapshot.velocity_z, &snapshot.pressure, &snapshot.liquid_share})
-    *field = means(*field);
-  const CellFaces across(mesh.length(), mesh.columns()), up(mesh.up().length(), mesh.rows());
-  for (int row = 0; row < mesh.rows(); ++row)
-    for (int column = 0; column < mesh.columns(); ++column) {
-      const int cell = row * mesh.columns() + column;
-      snapshot.x[cell] = across.centre(column);
-      snapshot.z[cell] = up.centre(row);
-      snapshot.area[cell] = mesh.cell_width() * mesh.cell_height();
+  std::vector<double> means;
+  for (const std::vector<Overlap>& row : rows)
+    for (const std::vector<Overlap>& column : columns) {
+      double mean = 0;
+      for (const Overlap& k : row)
+        for (const Overlap& i : column)
+          mean += k.share * i.share * field[k.index * mesh.columns() + i.index];
+      means.push_back(mean);
     }
+  return means;
 }
 
 }  // namespace slosh::openfoam

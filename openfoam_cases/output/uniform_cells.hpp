@@ -2,12 +2,15 @@
 // one size.
 #pragma once
 
-#include "openfoam_cases/output/read_snapshot.hpp"
+#include <vector>
+
+#include "openfoam_cases/geometry/tank_mesh.hpp"
 
 namespace slosh::openfoam {
 
-// Replaces the snapshot's fields on the mesh's graded cells by their means over as many uniform
-// cells, row by row from the bottom. A sum over all cells, times their areas, stays the same.
-void take_uniform_cells(const TankMesh& mesh, FieldSnapshot& snapshot);
+// Returns a field's means over as many uniform cells as the mesh has graded ones, both row by row
+// from the bottom. The sum over all cells, times their areas, stays the same.
+std::vector<double> means_over_uniform_cells(const TankMesh& mesh,
+                                             const std::vector<double>& field);
 
 }  // namespace slosh::openfoam

@@ -64,7 +64,7 @@ struct ShallowWave {
     tank.liquid.kinematic_viscosity = 5e-5;
     tank.initial_wave = InitialWave{1, 0.004};
     tank.gauges = {{"left", 0.05}};
-    tank.cells_x = 40;
+    tank.cells_x = 46;
     tank.cells_z = 28;
     tank.wall_cell = 0.002;
     tank.no_slip = no_slip;
@@ -101,15 +101,14 @@ double rate_of(const History& elevation, double period) {
 
 // The mesh's own damping and that inside the liquid are the same with slip. The theory's own error
 // is the layer's share of the depth, 0.06. Measured: 1.07 times theory with wall cells of 1.5 mm in
-// 60 x 40 cells, MEASURED in these cells.
+// 60 x 40 cells, 1.06 times in these cells.
 TEST_F(RunWalls, DampAWaveByTheirStokesLayers) {
   const ShallowWave slipping(false), sticking(true);
   const Harvest without = run_in(TemporaryDirectory(), slipping.tank), with = run(sticking.tank);
   const double period = sticking.period();
   const double rate =
       rate_of(with.elevation.at("left"), period) - rate_of(without.elevation.at("left"), period);
-  fprintf(stderr, "RATE %g\n", rate / sticking.expected_rate());
-  EXPECT_NEAR(rate / sticking.expected_rate(), 1, 0.15);
+  EXPECT_NEAR(rate / sticking.expected_rate(), 1, 0.12);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ constexpr const char* of_amplitude = "of the wave's amplitude in each period";
 
 // A friction layer of fewer particles is not resolved (docs/schemes.md).
 constexpr double layer_in_particles = 3;
-// With the layer 3.8 cells thick the wave of run_walls_test.cpp in openfoam_cases decays as theory
-// says.
+// With a layer 2.9 wall cells thick the wave of run_walls_test.cpp in openfoam_cases decays as
+// theory says.
 constexpr double layer_in_cells = 3;
 
 constexpr double surface_tension = 0.073;        // [N/m], clean water in air
