@@ -5,7 +5,7 @@
 //     gas:     rho = p W / (R_m T),      W = rho_gas R_m T / p_atm
 //
 // c is the speed of sound in water, and R_m the molar gas constant. The program also solves for the
-// temperature. The fluids have heat capacities a thousand times and more those of water and air, so
+// temperature. The fluids have a thousand times the heat capacities of water and air, so
 // that the temperature stays: a gas at twice its pressure warms by less than 0.1 K. The gas is thus
 // a spring of the exponent 1; air in a pocket of some centimetres, which has no time to give its
 // heat away, is stiffer by up to 1.4.
