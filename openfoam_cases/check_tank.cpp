@@ -49,6 +49,11 @@ void check_numbers(const SloshingTank& tank) {
   require(tank.cells_z >= 2, "cells_z", tank.cells_z, "at least 2");
   require(tank.processes >= 1 && tank.processes <= tank.cells_x, "processes", tank.processes,
           "between 1 and cells_x");
+  require(!tank.no_slip || tank.liquid.kinematic_viscosity > 0, "kinematic_viscosity",
+          tank.liquid.kinematic_viscosity, "above 0 m2/s for a liquid that sticks to the walls");
+  // Beyond 1 MULES is no longer bounded.
+  require(tank.courant_number > 0 && tank.courant_number <= 1, "courant_number",
+          tank.courant_number, "above 0 and at most 1");
 }
 
 // Refuses what a mesh that an outline cuts cannot carry.
@@ -63,6 +68,12 @@ void check_cut_tank(const SloshingTank& tank) {
     throw std::invalid_argument("OpenFOAM tank: loaded wall \"" + tank.loaded_walls.front() +
                                 "\": expected none in a tank with an outline, whose walls have no "
                                 "such names; the force on the whole tank is recorded in any case");
+}
+
+// DarcyForchheimer finds no viscosity of the mixture in compressibleInterFoam.
+void check_compressible_tank(const SloshingTank& tank) {
+  require(tank.gap_friction == 0, "gap_friction", tank.gap_friction,
+          "zero for compressibleInterFoam, which knows no friction of the front and the back wall");
 }
 
 void check_gauges(const SloshingTank& tank, const TankMesh& mesh) {
@@ -156,6 +167,7 @@ void check_liquid(const SloshingTank& tank, const TankMesh& mesh) {
 void check_tank(const SloshingTank& tank) {
   check_numbers(tank);
   if (!tank.outline.empty()) check_cut_tank(tank);
+  if (is_compressible(tank)) check_compressible_tank(tank);
   const TankMesh mesh(tank);
   if (tank.roll) check_roll(*tank.roll);
   if (tank.initial_wave) check_wave(*tank.initial_wave, tank);

@@ -1,4 +1,5 @@
-// A tank as interFoam (volume of fluid) is to solve it: the tank surges, rolls or both.
+// A tank as a program of OpenFOAM's interFoam family (volume of fluid) is to solve it: the tank
+// surges, rolls or both.
 // The solution is computed in the tank's frame on a static mesh with a tabulated acceleration and
 // slip walls. x is measured from the left wall and z up from the bottom. The liquid starts under a
 // horizontal level, under a wave or as a dam about to break, and the tank may carry obstacles.
@@ -66,10 +67,12 @@ struct Roll {
                                  // start at rest in the earth's frame
 };
 
-// How the interface is kept sharp, which is what the two programs differ in.
-enum class InterfaceMethod {
-  mules,        // interFoam: an algebraic flux with compression
-  iso_advector  // interIsoFoam: the interface is a polygon in each cell (Roenby et al. 2016)
+// The program that solves the case.
+enum class Program {
+  inter_foam,      // an algebraic flux with compression (MULES) keeps the interface sharp
+  inter_iso_foam,  // the interface is a polygon in each cell (isoAdvector, Roenby et al. 2016)
+  compressible_inter_foam  // as interFoam, of a liquid and a gas that are compressible
+                           // (compressible_fluids.hpp); it knows no friction in a gap
 };
 
 struct SloshingTank {
@@ -106,12 +109,32 @@ struct SloshingTank {
   std::vector<double> snapshot_times = {};  // [s]
   int cells_x, cells_z;
   int processes = 1;
-  InterfaceMethod interface_method = InterfaceMethod::mules;
+  // The largest Courant number, of any cell and of those of the interface. In violent flow it
+  // limits the time step.
+  double courant_number = 0.5;
+  bool no_slip = false;  // at all walls, those of obstacles too; it needs a viscous liquid
+  // [m], of the cells beside the walls, from where they grow to uniform ones in the middle
+  // (geometry/cell_faces.hpp). Without it all cells are uniform. It excludes obstacles and an
+  // outline.
+  std::optional<double> wall_cell = {};
+  Program program = Program::inter_foam;
 };
 
-// The program that solves the case. Its output is in log.<program>.
+// The name of the program that solves the case. Its output is in log.<program>.
 inline const char* program_of(const SloshingTank& tank) {
-  return tank.interface_method == InterfaceMethod::mules ? "interFoam" : "interIsoFoam";
+  switch (tank.program) {
+    case Program::inter_iso_foam:
+      return "interIsoFoam";
+    case Program::compressible_inter_foam:
+      return "compressibleInterFoam";
+    case Program::inter_foam:
+      break;
+  }
+  return "interFoam";
+}
+
+inline bool is_compressible(const SloshingTank& tank) {
+  return tank.program == Program::compressible_inter_foam;
 }
 
 // Whether a pressure is wanted, which is one above that of the gas.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "openfoam_cases/compressible_fluids.hpp"
 #include "openfoam_cases/frame_motion.hpp"
 #include "openfoam_cases/geometry/block_mesh.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
@@ -86,16 +87,26 @@ data cell_numbers(const TankMesh& mesh, int column) {
   return section;
 }
 
+// Returns the middle half of a column, across [m].
+std::pair<double, double> middle_half(const SloshingTank& tank, const TankMesh& mesh, int column) {
+  if (mesh.is_graded()) {
+    const double left = mesh.face_x(column), width = mesh.across().size(column);
+    return {left + 0.25 * width, left + 0.75 * width};
+  }
+  const double width = tank.length / tank.cells_x;
+  return {(column + 0.25) * width, (column + 0.75) * width};
+}
+
 // Returns boxes around the centres of the columns' cells; no box has a centre on its face. Cut
 // cells, whose centres are elsewhere, are given by their numbers.
 data column_boxes(const SloshingTank& tank, const TankMesh& mesh) {
-  const double width = tank.length / tank.cells_x;
   data columns(data::type::list);
   for (const int index : columns_read(tank, mesh)) {
     data column;
     column.set("name", column_name(index));
-    column.set("x_min", number((index + 0.25) * width - mesh.origin_x()));
-    column.set("x_max", number((index + 0.75) * width - mesh.origin_x()));
+    const auto [x_min, x_max] = middle_half(tank, mesh, index);
+    column.set("x_min", number(x_min - mesh.origin_x()));
+    column.set("x_max", number(x_max - mesh.origin_x()));
     column.set("uniform_cells", data(!mesh.cut()));
     column.set("cut_cells", mesh.cut() ? cell_numbers(mesh, index) : data(false));
     columns << column;
@@ -119,6 +130,8 @@ data blocks(const std::vector<BlockMesh::Hexahedron>& hexahedra) {
     block.set("corners", hexahedron.corners);
     block.set("block_cells_x", number(hexahedron.cells_x));
     block.set("block_cells_z", number(hexahedron.cells_z));
+    block.set("grading_x", hexahedron.grading_x);
+    block.set("grading_z", hexahedron.grading_z);
     list << block;
   }
   return list;
@@ -230,16 +243,22 @@ data template_values(const SloshingTank& tank) {
   set("liquid_kinematic_viscosity", tank.liquid.kinematic_viscosity);
   set("gas_density", tank.gas.density);
   set("gas_kinematic_viscosity", tank.gas.kinematic_viscosity);
+  values.set("compressible", data(is_compressible(tank)));
+  set("initial_pressure", is_compressible(tank) ? atmosphere : 0);
+  set("level_z", tank.fill_depth - mesh.origin_z());
+  set_compressible_fluids(tank, values);
   values.set("porous_medium", porous_medium(tank));
   values.set("initial_velocity", initial_field(tank, mesh));
   values.set("program", program_of(tank));
+  values.set("wall_condition", tank.no_slip ? "noSlip" : "slip");
   set("duration", tank.duration);
   set("sample_interval", tank.sample_interval);
   set("max_time_step", max_time_step(tank));
   set("first_time_step", first_time_step(tank));
+  set("courant_number", tank.courant_number);
   set("pressure_corrections", pressure_corrections(tank));
   set("processes", tank.processes);
-  const Corner reference_place = mesh.cut()
+  const Corner reference_place = mesh.cut() || mesh.is_graded()
                                      ? mesh.inside(reference)
                                      : Corner{(reference.column + 0.5) * tank.length / tank.cells_x,
                                               (reference.row + 0.5) * tank.height / tank.cells_z};

@@ -36,7 +36,9 @@ double first_time_step(const SloshingTank& tank) {
 int pressure_corrections(const SloshingTank& tank) {
   constexpr int fewest = 2;
   constexpr double left = 0.002;
-  const double per_length = tank.cells_x / tank.length, per_height = tank.cells_z / tank.height;
+  // Graded cells are smallest in the tank's corners.
+  const double per_length = tank.wall_cell ? 1 / *tank.wall_cell : tank.cells_x / tank.length,
+               per_height = tank.wall_cell ? 1 / *tank.wall_cell : tank.cells_z / tank.height;
   const double diffusion = 2 * tank.liquid.kinematic_viscosity * max_time_step(tank) *
                            (per_length * per_length + per_height * per_height);
   if (!(diffusion > 0)) return fewest;

@@ -28,6 +28,16 @@ class StrictContext : public kainjow::mustache::context<std::string> {
   }
 };
 
+// Returns whether the tank's case has no such file: that of another program or of another mesh.
+bool is_left_out(const SloshingTank& tank, const fs::path& file) {
+  const std::string name = file.filename();
+  if (name == "blockMeshDict") return !tank.outline.empty();
+  if (name == "transportProperties") return is_compressible(tank);
+  const bool of_compressible =
+      name == "p" || name == "T" || name == "hRef" || name.starts_with("thermophysicalProperties");
+  return of_compressible && !is_compressible(tank);
+}
+
 void fill_template(const fs::path& source, const fs::path& target, const data& values) {
   std::ifstream in(source);
   kainjow::mustache::mustache text(std::string(std::istreambuf_iterator<char>(in), {}));
@@ -58,7 +68,7 @@ void write_case(const SloshingTank& tank, const fs::path& template_directory,
   fs::create_directories(case_directory);
   for (const auto& entry : fs::recursive_directory_iterator(template_directory)) {
     const fs::path target = case_directory / fs::relative(entry.path(), template_directory);
-    if (!tank.outline.empty() && entry.path().filename() == "blockMeshDict") continue;
+    if (is_left_out(tank, entry.path())) continue;
     if (entry.is_directory()) {
       fs::create_directories(target);
     } else {

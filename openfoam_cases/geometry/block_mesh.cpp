@@ -59,6 +59,15 @@ std::string face(const std::array<int, 8>& corners, const Face& which) {
                      corners[which[3]]);
 }
 
+// Returns blockMesh's expansion ratios: a part of growing cells, one of uniform cells, and a part
+// of shrinking cells, each with its length and its number of cells.
+std::string grading(const CellFaces& faces) {
+  const CellFaces::Part end = faces.graded_part();
+  if (end.cells == 0) return "1";
+  return fmt::format("(({0} {1} {2}) ({3} {4} 1) ({0} {1} {5}))", end.length, end.cells, end.ratio,
+                     faces.length() - 2 * end.length, faces.cells() - 2 * end.cells, 1 / end.ratio);
+}
+
 struct Side {
   Face face;
   Cell beyond;  // one of the cells on the other side
@@ -81,7 +90,8 @@ BlockMesh block_mesh(const TankMesh& mesh) {
     const std::array<int, 8> c = corners(block, vertices);
     result.hexahedra.push_back(
         {fmt::format("{} {} {} {} {} {} {} {}", c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]),
-         block.column_end - block.column_begin, block.row_end - block.row_begin});
+         block.column_end - block.column_begin, block.row_end - block.row_begin,
+         grading(mesh.across()), grading(mesh.up())});
     const std::array<Side, 4> sides{{{{0, 4, 7, 3}, {block.column_begin - 1, block.row_begin}},
                                      {{1, 2, 6, 5}, {block.column_end, block.row_begin}},
                                      {{0, 3, 2, 1}, {block.column_begin, block.row_begin - 1}},

@@ -13,6 +13,7 @@ struct BlockMesh {
   struct Hexahedron {
     std::string corners;
     int cells_x, cells_z;
+    std::string grading_x, grading_z;  // "1" for uniform cells
   };
   std::string vertices;  // four in a line
   std::vector<Hexahedron> hexahedra;

@@ -55,7 +55,7 @@ GaugeColumns cut_columns(const TankMesh& mesh, double x, double fill_depth) {
 }  // namespace
 
 int nearest_column(const TankMesh& mesh, double x) {
-  const double column = x / mesh.length() * mesh.columns();
+  const double column = mesh.across().cells_over(x);
   const int own = std::clamp(static_cast<int>(std::floor(column)), 0, mesh.columns() - 1);
   if (!mesh.cut() || mesh.free_cells(own) > 0) return own;
   const int left = next_column(mesh, own, -1), right = next_column(mesh, own, 1);
@@ -66,7 +66,9 @@ int nearest_column(const TankMesh& mesh, double x) {
 GaugeColumns gauge_columns(const TankMesh& mesh, double x) {
   if (mesh.cut()) return cut_columns(mesh, x, mesh.fill_depth());
   const int last = mesh.columns() - 1;
-  const double column = x / mesh.length() * mesh.columns() - 0.5;  // from the first centre
+  // From the first centre.
+  const double column =
+      mesh.is_graded() ? mesh.across().centres_to(x) : mesh.across().cells_over(x) - 0.5;
   const int left = std::clamp(static_cast<int>(std::floor(column)), 0, last - 1);
   if (mesh.are_alike(left, left + 1)) return {left, left + 1, column - left};
   const int own = nearest_column(mesh, x);

@@ -35,13 +35,13 @@ void add_crossings(const SloshingTank& tank, const CellBox& cell, double z,
 
 bool has_wavy_level(const SloshingTank& tank) { return wave_of_level(tank).has_value(); }
 
-double share_across(const SloshingTank& tank, int column) {
+double share_across(const SloshingTank& tank, const TankMesh& mesh, int column) {
   if (!tank.column_width) return 1;
-  return std::clamp(*tank.column_width / tank.length * tank.cells_x - column, 0.0, 1.0);
+  return std::clamp(mesh.across().cells_over(*tank.column_width) - column, 0.0, 1.0);
 }
 
-double share_up(const SloshingTank& tank, int row) {
-  return std::clamp(tank.fill_depth / tank.height * tank.cells_z - row, 0.0, 1.0);
+double share_up(const SloshingTank& tank, const TankMesh& mesh, int row) {
+  return std::clamp(mesh.up().cells_over(tank.fill_depth) - row, 0.0, 1.0);
 }
 
 // A straight part of the level has the slope of the level's chord and its mean height.
@@ -62,12 +62,23 @@ double area_under_wave(const SloshingTank& tank, const Polygon& polygon, double 
   return area;
 }
 
-double share_under_wave(const SloshingTank& tank, Cell cell) {
+double share_under_wave(const SloshingTank& tank, const TankMesh& mesh, Cell cell) {
+  if (mesh.is_graded())
+    return share_below_level(tank, {.left = mesh.face_x(cell.column),
+                                    .right = mesh.face_x(cell.column + 1),
+                                    .bottom = mesh.face_z(cell.row),
+                                    .top = mesh.face_z(cell.row + 1)});
   const double width = tank.length / tank.cells_x, height = tank.height / tank.cells_z;
   return share_below_level(tank, {.left = cell.column * width,
                                   .right = (cell.column + 1) * width,
                                   .bottom = cell.row * height,
                                   .top = (cell.row + 1) * height});
+}
+
+// Returns the share of the cell's whole rectangle.
+double share_of_rectangle(const SloshingTank& tank, const TankMesh& mesh, Cell cell) {
+  if (has_wavy_level(tank)) return share_under_wave(tank, mesh, cell);
+  return share_across(tank, mesh, cell.column) * share_up(tank, mesh, cell.row);
 }
 
 }  // namespace
@@ -93,15 +104,10 @@ double share_below_level(const SloshingTank& tank, const CellBox& cell) {
   return filled / (cell.right - cell.left);
 }
 
-double liquid_share(const SloshingTank& tank, Cell cell) {
-  if (has_wavy_level(tank)) return share_under_wave(tank, cell);
-  return share_across(tank, cell.column) * share_up(tank, cell.row);
-}
-
 double liquid_share(const SloshingTank& tank, const TankMesh& mesh, Cell cell) {
-  if (!mesh.cut()) return liquid_share(tank, cell);
+  if (!mesh.cut()) return share_of_rectangle(tank, mesh, cell);
   const CutCell& cut = mesh.cut()->at(cell);
-  if (cut.is_whole) return liquid_share(tank, cell);
+  if (cut.is_whole) return share_of_rectangle(tank, mesh, cell);
   const double wet = has_wavy_level(tank) ? area_under_wave(tank, cut.polygon, mesh.cell_width())
                                           : area_below(cut.polygon, tank.fill_depth);
   return std::clamp(wet / cut.area, 0.0, 1.0);
@@ -119,7 +125,7 @@ double initial_volume(const SloshingTank& tank, const TankMesh& mesh) {
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {
     for (int column = 0; column < mesh.columns(); ++column) {
-      if (!mesh.is_free({column, row})) displaced += liquid_share(tank, {column, row});
+      if (!mesh.is_free({column, row})) displaced += liquid_share(tank, mesh, {column, row});
     }
   }
   return tank.column_width.value_or(tank.length) * tank.fill_depth -
@@ -135,13 +141,12 @@ double initial_depth(const SloshingTank& tank, const TankMesh& mesh, int column)
     }
     return depth;
   }
-  if (has_wavy_level(tank))
-    return mean_height(tank, column * mesh.cell_width(), (column + 1) * mesh.cell_width());
+  if (has_wavy_level(tank)) return mean_height(tank, mesh.face_x(column), mesh.face_x(column + 1));
   double displaced = 0;
   for (int row = 0; row < mesh.rows(); ++row) {
-    if (!mesh.is_free({column, row})) displaced += share_up(tank, row);
+    if (!mesh.is_free({column, row})) displaced += share_up(tank, mesh, row);
   }
-  return share_across(tank, column) * (tank.fill_depth - displaced * mesh.cell_height());
+  return share_across(tank, mesh, column) * (tank.fill_depth - displaced * mesh.cell_height());
 }
 
 // The distributions of <random> differ between standard libraries, its engines do not.

@@ -13,13 +13,9 @@
 
 namespace slosh::openfoam {
 
-// Returns the fraction of a cell's rectangle that the liquid covers, 0 to 1, as if there were no
-// obstacles and no outline.
-double liquid_share(const SloshingTank& tank, Cell cell);
-
-// Returns the fraction of a free cell that the liquid covers, 0 to 1. In a cell that an outline
-// cuts, a wavy level consists of 16 straight parts in the width of a cell, each with the level's
-// mean height; a horizontal level is exact.
+// Returns the fraction of a cell that the liquid covers, 0 to 1, as if there were no obstacles. In
+// a cell that an outline cuts, a wavy level consists of 16 straight parts in the width of a cell,
+// each with the level's mean height; a horizontal level is exact.
 double liquid_share(const SloshingTank& tank, const TankMesh& mesh, Cell cell);
 
 // Returns the liquid's volume per metre of width [m2], without what obstacles displace.

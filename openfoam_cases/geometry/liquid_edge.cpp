@@ -11,19 +11,18 @@
 namespace slosh::openfoam {
 namespace {
 
-// Returns the place, in cells from the line's begin, where the line is half full for the last time;
+// Returns the place [m] from the line's begin where the line is half full for the last time;
 // nullopt where no cell is half full. `cells` holds the numbers of the free cells, ascending, and
 // `fractions` the liquid's volume fraction in each.
-std::optional<double> last_half_full(const std::vector<int>& cells,
+std::optional<double> last_half_full(const CellFaces& faces, const std::vector<int>& cells,
                                      const std::vector<double>& fractions) {
   assert(fractions.size() == cells.size());
   for (std::size_t i = cells.size(); i-- > 0;) {
     const double share = fractions[i];
     if (!(share >= 0.5)) continue;
     const bool before_wall = i + 1 == cells.size() || cells[i + 1] != cells[i] + 1;
-    const double in_cell =
-        before_wall ? std::min(share, 1.0) : 0.5 + (share - 0.5) / (share - fractions[i + 1]);
-    return cells[i] + in_cell;
+    if (before_wall) return faces.face(cells[i]) + std::min(share, 1.0) * faces.size(cells[i]);
+    return faces.at_centres(cells[i] + (share - 0.5) / (share - fractions[i + 1]));
   }
   return std::nullopt;
 }
@@ -56,7 +55,7 @@ std::vector<int> bottom_columns(const TankMesh& mesh) {
 }
 
 double front_position(const TankMesh& mesh, const std::vector<double>& fractions) {
-  return last_half_full(bottom_columns(mesh), fractions).value_or(0) * mesh.cell_width();
+  return last_half_full(mesh.across(), bottom_columns(mesh), fractions).value_or(0);
 }
 
 std::vector<int> probed_columns(const SloshingTank& tank, const TankMesh& mesh) {
@@ -76,7 +75,7 @@ std::vector<int> free_rows(const TankMesh& mesh, int column) {
 double highest_surface(const TankMesh& mesh, int column, const std::vector<double>& fractions) {
   if (mesh.cut()) return last_half_full_height(*mesh.cut(), column, fractions);
   const std::vector<int> rows = free_rows(mesh, column);
-  return last_half_full(rows, fractions).value_or(rows.front()) * mesh.cell_height();
+  return last_half_full(mesh.up(), rows, fractions).value_or(mesh.face_z(rows.front()));
 }
 
 }  // namespace slosh::openfoam

@@ -16,10 +16,10 @@ struct Pair {
   double second;  // the weight of the other one
 };
 
-// `at` is in cells from the wall.
-Pair between_centres(double at, int cells) {
-  const int first = std::clamp(static_cast<int>(std::floor(at - 0.5)), 0, cells - 2);
-  return {first, at - 0.5 - first};
+Pair between_centres(const CellFaces& faces, double place) {
+  const double at = faces.centres_to(place);
+  const int first = std::clamp(static_cast<int>(std::floor(at)), 0, faces.cells() - 2);
+  return {first, at - first};
 }
 
 // The cells around a probe, with the distances of their centres.
@@ -91,16 +91,14 @@ std::vector<CellShare> cell_shares(const TankMesh& mesh, double x, double z) {
           fmt::format("between the walls, 0 and {} m", mesh.length()));
   require(z >= 0 && z <= height, "probe z", z,
           fmt::format("between the bottom and the roof, 0 and {} m", height));
-  const double across = x / mesh.cell_width(), up = z / mesh.cell_height();
-  const Cell own{std::min(static_cast<int>(across), mesh.columns() - 1),
-                 std::min(static_cast<int>(up), mesh.rows() - 1)};
+  const Cell own{std::min(static_cast<int>(mesh.across().cells_to(x)), mesh.columns() - 1),
+                 std::min(static_cast<int>(mesh.up().cells_to(z)), mesh.rows() - 1)};
   if (mesh.cut())
     require(is_inside(mesh.cut()->outline(), {x, z}), "probe x", x,
             fmt::format("with z = {} m a place inside the tank's outline", z));
   else
     require(mesh.is_free(own), "probe x", x, "a place outside the obstacles");
-  const Pair column = between_centres(across, mesh.columns()),
-             row = between_centres(up, mesh.rows());
+  const Pair column = between_centres(mesh.across(), x), row = between_centres(mesh.up(), z);
   if (mesh.cut()) {
     bool all_whole = true;
     for (const int i : {0, 1})

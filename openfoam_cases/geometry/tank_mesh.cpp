@@ -28,6 +28,13 @@ int face_of(const char* key, double edge, double tank_size, int cells) {
   return static_cast<int>(nearest);
 }
 
+CellFaces faces_of(const SloshingTank& tank, double length, int cells, const char* key) {
+  if (!tank.wall_cell) return CellFaces(length, cells);
+  require(tank.outline.empty() && tank.obstacles.empty(), "wall_cell", *tank.wall_cell,
+          "none in a tank with an outline or obstacles, whose cells are uniform");
+  return CellFaces(length, cells, *tank.wall_cell, key);
+}
+
 void insert_sorted(std::vector<int>& breaks, int value) {
   const auto at = std::lower_bound(breaks.begin(), breaks.end(), value);
   if (at == breaks.end() || *at != value) breaks.insert(at, value);
@@ -41,6 +48,8 @@ TankMesh::TankMesh(const SloshingTank& tank)
       length_(tank.length),
       height_(tank.height),
       fill_depth_(tank.fill_depth),
+      across_(faces_of(tank, length_, columns_, "cells_x")),
+      up_(faces_of(tank, height_, rows_, "cells_z")),
       origin_x_(tank.roll ? tank.roll->axis_x : 0),
       origin_z_(tank.roll ? tank.roll->axis_z : 0),
       filled_(static_cast<std::size_t>(columns_) * rows_, false),
@@ -106,13 +115,6 @@ void TankMesh::check_rooms() const {
   }
 }
 
-// This form returns the walls exactly as they were given.
-double TankMesh::face_x(int column) const {
-  return length_ * (static_cast<double>(column) / columns_);
-}
-
-double TankMesh::face_z(int row) const { return height_ * (static_cast<double>(row) / rows_); }
-
 bool TankMesh::is_free(Cell cell) const {
   return cell.column >= 0 && cell.column < columns_ && cell.row >= 0 && cell.row < rows_ &&
          !filled_[index(cell)];
@@ -142,8 +144,9 @@ Corner TankMesh::centre(Cell cell) const {
 Corner TankMesh::inside(Cell cell) const { return cut_ ? cut_->at(cell).inside : centre(cell); }
 
 double TankMesh::whole_cells(Cell cell) const {
-  return cut_ && !cut_->at(cell).is_whole ? cut_->at(cell).area / (cell_width() * cell_height())
-                                          : 1;
+  const double mean = cell_width() * cell_height();
+  if (is_graded()) return across_.size(cell.column) * up_.size(cell.row) / mean;
+  return cut_ && !cut_->at(cell).is_whole ? cut_->at(cell).area / mean : 1;
 }
 
 double TankMesh::room() const {
@@ -190,7 +193,8 @@ Cell TankMesh::reference_cell() const {
       const int middle = columns_ / 2;
       for (int offset = 0; offset < columns_; ++offset) {
         for (const Cell cell : {Cell{middle + offset, row}, Cell{middle - offset, row}}) {
-          if (is_free(cell) && (takes_cut_cells || whole_cells(cell) == 1)) return cell;
+          const bool is_cut = cut_ && is_free(cell) && !cut_->at(cell).is_whole;
+          if (is_free(cell) && (takes_cut_cells || !is_cut)) return cell;
         }
       }
     }

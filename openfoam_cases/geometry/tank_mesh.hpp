@@ -1,7 +1,9 @@
-// The uniform mesh of the tank without the cells that its obstacles fill: its cells, the blocks of
+// The mesh of the tank without the cells that its obstacles fill: its cells, the blocks of
 // which blockMesh builds it, and the order in which OpenFOAM then numbers the cells. Leaving out
 // blocks, rather than removing cells later, needs no further stage, maps no field and gives the
 // same mesh on any number of processes.
+//
+// The cells are uniform, or graded towards the walls (cell_faces.hpp) in a tank without obstacles.
 //
 // In a tank with an outline the cells are those of a cut mesh. A cell has its own place, and a
 // place whose part was merged into another cell has none, as one that an obstacle fills.
@@ -10,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "openfoam_cases/geometry/cell_faces.hpp"
 #include "openfoam_cases/outline/cut_mesh.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 
@@ -24,24 +27,28 @@ class TankMesh {
  public:
   // Throws std::invalid_argument for an obstacle that reaches beyond the walls, whose edges are not
   // on the cells' faces, or which is thinner than a cell, and for obstacles that leave no cell or
-  // divide the tank into several parts; for an outline as check_outline() and CutMesh do.
+  // divide the tank into several parts; for an outline as check_outline() and CutMesh do; for
+  // graded cells as CellFaces does, and beside obstacles or an outline.
   explicit TankMesh(const SloshingTank& tank);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   double length() const { return length_; }                 // [m]
   double fill_depth() const { return fill_depth_; }         // [m]
-  double cell_width() const { return length_ / columns_; }  // [m]
-  double cell_height() const { return height_ / rows_; }    // [m]
+  double cell_width() const { return length_ / columns_; }  // [m], of a cell on average
+  double cell_height() const { return height_ / rows_; }    // [m], likewise
+  const CellFaces& across() const { return across_; }       // of the columns
+  const CellFaces& up() const { return up_; }               // of the rows
+  bool is_graded() const { return across_.is_graded(); }
   // The mesh's origin [m] from the tank's bottom left corner: the roll's axis, about which
   // interFoam rotates, or the corner itself without roll.
   double origin_x() const { return origin_x_; }
   double origin_z() const { return origin_z_; }
-  double face_x(int column) const;  // [m], of its left side
-  double face_z(int row) const;     // [m], of its lower side
-  double centre_x(int column) const { return (column + 0.5) * cell_width(); }  // [m]
-  double centre_z(int row) const { return (row + 0.5) * cell_height(); }       // [m]
-  bool is_free(Cell cell) const;                // false beyond the walls
+  double face_x(int column) const { return across_.face(column); }      // [m], of its left side
+  double face_z(int row) const { return up_.face(row); }                // [m], of its lower side
+  double centre_x(int column) const { return across_.centre(column); }  // [m]
+  double centre_z(int row) const { return up_.centre(row); }            // [m]
+  bool is_free(Cell cell) const;                                        // false beyond the walls
   bool are_alike(int column, int other) const;  // whether obstacles fill the same rows of both
   int free_cells(int column) const;
   int free_cells() const;
@@ -51,7 +58,7 @@ class TankMesh {
   // where that is outside.
   Corner centre(Cell cell) const;
   Corner inside(Cell cell) const;
-  double whole_cells(Cell cell) const;  // a free cell's area, in uniform cells
+  double whole_cells(Cell cell) const;  // a free cell's area, in mean cells
   double room() const;                  // [m2], of all free cells
   // Returns the depth [m] over a whole cell's width of the liquid that fills this fraction of a
   // column.
@@ -77,6 +84,7 @@ class TankMesh {
 
   int columns_, rows_;
   double length_, height_, fill_depth_;
+  CellFaces across_, up_;
   double origin_x_, origin_z_;
   std::vector<bool> filled_;  // by obstacles, or without a cell of the outline's mesh
   std::vector<int> column_breaks_, row_breaks_;  // where blocks end, ascending, walls included

@@ -85,12 +85,12 @@ std::vector<FaceShare> face_shares(const TankMesh& mesh, const PressureGauge& ga
   require(!gauge.at, "pressure gauge x", gauge.at ? gauge.at->x : 0,
           "a wall and a position along it in a tank without an outline");
   const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
-  const int faces = is_level ? mesh.columns() : mesh.rows();
-  const double spacing = is_level ? mesh.cell_width() : mesh.cell_height();
-  check_place(gauge, spacing * faces);
+  const CellFaces& wall = is_level ? mesh.across() : mesh.up();
+  const int faces = wall.cells();
+  check_place(gauge, wall.length());
+  const double lower = gauge.position - gauge.width / 2, upper = gauge.position + gauge.width / 2;
   // In faces from the wall's end.
-  const double begin = (gauge.position - gauge.width / 2) / spacing;
-  const double end = (gauge.position + gauge.width / 2) / spacing;
+  const double begin = wall.cells_to(lower), end = wall.cells_to(upper);
   Span span{std::clamp(static_cast<int>(std::floor(begin + end_tolerance)), 0, faces - 1), 0};
   span.last =
       std::clamp(static_cast<int>(std::ceil(end - end_tolerance)) - 1, span.first, faces - 1);
@@ -105,15 +105,17 @@ std::vector<FaceShare> face_shares(const TankMesh& mesh, const PressureGauge& ga
   if (span.first == span.last) return {share_of(mesh, gauge.wall, span.first, 1)};
 
   // Between centres the pressure is linear, so that its mean is the value in the middle.
-  std::vector<double> cuts{begin - 0.5};  // in faces from the first centre
+  const double last_cut = wall.centres_to(upper);
+  std::vector<double> cuts{wall.centres_to(lower)};  // in faces from the first centre
   for (int face = span.first; face <= span.last; ++face) {
-    if (face > cuts.back() && face < end - 0.5) cuts.push_back(face);
+    if (face > cuts.back() && face < last_cut) cuts.push_back(face);
   }
-  cuts.push_back(end - 0.5);
+  cuts.push_back(last_cut);
   std::map<int, double> weights;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double middle = (cuts[i] + cuts[i + 1]) / 2;
-    const double part = end > begin ? (cuts[i + 1] - cuts[i]) / (end - begin) : 1;
+    const double part =
+        end > begin ? (wall.at_centres(cuts[i + 1]) - wall.at_centres(cuts[i])) / gauge.width : 1;
     const int left = std::clamp(static_cast<int>(std::floor(middle)), span.first, span.last - 1);
     weights[left] += part * (1 - (middle - left));
     weights[left + 1] += part * (middle - left);

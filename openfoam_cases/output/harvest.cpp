@@ -18,8 +18,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // The scheme conserves the volume to 1e-12 over 20 s, also in breaking waves; 1e-4 of the depth
-// would be a visible part of a small wave.
-constexpr double volume_tolerance = 1e-4;
+// would be a visible part of a small wave. compressibleInterFoam conserves neither volume nor mass:
+// its liquid changed by 6e-05 of itself in 7.8 s of the violent roll of SPHERIC 10 on 90 x 51
+// cells.
+double volume_tolerance(const SloshingTank& tank) { return is_compressible(tank) ? 1e-3 : 1e-4; }
 
 // Returns the height of the surface in a column of cells, from the start on.
 History column_level(const SloshingTank& tank, const TankMesh& mesh, const fs::path& case_directory,
@@ -84,7 +86,8 @@ History front(const SloshingTank& tank, const TankMesh& mesh, const fs::path& ca
   const Rows rows = read_rows(tank, series_file(case_directory, "bottom_row", "alpha.liquid"),
                               1 + bottom_columns(mesh).size());
   std::vector<double> at_start;
-  for (const int column : bottom_columns(mesh)) at_start.push_back(liquid_share(tank, {column, 0}));
+  for (const int column : bottom_columns(mesh))
+    at_start.push_back(liquid_share(tank, mesh, {column, 0}));
   History history{{0}, {front_position(mesh, at_start)}};
   for (std::size_t i = 0; i < rows.time.size(); ++i) {
     history.time.push_back(rows.time[i]);
@@ -100,10 +103,10 @@ History liquid_volume(const SloshingTank& tank, const TankMesh& mesh,
   const double filled = initial_volume(tank, mesh);
   for (std::size_t i = 0; i < volume.time.size(); ++i) {
     const double change = volume.value[i] / filled - 1;
-    if (!(std::abs(change) <= volume_tolerance)) {
+    if (!(std::abs(change) <= volume_tolerance(tank))) {
       refuse(file, fmt::format("the liquid's volume has changed by {} of itself at {} s, expected "
                                "at most {}",
-                               change, volume.time[i], volume_tolerance));
+                               change, volume.time[i], volume_tolerance(tank)));
     }
   }
   volume.time.insert(volume.time.begin(), 0);

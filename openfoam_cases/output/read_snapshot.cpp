@@ -9,6 +9,7 @@
 
 #include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/output/read_series.hpp"
+#include "openfoam_cases/output/uniform_cells.hpp"
 #include "openfoam_cases/time_step.hpp"
 
 namespace slosh::openfoam {
@@ -79,6 +80,20 @@ void set_gas_datum(const std::vector<double>& sizes, const std::vector<double>& 
   for (double& value : pressure) value -= sum / gas;
 }
 
+void take_uniform_cells(const TankMesh& mesh, FieldSnapshot& snapshot) {
+  for (std::vector<double>* field :
+       {&snapshot.velocity_x, &snapshot.velocity_z, &snapshot.pressure, &snapshot.liquid_share})
+    *field = means_over_uniform_cells(mesh, *field);
+  const CellFaces across(mesh.length(), mesh.columns()), up(mesh.up().length(), mesh.rows());
+  for (int row = 0; row < mesh.rows(); ++row)
+    for (int column = 0; column < mesh.columns(); ++column) {
+      const int cell = row * mesh.columns() + column;
+      snapshot.x[cell] = across.centre(column);
+      snapshot.z[cell] = up.centre(row);
+      snapshot.area[cell] = mesh.cell_width() * mesh.cell_height();
+    }
+}
+
 }  // namespace
 
 FieldSnapshot read_snapshot(const SloshingTank& tank, const TankMesh& mesh,
@@ -107,6 +122,7 @@ FieldSnapshot read_snapshot(const SloshingTank& tank, const TankMesh& mesh,
   snapshot.liquid_share = component(read_field(directory.path / "alpha.liquid", cells, 1), 0);
   snapshot.pressure = component(read_field(directory.path / "p", cells, 1), 0);
   set_gas_datum(sizes, snapshot.liquid_share, snapshot.pressure);
+  if (mesh.is_graded()) take_uniform_cells(mesh, snapshot);
   return snapshot;
 }
 

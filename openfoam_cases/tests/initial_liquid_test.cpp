@@ -10,7 +10,7 @@ namespace {
 double volume_of_cells(const SloshingTank& tank) {
   const TankMesh mesh(tank);
   double volume = 0;
-  for (const Cell cell : mesh.cells()) volume += liquid_share(tank, cell);
+  for (const Cell cell : mesh.cells()) volume += liquid_share(tank, mesh, cell);
   return volume * mesh.cell_width() * mesh.cell_height();
 }
 
@@ -30,12 +30,12 @@ TEST(InitialLiquid, StandsInAColumnAtTheLeftWall) {
   SloshingTank tank = still_tank();  // cells of 0.055 x 0.13 m
   tank.column_width = 0.0825;
   tank.fill_depth = 0.195;
-  EXPECT_EQ(liquid_share(tank, {0, 0}), 1);
-  EXPECT_NEAR(liquid_share(tank, {1, 0}), 0.5, 1e-14);
-  EXPECT_NEAR(liquid_share(tank, {0, 1}), 0.5, 1e-14);
-  EXPECT_NEAR(liquid_share(tank, {1, 1}), 0.25, 1e-14);
-  EXPECT_EQ(liquid_share(tank, {2, 0}), 0);
-  EXPECT_EQ(liquid_share(tank, {0, 2}), 0);
+  EXPECT_EQ(liquid_share(tank, TankMesh(tank), {0, 0}), 1);
+  EXPECT_NEAR(liquid_share(tank, TankMesh(tank), {1, 0}), 0.5, 1e-14);
+  EXPECT_NEAR(liquid_share(tank, TankMesh(tank), {0, 1}), 0.5, 1e-14);
+  EXPECT_NEAR(liquid_share(tank, TankMesh(tank), {1, 1}), 0.25, 1e-14);
+  EXPECT_EQ(liquid_share(tank, TankMesh(tank), {2, 0}), 0);
+  EXPECT_EQ(liquid_share(tank, TankMesh(tank), {0, 2}), 0);
 }
 
 // Of the obstacles two overlap, one pierces the surface and one hangs above it.

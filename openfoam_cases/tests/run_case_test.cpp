@@ -71,7 +71,7 @@ TEST_F(RunCase, GivesNearlyTheSameWaveByInterIsoFoam) {
   SloshingTank tank = small_tank();
   const Harvest algebraic = run(tank);
   const TemporaryDirectory other;
-  tank.interface_method = InterfaceMethod::iso_advector;
+  tank.program = Program::inter_iso_foam;
   const Harvest geometric = run_in(other, tank);
   EXPECT_TRUE(fs::exists(other.path() / "log.interIsoFoam"));
   EXPECT_LT(std::abs(geometric.relative_mass_loss), 1e-6) << "it clips what is beyond 0 and 1";

@@ -116,7 +116,7 @@ TEST_F(RunOutline, LeavesStillLiquidStillOnTwoProcessesAndWithAnotherInterface) 
   tank.processes = 2;
   expect_rest(tank, run(tank));
   tank.processes = 1;
-  tank.interface_method = InterfaceMethod::iso_advector;
+  tank.program = Program::inter_iso_foam;
   TemporaryDirectory other_directory;
   expect_rest(tank, run_in(other_directory, tank));
 }

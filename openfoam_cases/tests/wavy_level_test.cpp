@@ -25,7 +25,8 @@ TEST(WavyLevel, FillsTheCellsWithTheStillLiquidsVolumeWhateverTheWave) {
     for (const double amplitude : {1e-4, -0.02, 0.13, -0.35}) {
       const SloshingTank tank = waved_tank(mode, amplitude);
       double volume = 0;
-      for (const Cell cell : TankMesh(tank).cells()) volume += liquid_share(tank, cell);
+      for (const Cell cell : TankMesh(tank).cells())
+        volume += liquid_share(tank, TankMesh(tank), cell);
       EXPECT_NEAR(volume * 0.055 * 0.13, 1.1 * 0.357, 1e-14) << mode << " " << amplitude;
       EXPECT_EQ(initial_volume(tank, TankMesh(tank)), 1.1 * 0.357);
     }
@@ -37,7 +38,8 @@ TEST(WavyLevel, FillsEveryColumnUpToItsMeanHeight) {
   const double k = 3 * pi / 1.1;
   for (int column = 0; column < 20; ++column) {
     double depth = 0;
-    for (int row = 0; row < 10; ++row) depth += 0.13 * liquid_share(tank, {column, row});
+    for (int row = 0; row < 10; ++row)
+      depth += 0.13 * liquid_share(tank, TankMesh(tank), {column, row});
     const double mean =
         0.357 +
         0.2 * (std::sin(k * 0.055 * (column + 1)) - std::sin(k * 0.055 * column)) / (k * 0.055);

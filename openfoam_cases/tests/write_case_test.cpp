@@ -70,9 +70,9 @@ TEST_F(WrittenCase, TakesItsNumbersFromTheTankToTheLastBit) {
   EXPECT_EQ(entry(file("constant/g"), "value"), "(0 0 -9.81)");
 }
 
-TEST_F(WrittenCase, NamesTheProgramOfItsInterface) {
+TEST_F(WrittenCase, NamesItsProgram) {
   SloshingTank tank = small_tank();
-  tank.interface_method = InterfaceMethod::iso_advector;
+  tank.program = Program::inter_iso_foam;
   write(tank);
   EXPECT_EQ(entry(file("system/controlDict"), "application"), "interIsoFoam");
   const TemporaryDirectory plain;
@@ -80,6 +80,33 @@ TEST_F(WrittenCase, NamesTheProgramOfItsInterface) {
   EXPECT_EQ(entry(contents(plain.path() / "system/controlDict"), "application"), "interFoam");
   EXPECT_EQ(contents(plain.path() / "system/fvSolution"), file("system/fvSolution"))
       << "interIsoFoam has its own defaults";
+}
+
+TEST_F(WrittenCase, LimitsTheCourantNumberOfAllCellsAndOfTheInterface) {
+  SloshingTank tank = small_tank();
+  tank.courant_number = 0.25;
+  write(tank);
+  const std::string control = file("system/controlDict");
+  EXPECT_EQ(entry(control, "maxCo"), "0.25");
+  EXPECT_EQ(entry(control, "maxAlphaCo"), "0.25");
+}
+
+TEST_F(WrittenCase, GivesCompressibleFluidsTheTanksDensitiesAtOneAtmosphere) {
+  SloshingTank tank = small_tank();
+  tank.program = Program::compressible_inter_foam;
+  write(tank);
+  const std::string liquid = file("constant/thermophysicalProperties.liquid"),
+                    gas = file("constant/thermophysicalProperties.gas");
+  const auto number_after = [](const std::string& text, const std::string& key) {
+    return std::stod(text.substr(text.find(key + " ") + key.size()));
+  };
+  const double temperature = 293.15, pressure = 101325, R = number_after(liquid, "{ R");
+  EXPECT_NEAR(number_after(liquid, "rho0") + pressure / (R * temperature), 998.2, 1e-9);
+  EXPECT_NEAR(std::sqrt(R * temperature), 1482.3, 1e-6) << "the speed of sound";
+  EXPECT_NEAR(pressure * number_after(gas, "molWeight") / (8314.47 * temperature), 1.2, 1e-12);
+  EXPECT_EQ(entry(file("0/p_rgh"), "internalField"), "uniform 101325");
+  EXPECT_EQ(entry(file("constant/hRef"), "value"), "0.357");
+  EXPECT_FALSE(fs::exists(directory_.path() / "constant/transportProperties"));
 }
 
 TEST_F(WrittenCase, SlowsTheLiquidDownInAPorousMediumWhereTheWallsCauseFriction) {
@@ -254,6 +281,10 @@ TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].x = 1.2; }).find("gauge x"),
             std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.gauges[0].name = "left"; }).find("two gauges"),
+            std::string::npos);
+  EXPECT_EQ(refused([](SloshingTank& t) { t.courant_number = 1.1; }),
+            "OpenFOAM tank: courant_number = 1.1: expected above 0 and at most 1");
+  EXPECT_NE(refused([](SloshingTank& t) { t.courant_number = NAN; }).find("courant_number = nan"),
             std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.processes = 21; }).find("processes"),
             std::string::npos);

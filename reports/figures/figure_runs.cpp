@@ -47,8 +47,7 @@ reports::Curve with_band(reports::Curve curve, const RunResult& record, const st
 std::vector<std::string> finest_runs(const CaseAssessment& assessment,
                                      const std::function<bool(const RunResult&)>& has) {
   const auto preference = [](const RunDefinition& run) {
-    const auto* sph = std::get_if<SphRun>(&run.solver);
-    const std::string changes = sph ? changes_of(*sph) : "";
+    const std::string changes = changes_of(run);
     return std::tuple{changes.empty(), resolution(run),
                       -std::count(changes.begin(), changes.end(), ',')};
   };

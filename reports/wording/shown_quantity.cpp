@@ -120,7 +120,7 @@ std::string measured_how(const ShownQuantity& shown, const CaseDefinition& defin
     if (is_shown && !way.empty()) ways.push_back(who + way);
   };
   add("SPH: ", shown.sph, any([](const auto& run) { return solver_kind(run).has_particles; }));
-  add("interFoam: ", shown.interfoam,
+  add("OpenFOAM: ", shown.interfoam,
       any([](const auto& run) { return std::holds_alternative<InterFoamRun>(run.solver); }));
   add("theory: ", shown.theory, any(is_theory));
   std::string text = shown.what.empty() ? "" : shown.what + " ";

@@ -42,7 +42,7 @@ std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& r
   int most_cells = 0;
   for (const auto& [name, result] : runs.results) {
     const InterFoamRun* mesh = solver_as<InterFoamRun>(definition, name);
-    if (!mesh || mesh->interface_method != InterfaceMethod::mules ||
+    if (!mesh || mesh->program != FoamProgram::inter_foam ||
         mesh->cells_x * mesh->cells_z <= most_cells)
       continue;
     most_cells = mesh->cells_x * mesh->cells_z;

@@ -28,8 +28,8 @@ struct Corner {
 struct TankDefinition {
   double length;  // [m], along x
   double height;  // [m], roof above bottom
-  // [m] From front wall to back wall. Given, it makes SPH and interFoam count the friction of these
-  // walls (gap_friction.hpp), which they do not see otherwise.
+  // [m] From front wall to back wall. Given, it makes SPH, interFoam and interIsoFoam count the
+  // friction of these walls (gap_friction.hpp), which they do not see otherwise.
   std::optional<double> breadth = {};
   // The corners of a tank that is no rectangle, counter-clockwise: a simple polygon that each
   // horizontal line meets in one piece (outline.hpp). Length and height are then those of the
@@ -61,7 +61,7 @@ struct InitialWaveDefinition {
   double amplitude;  // A [m], positive if the crest is at the left wall
 };
 
-// The gas above the liquid. Only interFoam and the two-layer linear theory use it.
+// The gas above the liquid. Only OpenFOAM's programs and the two-layer linear theory use it.
 struct GasDefinition {
   double density;              // [kg/m3]
   double kinematic_viscosity;  // [m2/s]
@@ -187,12 +187,17 @@ struct SphRun {
   bool operator==(const SphRun&) const = default;
 };
 
-// How OpenFOAM keeps the interface sharp: interFoam by MULES, interIsoFoam by isoAdvector.
-enum class InterfaceMethod { mules, iso_advector };
+// The programs of OpenFOAM that solve a case by volume of fluid: interFoam keeps the interface
+// sharp by MULES, interIsoFoam by isoAdvector, and compressibleInterFoam is interFoam for
+// compressible fluids.
+enum class FoamProgram { inter_foam, inter_iso_foam, compressible_inter_foam };
 
-inline constexpr EnumName<InterfaceMethod> interface_method_names[] = {
-    {InterfaceMethod::mules, "MULES"}, {InterfaceMethod::iso_advector, "isoAdvector"}};
+inline constexpr EnumName<FoamProgram> foam_program_names[] = {
+    {FoamProgram::inter_foam, "interFoam"},
+    {FoamProgram::inter_iso_foam, "interIsoFoam"},
+    {FoamProgram::compressible_inter_foam, "compressibleInterFoam"}};
 
+// A run of interFoam or of a program of its family.
 struct InterFoamRun {
   int cells_x, cells_z;
   int processes = 1;  // above 1: decomposePar and mpirun
@@ -200,7 +205,12 @@ struct InterFoamRun {
   // repeats of one run.
   double start_disorder = 0;
   int start_seed = 0;
-  InterfaceMethod interface_method = InterfaceMethod::mules;
+  FoamProgram program = FoamProgram::inter_foam;
+  double interface_courant_number = 0.5;  // the largest, of any cell and of the interface's
+  bool no_slip = false;                   // the liquid sticks to the walls
+  // [m], of the cells beside the walls, from where they grow to uniform ones in the middle. Without
+  // it all cells are uniform.
+  std::optional<double> wall_cell = {};
 };
 
 // Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the

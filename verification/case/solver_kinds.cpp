@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace slosh {
 namespace {
@@ -19,6 +19,7 @@ struct CommonRow {
   static double resolution(const auto&) { return 0; }
   static std::optional<double> particle_spacing(const auto&) { return {}; }
   static std::string method_of(const auto&) { return ""; }
+  static std::string changes(const auto&) { return ""; }
 };
 
 json hashed_series(const std::vector<SeriesSource>& sources) {
@@ -49,6 +50,7 @@ struct Row<SphRun> : CommonRow {
     return 1 / (sph.particle_spacing * sph.surface_particle_spacing);
   }
   static std::optional<double> particle_spacing(const SphRun& sph) { return sph.particle_spacing; }
+  static std::string changes(const SphRun& sph) { return changes_of(sph); }
   static std::string text(const SphRun& sph) {
     const std::string changes = changes_of(sph);
     std::string text =
@@ -79,18 +81,29 @@ struct Row<SphRun> : CommonRow {
   }
 };
 
+// What holds for every program of interFoam's family.
+constexpr SolverKind foam_kind(const char* name) {
+  return {.name = name,
+          .role = SolverRole::simulation,
+          .answered_with = AnsweredWith::openfoam,
+          .build = "interfoam",
+          .elements = "cells",
+          .solves_flow = true,
+          .takes_time_limit = true,
+          .takes_outline = true};
+}
+
 template <>
 struct Row<InterFoamRun> : CommonRow {
-  static constexpr SolverKind kind{.name = "interfoam",
-                                   .role = SolverRole::simulation,
-                                   .answered_with = AnsweredWith::openfoam,
-                                   .elements = "cells",
-                                   .solves_flow = true,
-                                   .takes_time_limit = true,
-                                   .takes_outline = true};
+  // In the order of FoamProgram.
+  static constexpr SolverKind kinds[] = {foam_kind("interfoam"), foam_kind("interisofoam"),
+                                         foam_kind("compressible_interfoam")};
+  static const SolverKind& kind_of(const InterFoamRun& mesh) {
+    return kinds[static_cast<std::size_t>(mesh.program)];
+  }
   static bool sees_gas(const InterFoamRun&) { return true; }
-  static const char* program(const InterFoamRun& mesh) {
-    return mesh.interface_method == InterfaceMethod::mules ? "interFoam" : "interIsoFoam";
+  static std::string program(const InterFoamRun& mesh) {
+    return name_of(mesh.program, foam_program_names);
   }
   static std::string family(const RunDefinition& run) {
     return program(std::get<InterFoamRun>(run.solver));
@@ -101,12 +114,25 @@ struct Row<InterFoamRun> : CommonRow {
            (mesh.processes > 1 ? fmt::format(", {} processes", mesh.processes) : "");
   }
   static std::string caption(const InterFoamRun& mesh) {
-    return fmt::format("{}, {} x {} cells", program(mesh), mesh.cells_x, mesh.cells_z);
+    const std::string changed = changes(mesh);
+    return fmt::format("{}, {} x {} cells{}{}", program(mesh), mesh.cells_x, mesh.cells_z,
+                       changed.empty() ? "" : ", ", changed);
+  }
+  static std::string changes(const InterFoamRun& mesh) {
+    std::vector<std::string> changes;
+    if (mesh.interface_courant_number != InterFoamRun().interface_courant_number)
+      changes.push_back(
+          fmt::format("interface_courant_number = {:g}", mesh.interface_courant_number));
+    if (mesh.no_slip) changes.push_back("no_slip");
+    if (mesh.wall_cell) changes.push_back("graded cells");
+    return fmt::format("{}", fmt::join(changes, ", "));
   }
   static json hashed(const InterFoamRun& mesh) {
     json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
-    if (mesh.interface_method != InterfaceMethod::mules)
-      settings["interface_method"] = name_of(mesh.interface_method, interface_method_names);
+    if (mesh.program != FoamProgram::inter_foam) settings["program"] = program(mesh);
+    if (const std::string changed = changes(mesh); !changed.empty())
+      settings["changes"] = {mesh.interface_courant_number, mesh.no_slip,
+                             mesh.wall_cell.value_or(0)};
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
     return settings;
   }
@@ -270,34 +296,59 @@ Row<Run> row_of(const Run&) {
   return {};
 }
 
-// The rows' kinds, in the order of the variant's alternatives.
-template <class... Runs>
-constexpr std::array<const SolverKind*, sizeof...(Runs)> kinds_of(const std::variant<Runs...>*) {
-  return {&Row<Runs>::kind...};
+// The kinds of a row, of which OpenFOAM's has one for each program.
+template <class Run>
+std::span<const SolverKind> kinds_of_row() {
+  if constexpr (requires { Row<Run>::kinds; })
+    return Row<Run>::kinds;
+  else
+    return {&Row<Run>::kind, 1};
 }
 
-constexpr auto kinds = kinds_of(static_cast<const decltype(RunDefinition::solver)*>(nullptr));
+// All kinds, in the order of the variant's alternatives.
+template <class... Runs>
+std::vector<const SolverKind*> kinds_of(const std::variant<Runs...>*) {
+  std::vector<const SolverKind*> all;
+  for (const std::span<const SolverKind> row : {kinds_of_row<Runs>()...})
+    for (const SolverKind& kind : row) all.push_back(&kind);
+  return all;
+}
+
+const std::vector<const SolverKind*>& kinds() {
+  static const auto all = kinds_of(static_cast<const decltype(RunDefinition::solver)*>(nullptr));
+  return all;
+}
 
 }  // namespace
 
-const SolverKind& solver_kind(const RunDefinition& run) { return *kinds.at(run.solver.index()); }
+const SolverKind& solver_kind(const RunDefinition& run) {
+  return std::visit(
+      [](const auto& solver) -> const SolverKind& {
+        using Of = decltype(row_of(solver));
+        if constexpr (requires { Of::kind_of(solver); })
+          return Of::kind_of(solver);
+        else
+          return Of::kind;
+      },
+      run.solver);
+}
 
 const SolverKind* find_solver_kind(std::string_view name) {
-  for (const SolverKind* kind : kinds)
+  for (const SolverKind* kind : kinds())
     if (kind->name == name) return kind;
   return nullptr;
 }
 
 std::set<std::string> solvers_answered_with(AnsweredWith what) {
   std::set<std::string> names;
-  for (const SolverKind* kind : kinds)
+  for (const SolverKind* kind : kinds())
     if (kind->answered_with == what) names.insert(kind->name);
   return names;
 }
 
 std::vector<std::string> solvers_that_take_outlines() {
   std::vector<std::string> names;
-  for (const SolverKind* kind : kinds)
+  for (const SolverKind* kind : kinds())
     if (kind->takes_outline) names.push_back(kind->name);
   return names;
 }
@@ -350,14 +401,14 @@ std::string changes_of(const SphRun& run) {
   return fmt::format("{}", fmt::join(changes, ", "));
 }
 
-bool is_changed(const RunDefinition& run) {
-  const auto* sph = std::get_if<SphRun>(&run.solver);
-  return sph && !changes_of(*sph).empty();
+std::string changes_of(const RunDefinition& run) {
+  return std::visit([](const auto& solver) { return row_of(solver).changes(solver); }, run.solver);
 }
 
+bool is_changed(const RunDefinition& run) { return !changes_of(run).empty(); }
+
 std::string work_family(const RunDefinition& run) {
-  return is_changed(run) ? family(run) + ", " + changes_of(std::get<SphRun>(run.solver))
-                         : family(run);
+  return is_changed(run) ? family(run) + ", " + changes_of(run) : family(run);
 }
 
 }  // namespace slosh

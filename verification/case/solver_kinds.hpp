@@ -24,9 +24,10 @@ enum class AnsweredWith { own_code, openfoam, user_program, stored_files };
 
 // What holds for every run of a kind.
 struct SolverKind {
-  const char* name;  // in case files, results and the files of builds
+  const char* name;  // in case files and results
   SolverRole role;
   AnsweredWith answered_with = AnsweredWith::own_code;
+  const char* build = nullptr;       // the kind whose file of builds counts; its own where null
   const char* elements = "nodes";    // what a result's cost counts
   bool solves_flow = false;          // it leaves the fields of the whole flow in its result
   bool has_particles = false;        // it can write snapshot files, and states to restart from
@@ -66,7 +67,7 @@ inline bool is_stored(const RunDefinition& run) {
   return solver_kind(run).answered_with == AnsweredWith::stored_files;
 }
 
-// Whether the run counts the gas above the liquid: interFoam and two-layer linear theory.
+// Whether the run counts the gas above the liquid: OpenFOAM's programs and two-layer linear theory.
 bool sees_gas(const RunDefinition& run);
 
 // The solver and its settings in words: for a report's list of runs, with `code` in backticks, and
@@ -78,7 +79,7 @@ std::string caption_text(const RunDefinition& run);
 nlohmann::json hashed_settings(const RunDefinition& run);
 
 // Runs of a family differ in resolution alone: SPH by its scheme, an external program and a stored
-// result by its method, interFoam and interIsoFoam as such, any other run by itself.
+// result by its method, each program of OpenFOAM as such, any other run by itself.
 std::string family(const RunDefinition& run);
 
 // The spacing inside the liquid [m], of SPH, of a stored result, and of an external program that
@@ -97,8 +98,10 @@ inline constexpr double unseen_disorder = 1e-4;
 
 // What a run changes of its scheme: "", "antuono", "courant_number = 0.4", ...
 std::string changes_of(const SphRun& run);
+// The same of any run. Of a mesh it is what has not its default; other runs change nothing.
+std::string changes_of(const RunDefinition& run);
 
-// Whether an SPH run has something of its scheme changed.
+// Whether a run has something of its scheme changed.
 bool is_changed(const RunDefinition& run);
 
 // The family, and what the run changes of its scheme: "recommended", "recommended, courant_number =

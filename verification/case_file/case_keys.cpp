@@ -44,8 +44,8 @@ const std::vector<KeyTable>& case_key_tables() {
        "A tank, seen from the side: a rectangle, a polygon or a lying cylinder. x counts from its "
        "left end and z from its lowest place. Beside outline_m or diameter_m there is no obstacle, "
        "no initial wave, no column_width_m and no wall_forces, and only the solvers sph, "
-       "interfoam, "
-       "linear, record, external and stored take the case.",
+       "interfoam, interisofoam, compressible_interfoam, linear, record, external and stored take "
+       "the case.",
        {{"length_m", "number > 0, m", "one of the three", "The inner length."},
         {"height_m", "number > 0, m", "with length_m", "The inner height, to the roof."},
         {"outline_m", "list of corners [x, z], m", "one of the three",
@@ -56,9 +56,10 @@ const std::vector<KeyTable>& case_key_tables() {
          "The diameter of a lying cylinder. The tank is a regular polygon of 128 corners, flat at "
          "the bottom, with the area of the circle; its length and height are 0.9999 diameters."},
         {"breadth_m", "number > 0, m", "no",
-         "The inner breadth of a narrow tank, from the front to the back wall. With it, SPH and "
-         "interFoam count the friction of these two walls, which they do not see otherwise; the "
-         "theories, which have no friction there, are refused. Beside outline_m or diameter_m the "
+         "The inner breadth of a narrow tank, from the front to the back wall. With it, SPH, "
+         "interFoam and interIsoFoam count the friction of these two walls, which they do not see "
+         "otherwise; the theories and compressibleInterFoam, which have no friction there, are "
+         "refused. Beside outline_m or diameter_m the "
          "motion must have a single frequency. Default: no friction."}}},
       {"liquid",
        "[liquid]",
@@ -76,7 +77,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "[gas]",
        "no",
        fmt::format(
-           "The gas above the liquid, for interFoam and the two-layer theory. Without it the "
+           "The gas above the liquid, for OpenFOAM and the two-layer theory. Without it the "
            "gas is air at 20 °C, rounded: {} kg/m3 and {:g} m2/s (ISO 2533: 1.204 and "
            "1.51e-5).",
            air.density, air.kinematic_viscosity),
@@ -187,8 +188,8 @@ const std::vector<KeyTable>& case_key_tables() {
       {"animation",
        "[animation]",
        "no",
-       "SPH and interFoam keep their fields at 3 to 60 moments, and the report plays the finest "
-       "run of each scheme and of interFoam side by side.",
+       "SPH and OpenFOAM keep their fields at 3 to 60 moments, and the report plays the finest "
+       "run of each scheme and of each program of OpenFOAM side by side.",
        {{"begin_s", "number > 0 and <= duration_s, s", "yes",
          "A multiple of sample_interval_s, as are the others."},
         {"end_s", "number > 0 and <= duration_s, s", "yes", ""},
@@ -347,16 +348,28 @@ const std::vector<KeyTable>& case_key_tables() {
         {"energy_budget", "true or false", "no",
          "Whether the run records where the liquid's energy goes."}}},
       {"run.interfoam",
-       "[[run]] with solver = \"interfoam\"",
+       "[[run]] with solver = \"interfoam\", \"interisofoam\" or \"compressible_interfoam\"",
        "no",
-       "A run of the same tank by OpenFOAM's interFoam or interIsoFoam.",
+       "A run of the same tank by volume of fluid with a program of OpenFOAM: interFoam keeps the "
+       "interface sharp by MULES, interIsoFoam by isoAdvector, and compressibleInterFoam is "
+       "interFoam for a compressible liquid (sound at 1482 m/s) and a gas that is compressed at "
+       "constant temperature, 20 °C, from 101325 Pa. SPH is compared with the finest mesh of "
+       "interFoam.",
        {{"cells_x", "integer >= 2", "yes", "The number of cells along the tank."},
         {"cells_z", "integer >= 2", "yes", "The number of cells over the tank's height."},
         {"processes", "integer from 1 to cells_x", "no",
          "The number of MPI processes. Default: 1."},
-        {"interface_method", "\"MULES\" or \"isoAdvector\"", "no",
-         "How the interface is kept sharp: by MULES, which is interFoam, or by isoAdvector, which "
-         "is interIsoFoam. SPH is compared with the finest mesh of interFoam. Default: MULES."},
+        {"interface_courant_number", "number > 0 and <= 1", "no",
+         "The largest Courant number, of any cell and of those of the interface, which shortens "
+         "the time step of violent flow. Default: 0.5."},
+        {"no_slip", "true or false", "no",
+         "Whether the liquid sticks to the walls, which cells much thinner than the Stokes layer "
+         "resolve: see wall_cell_m. Default: it slips."},
+        {"wall_cell_m", "number > 0, m", "no",
+         "The thickness of the cells beside all walls, three to five of them in a Stokes layer. "
+         "From there each cell is thicker by a fifth at most, up to uniform ones in the middle; "
+         "cells_x and cells_z stay the numbers of cells. Refused with an obstacle, outline_m or "
+         "diameter_m. Default: uniform cells."},
         {"start_disorder", "number from 0 to 0.2, cell heights", "no",
          "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
          "not a dam, an initial wave or a tank with obstacles."},
@@ -514,7 +527,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"runs", "list of run names", "yes",
          "Two or more, each once: SPH runs, with number = \"particle_spacing\" also the runs of "
          "one "
-         "method of an external program, or with number = \"mesh\" interFoam runs."}}},
+         "method of an external program, or with number = \"mesh\" the runs of one program of "
+         "OpenFOAM."}}},
       {"input",
        "[[input]]",
        "no",
@@ -526,7 +540,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"half_width", "number > 0", "yes", "Half the width of the 95 % interval, in `unit`."},
         {"unit", "text", "yes", "The input's unit."},
         {"source", "text", "yes", ""},
-        {"coarse_run", "name of an SPH or interFoam run", "no",
+        {"coarse_run", "name of an SPH or OpenFOAM run", "no",
          "Where no theory of the case holds, this run is repeated at both ends of the interval. "
          "Without it the input's share of such a row's uncertainty is unknown."}}},
       {"gate",
@@ -545,7 +559,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "a run. A pattern never means the reference."},
         {"reference", "run name",
          "yes, but refused with a metric of the candidate alone or of impacts",
-         "What the candidate is compared with; for a metric of fields an interFoam run. Beside "
+         "What the candidate is compared with; for a metric of fields an OpenFOAM run. Beside "
          "limits it is that of the metrics that take one."},
         {"quantity", "quantity", "no",
          "A compared quantity, below. A metric of the candidate alone takes any series, one of "

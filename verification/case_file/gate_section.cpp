@@ -347,7 +347,7 @@ void read_field_quantity(const TomlTable& row, const CaseDefinition& definition,
                "a metric that needs no snapshot_times_s in [time], which this case lacks");
   if (!(definition.gravity > 0))
     row.refuse("metric", "a metric that needs no gravity, which this case lacks");
-  gate_row.reference = row.choice("reference", "an interFoam run other than the candidate",
+  gate_row.reference = row.choice("reference", "an OpenFOAM run other than the candidate",
                                   meshes_besides(gate_row.candidate, definition));
   gate_row.quantity = choice_or_first(row, "quantity", "the pressure field", {pressure_field});
 }

@@ -83,39 +83,63 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
           .energy_budget = run.flag("energy_budget")};
 }
 
-InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definition) {
+const Rule<double> a_courant_number{"a number > 0 and <= 1",
+                                    [](double number) { return number > 0 && number <= 1; }, 0.5};
+
+// The thickness of the cells beside the walls is that of the thinner ones of a uniform mesh at
+// most.
+Rule<double> a_wall_cell(const CaseDefinition& definition, int cells_x, int cells_z) {
+  const double uniform =
+      std::min(definition.tank.length / cells_x, definition.tank.height / cells_z);
+  return {fmt::format("a number > 0 and <= {:.4g}, the width and the height of uniform cells, in m",
+                      uniform),
+          [uniform](double value) { return value > 0 && value <= uniform; }, uniform};
+}
+
+// Throws for a solver without friction, of a tank whose front and back wall cause it.
+void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
+  if (definition.tank.breadth)
+    run.refuse("solver",
+               "a solver that counts the friction of the front and the back wall, one of sph, "
+               "interfoam and interisofoam, where [tank] has breadth_m");
+}
+
+InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definition,
+                            FoamProgram program) {
+  if (program == FoamProgram::compressible_inter_foam) refuse_breadth(run, definition);
   const int cells_x = run.get("cells_x", at_least(2));
   const int cells_z = run.get("cells_z", at_least(2));
   const auto processes =
       run.find<int>("processes", {fmt::format("an integer from 1 to cells_x ({})", cells_x),
                                   [cells_x](int value) { return value >= 1 && value <= cells_x; }});
+  const auto wall_cell = run.find("wall_cell_m", a_wall_cell(definition, cells_x, cells_z));
+  if (wall_cell && (!is_rectangle(definition.tank) || !definition.obstacles.empty()))
+    run.refuse("wall_cell_m",
+               "no such key in a tank with an obstacle or another shape than a rectangle, whose "
+               "cells are uniform");
+  const bool no_slip = run.flag("no_slip");
+  if (no_slip && !(definition.liquid.kinematic_viscosity > 0))
+    run.refuse("no_slip", "no such key for a liquid without viscosity, which slips");
   const DisturbedStart start = read_start(run, a_disturbed_level);
   if (start.disorder > 0 &&
       (definition.initial_wave || definition.liquid.column_width || !definition.obstacles.empty()))
     run.refuse("start_disorder",
-               "no such key for interFoam with [initial_wave], column_width_m or an obstacle: only "
+               "no such key for a mesh with [initial_wave], column_width_m or an obstacle: only "
                "a plain level can be disturbed");
-  return {
-      .cells_x = cells_x,
-      .cells_z = cells_z,
-      .processes = processes.value_or(1),
-      .start_disorder = start.disorder,
-      .start_seed = start.seed,
-      .interface_method = run.has("interface_method")
-                              ? run.choice("interface_method", "a method", interface_method_names)
-                              : InterfaceMethod::mules};
+  return {.cells_x = cells_x,
+          .cells_z = cells_z,
+          .processes = processes.value_or(1),
+          .start_disorder = start.disorder,
+          .start_seed = start.seed,
+          .program = program,
+          .interface_courant_number = run.find("interface_courant_number", a_courant_number)
+                                          .value_or(InterFoamRun().interface_courant_number),
+          .no_slip = no_slip,
+          .wall_cell = wall_cell};
 }
 
 double read_valid_elevation(const TomlTable& run) {
   return run.get("valid_elevation_over_depth", positive("fill depths"));
-}
-
-// Throws for a theory of a tank whose front and back wall cause friction.
-void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
-  if (definition.tank.breadth)
-    run.refuse("solver",
-               "a solver that counts the friction of the front and the back wall, sph or "
-               "interfoam, where [tank] has breadth_m");
 }
 
 LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
@@ -234,17 +258,27 @@ struct SolverSection {
   std::function<Solver(const TomlTable& run, const CaseDefinition& definition,
                        const std::filesystem::path& experiments)>
       read;
-  std::string form = {};  // the key by which this form is recognised
+  std::string form = {};        // the key by which this form is recognised
+  const char* table = nullptr;  // of the keys, where another solver's counts
 
   // The keys beside those that all solvers have.
-  Keys keys() const { return keys_of("run." + (form.empty() ? name : form)); }
+  Keys keys() const { return keys_of("run." + (table ? table : form.empty() ? name : form)); }
 };
+
+// OpenFOAM's programs have the keys of interFoam.
+SolverSection section_of_openfoam(const char* name, FoamProgram program) {
+  return {.name = name,
+          .read = [program](const TomlTable& run, const CaseDefinition& definition,
+                            const auto&) { return read_interfoam(run, definition, program); },
+          .table = "interfoam"};
+}
 
 const std::vector<SolverSection> solver_sections{
     {"sph", [](const auto& run, const auto& definition,
                const auto&) { return read_sph(run, definition.liquid); }},
-    {"interfoam", [](const auto& run, const auto& definition,
-                     const auto&) { return read_interfoam(run, definition); }},
+    section_of_openfoam("interfoam", FoamProgram::inter_foam),
+    section_of_openfoam("interisofoam", FoamProgram::inter_iso_foam),
+    section_of_openfoam("compressible_interfoam", FoamProgram::compressible_inter_foam),
     {"linear", [](const auto& run, const auto& definition,
                   const auto&) { return read_linear(run, definition); }},
     {"viscous_wave", [](const auto& run, const auto& definition,

@@ -42,11 +42,10 @@ SphRun without(SphRun run, RefinedNumber number) {
 }
 
 bool are_alike(const RunDefinition& one, const RunDefinition& other, RefinedNumber number) {
-  if (number == RefinedNumber::mesh) return true;
   const auto* a = std::get_if<SphRun>(&one.solver);
   const auto* b = std::get_if<SphRun>(&other.solver);
   if (a && b) return without(*a, number) == without(*b, number);
-  return !a && !b && family(one) == family(other);
+  return !a && !b && work_family(one) == work_family(other);
 }
 
 bool has_number(const RunDefinition& run, RefinedNumber number) {
@@ -56,7 +55,7 @@ bool has_number(const RunDefinition& run, RefinedNumber number) {
 }
 
 const char* runs_with(RefinedNumber number) {
-  if (number == RefinedNumber::mesh) return "interFoam runs";
+  if (number == RefinedNumber::mesh) return "OpenFOAM runs";
   if (number == RefinedNumber::particle_spacing) return "runs with particle_spacing_m";
   return "SPH runs";
 }
@@ -74,7 +73,7 @@ std::string read_coarse_run(const TomlTable& table, const CaseDefinition& defini
   std::vector<std::string> names;
   for (const RunDefinition& run : definition.runs)
     if (solver_kind(run).solves_flow) names.push_back(run.name);
-  return table.choice("coarse_run", "an SPH or interFoam run of this case", names);
+  return table.choice("coarse_run", "an SPH or OpenFOAM run of this case", names);
 }
 
 }  // namespace

@@ -213,7 +213,9 @@ std::vector<FindingRow> rows_to_evaluate(const FindingRow& row,
   int most_cells = 0;
   for (const RunDefinition& run : assessment->definition.runs) {
     const InterFoamRun* mesh = std::get_if<InterFoamRun>(&run.solver);
-    if (!mesh || mesh->cells_x * mesh->cells_z <= most_cells) continue;
+    if (!mesh || mesh->program != FoamProgram::inter_foam ||
+        mesh->cells_x * mesh->cells_z <= most_cells)
+      continue;
     most_cells = mesh->cells_x * mesh->cells_z;
     rows.resize(1);
     rows.push_back(row);

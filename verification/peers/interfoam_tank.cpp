@@ -26,6 +26,19 @@ openfoam::PressureGauge::Wall wall_of(Wall wall) {
   return Of::roof;
 }
 
+openfoam::Program program_of(FoamProgram program) {
+  using Of = openfoam::Program;
+  switch (program) {
+    case FoamProgram::inter_iso_foam:
+      return Of::inter_iso_foam;
+    case FoamProgram::compressible_inter_foam:
+      return Of::compressible_inter_foam;
+    case FoamProgram::inter_foam:
+      break;
+  }
+  return Of::inter_foam;
+}
+
 openfoam::PressureGauge sensor_of(const PressureGaugeDefinition& gauge) {
   openfoam::PressureGauge sensor{gauge.name, wall_of(gauge.wall), gauge.position, gauge.width};
   if (gauge.at) sensor.at = openfoam::Corner{gauge.at->x, gauge.at->z};
@@ -55,9 +68,10 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .cells_x = run.cells_x,
       .cells_z = run.cells_z,
       .processes = run.processes,
-      .interface_method = run.interface_method == InterfaceMethod::mules
-                              ? openfoam::InterfaceMethod::mules
-                              : openfoam::InterfaceMethod::iso_advector};
+      .courant_number = run.interface_courant_number,
+      .no_slip = run.no_slip,
+      .wall_cell = run.wall_cell,
+      .program = program_of(run.program)};
   for (const Corner& corner : definition.tank.outline) tank.outline.push_back({corner.x, corner.z});
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};

@@ -1,4 +1,4 @@
-// A case as the tank that interFoam solves.
+// A case as the tank that interFoam or a program of its family solves.
 #pragma once
 
 #include "openfoam_cases/sloshing_tank.hpp"

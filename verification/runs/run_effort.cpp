@@ -51,7 +51,8 @@ RunEffort effort_of(const InterFoamRun& mesh, const CaseDefinition& definition,
       .sample_interval = definition.sample_interval,
       .gauges = {},
       .cells_x = mesh.cells_x,
-      .cells_z = mesh.cells_z};
+      .cells_z = mesh.cells_z,
+      .wall_cell = mesh.wall_cell};
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
   // The cells divide the rectangle around an outline, and those outside it are left out.

@@ -123,8 +123,8 @@ const std::string& openfoam_version() {
 // Adds all that determines the answer except an external run's program.
 void add_answer(ContentHash& answer, const std::string& solver, const fs::path& builds,
                 const fs::path& openfoam_templates) {
-  answer.add_file(builds / solver);
   const SolverKind* kind = find_solver_kind(solver);  // no kind: the file of the problems
+  answer.add_file(builds / (kind && kind->build ? kind->build : solver));
   if (!kind || kind->answered_with != AnsweredWith::openfoam) return;
   answer.add(openfoam_version());
   add_directory(answer, openfoam_templates);

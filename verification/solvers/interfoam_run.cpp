@@ -49,17 +49,20 @@ RunResult run_solver(const InterFoamRun& interfoam, const RunRequest& request) {
   take_series("liquid_volume", "m2", harvest.liquid_volume, result);
   for (const openfoam::FieldSnapshot& snapshot : harvest.snapshots)
     result.snapshots.push_back(liquid_of(snapshot));
-  result.active_terms = {
-      "volume of fluid, liquid and gas",
-      std::string("interface by ") + name_of(interfoam.interface_method, interface_method_names),
-      "laminar viscosity", "slip walls", "acceleration in the tank's frame"};
+  const bool is_iso = interfoam.program == FoamProgram::inter_iso_foam;
+  result.active_terms = {"volume of fluid, liquid and gas",
+                         std::string("interface by ") + (is_iso ? "isoAdvector" : "MULES"),
+                         "laminar viscosity", interfoam.no_slip ? "no-slip walls" : "slip walls",
+                         "acceleration in the tank's frame"};
+  if (interfoam.wall_cell) result.active_terms.push_back("cells graded towards the walls");
+  if (interfoam.program == FoamProgram::compressible_inter_foam)
+    result.active_terms.push_back("compressible liquid, and gas of constant temperature");
   if (tank.gap_friction > 0)
     result.active_terms.push_back("friction of front and back wall, as of a porous medium");
   result.diagnostics = {{"max_courant_number", harvest.max_courant_number},
                         {"mean_pressure_iterations_per_step", harvest.mean_pressure_iterations},
                         {"relative_mass_loss", harvest.relative_mass_loss}};
-  if (interfoam.interface_method == InterfaceMethod::iso_advector)
-    result.diagnostics["faces_in_interface"] = harvest.faces_in_interface;
+  if (is_iso) result.diagnostics["faces_in_interface"] = harvest.faces_in_interface;
   result.provenance["openfoam_version"] = harvest.version;
   result.cost.steps = harvest.steps;
   result.cost.elements = harvest.cells;

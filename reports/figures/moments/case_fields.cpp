@@ -97,7 +97,7 @@ FieldPanel panel_of(const CaseAssessment& assessment, const std::string& run, do
 std::string field_caption(const CaseDefinition& definition, const std::vector<std::string>& runs) {
   return fmt::format(
       "Colour: pressure above that of the gas. Arrows: velocity relative to the tank{}. SPH: all "
-      "particles; interFoam: the cells that are at least half liquid. {} {}.",
+      "particles; OpenFOAM: the cells that are at least half liquid. {} {}.",
       definition.motion.roll ? ", drawn at its roll angle" : "", who_is_who(definition, runs),
       definition.source);
 }

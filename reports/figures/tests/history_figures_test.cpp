@@ -45,7 +45,7 @@ TEST(PressureFigure, SaysHowItWasSampledAndWhoIsWho) {
       figure_of(assessment, "wall_pressure-B").caption,
       "Time series of the references and of the finest run of each scheme and solver. Pressure "
       "above that of the gas, the mean over a sensor of 4 mm along the wall. SPH: kernel average "
-      "over three spacings, extrapolated to the wall by the pressure gradient; interFoam: "
+      "over three spacings, extrapolated to the wall by the pressure gradient; OpenFOAM: "
       "interpolated between the wall's faces, minus the mean gas pressure. Solvers and theory are "
       "sampled every 0.02 s (instantaneous values), and not filtered. theory: linear potential "
       "theory, 500 modes; particles: SPH, scheme recommended, 10 mm; fine_mesh: interFoam, 50 x "

@@ -64,7 +64,7 @@ TEST(RunLook, TellsMoreCodesThanHuesApartByTheirMarkers) {
     return ExternalRun{{"program"}, {}, {}, {}, {}, name, 0.01};
   };
   InterFoamRun sharp{9, 9};
-  sharp.interface_method = InterfaceMethod::iso_advector;
+  sharp.program = FoamProgram::inter_iso_foam;
   const CaseDefinition definition =
       assess_scaled({{"recommended", scheme("recommended", 0.01), 1, {}},
                      {"delta_sph", scheme("delta_sph", 0.01), 1, {}},

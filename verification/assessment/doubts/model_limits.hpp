@@ -21,7 +21,7 @@ struct ModelLimit {
 
 // Returns the effects that the runs of the case leave out, in this order, of those that apply:
 //   the friction of the liquid at walls where it slips in the model, or sticks in layers thinner
-//     than three particles
+//     than three particles, or than three of the cells beside the walls
 //   the friction of the front and the back wall, where the case gives no breadth: of a tank as
 //     broad as long
 //   the artificial viscosity of an SPH run that sets its own

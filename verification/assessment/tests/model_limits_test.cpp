@@ -38,6 +38,16 @@ TEST(ModelLimits, TellTheFrictionAtWallsOfAnOilFromThatOfWater) {
   EXPECT_FALSE(found(definition, "the friction at walls")->exceeded());
 }
 
+TEST(ModelLimits, KnowWhichMeshesSlipOrAreTooCoarseToStick) {
+  InterFoamRun mesh{.cells_x = 90, .cells_z = 51};
+  EXPECT_TRUE(found(with_runs({mesh}), "slips in"));
+  mesh.no_slip = true;
+  EXPECT_FALSE(found(with_runs({mesh}), "slips in"));
+  EXPECT_TRUE(found(with_runs({mesh}), "less than three cells"));
+  mesh.wall_cell = 0.0003;
+  EXPECT_FALSE(found(with_runs({mesh}), "less than three cells"));
+}
+
 TEST(ModelLimits, KnowWhichRunsSlip) {
   SphRun sticking{"recommended", 0.01, 0.01};
   sticking.variant = "no_slip_laminar";

@@ -15,6 +15,9 @@ RunDefinition run_of(decltype(RunDefinition::solver) solver) {
 const std::map<std::string, RunDefinition> runs{
     {"sph", run_of(SphRun{"recommended", 0.01, 0.01})},
     {"interfoam", run_of(InterFoamRun{50, 40, 2})},
+    {"interisofoam", run_of(InterFoamRun{50, 40, 2, 0, 0, FoamProgram::inter_iso_foam})},
+    {"compressible_interfoam",
+     run_of(InterFoamRun{50, 40, 2, 0, 0, FoamProgram::compressible_inter_foam})},
     {"linear", run_of(LinearRun{.modes = 5, .valid_elevation_over_depth = 1})},
     {"viscous_wave", run_of(ViscousWaveRun{0.1})},
     {"potential", run_of(PotentialRun{})},
@@ -23,7 +26,8 @@ const std::map<std::string, RunDefinition> runs{
     {"stored", run_of(StoredRun{{}, "their_sph", 0.02, "cost.json"})}};
 
 TEST(SolverKinds, AreFoundByTheirNames) {
-  EXPECT_EQ(runs.size(), std::variant_size_v<decltype(RunDefinition::solver)>);
+  // OpenFOAM's three programs have one kind of run.
+  EXPECT_EQ(runs.size(), std::variant_size_v<decltype(RunDefinition::solver)> + 2);
   for (const auto& [name, run] : runs) {
     EXPECT_EQ(solver_name(run), name);
     EXPECT_EQ(find_solver_kind(name), &solver_kind(run));
@@ -59,15 +63,41 @@ TEST(SolverKinds, GroupRunsInFamiliesByResolution) {
   EXPECT_EQ(resolution(runs.at("record")), 0);
 }
 
-TEST(SolverKinds, TellTheTwoProgramsOfOpenFoamApart) {
-  const RunDefinition sharp = run_of(InterFoamRun{
-      .cells_x = 50, .cells_z = 40, .interface_method = InterfaceMethod::iso_advector});
+TEST(SolverKinds, TellTheProgramsOfOpenFoamApart) {
+  const RunDefinition sharp =
+      run_of(InterFoamRun{.cells_x = 50, .cells_z = 40, .program = FoamProgram::inter_iso_foam});
   EXPECT_EQ(family(sharp), "interIsoFoam");
   EXPECT_EQ(caption_text(sharp), "interIsoFoam, 50 x 40 cells");
+  EXPECT_EQ(family(runs.at("compressible_interfoam")), "compressibleInterFoam");
   const RunDefinition plain = run_of(InterFoamRun{50, 40});
   EXPECT_NE(hashed_settings(sharp), hashed_settings(plain));
   EXPECT_EQ(hashed_settings(plain).dump(), "{\"interfoam\":[50,40,1]}")
       << "the results of interFoam keep their keys";
+}
+
+TEST(SolverKinds, TellAMeshWithAnotherCourantNumberApart) {
+  const RunDefinition usual = run_of(InterFoamRun{50, 40});
+  InterFoamRun mesh{50, 40};
+  mesh.interface_courant_number = 0.25;
+  const RunDefinition shorter = run_of(mesh);
+  EXPECT_EQ(family(shorter), "interFoam");
+  EXPECT_EQ(work_family(shorter), "interFoam, interface_courant_number = 0.25");
+  EXPECT_EQ(caption_text(shorter), "interFoam, 50 x 40 cells, interface_courant_number = 0.25");
+  EXPECT_TRUE(is_changed(shorter));
+  EXPECT_FALSE(is_changed(usual));
+  EXPECT_NE(hashed_settings(shorter), hashed_settings(usual));
+}
+
+TEST(SolverKinds, TellAMeshWithNoSlipOrGradedCellsApart) {
+  InterFoamRun graded{50, 40};
+  graded.no_slip = true;
+  graded.wall_cell = 0.001;
+  EXPECT_EQ(work_family(run_of(graded)), "interFoam, no_slip, graded cells");
+  InterFoamRun thinner = graded;
+  thinner.wall_cell = 0.0005;
+  EXPECT_NE(hashed_settings(run_of(graded)), hashed_settings(run_of(thinner)));
+  EXPECT_EQ(work_family(run_of(graded)), work_family(run_of(thinner)))
+      << "meshes of a refinement have wall cells of their own";
 }
 
 TEST(SolverKinds, KnowAStoredResultByItsMethod) {

@@ -181,16 +181,19 @@ Block narrowed_run(const Block& block, const TomlTable& group, const Kept& kept)
 
 // The tables of keys that explain a block: its own and, in a run, that of its solver.
 std::vector<const KeyTable*> tables_of(const Block& block) {
-  std::string of_solver;
+  std::string solver;  // in quotes
   for (const std::string& line : block.lines)
     if (key_of(line) == "solver") {
-      const std::size_t quote = line.find('"') + 1;
-      of_solver = "run." + line.substr(quote, line.find('"', quote) - quote);
+      const std::size_t quote = line.find('"');
+      solver = line.substr(quote, line.find('"', quote + 1) + 1 - quote);
     }
   std::vector<const KeyTable*> tables;
   for (const KeyTable& table : case_key_tables()) {
     const bool is_own = block.head.empty() ? table.id == "case" : table.heading == block.head;
-    if (is_own || table.id == of_solver) tables.push_back(&table);
+    const bool is_solvers = !solver.empty() && table.heading.starts_with("[[run]] with solver") &&
+                            table.heading.find(solver) != std::string::npos;
+    if (is_own || is_solvers) tables.push_back(&table);
+    if (is_solvers) solver.clear();  // a record's first form is the shipped one
   }
   return tables;
 }

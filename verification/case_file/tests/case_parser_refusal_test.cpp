@@ -49,9 +49,20 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes, interface_method, start_disorder, start_seed, "
-                "repeats, vary_inputs; nearest known "
+                "cells_x, cells_z, processes, interface_courant_number, no_slip, wall_cell_m, "
+                "start_disorder, start_seed, repeats, vary_inputs; nearest known "
                 "key: "},
+        Mistake{"CourantNumberAboveOne",
+                {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 1.5"},
+                "trial.toml:51: run.interface_courant_number = 1.5: expected a number > 0 and <= "
+                "1"},
+        Mistake{"WallCellThickerThanTheCells",
+                {"cells_x = 50", "cells_x = 50\nwall_cell_m = 0.1"},
+                "trial.toml:51: run.wall_cell_m = 0.1: expected a number > 0 and <= "},
+        Mistake{"CourantNumberOfZero",
+                {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 0.0"},
+                "trial.toml:51: run.interface_courant_number = 0.0: expected a number > 0 and <= "
+                "1"},
         Mistake{"OfAnotherMotion",
                 {"amplitude_m", "amplitude_deg"},
                 "trial.toml:19: motion.surge.amplitude_deg = 0.02: expected only these keys here: "
@@ -153,7 +164,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"BreadthForATheory",
                 {"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = 0.06\n"},
                 "trial.toml:38: run.solver = \"linear\": expected a solver that counts the "
-                "friction of the front and the back wall, sph or interfoam, where [tank] has "
+                "friction of the front and the back wall, one of sph, interfoam and interisofoam, "
+                "where [tank] has "
                 "breadth_m"},
         Mistake{"FillAboveTank",
                 {"fill_depth_m = 0.5", "fill_depth_m = 1.5"},
@@ -296,12 +308,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Twice",
                 {"\"mesh\"", "\"coarse\""},
                 "trial.toml:48: run.name = \"coarse\": expected a name that no other run has"},
-        Mistake{
-            "UnknownSolver",
-            {"\"interfoam\"", "\"interFoam\""},
-            "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
-            "interfoam, linear, viscous_wave, potential, record, external, stored, pysph; nearest: "
-            "interfoam"},
+        Mistake{"UnknownSolver",
+                {"\"interfoam\"", "\"interFoam\""},
+                "trial.toml:49: run.solver = \"interFoam\": expected a solver, one of sph, "
+                "interfoam, interisofoam, compressible_interfoam, linear, viscous_wave, potential, "
+                "record, external, stored, pysph; nearest: "
+                "interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
                 "trial.toml:38: run.modes = 0: expected an integer >= 1"},

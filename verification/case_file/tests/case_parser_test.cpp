@@ -138,6 +138,42 @@ TEST(CaseParser, FillsInTheWholeDefinition) {
   EXPECT_EQ(row.where.line, 52);
 }
 
+TEST(CaseParser, ReadsTheProgramOfOpenFoamAndItsSettings) {
+  const auto run_of = [](const std::string& solver, const std::string& settings) {
+    const CaseDefinition definition =
+        read_text(edited({"solver = \"interfoam\"", "solver = \"" + solver + "\"\n" + settings}));
+    return std::get<InterFoamRun>(definition.runs.at(2).solver);
+  };
+  EXPECT_EQ(run_of("interfoam", "").program, FoamProgram::inter_foam);
+  EXPECT_EQ(run_of("interisofoam", "").program, FoamProgram::inter_iso_foam);
+  EXPECT_EQ(run_of("compressible_interfoam", "").program, FoamProgram::compressible_inter_foam);
+  const InterFoamRun plain = run_of("interfoam", "");
+  EXPECT_EQ(plain.interface_courant_number, 0.5);
+  EXPECT_FALSE(plain.no_slip || plain.wall_cell);
+  const InterFoamRun changed =
+      run_of("interfoam", "interface_courant_number = 0.25\nno_slip = true\nwall_cell_m = 0.02");
+  EXPECT_EQ(changed.interface_courant_number, 0.25);
+  EXPECT_TRUE(changed.no_slip);
+  EXPECT_EQ(changed.wall_cell, 0.02);
+}
+
+TEST(CaseParser, RefusesGradedCellsBesideAnObstacleAndNoSlipOfAnInviscidLiquid) {
+  const std::string mesh = "[[run]]\nname = \"mesh\"\nsolver = \"interfoam\"\n";
+  const std::string obstacle =
+      "[[obstacle]]\nname = \"step\"\nleft_m = 0.0\nright_m = 0.2\nbottom_m = 0.0\ntop_m = 0.1\n";
+  const std::string graded = complaint_about({mesh, obstacle + mesh + "wall_cell_m = 0.01\n"});
+  EXPECT_NE(graded.find("run.wall_cell_m = 0.01: expected no such key in a tank with an obstacle"),
+            std::string::npos)
+      << graded;
+  std::string inviscid = edited({mesh, mesh + "no_slip = true\n"});
+  const std::string water = "kinematic_viscosity_m2_s = 1e-6";
+  inviscid.replace(inviscid.find(water), water.size(), "kinematic_viscosity_m2_s = 0.0");
+  const Workspace workspace;
+  EXPECT_NE(complaint(workspace.write("trial.toml", inviscid))
+                .find("run.no_slip = true: expected no such key for a liquid without viscosity"),
+            std::string::npos);
+}
+
 TEST(CaseParser, ReadsTheBreadthOfANarrowTank) {
   EXPECT_FALSE(read_text(valid_text).tank.breadth);
   std::string text = edited({"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = 0.062\n"});
@@ -226,7 +262,7 @@ TEST(CaseParser, AddsACoarseRunAtBothEndsOfAnUncertainInput) {
   const Workspace workspace;
   EXPECT_NE(complaint(workspace.write("trial.toml",
                                       valid_text + uncertain_depth + "coarse_run = \"nothing\"\n"))
-                .find("input.coarse_run = \"nothing\": expected an SPH or interFoam run of this "
+                .find("input.coarse_run = \"nothing\": expected an SPH or OpenFOAM run of this "
                       "case"),
             std::string::npos);
 }

@@ -40,8 +40,7 @@ TEST(FieldRows, AreOfAllMomentsUnlessOneIsNamed) {
 
 TEST(FieldRows, AreRefusedAgainstAnythingButInterFoam) {
   const std::string refusal = refusal_of(text_with("reference = \"theory\"\nlimit = 0.2"));
-  EXPECT_NE(refusal.find("an interFoam run other than the candidate"), std::string::npos)
-      << refusal;
+  EXPECT_NE(refusal.find("an OpenFOAM run other than the candidate"), std::string::npos) << refusal;
 }
 
 TEST(FieldRows, AreRefusedOfAMomentThatTheCaseDoesNotHave) {

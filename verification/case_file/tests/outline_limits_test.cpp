@@ -114,9 +114,9 @@ TEST(Outline, ExcludesSolversThatKnowRectanglesAlone) {
     const std::string message =
         complaint_of(top + tables + "[[run]]\nname = \"a\"\nsolver = \"" + solver + "\"\n" + runs);
     EXPECT_TRUE(message.starts_with("trial.toml:25: run.solver = \"" + solver +
-                                    "\": expected one of sph, interfoam, linear, record, external, "
-                                    "stored, which know more than "
-                                    "rectangles, beside tank.diameter_m"))
+                                    "\": expected one of sph, interfoam, interisofoam, "
+                                    "compressible_interfoam, linear, record, external, stored, "
+                                    "which know more than rectangles, beside tank.diameter_m"))
         << message;
   }
   EXPECT_NE(complaint_of(top + tables + "[[run]]\nname = \"a\"\nsolver = \"intrefoam\"\n" + runs)
@@ -125,9 +125,9 @@ TEST(Outline, ExcludesSolversThatKnowRectanglesAlone) {
 }
 
 TEST(Outline, IsTakenByTheSolversThatKnowMoreThanRectangles) {
-  EXPECT_EQ(
-      solvers_that_take_outlines(),
-      (std::vector<std::string>{"sph", "interfoam", "linear", "record", "external", "stored"}));
+  EXPECT_EQ(solvers_that_take_outlines(),
+            (std::vector<std::string>{"sph", "interfoam", "interisofoam", "compressible_interfoam",
+                                      "linear", "record", "external", "stored"}));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(RefinementSection, RefusesWhatIsNoRunOfTheSolver) {
   EXPECT_TRUE(holds(complaint_about("courant_number", "\"fine\", \"mesh\""),
                     "SPH runs of this case; mesh is not one"));
   EXPECT_TRUE(holds(complaint_about("mesh", "\"mesh\", \"fine\""),
-                    "interFoam runs of this case; fine is not one"));
+                    "OpenFOAM runs of this case; fine is not one"));
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"nobody\""), "nobody is not"));
 }
 

@@ -20,6 +20,8 @@ struct Form {
 
 const std::vector<Form> forms{{"sph", "solver = \"sph\"\n"},
                               {"interfoam", "solver = \"interfoam\"\n"},
+                              {"interisofoam", "solver = \"interisofoam\"\n"},
+                              {"compressible_interfoam", "solver = \"compressible_interfoam\"\n"},
                               {"linear", "solver = \"linear\"\n"},
                               {"viscous_wave", "solver = \"viscous_wave\"\n"},
                               {"potential", "solver = \"potential\"\n"},
