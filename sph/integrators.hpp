@@ -29,20 +29,17 @@ struct StaggeredLeapfrog {
   static constexpr const char* name = "staggered leapfrog";
   static constexpr int evaluations = 1;
   static constexpr bool advances_solids = true, carries_earlier_state = false;
-  double previous_dt = 0;
 
   template <class Visit>
-  void for_each_number(const Visit& visit) {
-    visit("previous_time_step", previous_dt);
-  }
+  void for_each_number(const Visit&) {}
   template <class Liquid>
   void advance(Liquid& liquid, double dt) {
     liquid.renew_neighbours(dt);
     liquid.accelerate(liquid.time);
-    liquid.kick_and_drift(0.5 * (previous_dt + dt), 0.5 * dt);
+    liquid.kick_and_drift(liquid.velocities_behind + 0.5 * dt, 0.5 * dt);
     liquid.compress(liquid.time + 0.5 * dt);
     liquid.update_density_and_drift(dt, 0.5 * dt);
-    previous_dt = dt;
+    liquid.velocities_behind = 0.5 * dt;
   }
 };
 

@@ -28,6 +28,8 @@ class Liquid {
   Particles particles;
   Rates rates;
   double time = 0;
+  // How long before the time the velocities are taken, by a staggered integrator [s].
+  double velocities_behind = 0;
 
   Liquid(const Scene& scene, const Scheme& scheme, Particles initial)
       : particles(held_particles(std::move(initial))),
@@ -36,7 +38,9 @@ class Liquid {
         neighbours_(tank_at(0), scene.particle_spacing, largest_support()),
         solids_(scene, !Scheme::Mirror::exists, largest_support()),
         obstacles_(obstacles_on_lattice(scene, largest_support())),
-        outline_(outline_of(scene)) {
+        outline_(outline_of(scene)),
+        gap_(scheme.setting) {
+    if (gap_.exists()) gap_.begin(particles);
     neighbours_.add_solids(solids_.places(), obstacles_);
     solids_.initialise(scheme_);
     renew_neighbours(0);
@@ -64,8 +68,7 @@ class Liquid {
 
   void accelerate(double t) {
     if (std::exchange(of_sample_, false)) return;
-    const auto tank = tank_at(t);
-    accelerate(scheme_, tank, rates);
+    accelerate(scheme_, t, rates);
     if (keeps_wall_power_) wall_power_ = power_of_walls(rates, t);
   }
   // Evaluates the accelerations of the present state and time, which a sample records and which
@@ -81,10 +84,9 @@ class Liquid {
   // Computes the rates of the present state with the numbers of `scheme`, without any effect on the
   // liquid's later steps.
   void evaluate(const Scheme& scheme, Rates& result) {
-    const auto tank = tank_at(time);
     result.resize(particles.size());
-    accelerate(scheme, tank, result);
-    compress(scheme, tank, result);
+    accelerate(scheme, time, result);
+    compress(scheme, tank_at(time), result);
   }
 
   // Returns the median over the particles of the kernel sum over liquid, images and solids
@@ -109,13 +111,15 @@ class Liquid {
   void drift(double dt) {
     add_scaled(particles.x, dt, particles.velocity_x);
     add_scaled(particles.z, dt, particles.velocity_z);
+    advance_gap(dt, time);
   }
   void update_density(double dt) {
     add_scaled(particles.density, dt, rates.density_rate);
     if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, dt);
   }
 
-  // Each of these does two updates, in the order of its name, in one pass over the memory.
+  // Each of these does two updates, in the order of its name, in one pass over the memory. They
+  // serve a half of a step, with velocities of its middle.
   void kick_and_drift(double kick_dt, double drift_dt) {
     Particles& p = particles;
 #pragma omp parallel for simd schedule(static)
@@ -125,6 +129,7 @@ class Liquid {
       p.x[i] += drift_dt * p.velocity_x[i];
       p.z[i] += drift_dt * p.velocity_z[i];
     }
+    advance_gap(drift_dt, time + drift_dt);
   }
   void update_density_and_drift(double density_dt, double drift_dt) {
     Particles& p = particles;
@@ -135,6 +140,7 @@ class Liquid {
       p.z[i] += drift_dt * p.velocity_z[i];
     }
     if constexpr (Scheme::Solids::has_density) solids_.advance_density(scheme_, density_dt);
+    advance_gap(drift_dt, time + drift_dt);
   }
 
   // These serve integrators that return to the start of a step.
@@ -151,6 +157,7 @@ class Liquid {
   template <class Visit>
   void for_each_number(const Visit& visit) {
     visit("exchanged_at_walls", exchanged_at_walls_);
+    visit("velocities_behind", velocities_behind);
   }
   template <class Visit>
   void for_each_saved_field(const Visit& visit) {
@@ -190,16 +197,16 @@ class Liquid {
   std::size_t exchanged_at_walls() const { return exchanged_at_walls_; }
 
  private:
-  void accelerate(const Scheme& scheme, const Tank<Scheme>& tank, Rates& result) {
+  void accelerate(const Scheme& scheme, double t, Rates& result) {
+    const auto tank = tank_at(t);
     neighbours_.refresh_for_momentum(scheme, particles, tank);
     solids_.refresh_for_momentum(scheme, neighbours_, tank, instructions_);
     sum_momentum(scheme, tank, neighbours_.clusters(), neighbours_.sources(), particles, result,
                  instructions_);
     scheme.wall_contact.push(particles, tank, result);
     // The friction is viscous stress, and so a part of what the energy budget leaves out.
-    if (const double rate = scheme.formulation.viscous_share * scheme.setting.gap_friction;
-        rate > 0)
-      add_gap_friction(rate, particles, tank, result);
+    if (gap_.exists())
+      gap_.add(scheme.formulation.viscous_share, particles, tank_at(t - velocities_behind), result);
   }
   void compress(const Scheme& scheme, const Tank<Scheme>& tank, Rates& result) {
     neighbours_.refresh_for_continuity(scheme, particles, tank);
@@ -208,6 +215,11 @@ class Liquid {
       sum_density_gradient(scheme, neighbours_, particles, tank, gradient_, instructions_);
     sum_continuity(scheme, tank, neighbours_.clusters(), neighbours_.sources(), gradient_,
                    particles, result, instructions_);
+  }
+
+  // The layers follow the particles while these move for dt with the velocities of the time t.
+  void advance_gap(double dt, double t) {
+    if (gap_.exists()) gap_.advance(particles, tank_at(t), dt);
   }
 
   // In a scheme with one spacing, all particles have the same spacing and it is stored once.
@@ -230,6 +242,7 @@ class Liquid {
   typename Scheme::Solids solids_;
   std::vector<Rectangle> obstacles_;
   std::optional<TankOutline> outline_;
+  GapFriction gap_;
   DensityGradient gradient_;
   Particles saved_;
   Array<double> saved_solid_density_;

@@ -65,9 +65,9 @@ inline int samples_per(const char* what, double interval, const Scene& scene) {
 template <class Choice>
 std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& scheme) {
   std::vector<std::string> terms = Scheme<Choice>::active_terms();
-  if (scene.gap_friction > 0)
-    terms.push_back(
-        fmt::format("friction of front and back wall at {:.4g} 1/s", scene.gap_friction));
+  if (scene.breadth > 0)
+    terms.push_back(fmt::format("boundary layers of the front and the back wall {:.4g} m apart",
+                                scene.breadth));
   terms.push_back(start_name(chosen_state<Choice>(scene)));
   if constexpr (Choice::TimeStep::adapts)
     terms.push_back(fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));

@@ -100,8 +100,9 @@ struct Scene {
   double gravity;                  // [m/s2], downward
   double rest_density;             // [kg/m3]
   double kinematic_viscosity = 0;  // of the liquid [m2/s]
-  // Rate of the friction of the front and the back wall [1/s] (terms/gap_friction.hpp); 0: none.
-  double gap_friction = 0;
+  // Of the gap between a front and a back wall, whose friction slows the liquid down
+  // (terms/gap_friction.hpp) [m]; 0: there are no such walls.
+  double breadth = 0;
   std::function<double(double)> displacement;  // X(t) of the tank [m]
   std::function<double(double)> velocity;      // X'(t) [m/s]
   std::function<double(double)> acceleration;  // X''(t) [m/s2]

@@ -39,7 +39,7 @@ Setting setting_of(const Scene& scene, const SchemeNumbers& own) {
       .fill_depth = scene.fill_depth,
       .rest_density = scene.rest_density,
       .kinematic_viscosity = scene.kinematic_viscosity,
-      .gap_friction = scene.gap_friction,
+      .breadth = scene.breadth,
       .particle_spacing = scene.particle_spacing,
       .flattest_cell = flattest_cell(scene),
       .smoothing_length_ratio =

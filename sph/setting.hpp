@@ -11,7 +11,7 @@ struct Setting {
   double fill_depth;           // [m]
   double rest_density;         // [kg/m3]
   double kinematic_viscosity;  // of the liquid [m2/s]
-  double gap_friction;         // rate of the friction of the front and the back wall [1/s]
+  double breadth;              // between the front and the back wall [m]; 0 without them
   double particle_spacing;     // [m]
   double flattest_cell;        // height over width of the lattice's flattest cell, at most 1
   double smoothing_length_ratio;

@@ -42,7 +42,11 @@ const std::map<std::string, Change> changes{
        scene.obstacles = {{0.44, 0.56, 0, 0.16}};
      }},
     {"dam", [](Scene& scene) { scene.column_width = 0.5; }},
-    {"narrow_tank", [](Scene& scene) { scene.gap_friction = 0.5; }},
+    {"narrow_tank",
+     [](Scene& scene) {
+       scene.breadth = 0.05;
+       scene.kinematic_viscosity = 1e-6;
+     }},
     {"no_gauge", [](Scene& scene) { scene.gauges.clear(); }},
     {"pressure_gauge",
      [](Scene& scene) {

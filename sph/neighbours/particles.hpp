@@ -5,10 +5,12 @@
 
 #include <cstddef>
 #include <new>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "sph/neighbours/lanes.hpp"
+#include "sph/terms/gap_layers.hpp"
 
 namespace slosh::sph {
 
@@ -31,6 +33,18 @@ struct VectorAllocator {
 template <class T>
 using Array = std::vector<T, VectorAllocator<T>>;
 
+// "layer_1_velocity_x", "layer_1_velocity_z", "layer_2_velocity_x", ...
+inline const char* layer_velocity_name(std::size_t n) {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (int layer = 1; layer <= most_gap_layers; ++layer)
+      for (const char* axis : {"x", "z"})
+        all.push_back("layer_" + std::to_string(layer) + "_velocity_" + axis);
+    return all;
+  }();
+  return names.at(n).c_str();
+}
+
 // The state that is integrated in time; positions and velocities are in the scheme's frame.
 struct Particles {
   Array<double> x, z;                    // [m]
@@ -42,6 +56,9 @@ struct Particles {
   double lattice_spacing = 0;            // [m]
   // The values a step earlier; empty except with an integrator that carries them.
   Array<double> earlier_velocity_x, earlier_velocity_z, earlier_density;
+  // The velocities of the layers on the front and the back wall [m/s], x and z in turn
+  // (terms/gap_friction.hpp); empty without these walls.
+  std::vector<Array<double>> layer_velocity;
 
   std::size_t size() const { return x.size(); }
   double spacing_of(std::size_t i) const { return spacing.empty() ? lattice_spacing : spacing[i]; }
@@ -81,6 +98,8 @@ struct Particles {
         {"earlier_density", &earlier_density}};
     for (const auto& [name, field] : fields)
       if (!field->empty()) visit(name, *field);
+    for (std::size_t n = 0; n < layer_velocity.size(); ++n)
+      visit(layer_velocity_name(n), layer_velocity[n]);
   }
   template <class Visit>
   void for_each_field(const Visit& visit) {

@@ -119,7 +119,7 @@ std::map<std::string, double> numbers_in_common(const Setting& s, const Scene& s
       {"fill_depth", s.fill_depth},
       {"rest_density", s.rest_density},
       {"kinematic_viscosity", s.kinematic_viscosity},
-      {"gap_friction", s.gap_friction},
+      {"breadth", s.breadth},
       {"particle_spacing", s.particle_spacing},
       {"smoothing_length_ratio", s.smoothing_length_ratio},
       {"speed_of_sound", s.speed_of_sound},

@@ -118,7 +118,7 @@ class Projection {
   static Operators operators(const Scene& scene, double gravity) {
     Operators operators(scene);
     operators.setting.gravity = gravity;
-    operators.setting.gap_friction = 0;
+    operators.setting.breadth = 0;
     return operators;
   }
 

@@ -1,30 +1,77 @@
-// Friction of a narrow tank's front and back wall, which a solver in two dimensions does not see.
-// The velocity v of a particle is the mean over the gap between the walls, and their stress slows
-// it down to their own velocity:
-//   dv_a/dt = ... - r (v_a - v_wall)
-// The rate r [1/s] is the scene's. For laminar flow that oscillates between the walls it follows
-// from the liquid's viscosity, the gap and the frequency (Landau & Lifshitz 1987, section 24,
-// problem 6).
+// The friction of a narrow tank's front and back wall, which a solver in two dimensions does not
+// see. The velocity v of a particle is the mean over the gap between the walls, relative to them:
+//   dv/dt = ... - steady_friction v - sum_n friction_n (v - m_n)
+// Each particle carries the velocities m_n of its boundary layers (gap_layers.hpp) along, along the
+// tank's axes. At the start they are zero: the liquid has not moved yet.
 //
-// The step is explicit in the friction, and r dt is at most largest_friction_per_step
-// (terms/time_step.hpp). A velocity is multiplied by 1 - r dt in a step instead of exp(-r dt). This
-// is stable up to r dt = 2, keeps the velocity's sign up to 1, and decays 5 % too fast at 0.1.
+// The step is explicit in the friction, and the largest friction times the step is at most
+// largest_friction_per_step (terms/time_step.hpp). The layers' velocities follow exactly for a
+// velocity that is constant in the step.
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "sph/neighbours/particles.hpp"
+#include "sph/terms/gap_layers.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
-// Adds the friction to the accelerations. `tank` is at the time of the velocities.
-template <class Tank>
-void add_gap_friction(double rate, const Particles& p, const Tank& tank, Rates& rates) {
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector2 wall = tank.wall_velocity(p.x[i], p.z[i]);
-    rates.acceleration_x[i] -= rate * (p.velocity_x[i] - wall.x);
-    rates.acceleration_z[i] -= rate * (p.velocity_z[i] - wall.z);
+class GapFriction {
+ public:
+  explicit GapFriction(const Setting& setting) : gap_(gap_layers(setting)) {}
+
+  bool exists() const { return gap_.steady_friction > 0; }
+
+  // Gives the particles the velocities of their layers at the start.
+  void begin(Particles& p) const {
+    p.layer_velocity.assign(2 * gap_.layers.size(), Array<double>(p.size(), 0.0));
   }
-}
+
+  // Adds `share` of the friction to the accelerations. `tank` is at the time of the velocities.
+  template <class Tank>
+  void add(double share, const Particles& p, const Tank& tank, Rates& rates) const {
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Vector2 v = relative_velocity(p, tank, i);
+      Vector2 force{gap_.steady_friction * v.x, gap_.steady_friction * v.z};
+      for (std::size_t n = 0; n < gap_.layers.size(); ++n) {
+        const double friction = gap_.layers[n].friction;
+        force.x += friction * (v.x - p.layer_velocity[2 * n][i]);
+        force.z += friction * (v.z - p.layer_velocity[2 * n + 1][i]);
+      }
+      const Vector2 seen = tank.along_frame(share * force.x, share * force.z);
+      rates.acceleration_x[i] -= seen.x;
+      rates.acceleration_z[i] -= seen.z;
+    }
+  }
+
+  // Lets the layers' velocities follow those of the particles for the time dt.
+  template <class Tank>
+  void advance(Particles& p, const Tank& tank, double dt) const {
+    Array<double> approach(gap_.layers.size());
+    for (std::size_t n = 0; n < approach.size(); ++n)
+      approach[n] = -std::expm1(-gap_.layers[n].rate * dt);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Vector2 v = relative_velocity(p, tank, i);
+      for (std::size_t n = 0; n < approach.size(); ++n) {
+        double &x = p.layer_velocity[2 * n][i], &z = p.layer_velocity[2 * n + 1][i];
+        x += approach[n] * (v.x - x);
+        z += approach[n] * (v.z - z);
+      }
+    }
+  }
+
+ private:
+  template <class Tank>
+  static Vector2 relative_velocity(const Particles& p, const Tank& tank, std::size_t i) {
+    const Vector2 wall = tank.wall_velocity(p.x[i], p.z[i]);
+    return tank.along_tank(p.velocity_x[i] - wall.x, p.velocity_z[i] - wall.z);
+  }
+
+  GapLayers gap_;
+};
 
 }  // namespace slosh::sph

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "sph/setting.hpp"
+#include "sph/terms/gap_layers.hpp"
 
 namespace slosh::sph {
 
@@ -24,11 +25,12 @@ struct FixedStep {
   static constexpr double stable_courant_number = 0.65;
 
   explicit FixedStep(const Setting& s) {
-    if (s.gap_friction * step > largest_friction_per_step)
-      throw std::invalid_argument(
-          fmt::format("friction of front and back wall at {:.4g} 1/s: expected at most {:.4g} 1/s "
-                      "with the scheme's fixed time step",
-                      s.gap_friction, largest_friction_per_step / step));
+    if (const double friction = gap_layers(s).largest_friction();
+        friction * step > largest_friction_per_step)
+      throw std::invalid_argument(fmt::format(
+          "breadth = {:.4g} m, where the friction of the front and the back wall is {:.4g} 1/s: "
+          "expected at most {:.4g} 1/s with the scheme's fixed time step",
+          s.breadth, friction, largest_friction_per_step / step));
   }
   double operator()(double) const { return step; }
 };
@@ -52,8 +54,8 @@ struct AdaptiveStep {
     const double nu =
         std::max(s.kinematic_viscosity, s.artificial_viscosity * h * s.speed_of_sound / 8);
     if (nu > 0) longest_step = std::min(longest_step, viscous_number * h * h / nu);
-    if (s.gap_friction > 0)
-      longest_step = std::min(longest_step, largest_friction_per_step / s.gap_friction);
+    if (const double friction = gap_layers(s).largest_friction(); friction > 0)
+      longest_step = std::min(longest_step, largest_friction_per_step / friction);
   }
   double operator()(double largest_acceleration) const {
     return std::min(longest_step, 0.25 * std::sqrt(h / largest_acceleration));

@@ -4,28 +4,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <stdexcept>
+#include <vector>
 
+#include "sph/restart/saved_state.hpp"
 #include "sph/tests/free_oscillation.hpp"
 #include "sph/tests/rolling_scene.hpp"
 
 namespace slosh::sph::gap_friction_test {
 namespace {
 
-double decay_with(double gap_friction) {
-  Scene scene = released_scene(0.02, 3);
-  scene.gap_friction = gap_friction;
-  const FreeOscillation oscillation = free_oscillation("recommended", scene);
-  EXPECT_GE(zero_crossings(oscillation).size(), 4);
-  return decay_rate(oscillation);
+using Complex = std::complex<double>;
+
+constexpr double oil = 5e-5;  // [m2/s]
+
+// Solves s^2 + s W(s) + omega^2 = 0, the free wave between two walls, from the undamped wave.
+Complex free_wave(double omega, double breadth, double viscosity) {
+  Complex s{0, omega};
+  for (int i = 0; i < 200; ++i) {
+    const Complex k = 0.5 * breadth * std::sqrt(s / viscosity), share = std::tanh(k) / k;
+    s = Complex{0, omega} * std::sqrt(1.0 - share);
+  }
+  return s;
 }
 
-// Of the energy, half is kinetic: an amplitude decays at half the rate of a velocity. Measured:
-// 0.983 and 0.996 times that.
-TEST(GapFriction, DampsAFreeWaveAtHalfItsRate) {
-  const double without = decay_with(0);
-  for (const double rate : {0.3, 1.0})
-    EXPECT_NEAR(decay_with(rate) - without, 0.5 * rate, 0.03 * 0.5 * rate) << rate;
+struct Wave {
+  double decay, frequency;
+};
+Wave wave_between(double breadth) {
+  Scene scene = released_scene(0.02, 5);
+  scene.kinematic_viscosity = oil;
+  scene.breadth = breadth;
+  const FreeOscillation oscillation = free_oscillation("recommended", scene);
+  return {decay_rate(oscillation), natural_frequency(oscillation)};
+}
+
+// The walls' stress both damps and delays the wave. Without the part that delays it, an added mass,
+// the frequencies would be those without walls, 2 and 4 % higher.
+TEST(GapFriction, DampsAndDelaysAFreeWaveAsTheExactSolutionDoes) {
+  const Wave free = wave_between(0);
+  for (const double breadth : {0.1, 0.05}) {
+    const Complex expected = free_wave(free.frequency, breadth, oil);
+    const Wave wave = wave_between(breadth);
+    EXPECT_NEAR(wave.frequency, expected.imag(), 0.004 * expected.imag()) << breadth;
+    EXPECT_LE(expected.imag(), 0.98 * free.frequency);
+    EXPECT_NEAR(wave.decay - free.decay, -expected.real(), -0.06 * expected.real()) << breadth;
+  }
 }
 
 double largest(const std::vector<double>& values) {
@@ -34,20 +59,38 @@ double largest(const std::vector<double>& values) {
   return result;
 }
 
-// The friction is relative to the walls, which move in the one frame and stand in the other.
-TEST(GapFriction, GivesTheSameSurgeInBothFrames) {
-  Scene scene = surging_scene(0.025, 0.5);
-  scene.gap_friction = 5;
-  const RunOutput earth = run("recommended", scene, {});
-  scene.roll = no_roll();
-  const RunOutput tank = run("recommended", scene, {});
-  const std::vector<double>&a = earth.elevation.at("left").value,
-        &b = tank.elevation.at("left").value;
+void expect_same_surge(const RunOutput& one, const RunOutput& other, double share) {
+  const std::vector<double>&a = one.elevation.at("left").value,
+        &b = other.elevation.at("left").value;
   ASSERT_EQ(a.size(), b.size());
   double difference = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     difference = std::max(difference, std::abs(a[i] - b[i]));
-  EXPECT_LE(difference, 2e-3 * largest(a));
+  EXPECT_LE(difference, share * largest(a));
+}
+
+// The friction is relative to the walls, which move in the one frame and stand in the other.
+TEST(GapFriction, GivesTheSameSurgeInBothFrames) {
+  Scene scene = surging_scene(0.025, 0.5);
+  scene.kinematic_viscosity = oil;
+  scene.breadth = 0.01;
+  const RunOutput earth = run("recommended", scene, {});
+  scene.roll = no_roll();
+  expect_same_surge(earth, run("recommended", scene, {}), 2e-3);
+}
+
+// Every integrator moves the layers on by its step, however it divides it.
+TEST(GapFriction, IsTheSameForEveryIntegrator) {
+  Scene scene = surging_scene(0.025, 0.5);
+  scene.kinematic_viscosity = oil;
+  scene.breadth = 0.03;
+  scene.numbers.courant_number = 0.15;
+  const RunOutput leapfrog = run("recommended", scene, {});
+  for (const char* variant : {"predictor_corrector", "symplectic", "verlet"}) {
+    scene.variant = variant;
+    SCOPED_TRACE(variant);
+    expect_same_surge(leapfrog, run("recommended", scene, {}), 0.01);
+  }
 }
 
 const std::vector<double>& budget(const RunOutput& output, const std::string& name) {
@@ -56,36 +99,62 @@ const std::vector<double>& budget(const RunOutput& output, const std::string& na
   throw std::out_of_range(name);
 }
 
-// Measured: a residual of 4e-4 of the work, and 0.80 J/m dissipated instead of 0.019 J/m.
 TEST(GapFriction, DissipatesEnergyThatTheBudgetCounts) {
   Scene scene = surging_and_rolling_scene(0.02, 1);
+  scene.kinematic_viscosity = oil;
   scene.record_energy_budget = true;
   const RunOutput without = run("recommended", scene, {});
-  scene.gap_friction = 1;
+  scene.breadth = 0.025;
   const RunOutput with = run("recommended", scene, {});
   const double work = largest(budget(with, "wall_work"));
-  EXPECT_LE(largest(budget(with, "energy_residual")), 1e-3 * work);
+  std::vector<double> residual = budget(with, "energy_residual");
+  // The sudden start is between two samples: the friction of layers that have just begun falls as
+  // t^(-1/2), and the integral over samples misses 3e-3 of the work.
+  residual.erase(residual.begin());
+  for (double& one : residual) one -= budget(with, "energy_residual").at(1);
+  EXPECT_LE(largest(residual), 1e-3 * work);
   EXPECT_GE(budget(with, "dissipated_energy").back(),
             5 * budget(without, "dissipated_energy").back());
+}
+
+// The layers' velocities are part of the state: a restarted run goes on as the run that was whole.
+TEST(GapFriction, IsRestartedWithItsLayers) {
+  Scene scene = surging_scene(0.025, 0.4);
+  scene.kinematic_viscosity = oil;
+  scene.breadth = 0.03;
+  scene.state_interval = 0.2;
+  std::vector<SavedState> states;
+  scene.save_state = [&](const SavedState& state) { states.push_back(state); };
+  const RunOutput whole = run("recommended", scene, {});
+  scene.resume = &states.at(0);
+  scene.save_state = [](const SavedState&) {};
+  const RunOutput resumed = run("recommended", scene, {});
+  EXPECT_EQ(whole.elevation.at("left").value, resumed.elevation.at("left").value);
+  SavedState without = states.at(0);
+  without.fields.erase("layer_1_velocity_x");
+  scene.resume = &without;
+  EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
 }
 
 // The friction takes at most a tenth of the velocity in a step.
 TEST(GapFriction, ShortensTheStepWhereItIsStrong) {
   Scene scene = surging_scene(0.025, 0.02);
+  scene.kinematic_viscosity = oil;
   const double step = stable_time_step("recommended", scene);
-  scene.gap_friction = 10;
+  scene.breadth = 0.03;
   EXPECT_EQ(stable_time_step("recommended", scene), step);
-  scene.gap_friction = 1000;
-  EXPECT_NEAR(stable_time_step("recommended", scene), 1e-4, 1e-12);
+  scene.breadth = 0.0005;
+  EXPECT_LE(stable_time_step("recommended", scene), 0.1 / (12 * oil / (0.0005 * 0.0005)));
   const RunOutput output = run("recommended", scene, {});
   EXPECT_LE(largest(output.elevation.at("left").value), 0.01);
 }
 
 TEST(GapFriction, IsRefusedWhereAFixedStepIsTooLongForIt) {
   Scene scene = surging_scene(0.025, 0.01);
-  scene.gap_friction = 199;
+  scene.kinematic_viscosity = oil;
+  scene.breadth = 0.01;
   EXPECT_NO_THROW(run("li2010", scene, {}));
-  scene.gap_friction = 201;
+  scene.breadth = 0.001;
   EXPECT_THROW(run("li2010", scene, {}), std::invalid_argument);
 }
 

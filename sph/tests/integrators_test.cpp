@@ -15,7 +15,7 @@ struct AcousticMode {
 
   Particles particles;
   Rates rates;
-  double time = 0;
+  double time = 0, velocities_behind = 0;
   int renewals = 0, accelerations = 0, compressions = 0;
 
   AcousticMode() {

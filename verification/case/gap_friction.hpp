@@ -1,4 +1,5 @@
-// The friction of a narrow tank's front and back wall, which solvers in two dimensions do not see.
+// The friction of a narrow tank's front and back wall, which interFoam in two dimensions does not
+// see.
 // Between two parallel walls the gap b apart, the mean velocity v over the gap of a laminar flow
 // that oscillates as exp(i omega t) follows from the force f per mass that drives it (Landau &
 // Lifshitz 1987, section 24, problem 6):
@@ -11,9 +12,9 @@
 // so that no model needs to be chosen. The first term of the second limit alone is 15 % too low at
 // delta = b / 12.
 //
-// The part out of phase, an added mass, is left out: in two dimensions a solver would need it in
-// the inertia of the liquid. It is r / omega for thin layers and 1/5 in a thin gap, and lowers a
-// natural frequency by half of that.
+// The part out of phase, an added mass, is left out: interFoam would need it in the inertia of the
+// liquid. It is r / omega for thin layers and 1/5 in a thin gap, and lowers a natural frequency by
+// half of that. SPH has both parts (sph/terms/gap_layers.hpp).
 #pragma once
 
 #include "verification/case/case_definition.hpp"

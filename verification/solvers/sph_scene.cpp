@@ -7,7 +7,6 @@
 
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/case/gap_friction.hpp"
 #include "verification/case/motion.hpp"
 
 namespace slosh {
@@ -61,7 +60,7 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
                    .gravity = definition.gravity,
                    .rest_density = definition.liquid.density,
                    .kinematic_viscosity = definition.liquid.kinematic_viscosity,
-                   .gap_friction = gap_friction(definition),
+                   .breadth = definition.tank.breadth.value_or(0),
                    .displacement = motion.displacement,
                    .velocity = motion.velocity,
                    .acceleration = motion.acceleration,
