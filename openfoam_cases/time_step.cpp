@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "openfoam_cases/geometry/layers.hpp"
@@ -39,13 +40,20 @@ double first_time_step(const SloshingTank& tank) {
 int pressure_corrections(const SloshingTank& tank) {
   constexpr int fewest = 2;
   constexpr double left = 0.002;
-  // Graded cells are smallest in the tank's corners.
-  const double per_length = tank.wall_cell ? 1 / *tank.wall_cell : tank.cells_x / tank.length,
-               per_height = tank.wall_cell ? 1 / *tank.wall_cell : tank.cells_z / tank.height;
-  const double per_breadth = tank.gap ? 1 / Layers(tank).at_wall() : 0;
-  const double diffusion =
-      2 * tank.liquid.kinematic_viscosity * max_time_step(tank) *
-      (per_length * per_length + per_breadth * per_breadth + per_height * per_height);
+  const double width = tank.length / tank.cells_x, height = tank.height / tank.cells_z;
+  double squares = 0;  // 1/dx^2 + 1/dy^2 + 1/dz^2 [1/m2]
+  if (tank.gap) {
+    // Where two walls meet the liquid hardly moves, so that the cells beside one wall count.
+    const double at_wall = std::min({width, height, Layers(tank).at_wall(),
+                                     tank.wall_cell.value_or(std::numeric_limits<double>::max())});
+    squares = 1 / (at_wall * at_wall) + 1 / (width * width) + 1 / (height * height);
+  } else {
+    // Graded cells are smallest in the tank's corners.
+    const double per_length = tank.wall_cell ? 1 / *tank.wall_cell : tank.cells_x / tank.length,
+                 per_height = tank.wall_cell ? 1 / *tank.wall_cell : tank.cells_z / tank.height;
+    squares = per_length * per_length + per_height * per_height;
+  }
+  const double diffusion = 2 * tank.liquid.kinematic_viscosity * max_time_step(tank) * squares;
   if (!(diffusion > 0)) return fewest;
   return std::max(
       fewest, static_cast<int>(std::ceil(std::log(left) / std::log(diffusion / (1 + diffusion)))));

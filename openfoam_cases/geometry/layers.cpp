@@ -31,25 +31,29 @@ double ratio_of_layers(int count, double depth_in_first_layers) {
 
 }  // namespace
 
-Layers::Layers(const SloshingTank& tank) {
+void check_layers(const SloshingTank& tank) {
   if (!tank.gap) return;
-  require(tank.gap->breadth > 0 && std::isfinite(tank.gap->breadth), "gap breadth",
-          tank.gap->breadth, "a positive number of m");
-  require(tank.gap->cells >= 4, "gap cells", tank.gap->cells, "at least 4");
-  is_half_gap_ = true;
-  count_ = tank.gap->cells;
-  depth_ = tank.gap->breadth / 2;
-  if (!tank.wall_cell) {
-    ratio_ = std::pow(expansion_unless_given, 1.0 / (count_ - 1));
-    return;
-  }
-  const double thinnest = depth_ / depth_in_first(count_, largest_layer_ratio);
+  const auto [breadth, cells] = *tank.gap;
+  require(breadth > 0 && std::isfinite(breadth), "gap breadth", breadth, "a positive number of m");
+  require(cells >= 4, "gap cells", cells, "at least 4");
+  if (!tank.wall_cell) return;
+  const double thinnest = breadth / 2 / depth_in_first(cells, largest_layer_ratio);
   require(
       *tank.wall_cell >= thinnest, "wall_cell", *tank.wall_cell,
       fmt::format("at least {:.3g} m for {} cells across {} m, half of the gap, as each cell is "
                   "at most {} times as thick as its neighbour",
-                  thinnest, count_, depth_, largest_layer_ratio));
-  if (*tank.wall_cell < depth_ / count_) ratio_ = ratio_of_layers(count_, depth_ / *tank.wall_cell);
+                  thinnest, cells, breadth / 2, largest_layer_ratio));
+}
+
+Layers::Layers(const SloshingTank& tank) {
+  if (!tank.gap) return;
+  is_half_gap_ = true;
+  count_ = tank.gap->cells;
+  depth_ = tank.gap->breadth / 2;
+  if (!tank.wall_cell)
+    ratio_ = std::pow(expansion_unless_given, 1.0 / (count_ - 1));
+  else if (*tank.wall_cell < depth_ / count_)
+    ratio_ = ratio_of_layers(count_, depth_ / *tank.wall_cell);
 }
 
 double Layers::at_wall() const { return depth_ * share(0); }

@@ -25,11 +25,14 @@
 
 namespace slosh::openfoam {
 
+// Throws std::invalid_argument for a gap without breadth or with fewer than four layers, and for
+// layers beside the wall so thin that r would exceed 2.
+void check_layers(const SloshingTank& tank);
+
 class Layers {
  public:
-  // Throws std::invalid_argument for a gap without breadth or with fewer than four layers, and for
-  // layers beside the wall so thin that r would exceed 2. A wall_cell that is thicker than layers
-  // of one thickness gives these.
+  // A wall_cell that is thicker than layers of one thickness gives these. With one that is too thin
+  // r is 2.
   explicit Layers(const SloshingTank& tank);
 
   bool is_half_gap() const { return is_half_gap_; }

@@ -56,6 +56,7 @@ TankMesh::TankMesh(const SloshingTank& tank)
       filled_(static_cast<std::size_t>(columns_) * rows_, false),
       column_breaks_{0, columns_},
       row_breaks_{0, rows_} {
+  check_layers(tank);
   require(!tank.gap || (tank.outline.empty() && tank.obstacles.empty()), "gap breadth",
           layers_.depth() * 2, "no gap in three dimensions of a tank with an outline or obstacles");
   if (!tank.outline.empty()) cut_by(tank);

@@ -31,8 +31,8 @@ class TankMesh {
   // Throws std::invalid_argument for an obstacle that reaches beyond the walls, whose edges are not
   // on the cells' faces, or which is thinner than a cell, and for obstacles that leave no cell or
   // divide the tank into several parts; for an outline as check_outline() and CutMesh do; for
-  // graded cells as CellFaces does, and beside obstacles or an outline; for layers as Layers does,
-  // and beside obstacles or an outline.
+  // graded cells as CellFaces does, and beside obstacles or an outline; for layers as
+  // check_layers() does, and beside obstacles or an outline.
   explicit TankMesh(const SloshingTank& tank);
 
   int columns() const { return columns_; }

@@ -49,7 +49,7 @@ TEST(Layers, BeginWithAGivenCellAtTheWall) {
 
 TEST(Layers, AreRefusedWhereTheyWouldGrowTooFast) {
   const auto refused = [](const SloshingTank& tank) {
-    return message_of<std::invalid_argument>([&] { Layers layers(tank); });
+    return message_of<std::invalid_argument>([&] { check_layers(tank); });
   };
   EXPECT_EQ(refused(narrow_tank(4, 0.001)),
             "OpenFOAM tank: wall_cell = 0.001: expected at least 0.00207 m for 4 cells across "

@@ -20,15 +20,22 @@ double still_pressure(const SloshingTank& tank, double z) {
                          tank.gas.density * (tank.height - tank.fill_depth) / 2);
 }
 
+// [Pa] The half-filled cells, which carry part of the liquid above them, change the gas's mean by
+// this: 2.8 Pa in cells 50 mm high.
+constexpr double pressure_tolerance = 3;
+
 // The level lies inside a cell. All is per metre of breadth, as in two dimensions.
 void expect_rest(const SloshingTank& tank, const Harvest& result) {
   EXPECT_EQ(result.cells, tank.cells_x * tank.cells_z * tank.gap->cells);
   for (const auto& [gauge, elevation] : result.elevation)
     for (const double value : elevation.value) EXPECT_NEAR(value, 0, 1e-6) << gauge;
   EXPECT_NEAR(result.liquid_volume.value.back(), tank.length * tank.fill_depth, 1e-6);
-  EXPECT_NEAR(result.wall_pressure.at("left").value.back(), still_pressure(tank, 0.17), 2);
-  EXPECT_NEAR(result.wall_pressure.at("bottom").value.back(), still_pressure(tank, 0), 2);
-  EXPECT_NEAR(result.pressure.at("deep").value.back(), still_pressure(tank, 0.12), 2);
+  EXPECT_NEAR(result.wall_pressure.at("left").value.back(), still_pressure(tank, 0.17),
+              pressure_tolerance);
+  EXPECT_NEAR(result.wall_pressure.at("bottom").value.back(), still_pressure(tank, 0),
+              pressure_tolerance);
+  EXPECT_NEAR(result.pressure.at("deep").value.back(), still_pressure(tank, 0.12),
+              pressure_tolerance);
   const double weight =
       tank.gravity * tank.length *
       (tank.liquid.density * tank.fill_depth + tank.gas.density * (tank.height - tank.fill_depth));
@@ -61,8 +68,8 @@ TEST_F(RunGap, LeavesStillLiquidAtItsLevelUnderItsHydrostaticPressure) {
   SloshingTank tank = still_narrow_tank();
   expect_rest(tank, run_in(TemporaryDirectory(), tank));
   tank.processes = 2;
-  tank.wall_cell = 0.005;
-  tank.cells_x = tank.cells_z = 40;
+  tank.wall_cell = 0.015;
+  tank.cells_x = 30;
   tank.roll = harmonic_roll(0, 1, 0.3, 1.7);
   const Harvest result = run(tank);
   expect_rest(tank, result);
@@ -80,26 +87,30 @@ TEST_F(RunGap, LeavesStillLiquidAtRestInTheOtherPrograms) {
   }
 }
 
-// A standing wave of an oil in a narrow tank that is deep compared with its breadth. Friction in
-// the middle of the liquid, at the floor and at the ends is that of the same wave in two
-// dimensions.
+// A standing wave of an oil in a tank whose gap, like the cells' height, is small compared with the
+// wavelength. The solver's own damping and the friction at the floor and the ends are those of the
+// same wave in two dimensions. The gap's part of the solution is one of a pressure that is uniform
+// across the gap. Within a gap or a cell of the surface it is not, as the surface levels itself
+// between the walls: with k b = 0.13 (a tank of 1 m) decay and shift were 1.05 and 0.80 times the
+// exact ones, and with k b = 0.03 and cells half as high as here 0.98 and 1.03 times.
 struct NarrowWave {
   SloshingTank tank = still_tank();
   double frequency;  // without friction [rad/s]
 
   explicit NarrowWave(std::optional<Gap> gap) {
-    tank.length = 1;
+    tank.length = 4;
     tank.height = 0.7;
     tank.fill_depth = 0.45;
-    tank.liquid.kinematic_viscosity = 5e-5;
+    tank.liquid.kinematic_viscosity = 1.5e-5;
     tank.initial_wave = InitialWave{1, 0.01};
-    tank.gauges = {{"left", 0.05}};
+    tank.gauges = {{"left", 0.2}};
     tank.cells_x = 20;
     tank.cells_z = 28;
     tank.no_slip = true;
     tank.gap = gap;
-    frequency = std::sqrt(tank.gravity * pi * std::tanh(pi * tank.fill_depth));
-    tank.duration = 3.2;
+    const double k = pi / tank.length;
+    frequency = std::sqrt(tank.gravity * k * std::tanh(k * tank.fill_depth));
+    tank.duration = 8;
   }
 
   // The root s of s^2 + s W(s) + omega^2 = 0, where the walls' force on the mean velocity v over
@@ -143,16 +154,15 @@ Oscillation oscillation_of(const History& elevation) {
               (crossings[2 * whole_periods] - crossings.front())};
 }
 
+// Measured: 1.00 times the exact decay and 1.02 times the exact shift.
 TEST_F(RunGap, SlowsAndDampsAWaveOfOilAsTheExactSolutionOfTheFlowBetweenItsWalls) {
   const NarrowWave narrow(Gap{0.04, 8}), broad({});
   const Oscillation with = oscillation_of(run(narrow.tank).elevation.at("left")),
                     without = oscillation_of(
                         run_in(TemporaryDirectory(), broad.tank).elevation.at("left"));
   const std::complex<double> exact = narrow.exact();
-  printf("with %g %g without %g %g exact %g %g omega %g\n", with.rate, with.frequency, without.rate,
-         without.frequency, -exact.real(), exact.imag(), narrow.frequency);
   EXPECT_NEAR((with.rate - without.rate) / -exact.real(), 1, 0.05);
-  EXPECT_NEAR((without.frequency - with.frequency) / (narrow.frequency - exact.imag()), 1, 0.1);
+  EXPECT_NEAR((without.frequency - with.frequency) / (narrow.frequency - exact.imag()), 1, 0.06);
 }
 
 }  // namespace
