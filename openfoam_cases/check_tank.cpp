@@ -51,6 +51,12 @@ void check_numbers(const SloshingTank& tank) {
           "between 1 and cells_x");
   require(!tank.no_slip || tank.liquid.kinematic_viscosity > 0, "kinematic_viscosity",
           tank.liquid.kinematic_viscosity, "above 0 m2/s for a liquid that sticks to the walls");
+  if (tank.gap) {
+    require(tank.no_slip, "gap breadth", tank.gap->breadth,
+            "walls to which the liquid sticks (no_slip) in three dimensions");
+    require(tank.gap_friction == 0, "gap_friction", tank.gap_friction,
+            "zero in three dimensions, where the mesh has the front wall");
+  }
   // Beyond 1 MULES is no longer bounded.
   require(tank.courant_number > 0 && tank.courant_number <= 1, "courant_number",
           tank.courant_number, "above 0 and at most 1");
@@ -109,7 +115,7 @@ void check_probes(const SloshingTank& tank, const TankMesh& mesh) {
 void check_loaded_walls(const SloshingTank& tank, const TankMesh& mesh) {
   const auto faces_of = block_mesh(mesh).faces_of;
   for (const std::string& wall : tank.loaded_walls) {
-    if (wall == "obstacles" || !faces_of.contains(wall)) {
+    if (wall == "obstacles" || wall == "front" || !faces_of.contains(wall)) {
       throw std::invalid_argument("OpenFOAM tank: loaded wall \"" + wall +
                                   "\": expected left, right, bottom or roof, not covered by "
                                   "obstacles");

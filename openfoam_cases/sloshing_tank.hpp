@@ -1,8 +1,9 @@
 // A tank as a program of OpenFOAM's interFoam family (volume of fluid) is to solve it: the tank
 // surges, rolls or both.
 // The solution is computed in the tank's frame on a static mesh with a tabulated acceleration and
-// slip walls. x is measured from the left wall and z up from the bottom. The liquid starts under a
-// horizontal level, under a wave or as a dam about to break, and the tank may carry obstacles.
+// slip walls, in two dimensions, unless told otherwise. x is measured from the left wall and z up
+// from the bottom. The liquid starts under a horizontal level, under a wave or as a dam about to
+// break, and the tank may carry obstacles.
 #pragma once
 
 #include <functional>
@@ -67,6 +68,13 @@ struct Roll {
                                  // start at rest in the earth's frame
 };
 
+// The gap between the front and the back wall of a narrow tank that is solved in three dimensions,
+// of which the mesh has one half (geometry/layers.hpp).
+struct Gap {
+  double breadth;  // [m]
+  int cells;       // across the half, at least 4
+};
+
 // The program that solves the case.
 enum class Program {
   inter_foam,      // an algebraic flux with compression (MULES) keeps the interface sharp
@@ -117,6 +125,9 @@ struct SloshingTank {
   // (geometry/cell_faces.hpp). Without it all cells are uniform. It excludes obstacles and an
   // outline.
   std::optional<double> wall_cell = {};
+  // Without it the case is one in two dimensions. It needs no_slip and excludes gap_friction,
+  // obstacles and an outline.
+  std::optional<Gap> gap = {};
   Program program = Program::inter_foam;
 };
 

@@ -26,7 +26,8 @@ std::string number(double value) { return fmt::format("{}", value); }
 // Returns the liquid's volume fraction in each cell, in OpenFOAM's order.
 std::string liquid_fractions(const SloshingTank& tank, const TankMesh& mesh) {
   std::vector<double> fractions;
-  for (const Cell cell : mesh.cells()) fractions.push_back(liquid_share(tank, mesh, cell));
+  for (const Cell cell : mesh.cells_of_all_layers())
+    fractions.push_back(liquid_share(tank, mesh, cell));
   return fmt::format("{}", fmt::join(fractions, "\n"));
 }
 
@@ -57,7 +58,7 @@ std::string initial_field(const SloshingTank& tank, const TankMesh& mesh) {
   };
   if (!tank.roll) return "uniform " + vector({0, 0});
   std::vector<std::string> vectors;
-  for (const Cell cell : mesh.cells()) vectors.push_back(vector(cell));
+  for (const Cell cell : mesh.cells_of_all_layers()) vectors.push_back(vector(cell));
   return fmt::format("nonuniform List<vector> {}\n(\n{}\n)", vectors.size(),
                      fmt::join(vectors, "\n"));
 }
@@ -221,6 +222,21 @@ data snapshots(const SloshingTank& tank) {
   return list;
 }
 
+// Sets what differs between two dimensions and half of a gap in three.
+void set_layers(const Layers& layers, data& values) {
+  const bool is_half_gap = layers.is_half_gap();
+  values.set("half_gap", data(is_half_gap));
+  values.set("layers", number(layers.count()));
+  values.set("layers_depth", number(layers.depth()));
+  values.set("layers_expansion", number(layers.expansion()));
+  values.set("measured_y", number(layers.measured_y()));
+  values.set("side_patch", is_half_gap ? "middleOfGap" : "frontAndBack");
+  values.set("side_type", is_half_gap ? "symmetryPlane" : "empty");
+  values.set("side_flux", is_half_gap ? "uniform 0" : "nonuniform List<scalar> 0()");
+  values.set("pressure_solver", is_half_gap ? "solver GAMG; smoother DICGaussSeidel"
+                                            : "solver PCG; preconditioner DIC");
+}
+
 }  // namespace
 
 data template_values(const SloshingTank& tank) {
@@ -236,8 +252,9 @@ data template_values(const SloshingTank& tank) {
   values.set("vertices", block_mesh.vertices);
   values.set("blocks", blocks(block_mesh.hexahedra));
   values.set("wall_patches", wall_patches(tank, block_mesh));
-  values.set("front_and_back_faces", block_mesh.front_and_back_faces);
-  set("cell_count", mesh.free_cells());
+  values.set("side_faces", block_mesh.side_faces);
+  set_layers(mesh.layers(), values);
+  set("cell_count", mesh.cells_in_all_layers());
   set("gravity", tank.gravity);
   set("liquid_density", tank.liquid.density);
   set("liquid_kinematic_viscosity", tank.liquid.kinematic_viscosity);

@@ -24,8 +24,8 @@ class Vertices {
         numbers_.try_emplace({column, y, row}, static_cast<int>(numbers_.size()));
     if (is_new) {
       append(text_, at->second % 4 == 0 ? "\n    " : " ",
-             fmt::format("({} {} {})", mesh_.face_x(column) - mesh_.origin_x(), y,
-                         mesh_.face_z(row) - mesh_.origin_z()));
+             fmt::format("({} {} {})", mesh_.face_x(column) - mesh_.origin_x(),
+                         y * mesh_.layers().depth(), mesh_.face_z(row) - mesh_.origin_z()));
     }
     return at->second;
   }
@@ -101,8 +101,14 @@ BlockMesh block_mesh(const TankMesh& mesh) {
       append(result.wall_faces, " ", face(c, side.face));
       append(result.faces_of[owner(mesh, side.beyond)], " ", face(c, side.face));
     }
-    append(result.front_and_back_faces, " ", face(c, {0, 1, 5, 4}));
-    append(result.front_and_back_faces, " ", face(c, {3, 7, 6, 2}));
+    const std::string front = face(c, {0, 1, 5, 4}), back = face(c, {3, 7, 6, 2});
+    if (mesh.layers().is_half_gap()) {
+      append(result.wall_faces, " ", front);
+      append(result.faces_of["front"], " ", front);
+    } else {
+      append(result.side_faces, " ", front);
+    }
+    append(result.side_faces, " ", back);
   }
   result.vertices = vertices.text();
   return result;

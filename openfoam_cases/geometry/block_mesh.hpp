@@ -18,9 +18,11 @@ struct BlockMesh {
   std::string vertices;  // four in a line
   std::vector<Hexahedron> hexahedra;
   std::string wall_faces;  // of the tank and the obstacles
-  // The same by what they belong to: "left", "right", "bottom", "roof", "obstacles".
+  // The same by what they belong to: "left", "right", "bottom", "roof", "obstacles", and "front"
+  // where the mesh has half of a gap.
   std::map<std::string, std::string> faces_of;
-  std::string front_and_back_faces;
+  // Without friction: those in front and at the back, or the plane of symmetry of half a gap.
+  std::string side_faces;
 };
 
 BlockMesh block_mesh(const TankMesh& mesh);

@@ -50,11 +50,15 @@ TankMesh::TankMesh(const SloshingTank& tank)
       fill_depth_(tank.fill_depth),
       across_(faces_of(tank, length_, columns_, "cells_x")),
       up_(faces_of(tank, height_, rows_, "cells_z")),
+      layers_(tank),
       origin_x_(tank.roll ? tank.roll->axis_x : 0),
       origin_z_(tank.roll ? tank.roll->axis_z : 0),
       filled_(static_cast<std::size_t>(columns_) * rows_, false),
       column_breaks_{0, columns_},
       row_breaks_{0, rows_} {
+  check_layers(tank);
+  require(!tank.gap || (tank.outline.empty() && tank.obstacles.empty()), "gap breadth",
+          layers_.depth() * 2, "no gap in three dimensions of a tank with an outline or obstacles");
   if (!tank.outline.empty()) cut_by(tank);
   for (const Obstacle& obstacle : tank.obstacles) leave_out(obstacle);
   if (!tank.obstacles.empty()) check_rooms();
@@ -185,6 +189,17 @@ std::vector<Cell> TankMesh::cells() const {
     }
   }
   return cells;
+}
+
+// A mesh of several layers is one block.
+std::vector<Cell> TankMesh::cells_of_all_layers() const {
+  const std::vector<Cell> plane = cells();
+  if (!layers_.is_half_gap()) return plane;
+  std::vector<Cell> all;
+  for (auto row = plane.begin(); row != plane.end(); row += columns_)
+    for (int layer = 0; layer < layers_.count(); ++layer)
+      all.insert(all.end(), row, row + columns_);
+  return all;
 }
 
 Cell TankMesh::reference_cell() const {

@@ -7,12 +7,15 @@
 //
 // In a tank with an outline the cells are those of a cut mesh. A cell has its own place, and a
 // place whose part was merged into another cell has none, as one that an obstacle fills.
+//
+// All of this is in the plane of x and z. Across it the mesh has its layers, which are alike.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "openfoam_cases/geometry/cell_faces.hpp"
+#include "openfoam_cases/geometry/layers.hpp"
 #include "openfoam_cases/outline/cut_mesh.hpp"
 #include "openfoam_cases/sloshing_tank.hpp"
 
@@ -28,7 +31,8 @@ class TankMesh {
   // Throws std::invalid_argument for an obstacle that reaches beyond the walls, whose edges are not
   // on the cells' faces, or which is thinner than a cell, and for obstacles that leave no cell or
   // divide the tank into several parts; for an outline as check_outline() and CutMesh do; for
-  // graded cells as CellFaces does, and beside obstacles or an outline.
+  // graded cells as CellFaces does, and beside obstacles or an outline; for layers as
+  // check_layers() does, and beside obstacles or an outline.
   explicit TankMesh(const SloshingTank& tank);
 
   int columns() const { return columns_; }
@@ -39,6 +43,7 @@ class TankMesh {
   double cell_height() const { return height_ / rows_; }    // [m], likewise
   const CellFaces& across() const { return across_; }       // of the columns
   const CellFaces& up() const { return up_; }               // of the rows
+  const Layers& layers() const { return layers_; }
   bool is_graded() const { return across_.is_graded(); }
   // The mesh's origin [m] from the tank's bottom left corner: the roll's axis, about which
   // interFoam rotates, or the corner itself without roll.
@@ -52,6 +57,7 @@ class TankMesh {
   bool are_alike(int column, int other) const;  // whether obstacles fill the same rows of both
   int free_cells(int column) const;
   int free_cells() const;
+  int cells_in_all_layers() const { return free_cells() * layers_.count(); }
 
   const CutMesh* cut() const { return cut_.get(); }  // nullptr without an outline
   // Of a free cell [m]: its centroid, and a place inside it, which differs from the centroid only
@@ -70,6 +76,8 @@ class TankMesh {
   // Returns the free cells in OpenFOAM's order: block by block, and in each block row by row from
   // the bottom; with an outline in that of cell_order.hpp.
   std::vector<Cell> cells() const;
+  // Returns the same with each row once for each layer, which is OpenFOAM's order of all cells.
+  std::vector<Cell> cells_of_all_layers() const;
   // Returns the cell of the reference pressure: of the highest free cells the one nearest the
   // middle. With an outline it is a whole cell, unless there is none.
   Cell reference_cell() const;
@@ -85,6 +93,7 @@ class TankMesh {
   int columns_, rows_;
   double length_, height_, fill_depth_;
   CellFaces across_, up_;
+  Layers layers_;
   double origin_x_, origin_z_;
   std::vector<bool> filled_;  // by obstacles, or without a cell of the outline's mesh
   std::vector<int> column_breaks_, row_breaks_;  // where blocks end, ascending, walls included

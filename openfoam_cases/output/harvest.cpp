@@ -28,7 +28,7 @@ History column_level(const SloshingTank& tank, const TankMesh& mesh, const fs::p
                      int column) {
   const fs::path file = series_file(case_directory, column_name(column), "volFieldValue.dat");
   const History filling = read_series(tank, file, 2);
-  check_cell_count(file, mesh.free_cells(column));
+  check_cell_count(file, mesh.free_cells(column) * mesh.layers().count());
   History level{{0}, {surface_level(mesh, column, initial_depth(tank, mesh, column))}};
   for (std::size_t i = 0; i < filling.time.size(); ++i) {
     level.time.push_back(filling.time[i]);
@@ -99,7 +99,7 @@ History front(const SloshingTank& tank, const TankMesh& mesh, const fs::path& ca
 History liquid_volume(const SloshingTank& tank, const TankMesh& mesh,
                       const fs::path& case_directory) {
   const fs::path file = series_file(case_directory, "liquid_volume", "volFieldValue.dat");
-  History volume = read_series(tank, file, 2);
+  History volume = column_of(read_rows(tank, file, 2), 0, 1 / mesh.layers().depth());
   const double filled = initial_volume(tank, mesh);
   for (std::size_t i = 0; i < volume.time.size(); ++i) {
     const double change = volume.value[i] / filled - 1;
@@ -119,9 +119,10 @@ void set_momentum(const SloshingTank& tank, const TankMesh& mesh, const fs::path
                   Harvest& harvest) {
   const fs::path file = series_file(case_directory, "liquid_momentum", "volFieldValue.dat");
   const Rows rows = read_rows(tank, file, 1 + 3);
-  check_cell_count(file, mesh.free_cells());
-  harvest.momentum_x = column_of(rows, 0, tank.liquid.density);
-  harvest.momentum_z = column_of(rows, 2, tank.liquid.density);
+  check_cell_count(file, mesh.cells_in_all_layers());
+  const double per_breadth = tank.liquid.density / mesh.layers().depth();
+  harvest.momentum_x = column_of(rows, 0, per_breadth);
+  harvest.momentum_z = column_of(rows, 2, per_breadth);
   const double mass = tank.liquid.density * initial_volume(tank, mesh);
   for (std::size_t i = 0; i < rows.time.size(); ++i) {
     harvest.momentum_x.value[i] += mass * tank.velocity(rows.time[i]);
@@ -138,7 +139,7 @@ Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
   }
   const TankMesh mesh(tank);
   Harvest harvest;
-  harvest.cells = mesh.free_cells();
+  harvest.cells = mesh.cells_in_all_layers();
   const std::map<int, History> surfaces = highest_surfaces(tank, mesh, case_directory);
   for (const Gauge& gauge : tank.gauges) {
     harvest.elevation[gauge.name] = elevation(tank, mesh, case_directory, gauge);
@@ -154,10 +155,12 @@ Harvest harvest(const SloshingTank& tank, const fs::path& case_directory) {
   harvest.wall_force_x = std::move(forces.x);
   harvest.wall_force_z = std::move(forces.z);
   const Rows force = wall_loads(tank, case_directory, "force.dat", log);
-  harvest.force_x = column_of(force, 0, 1);
-  harvest.force_z = column_of(force, 2, 1);
+  const double per_breadth = 1 / mesh.layers().depth();
+  harvest.force_x = column_of(force, 0, per_breadth);
+  harvest.force_z = column_of(force, 2, per_breadth);
   if (tank.roll) {  // y points away from the viewer, so that a clockwise moment is positive
-    harvest.moment = column_of(wall_loads(tank, case_directory, "moment.dat", log), 1, -1);
+    harvest.moment =
+        column_of(wall_loads(tank, case_directory, "moment.dat", log), 1, -per_breadth);
   } else {
     set_momentum(tank, mesh, case_directory, harvest);
   }

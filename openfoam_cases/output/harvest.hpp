@@ -13,7 +13,9 @@
 
 namespace slosh::openfoam {
 
-// Forces, moment and momentum are per metre of width, along the tank's axes.
+// Forces, moment and momentum are per metre of width, along the tank's axes. In three dimensions so
+// is the volume; elevations are means over the gap, and pressures, probes, the highest surface, the
+// front and fields are those in the middle of the gap.
 struct Harvest {
   // The liquid's surface [m] above the fill depth by gauge name (gauge_columns.hpp).
   std::map<std::string, History> elevation;

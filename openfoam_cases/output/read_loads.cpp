@@ -28,7 +28,7 @@ Rows gas_pressure(const SloshingTank& tank, const TankMesh& mesh, const fs::path
                   const LogReader& log) {
   const fs::path file = series_file(case_directory, "gas_pressure", "volFieldValue.dat");
   Rows gas = after_start(read_rows(tank, file, 2), log);
-  check_cell_count(file, mesh.free_cells());
+  check_cell_count(file, mesh.cells_in_all_layers());
   return gas;
 }
 
@@ -174,8 +174,8 @@ WallForces wall_forces(const SloshingTank& tank, const TankMesh& mesh,
     require_same_times(file, force, gas);
     const auto [length, normal_x, normal_z] = wall_part(mesh, wall);
     History &along = forces.x[wall], &up = forces.z[wall];
-    along = column_of(force, 0, 1);
-    up = column_of(force, 2, 1);
+    along = column_of(force, 0, 1 / mesh.layers().depth());
+    up = column_of(force, 2, 1 / mesh.layers().depth());
     for (std::size_t i = 0; i < gas.time.size(); ++i) {
       along.value[i] -= gas.values[i][0] * length * normal_x;
       up.value[i] -= gas.values[i][0] * length * normal_z;

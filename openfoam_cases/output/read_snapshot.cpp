@@ -69,7 +69,31 @@ std::vector<double> component(const std::vector<std::vector<double>>& rows, std:
   return values;
 }
 
-// Subtracts the mean over the gas; `sizes` are in whole cells.
+// Returns the size of each cell in all layers, in whole cells.
+std::vector<double> sizes_in_all_layers(const TankMesh& mesh) {
+  std::vector<double> sizes;
+  const std::vector<Cell> cells = mesh.cells_of_all_layers();
+  const Layers& layers = mesh.layers();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const int layer =
+        layers.is_half_gap() ? static_cast<int>(i) / mesh.columns() % layers.count() : 0;
+    sizes.push_back(mesh.whole_cells(cells[i]) * layers.share(layer));
+  }
+  return sizes;
+}
+
+// Returns what a field has in the layer in the middle of the gap.
+std::vector<double> in_measured_layer(const TankMesh& mesh, std::vector<double> field) {
+  if (!mesh.layers().is_half_gap()) return field;
+  std::vector<double> middle;
+  const int row = mesh.columns();
+  const int last = mesh.layers().count() - 1, of_rows = row * mesh.layers().count();
+  for (auto at = field.begin(); at != field.end(); at += of_rows)
+    middle.insert(middle.end(), at + last * row, at + of_rows);
+  return middle;
+}
+
+// Subtracts the mean over the gas.
 void set_gas_datum(const std::vector<double>& sizes, const std::vector<double>& liquid_share,
                    std::vector<double>& pressure) {
   double gas = 0, sum = 0;
@@ -107,21 +131,22 @@ FieldSnapshot read_snapshot(const SloshingTank& tank, const TankMesh& mesh,
   snapshot.time = directory.time;
   snapshot.cell_width = mesh.cell_width();
   snapshot.cell_height = mesh.cell_height();
-  std::vector<double> sizes;
   for (const Cell cell : mesh.cells()) {
     const Corner centre = mesh.centre(cell);
     snapshot.x.push_back(centre.x);
     snapshot.z.push_back(centre.z);
-    sizes.push_back(mesh.whole_cells(cell));
-    snapshot.area.push_back(sizes.back() * mesh.cell_width() * mesh.cell_height());
+    snapshot.area.push_back(mesh.whole_cells(cell) * mesh.cell_width() * mesh.cell_height());
   }
-  const std::size_t cells = snapshot.x.size();
+  const std::size_t cells = mesh.cells_in_all_layers();
   const auto velocity = read_field(directory.path / "U", cells, 3);
   snapshot.velocity_x = component(velocity, 0);
   snapshot.velocity_z = component(velocity, 2);
   snapshot.liquid_share = component(read_field(directory.path / "alpha.liquid", cells, 1), 0);
   snapshot.pressure = component(read_field(directory.path / "p", cells, 1), 0);
-  set_gas_datum(sizes, snapshot.liquid_share, snapshot.pressure);
+  set_gas_datum(sizes_in_all_layers(mesh), snapshot.liquid_share, snapshot.pressure);
+  for (std::vector<double>* field :
+       {&snapshot.velocity_x, &snapshot.velocity_z, &snapshot.pressure, &snapshot.liquid_share})
+    *field = in_measured_layer(mesh, std::move(*field));
   if (mesh.is_graded()) take_uniform_cells(mesh, snapshot);
   return snapshot;
 }

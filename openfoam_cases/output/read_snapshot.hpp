@@ -11,7 +11,8 @@ namespace slosh::openfoam {
 // Each field has one value per cell, in the same order; the obstacles' cells are left out. In a
 // tank with an outline the cells beside it are cut or merged: they have the centroid and the area
 // of what they are, 1/3 to 4/3 of a whole cell, rarely more. Of graded cells the fields are means
-// over as many uniform cells (uniform_cells.hpp).
+// over as many uniform cells (uniform_cells.hpp). In three dimensions they are those of the layer
+// in the middle of the gap.
 struct FieldSnapshot {
   double time;                     // [s]
   double cell_width, cell_height;  // of a whole cell [m]

@@ -22,7 +22,7 @@ TEST(BlockMesh, LeavesOutTheBlockOfAStep) {
   ASSERT_EQ(mesh.hexahedra.size(), 3u);
   EXPECT_EQ(entries(mesh.vertices), 2 * 8);
   EXPECT_EQ(entries(mesh.wall_faces), 8);
-  EXPECT_EQ(entries(mesh.front_and_back_faces), 2 * 3);
+  EXPECT_EQ(entries(mesh.side_faces), 2 * 3);
   EXPECT_EQ(mesh.hexahedra[0].cells_x, 18);
   EXPECT_EQ(mesh.hexahedra[0].cells_z, 2);
   EXPECT_TRUE(mesh.vertices.ends_with("(1.1 0 1.3) (1.1 1 1.3)")) << mesh.vertices;

@@ -39,13 +39,12 @@ bool can_be_compared(const RunDefinition& reference, const CaseRuns& runs) {
 // none.
 std::string finest_interfoam(const CaseDefinition& definition, const CaseRuns& runs) {
   std::string finest;
-  int most_cells = 0;
+  double most_cells = 0;
   for (const auto& [name, result] : runs.results) {
     const InterFoamRun* mesh = solver_as<InterFoamRun>(definition, name);
-    if (!mesh || mesh->program != FoamProgram::inter_foam ||
-        mesh->cells_x * mesh->cells_z <= most_cells)
+    if (!mesh || mesh->program != FoamProgram::inter_foam || number_of_cells(*mesh) <= most_cells)
       continue;
-    most_cells = mesh->cells_x * mesh->cells_z;
+    most_cells = number_of_cells(*mesh);
     finest = name;
   }
   return finest;

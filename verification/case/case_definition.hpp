@@ -211,7 +211,16 @@ struct InterFoamRun {
   // [m], of the cells beside the walls, from where they grow to uniform ones in the middle. Without
   // it all cells are uniform.
   std::optional<double> wall_cell = {};
+  // Across half of the gap between the front and the back wall of a narrow tank, which is then
+  // solved in three dimensions. Without it the case is one in two, with the friction of these walls
+  // as that of a porous medium.
+  std::optional<int> cells_y = {};
 };
+
+// In the rectangle around the tank's outline.
+inline double number_of_cells(const InterFoamRun& run) {
+  return 1.0 * run.cells_x * run.cells_y.value_or(1) * run.cells_z;
+}
 
 // Linear potential flow (reference/linear_surge.hpp, standing_wave.hpp). It may gate while the
 // highest elevation that it predicts stays below valid_elevation_over_depth times the fill depth.

@@ -115,7 +115,8 @@ struct Row<InterFoamRun> : CommonRow {
   }
   static std::string caption(const InterFoamRun& mesh) {
     const std::string changed = changes(mesh);
-    return fmt::format("{}, {} x {} cells{}{}", program(mesh), mesh.cells_x, mesh.cells_z,
+    const std::string across = mesh.cells_y ? fmt::format("{} x ", *mesh.cells_y) : "";
+    return fmt::format("{}, {} x {}{} cells{}{}", program(mesh), mesh.cells_x, across, mesh.cells_z,
                        changed.empty() ? "" : ", ", changed);
   }
   static std::string changes(const InterFoamRun& mesh) {
@@ -125,6 +126,7 @@ struct Row<InterFoamRun> : CommonRow {
           fmt::format("interface_courant_number = {:g}", mesh.interface_courant_number));
     if (mesh.no_slip) changes.push_back("no_slip");
     if (mesh.wall_cell) changes.push_back("graded cells");
+    if (mesh.cells_y) changes.push_back("three dimensions");
     return fmt::format("{}", fmt::join(changes, ", "));
   }
   static json hashed(const InterFoamRun& mesh) {
@@ -133,6 +135,7 @@ struct Row<InterFoamRun> : CommonRow {
     if (const std::string changed = changes(mesh); !changed.empty())
       settings["changes"] = {mesh.interface_courant_number, mesh.no_slip,
                              mesh.wall_cell.value_or(0)};
+    if (mesh.cells_y) settings["cells_y"] = *mesh.cells_y;
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
     return settings;
   }

@@ -59,7 +59,8 @@ const std::vector<KeyTable>& case_key_tables() {
          "The inner breadth of a narrow tank, from the front to the back wall. With it, SPH, "
          "interFoam and interIsoFoam count the friction of these two walls, which they do not see "
          "otherwise; the theories and compressibleInterFoam, which have no friction there, are "
-         "refused. Beside outline_m or diameter_m the "
+         "refused, but for a run of the latter in three dimensions (cells_y). Beside outline_m or "
+         "diameter_m the "
          "motion must have a single frequency. Default: no friction."}}},
       {"liquid",
        "[liquid]",
@@ -370,6 +371,15 @@ const std::vector<KeyTable>& case_key_tables() {
          "From there each cell is thicker by a fifth at most, up to uniform ones in the middle; "
          "cells_x and cells_z stay the numbers of cells. Refused with an obstacle, outline_m or "
          "diameter_m. Default: uniform cells."},
+        {"cells_y", "integer >= 4", "no",
+         "Solves a narrow tank in three dimensions: the number of cells across half of breadth_m, "
+         "from the front wall to a plane of symmetry. They grow from wall_cell_m at the wall, each "
+         "at most twice as thick as the one before; without that the last is seven times as thick "
+         "as the first. It needs breadth_m and no_slip = true. Elevations are means over the gap, "
+         "pressures, probes and fields are those in its middle, and loads stay per metre of "
+         "breadth. Refused with an obstacle, outline_m or diameter_m. Default: two dimensions, "
+         "with "
+         "the friction of the front and the back wall as that of a porous medium."},
         {"start_disorder", "number from 0 to 0.2, cell heights", "no",
          "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
          "not a dam, an initial wave or a tank with obstacles."},

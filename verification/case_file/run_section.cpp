@@ -96,17 +96,36 @@ Rule<double> a_wall_cell(const CaseDefinition& definition, int cells_x, int cell
           [uniform](double value) { return value > 0 && value <= uniform; }, uniform};
 }
 
+// Throws unless the tank is a narrow rectangle whose walls the liquid sticks to.
+std::optional<int> read_cells_y(const TomlTable& run, const CaseDefinition& definition,
+                                bool no_slip) {
+  const auto cells = run.find("cells_y", at_least(4));
+  if (!cells) return cells;
+  if (!definition.tank.breadth)
+    run.refuse("cells_y",
+               "no such key in a tank without breadth_m in [tank]: it divides half of that");
+  if (!is_rectangle(definition.tank) || !definition.obstacles.empty())
+    run.refuse("cells_y",
+               "no such key in a tank with an obstacle or another shape than a rectangle, which is "
+               "solved in two dimensions");
+  if (!no_slip)
+    run.refuse("cells_y", "no_slip = true beside it: the liquid sticks to the walls of the gap");
+  return cells;
+}
+
 // Throws for a solver without friction, of a tank whose front and back wall cause it.
 void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
   if (definition.tank.breadth)
     run.refuse("solver",
                "a solver that counts the friction of the front and the back wall, one of sph, "
-               "interfoam and interisofoam, where [tank] has breadth_m");
+               "interfoam and interisofoam, and with cells_y compressible_interfoam, where [tank] "
+               "has breadth_m");
 }
 
 InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definition,
                             FoamProgram program) {
-  if (program == FoamProgram::compressible_inter_foam) refuse_breadth(run, definition);
+  if (program == FoamProgram::compressible_inter_foam && !run.has("cells_y"))
+    refuse_breadth(run, definition);
   const int cells_x = run.get("cells_x", at_least(2));
   const int cells_z = run.get("cells_z", at_least(2));
   const auto processes =
@@ -135,7 +154,8 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
           .interface_courant_number = run.find("interface_courant_number", a_courant_number)
                                           .value_or(InterFoamRun().interface_courant_number),
           .no_slip = no_slip,
-          .wall_cell = wall_cell};
+          .wall_cell = wall_cell,
+          .cells_y = read_cells_y(run, definition, no_slip)};
 }
 
 double read_valid_elevation(const TomlTable& run) {

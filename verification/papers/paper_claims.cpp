@@ -210,13 +210,12 @@ std::vector<FindingRow> rows_to_evaluate(const FindingRow& row,
   std::vector<FindingRow> rows{row};
   const CaseAssessment* assessment = find_case(cases, row.cases.front());
   if (!row.by_finest_mesh_too || !assessment) return rows;
-  int most_cells = 0;
+  double most_cells = 0;
   for (const RunDefinition& run : assessment->definition.runs) {
     const InterFoamRun* mesh = std::get_if<InterFoamRun>(&run.solver);
-    if (!mesh || mesh->program != FoamProgram::inter_foam ||
-        mesh->cells_x * mesh->cells_z <= most_cells)
+    if (!mesh || mesh->program != FoamProgram::inter_foam || number_of_cells(*mesh) <= most_cells)
       continue;
-    most_cells = mesh->cells_x * mesh->cells_z;
+    most_cells = number_of_cells(*mesh);
     rows.resize(1);
     rows.push_back(row);
     rows.back().runs.front() = run.name;

@@ -58,7 +58,7 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .gravity = definition.gravity,
       .liquid = {definition.liquid.density, definition.liquid.kinematic_viscosity},
       .gas = {definition.gas.density, definition.gas.kinematic_viscosity},
-      .gap_friction = gap_friction(definition),
+      .gap_friction = run.cells_y ? 0 : gap_friction(definition),
       .velocity = motion.velocity,
       .acceleration = motion.acceleration,
       .initial_relative_velocity = definition.start == Start::earth ? -motion.velocity(0) : 0,
@@ -73,6 +73,7 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .wall_cell = run.wall_cell,
       .program = program_of(run.program)};
   for (const Corner& corner : definition.tank.outline) tank.outline.push_back({corner.x, corner.z});
+  if (run.cells_y) tank.gap = openfoam::Gap{definition.tank.breadth.value(), *run.cells_y};
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
   if (run.start_disorder > 0)

@@ -37,7 +37,7 @@ ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) {
     cost.memory += 2048 * liquid_area(definition) / std::pow(sph->particle_spacing, 2);
   } else if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) {
-    cost.memory += 128 * mebibyte + 8192.0 * mesh->cells_x * mesh->cells_z;
+    cost.memory += 128 * mebibyte + 8192 * number_of_cells(*mesh);
     cost.cores = mesh->processes;
   } else if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
     cost.processor_time = cost.memory = cost.uncertainty = 0;

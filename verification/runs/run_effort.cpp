@@ -53,12 +53,13 @@ RunEffort effort_of(const InterFoamRun& mesh, const CaseDefinition& definition,
       .cells_x = mesh.cells_x,
       .cells_z = mesh.cells_z,
       .wall_cell = mesh.wall_cell};
+  if (mesh.cells_y) tank.gap = openfoam::Gap{definition.tank.breadth.value(), *mesh.cells_y};
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
   // The cells divide the rectangle around an outline, and those outside it are left out.
   const double share = tank_area(definition.tank) / (tank.length * tank.height);
   return {.steps = steps_to_samples(definition, openfoam::max_time_step(tank)),
-          .elements = share * mesh.cells_x * mesh.cells_z,
+          .elements = share * number_of_cells(mesh),
           .pressure_corrections = openfoam::pressure_corrections(tank)};
 }
 

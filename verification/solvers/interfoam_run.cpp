@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "openfoam_cases/check_tank.hpp"
@@ -59,6 +61,10 @@ RunResult run_solver(const InterFoamRun& interfoam, const RunRequest& request) {
     result.active_terms.push_back("compressible liquid, and gas of constant temperature");
   if (tank.gap_friction > 0)
     result.active_terms.push_back("friction of front and back wall, as of a porous medium");
+  if (tank.gap)
+    result.active_terms.push_back(
+        fmt::format("three dimensions: half of a gap of {:.4g} mm in {} cells, sticking walls",
+                    1e3 * tank.gap->breadth, tank.gap->cells));
   result.diagnostics = {{"max_courant_number", harvest.max_courant_number},
                         {"mean_pressure_iterations_per_step", harvest.mean_pressure_iterations},
                         {"relative_mass_loss", harvest.relative_mass_loss}};

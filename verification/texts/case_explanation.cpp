@@ -115,7 +115,7 @@ std::string flow_text(const CaseDefinition& definition) {
 std::string number_of_elements(const RunDefinition& run, const KnownRun& known) {
   if (known.start) return fmt::format(", {} particles", known.start->particles);
   if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
-    return fmt::format(" ({})", static_cast<long>(mesh->cells_x) * mesh->cells_z);
+    return fmt::format(" ({})", static_cast<long>(number_of_cells(*mesh)));
   return "";
 }
 

@@ -100,6 +100,17 @@ TEST(SolverKinds, TellAMeshWithNoSlipOrGradedCellsApart) {
       << "meshes of a refinement have wall cells of their own";
 }
 
+TEST(SolverKinds, TellAMeshInThreeDimensionsApart) {
+  InterFoamRun across{50, 40};
+  across.no_slip = true;
+  const InterFoamRun plane = across;
+  across.cells_y = 8;
+  EXPECT_EQ(work_family(run_of(across)), "interFoam, no_slip, three dimensions");
+  EXPECT_EQ(solver_text(run_of(across)), "interFoam, 50 x 8 x 40 cells, no_slip, three dimensions");
+  EXPECT_NE(hashed_settings(run_of(across)), hashed_settings(run_of(plane)));
+  EXPECT_EQ(number_of_cells(across), 16000);
+}
+
 TEST(SolverKinds, KnowAStoredResultByItsMethod) {
   const RunDefinition& stored = runs.at("stored");
   EXPECT_TRUE(is_stored(stored));

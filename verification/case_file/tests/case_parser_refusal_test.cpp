@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
                 "cells_x, cells_z, processes, interface_courant_number, no_slip, wall_cell_m, "
-                "start_disorder, start_seed, repeats, vary_inputs; nearest known "
+                "cells_y, start_disorder, start_seed, repeats, vary_inputs; nearest known "
                 "key: "},
         Mistake{"CourantNumberAboveOne",
                 {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 1.5"},
@@ -165,7 +165,8 @@ INSTANTIATE_TEST_SUITE_P(
                 {"height_m = 1.0\n", "height_m = 1.0\nbreadth_m = 0.06\n"},
                 "trial.toml:38: run.solver = \"linear\": expected a solver that counts the "
                 "friction of the front and the back wall, one of sph, interfoam and interisofoam, "
-                "where [tank] has "
+                "and with "
+                "cells_y compressible_interfoam, where [tank] has "
                 "breadth_m"},
         Mistake{"FillAboveTank",
                 {"fill_depth_m = 0.5", "fill_depth_m = 1.5"},

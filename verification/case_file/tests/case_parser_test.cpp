@@ -182,6 +182,39 @@ TEST(CaseParser, ReadsTheBreadthOfANarrowTank) {
   EXPECT_EQ(read_text(text.erase(theory, sph - theory)).tank.breadth, 0.062);
 }
 
+// Returns the case with a narrow tank and this run instead of all its runs.
+std::string narrow_case(const std::string& breadth, const std::string& run) {
+  std::string text = edited({"height_m = 1.0\n", "height_m = 1.0\n" + breadth});
+  text = text.substr(0, text.find("[[run]]"));
+  return text + "[[run]]\nname = \"sph\"\nsolver = \"sph\"\nscheme = \"any\"\n" +
+         "particle_spacing_m = 0.01\n\n[[run]]\nname = \"mesh\"\ncells_x = 50\ncells_z = 40\n" +
+         run;
+}
+
+TEST(CaseParser, ReadsTheCellsAcrossANarrowTank) {
+  const std::string narrow = "breadth_m = 0.062\n", sticking = "no_slip = true\ncells_y = 8\n";
+  for (const char* solver : {"interfoam", "interisofoam", "compressible_interfoam"}) {
+    const CaseDefinition read =
+        read_text(narrow_case(narrow, "solver = \"" + std::string(solver) + "\"\n" + sticking));
+    EXPECT_EQ(std::get<InterFoamRun>(read.runs.at(1).solver).cells_y, 8) << solver;
+  }
+  const auto refused = [](const std::string& breadth, const std::string& settings) {
+    const Workspace workspace;
+    return complaint(
+        workspace.write("trial.toml", narrow_case(breadth, "solver = \"interfoam\"\n" + settings)));
+  };
+  const auto expect = [](const std::string& message, const char* part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  expect(refused("", sticking),
+         "run.cells_y = 8: expected no such key in a tank without breadth_m");
+  expect(refused(narrow, "cells_y = 8\n"), "run.cells_y = 8: expected no_slip = true beside it");
+  expect(refused(narrow, "no_slip = true\ncells_y = 3\n"), "run.cells_y = 3: expected");
+  expect(refused(narrow, sticking + "[[obstacle]]\nname = \"step\"\nleft_m = 0.0\nright_m = "
+                                    "0.2\nbottom_m = 0.0\ntop_m = 0.1\n"),
+         "run.cells_y = 8: expected no such key in a tank with an obstacle");
+}
+
 TEST(CaseParser, TakesTheInnerSpacingAtTheSurfaceUnlessTold) {
   const auto definition = read_text(edited({"surface_particle_spacing_m = 0.01\n", ""}));
   EXPECT_EQ(std::get<SphRun>(definition.runs.at(1).solver).surface_particle_spacing, 0.02);
