@@ -21,8 +21,9 @@ double still_pressure(const SloshingTank& tank, double z) {
 }
 
 // [Pa] The half-filled cells, which carry part of the liquid above them, change the gas's mean by
-// this: 2.8 Pa in cells 50 mm high.
-constexpr double pressure_tolerance = 3;
+// this: 2.8 Pa in cells 50 mm high, and 6.4 Pa in graded ones, which are higher at the surface.
+// Differences between sensors are free of it.
+constexpr double mean_tolerance = 7, difference_tolerance = 0.1;
 
 // The level lies inside a cell. All is per metre of breadth, as in two dimensions.
 void expect_rest(const SloshingTank& tank, const Harvest& result) {
@@ -30,12 +31,13 @@ void expect_rest(const SloshingTank& tank, const Harvest& result) {
   for (const auto& [gauge, elevation] : result.elevation)
     for (const double value : elevation.value) EXPECT_NEAR(value, 0, 1e-6) << gauge;
   EXPECT_NEAR(result.liquid_volume.value.back(), tank.length * tank.fill_depth, 1e-6);
-  EXPECT_NEAR(result.wall_pressure.at("left").value.back(), still_pressure(tank, 0.17),
-              pressure_tolerance);
-  EXPECT_NEAR(result.wall_pressure.at("bottom").value.back(), still_pressure(tank, 0),
-              pressure_tolerance);
-  EXPECT_NEAR(result.pressure.at("deep").value.back(), still_pressure(tank, 0.12),
-              pressure_tolerance);
+  const double left = result.wall_pressure.at("left").value.back(),
+               bottom = result.wall_pressure.at("bottom").value.back(),
+               deep = result.pressure.at("deep").value.back();
+  EXPECT_NEAR(left, still_pressure(tank, 0.17), mean_tolerance);
+  const double per_height = tank.gravity * tank.liquid.density;
+  EXPECT_NEAR(bottom - left, per_height * 0.17, difference_tolerance);
+  EXPECT_NEAR(deep - left, per_height * 0.05, difference_tolerance);
   const double weight =
       tank.gravity * tank.length *
       (tank.liquid.density * tank.fill_depth + tank.gas.density * (tank.height - tank.fill_depth));
@@ -68,6 +70,8 @@ TEST_F(RunGap, LeavesStillLiquidAtItsLevelUnderItsHydrostaticPressure) {
   SloshingTank tank = still_narrow_tank();
   expect_rest(tank, run_in(TemporaryDirectory(), tank));
   tank.processes = 2;
+  tank.duration = 0.04;
+  tank.snapshot_times = {0.02};
   tank.wall_cell = 0.015;
   tank.cells_x = 30;
   tank.roll = harmonic_roll(0, 1, 0.3, 1.7);
