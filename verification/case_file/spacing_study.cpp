@@ -28,14 +28,18 @@ void require_spacings(const std::vector<double>& spacings) {
                     fmt::join(spacings, ", ")));
 }
 
+// A study has single runs, of the case as it is.
+toml::table single_run(const TomlTable& run) {
+  return toml::parse(run.without({"repeats", "vary_inputs"}).as_toml());
+}
+
 // Returns the table of the run in the file. Throws CaseFileError with the nearest names.
 toml::table run_table(const std::vector<TomlTable>& runs, const char* role, const std::string& name,
                       const CaseDefinition& definition) {
   std::vector<std::string> known;
   for (const TomlTable& run : runs) {
     known.push_back(run.written("name"));
-    if (known.back() == name)
-      return toml::parse(run.without({"repeats"}).as_toml());  // a study has single runs
+    if (known.back() == name) return single_run(run);
   }
   constexpr std::size_t suggestions = 3;
   throw CaseFileError(fmt::format("{}: {} = {}: expected a run of the case; nearest: {}",
@@ -54,8 +58,7 @@ toml::table pattern_run(const std::vector<TomlTable>& runs, const SpacingStudy& 
                         const CaseDefinition& definition) {
   if (study.candidate.empty()) {
     for (const TomlTable& run : runs)
-      if (run.has("method") && run.written("method") == study.family)
-        return toml::parse(run.without({"repeats"}).as_toml());
+      if (run.has("method") && run.written("method") == study.family) return single_run(run);
     return toml::table{{"solver", "sph"}, {"scheme", study.family}};
   }
   toml::table run = run_table(runs, "candidate", study.candidate, definition);
@@ -124,7 +127,8 @@ std::string spacing_study_text(const CaseDefinition& definition, const SpacingSt
                                                               {"number", "particle_spacing"},
                                                               {"runs", std::move(names)}}});
   root.erase("gate");
-  root.erase("input");  // it serves gate rows only, and may name a run that the study lacks
+  root.erase("input");    // it serves gate rows only, and may name a run that the study lacks
+  root.erase("impacts");  // they are compared with an experiment, which a study does not do
   for (const char* part : {"surge", "roll"})
     if (toml::table* motion = root["motion"][part].as_table())
       name_whole_paths(*motion, definition);
