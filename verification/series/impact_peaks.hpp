@@ -44,11 +44,10 @@ std::vector<std::optional<ImpactPeak>> impact_peaks(const TimeSeries& pressure,
 std::optional<double> arrival_time(const TimeSeries& pressure, TimeWindow window, double level);
 
 // The rise time [s] of a peak: 2 (t_peak - t_half), with t_half the last time before the peak at
-// which the pressure is half of it, on the straight line between the samples. It is that of the
-// triangle that sloshing practice puts in the place of an impact (Graczyk & Moan 2008, Ocean Eng.
-// 35:834-855); half the peak is reached by the impact alone, where its foot is lost in what comes
-// before. Returns nullopt where the pressure is never below half the peak before it. `peak` is one
-// of the series' own samples.
+// which the pressure is half of it, on the straight line between the samples. It is the rise of a
+// triangle with that upper half; half the peak is reached by the impact alone, where its foot is
+// lost in what comes before. Returns nullopt where the pressure is never below half the peak before
+// it. `peak` is one of the series' own samples.
 std::optional<double> rise_time(const TimeSeries& pressure, const ImpactPeak& peak);
 
 // The integral over the window [Pa s], by the trapezoidal rule with values on the straight line
