@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/geometry/growth_ratio.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -20,16 +21,6 @@ double length_in_wall_cells(int cells, int n, double ratio) {
   double sum = 0, size = 1;
   for (int i = 0; i < n; ++i, size *= ratio) sum += 2 * size;
   return sum + (cells - 2 * n) * size;
-}
-
-// Returns the ratio at which the cells fill the side, by bisection.
-double ratio_for(int cells, int n, double length_in_cells) {
-  double low = 1, high = largest_ratio;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = (low + high) / 2;
-    (length_in_wall_cells(cells, n, middle) < length_in_cells ? low : high) = middle;
-  }
-  return (low + high) / 2;
 }
 
 }  // namespace
@@ -53,7 +44,10 @@ CellFaces::CellFaces(double length, int cells, double wall_cell, const char* key
           fmt::format("at least {:.3g} m for {} = {}, as each cell is at most {} times as thick as "
                       "its neighbour",
                       length / longest, key, cells, largest_ratio));
-  if (graded_cells_ > 0) ratio_ = ratio_for(cells, graded_cells_, in_wall_cells);
+  if (graded_cells_ > 0)
+    ratio_ = growth_ratio(
+        [&](double ratio) { return length_in_wall_cells(cells, graded_cells_, ratio); },
+        in_wall_cells, largest_ratio);
   const double first = length / length_in_wall_cells(cells, graded_cells_, ratio_);
   faces_.assign(cells + 1, 0);
   for (int i = 0; i < cells; ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/geometry/growth_ratio.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -17,16 +18,6 @@ double depth_in_first(int count, double ratio) {
   double sum = 0, size = 1;
   for (int i = 0; i < count; ++i, size *= ratio) sum += size;
   return sum;
-}
-
-// Returns the ratio at which the layers fill the depth, by bisection.
-double ratio_of_layers(int count, double depth_in_first_layers) {
-  double low = 1, high = largest_layer_ratio;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = (low + high) / 2;
-    (depth_in_first(count, middle) < depth_in_first_layers ? low : high) = middle;
-  }
-  return (low + high) / 2;
 }
 
 }  // namespace
@@ -53,7 +44,8 @@ Layers::Layers(const SloshingTank& tank) {
   if (!tank.wall_cell)
     ratio_ = std::pow(expansion_unless_given, 1.0 / (count_ - 1));
   else if (*tank.wall_cell < depth_ / count_)
-    ratio_ = ratio_of_layers(count_, depth_ / *tank.wall_cell);
+    ratio_ = growth_ratio([this](double ratio) { return depth_in_first(count_, ratio); },
+                          depth_ / *tank.wall_cell, largest_layer_ratio);
 }
 
 double Layers::at_wall() const { return depth_ * share(0); }
