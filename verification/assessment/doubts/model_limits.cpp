@@ -92,21 +92,20 @@ void limit_friction(const CaseDefinition& definition, double layer,
     const auto* mesh = std::get_if<InterFoamRun>(&run.solver);
     return mesh && mesh->no_slip && layer < layer_in_cells * wall_cell(*mesh, definition.tank);
   });
-  if (!coarse_meshes.empty())
-    limits.push_back({fmt::format("the friction at walls, in layers {:.2g} mm thick, which is less "
-                                  "than three cells beside the walls of {}",
-                                  1e3 * layer, of_runs(coarse_meshes)),
-                      loss, seen_loss, of_amplitude, source});
   const auto coarse = runs_with(definition, [&](const RunDefinition& run) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
     return sph && sph->variant.starts_with("no_slip") &&
            layer < layer_in_particles * sph->particle_spacing;
   });
-  if (!coarse.empty())
-    limits.push_back({fmt::format("the friction at walls, in layers {:.2g} mm thick, which is less "
-                                  "than three particles of {}",
-                                  1e3 * layer, of_runs(coarse)),
-                      loss, seen_loss, of_amplitude, source});
+  const auto add_unresolved = [&](const char* than, const std::vector<std::string>& runs) {
+    if (!runs.empty())
+      limits.push_back({fmt::format("the friction at walls, in layers {:.2g} mm thick, which is "
+                                    "less than three {} of {}",
+                                    1e3 * layer, than, of_runs(runs)),
+                        loss, seen_loss, of_amplitude, source});
+  };
+  add_unresolved("cells beside the walls", coarse_meshes);
+  add_unresolved("particles", coarse);
 }
 
 // The same of the front and the back wall: pi delta / b.
