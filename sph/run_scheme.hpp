@@ -65,7 +65,7 @@ inline int samples_per(const char* what, double interval, const Scene& scene) {
 template <class Choice>
 std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& scheme) {
   std::vector<std::string> terms = Scheme<Choice>::active_terms();
-  if (scene.breadth > 0)
+  if (gap_layers(scheme.setting).largest_friction() > 0)
     terms.push_back(fmt::format("boundary layers of the front and the back wall {:.4g} m apart",
                                 scene.breadth));
   terms.push_back(start_name(chosen_state<Choice>(scene)));

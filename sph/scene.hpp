@@ -100,7 +100,7 @@ struct Scene {
   double gravity;                  // [m/s2], downward
   double rest_density;             // [kg/m3]
   double kinematic_viscosity = 0;  // of the liquid [m2/s]
-  // Of the gap between a front and a back wall, whose friction slows the liquid down
+  // The breadth of the gap between a front and a back wall, which slow the liquid down
   // (terms/gap_friction.hpp) [m]; 0: there are no such walls.
   double breadth = 0;
   std::function<double(double)> displacement;  // X(t) of the tank [m]

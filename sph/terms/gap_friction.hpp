@@ -1,15 +1,14 @@
 // The friction of a narrow tank's front and back wall, which a solver in two dimensions does not
 // see. The velocity v of a particle is the mean over the gap between the walls, relative to them:
 //   dv/dt = ... - steady_friction v - sum_n friction_n (v - m_n)
-// Each particle carries the velocities m_n of its boundary layers (gap_layers.hpp) along, along the
-// tank's axes. At the start they are zero: the liquid has not moved yet.
+// Each particle carries the velocities m_n of its boundary layers (gap_layers.hpp), in components
+// along the tank's axes. At the start they are zero: the liquid has not moved yet.
 //
 // The step is explicit in the friction, and the largest friction times the step is at most
 // largest_friction_per_step (terms/time_step.hpp). The layers' velocities follow exactly for a
 // velocity that is constant in the step.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "sph/neighbours/particles.hpp"

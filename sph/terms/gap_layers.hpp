@@ -1,6 +1,7 @@
-// The boundary layers on the front and the back wall of a narrow tank, the gap b apart. Of a
-// laminar flow between them with the mean velocity v over the gap, the walls' stress takes from
-// each mass the force (Landau & Lifshitz 1987, section 24, problem 6, in Laplace's variable s)
+// The boundary layers on the front and the back wall of a narrow tank, the gap b apart. In a
+// laminar flow between them with the mean velocity v over the gap, the walls' stress slows the
+// liquid down by the force per mass (Landau & Lifshitz 1987, section 24, problem 6, in Laplace's
+// variable s)
 //   W(s) v = s v (tanh k / k) / (1 - tanh k / k),   k = (b / 2) sqrt(s / nu)
 // The poles of W are at k = i y_n with tan y_n = y_n > 0, and the sum over them is exact:
 //   W(s) = 12 nu / b^2 + sum_n (8 nu / b^2) s / (s + rate_n),   rate_n = 4 nu y_n^2 / b^2
@@ -66,8 +67,8 @@ inline GapLayers gap_layers(double breadth, double kinematic_viscosity, double f
   return result;
 }
 
-// Returns the layers of a scheme's scene, those that sound crosses a smoothing length faster than
-// left out; none where the scene has no breadth or no viscosity.
+// Returns the layers of a scheme's scene that follow at rates below c0 / h. There is none where the
+// scene has no breadth or no viscosity.
 inline GapLayers gap_layers(const Setting& s) {
   if (s.breadth == 0 || s.kinematic_viscosity == 0) return {};
   return gap_layers(s.breadth, s.kinematic_viscosity, s.speed_of_sound / s.smoothing_length());
