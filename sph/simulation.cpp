@@ -24,7 +24,10 @@ using Methods = std::map<std::string, Method>;
 template <class Choice>
 Method method_of() {
   return {&run_scheme<Choice>,
-          [](const Scene& scene) { return Scheme<Choice>(scene).time_step(scene.gravity); },
+          [](const Scene& scene) {
+            const Scheme<Choice> scheme(scene);
+            return scheme.time_step(scene.gravity, scheme.setting.speed_of_sound);
+          },
           Choice::Frame::takes_roll};
 }
 

@@ -57,7 +57,7 @@ class SteppingOf : public Stepping {
 
   void step() override {
     double dt = Choice::TimeStep::adapts
-                    ? scheme_.time_step(largest_acceleration(liquid_.rates, scene_.gravity))
+                    ? stable_step(liquid_, scene_.gravity)
                     : 0.4 * scheme_.setting.smoothing_length() / scheme_.setting.speed_of_sound;
     integrator_.advance(liquid_, dt);
     liquid_.time += dt;

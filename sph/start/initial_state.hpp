@@ -207,7 +207,7 @@ Particles settled(const Scene& scene, const Scheme<Choice>& scheme, const Partic
   const double unit = std::sqrt(scene.fill_depth / scene.gravity);
   const double duration = 16 * unit, damping = 0.4 / unit;
   typename Choice::Integrator integrator;
-  const double dt = scheme.time_step(scene.gravity);
+  const double dt = scheme.time_step(scene.gravity, scheme.setting.speed_of_sound);
   for (; liquid.time < duration; liquid.time += dt) {
     integrator.advance(liquid, dt);
     add_scaled(p.velocity_x, -damping * dt, p.velocity_x);

@@ -40,6 +40,10 @@ struct PowerLawState {
   auto pressure(auto density) const {
     return stiffness() * (to_the<gamma>(density / rest_density) - 1.0);
   }
+  // Returns the speed of sound at a density [m/s], c0 (rho / rho_0)^((gamma - 1) / 2).
+  double speed_of_sound_at(double density) const {
+    return speed_of_sound * to_the<(gamma - 1) / 2>(density / rest_density);
+  }
   // Returns the density at a pressure p > -B.
   double density(double pressure) const {
     return rest_density * std::pow(1.0 + pressure / stiffness(), 1.0 / gamma);
@@ -81,6 +85,7 @@ struct LinearState {
   auto pressure(auto density) const {
     return speed_of_sound * speed_of_sound * (density - rest_density);
   }
+  double speed_of_sound_at(double) const { return speed_of_sound; }
   double density(double pressure) const {
     return rest_density + pressure / (speed_of_sound * speed_of_sound);
   }

@@ -32,24 +32,26 @@ struct FixedStep {
           "expected at most {:.4g} 1/s with the scheme's fixed time step",
           s.breadth, friction, largest_friction_per_step / step));
   }
-  double operator()(double) const { return step; }
+  double operator()(double, double) const { return step; }
 };
 
-// dt = min(C h / c0, 0.25 sqrt(h / |a|), 0.0625 h^2 / nu): Courant, force and viscous criterion
-// (Monaghan 1992, section 10.3; Morris, Fox & Zhu 1997, eq. 21), where a is the largest
-// acceleration [m/s2] and nu is the larger of the liquid's viscosity and the artificial one's alpha
-// h c0 / 8. The viscous number of Morris, Fox & Zhu is 0.125. On a square lattice the largest
-// eigenvalue of the pair sum is 24.1 nu / h^2 (Kaiser-Bessel, h = 1.5 dp; quintic 23.1), with which
-// an explicit step is stable up to 0.083 h^2 / nu. With the quintic the wave of Re = 50 at 10 mm
-// was unstable at 0.107 together with a Courant number of 0.8. The friction of front and back wall
-// limits the step too.
+// dt = min(C h / c, 0.25 sqrt(h / |a|), 0.0625 h^2 / nu): Courant, force and viscous criterion
+// (Monaghan 1992, section 10.3; Morris, Fox & Zhu 1997, eq. 21), where c is the speed of sound of
+// the densest particle plus the largest speed relative to the tank, at least c0, a is the largest
+// acceleration [m/s2], and nu is the larger of
+// the liquid's viscosity and the artificial one's alpha h c0 / 8. The viscous number of Morris, Fox
+// & Zhu is 0.125. On a square lattice the largest eigenvalue of the pair sum is 24.1 nu / h^2
+// (Kaiser-Bessel, h = 1.5 dp; quintic 23.1), with which an explicit step is stable up to 0.083 h^2
+// / nu. With the quintic the wave of Re = 50 at 10 mm was unstable at 0.107 together with a Courant
+// number of 0.8. The friction of front and back wall limits the step too.
 struct AdaptiveStep {
   static constexpr bool adapts = true;
   static constexpr double viscous_number = 0.0625;  // nu dt / h^2
-  double longest_step, h;
+  double longest_step, courant_number, h;
 
   explicit AdaptiveStep(const Setting& s)
       : longest_step(s.courant_number * s.smoothing_length() / s.speed_of_sound),
+        courant_number(s.courant_number),
         h(s.smoothing_length()) {
     const double nu =
         std::max(s.kinematic_viscosity, s.artificial_viscosity * h * s.speed_of_sound / 8);
@@ -57,8 +59,9 @@ struct AdaptiveStep {
     if (const double friction = gap_layers(s).largest_friction(); friction > 0)
       longest_step = std::min(longest_step, largest_friction_per_step / friction);
   }
-  double operator()(double largest_acceleration) const {
-    return std::min(longest_step, 0.25 * std::sqrt(h / largest_acceleration));
+  double operator()(double largest_acceleration, double signal_speed) const {
+    return std::min({longest_step, courant_number * h / signal_speed,
+                     0.25 * std::sqrt(h / largest_acceleration)});
   }
 };
 

@@ -109,7 +109,7 @@ struct Flow {
   // is not finite or out of its range.
   void advance_to(double time) {
     const double left = time - liquid.time;
-    const double count = std::ceil(left / liquid.scheme().time_step(0.0) - 1e-9);
+    const double count = std::ceil(left / liquid.scheme().time_step.longest_step - 1e-9);
     for (int i = 0; i < count; ++i) step(left / count);
     sph::check_state(liquid.particles, scene.rest_density, liquid.time);
   }

@@ -98,7 +98,7 @@ sph::History energy_of_box(const PressedBox& pressed, double level) {
   }
   Flow<Choice> flow(pressed.box, std::move(p));
   sph::History energy;
-  const double step = scheme.time_step(0.0);
+  const double step = scheme.time_step.longest_step;
   while (flow.liquid.time < 8 && (energy.value.empty() || energy.value.back() < level)) {
     energy.time.push_back(flow.liquid.time);
     energy.value.push_back(kinetic_energy(flow.liquid.particles));
