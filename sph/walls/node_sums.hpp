@@ -24,70 +24,79 @@ struct NodeSum {
   double value = 0, velocity_x = 0, velocity_z = 0;
 };
 
+// The moments' matrix and what the fit's value at the node needs of it.
+template <Vector Number>
 struct NodeMoments {
-  Lanes m{}, x{}, z{}, xx{}, xz{}, zz{};
-};
-struct NodeProjection {
-  Lanes f{}, x{}, z{};
+  Number m{}, x{}, z{}, xx{}, xz{}, zz{};
 
-  void add(Lanes weight, Lanes dx, Lanes dz, double value) {
+  void add(Number weight, Number dx, Number dz) {
+    m += weight;
+    x += weight * dx;
+    z += weight * dz;
+    xx += weight * dx * dx;
+    xz += weight * dx * dz;
+    zz += weight * dz * dz;
+  }
+};
+template <Vector Number>
+struct NodeProjection {
+  Number f{}, x{}, z{};
+
+  void add(Number weight, Number dx, Number dz, double value) {
     f += weight * value;
     x += weight * dx * value;
     z += weight * dz * value;
   }
-  // Returns the fit's value at the node of lane i.
-  double value(const NodeMoments& s, std::size_t i) const {
+  // Returns the fit's value at the nodes.
+  Number value(const NodeMoments<Number>& s) const {
     // a, b and c are the cofactors of the first row of the moments' matrix.
-    const double a = s.xx[i] * s.zz[i] - s.xz[i] * s.xz[i], b = s.xz[i] * s.z[i] - s.x[i] * s.zz[i],
-                 c = s.x[i] * s.xz[i] - s.xx[i] * s.z[i];
-    const double determinant = s.m[i] * a + s.x[i] * b + s.z[i] * c;
-    const double m = s.m[i];
+    const Number a = s.xx * s.zz - s.xz * s.xz, b = s.xz * s.z - s.x * s.zz,
+                 c = s.x * s.xz - s.xx * s.z;
+    const Number determinant = s.m * a + s.x * b + s.z * c;
     // With a full support the determinant is about 0.01 m^3 in units of the smoothing length.
     constexpr double least = 1e-3;
-    if (determinant > least * m * m * m) return (f[i] * a + x[i] * b + z[i] * c) / determinant;
-    return f[i] / m;
+    const auto fitted = determinant > least * s.m * s.m * s.m;
+    return (fitted ? f * a + x * b + z * c : f) / (fitted ? determinant : s.m);
   }
 };
 
 // The template depends on the kernel and not on the scheme, so that schemes share its builds.
 template <class Kernel, double Source::*value>
-void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, const Source* sources,
-                             std::size_t first_solid_source, const SolidPlace* places,
-                             const TankWalls* walls, NodeSum* nodes) {
-  Lanes node_x{}, node_z{};
-  for (std::size_t i = 0; i < cluster->size; ++i) {
-    node_x[i] = walls->left + places[cluster->first + i].node_x;
-    node_z[i] = walls->bottom + places[cluster->first + i].node_z;
+struct SumAtNodesOfCluster {
+  template <Vector Number>
+  static void run(double smoothing_length, const Cluster* cluster, const Source* sources,
+                  std::size_t first_solid_source, const SolidPlace* places, const TankWalls* walls,
+                  NodeSum* nodes) {
+    const double inverse_h = 1.0 / smoothing_length;
+    for (std::size_t first = cluster->first; first < cluster->first + cluster->size;
+         first += lanes_of<Number>) {
+      const std::size_t count = std::min(lanes_of<Number>, cluster->first + cluster->size - first);
+      Number node_x{}, node_z{};
+      for (std::size_t i = 0; i < count; ++i) {
+        node_x[i] = walls->left + places[first + i].node_x;
+        node_z[i] = walls->bottom + places[first + i].node_z;
+      }
+      NodeMoments<Number> moments;
+      NodeProjection<Number> field, u, w;
+      for (std::size_t k = 0; k < cluster->source_count && cluster->sources[k] < first_solid_source;
+           ++k) {
+        const Source& b = sources[cluster->sources[k]];
+        const Number dx = (b.x - node_x) * inverse_h, dz = (b.z - node_z) * inverse_h;
+        const Number weight = b.weight * Kernel::shape(square_root(dx * dx + dz * dz));
+        moments.add(weight, dx, dz);
+        field.add(weight, dx, dz, b.*value);
+        u.add(weight, dx, dz, b.velocity_x);
+        w.add(weight, dx, dz, b.velocity_z);
+      }
+      const Number value_at = field.value(moments), u_at = u.value(moments),
+                   w_at = w.value(moments);
+      for (std::size_t i = 0; i < count; ++i)
+        nodes[first + i] = moments.m[i] > 0
+                               ? NodeSum{true, moments.m[i], value_at[i], u_at[i], w_at[i]}
+                               : NodeSum{};
+    }
   }
-  const double inverse_h = 1.0 / smoothing_length;
-  NodeMoments moments;
-  NodeProjection field, u, w;
-  for (std::size_t k = 0; k < cluster->source_count && cluster->sources[k] < first_solid_source;
-       ++k) {
-    const Source& b = sources[cluster->sources[k]];
-    const Lanes dx = (b.x - node_x) * inverse_h, dz = (b.z - node_z) * inverse_h;
-    const Lanes weight = b.weight * Kernel::shape(square_root(dx * dx + dz * dz));
-    moments.m += weight;
-    moments.x += weight * dx;
-    moments.z += weight * dz;
-    moments.xx += weight * dx * dx;
-    moments.xz += weight * dx * dz;
-    moments.zz += weight * dz * dz;
-    field.add(weight, dx, dz, b.*value);
-    u.add(weight, dx, dz, b.velocity_x);
-    w.add(weight, dx, dz, b.velocity_z);
-  }
-  for (std::size_t i = 0; i < cluster->size; ++i) {
-    NodeSum& node = nodes[cluster->first + i];
-    node = {};
-    node.found = moments.m[i] > 0;
-    if (!node.found) continue;
-    node.liquid = moments.m[i];
-    node.value = field.value(moments, i);
-    node.velocity_x = u.value(moments, i);
-    node.velocity_z = w.value(moments, i);
-  }
-}
+};
 
 // Evaluates the velocity and the sources' field `value` at the nodes.
 template <double Source::*value, class Scheme>
@@ -95,7 +104,7 @@ void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours,
                   const std::vector<SolidPlace>& places, const TankWalls& walls,
                   std::vector<NodeSum>& nodes, InstructionSet set) {
   neighbours.solid_clusters().for_each([&](const Cluster& cluster) {
-    call<&sum_at_nodes_of_cluster<typename Scheme::Kernel, value>>(
+    call_in_registers<SumAtNodesOfCluster<typename Scheme::Kernel, value>>(
         set, scheme.setting.smoothing_length(), &cluster, neighbours.sources(),
         neighbours.first_solid_source(), places.data(), &walls, nodes.data());
   });
