@@ -10,6 +10,7 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/neighbours/two.hpp"
 #include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
@@ -51,6 +52,24 @@ LaneState<Number> state_at(const Particles& p, std::size_t i) {
           Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{}};
 }
 
+// Two sources of a list, as one.
+struct TwoSources {
+  Two<double> x, z, velocity_x, velocity_z, weight, strength, density, spacing;
+
+  TwoSources(const Source& a, const Source& b)
+      : x{a.x, b.x},
+        z{a.z, b.z},
+        velocity_x{a.velocity_x, b.velocity_x},
+        velocity_z{a.velocity_z, b.velocity_z},
+        weight{a.weight, b.weight},
+        strength{a.strength, b.strength},
+        density{a.density, b.density},
+        spacing{a.spacing, b.spacing} {}
+};
+struct TwoGradients {
+  Two<double> x, z;
+};
+
 template <class Scheme>
 struct MomentumOfCluster {
   template <Vector Number>
@@ -63,20 +82,23 @@ struct MomentumOfCluster {
       const auto [x, z, u, w, rho, spacing] = state_at<Scheme, Number>(*particles, i);
       const Number strength = scheme->formulation.strength(scheme->state.pressure(rho), rho);
       Number sum_x{}, sum_z{};
-      for (std::size_t k = 0; k < cluster->source_count; ++k) {
-        const Source& b = cluster->source(sources, k);
-        const Number dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
+      const auto add = [&](const auto& b) {
+        const auto dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
         const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-        Number s = strength + b.strength;
+        auto s = strength + b.strength;
         if constexpr (Viscosity::active) {
-          const Number approach = (u - b.velocity_x) * dx + (w - b.velocity_z) * dz;
+          const auto approach = (u - b.velocity_x) * dx + (w - b.velocity_z) * dz;
           s += scheme->viscosity.pair(approach, distance2, 1.0 / inverse_h) *
                scheme->formulation.viscous_scale(rho, b.density);
         }
-        const Number f = b.weight * s * pair_gradient<Scheme>(distance2, inverse_h);
-        sum_x += f * dx;
-        sum_z += f * dz;
-      }
+        const auto f = b.weight * s * pair_gradient<Scheme>(distance2, inverse_h);
+        add_product(sum_x, f, dx);
+        add_product(sum_z, f, dz);
+      };
+      std::size_t k = 0;
+      for (; k + 1 < cluster->source_count; k += 2)
+        add(TwoSources(cluster->source(sources, k), cluster->source(sources, k + 1)));
+      if (k < cluster->source_count) add(cluster->source(sources, k));
       const auto factor = shared_scale(*scheme) * scheme->formulation.acceleration_factor(rho);
       Number acceleration_x = -factor * sum_x, acceleration_z = -factor * sum_z;
       tank->pull(scheme->setting.gravity, x, z, u, w, acceleration_x, acceleration_z);
@@ -105,21 +127,31 @@ struct ContinuityOfCluster {
         gradient_x = load<Number>(&gradient->x[i]);
         gradient_z = load<Number>(&gradient->z[i]);
       }
-      for (std::size_t k = 0; k < cluster->source_count; ++k) {
-        const Source& b = cluster->source(sources, k);
-        const Number dx = x - b.x, dz = z - b.z;
+      const auto add = [&](const auto& b, const auto& of_b) {
+        const auto dx = x - b.x, dz = z - b.z;
         const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-        const Number f = b.weight * pair_gradient<Scheme>(dx * dx + dz * dz, inverse_h);
-        divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
+        const auto f = b.weight * pair_gradient<Scheme>(dx * dx + dz * dz, inverse_h);
+        add_product(divergence, f, (u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
         if constexpr (Diffusion::active) {
-          Number difference = own - b.density;
-          if constexpr (Diffusion::reads_gradient) {
-            const SourceGradient& of_b = gradient->of_sources[cluster->sources[k]];
+          auto difference = own - b.density;
+          if constexpr (Diffusion::reads_gradient)
             difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
-          }
-          diffusion += f * difference;
+          add_product(diffusion, f, difference);
         }
+      };
+      const auto gradient_of = [&](std::size_t k) {
+        if constexpr (Diffusion::reads_gradient)
+          return gradient->of_sources[cluster->sources[k]];
+        else
+          return SourceGradient{};
+      };
+      std::size_t k = 0;
+      for (; k + 1 < cluster->source_count; k += 2) {
+        const SourceGradient of_one = gradient_of(k), of_next = gradient_of(k + 1);
+        add(TwoSources(cluster->source(sources, k), cluster->source(sources, k + 1)),
+            TwoGradients{{of_one.x, of_next.x}, {of_one.z, of_next.z}});
       }
+      if (k < cluster->source_count) add(cluster->source(sources, k), gradient_of(k));
       if constexpr (Diffusion::active)
         diffusion =
             scheme->density_diffusion.pair(diffusion, 1.0 / scheme->smoothing.inverse_length);
