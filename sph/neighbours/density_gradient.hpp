@@ -12,6 +12,7 @@
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/neighbours/two_sources.hpp"
 #include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
@@ -50,7 +51,8 @@ struct Renormalisation {
   Number xx{}, xz{}, zz{};
 
   // Adds a pair at (dx, dz) = r_a - r_b, where `f` is V_b (dW/dr)/r.
-  void add(Number f, Number dx, Number dz) {
+  template <class NumberOrTwo>
+  void add(NumberOrTwo f, NumberOrTwo dx, NumberOrTwo dz) {
     xx -= f * dx * dx;
     xz -= f * dx * dz;
     zz -= f * dz * dz;
@@ -77,15 +79,15 @@ struct DensityGradientOfCluster {
                    rho = load<Number>(&p.density[i]);
       Renormalisation<Number> support;
       Number sum_x{}, sum_z{};
-      for (std::size_t k = 0; k < cluster->source_count; ++k) {
-        const Source& b = cluster->source(sources, k);
-        const Number dx = x - b.x, dz = z - b.z;
-        const Number f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
-                                        dx * dx + dz * dz, scheme->smoothing.inverse_length);
+      const auto add = [&](const auto& b, std::size_t) {
+        const auto dx = x - b.x, dz = z - b.z;
+        const auto f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
+                                      dx * dx + dz * dz, scheme->smoothing.inverse_length);
         support.add(f, dx, dz);
         sum_x += f * (b.density - rho) * dx;
         sum_z += f * (b.density - rho) * dz;
-      }
+      };
+      for_two_sources_each(*cluster, sources, cluster->source_count, add);
       const Number scale = support.inverse_determinant();
       store(&gradient->x[i], scale * (support.zz * sum_x - support.xz * sum_z), count);
       store(&gradient->z[i], scale * (support.xx * sum_z - support.xz * sum_x), count);

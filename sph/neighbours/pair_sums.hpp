@@ -10,7 +10,7 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
-#include "sph/neighbours/two.hpp"
+#include "sph/neighbours/two_sources.hpp"
 #include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
@@ -52,23 +52,20 @@ LaneState<Number> state_at(const Particles& p, std::size_t i) {
           Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{}};
 }
 
-// Two sources of a list, as one.
-struct TwoSources {
-  Two<double> x, z, velocity_x, velocity_z, weight, strength, density, spacing;
-
-  TwoSources(const Source& a, const Source& b)
-      : x{a.x, b.x},
-        z{a.z, b.z},
-        velocity_x{a.velocity_x, b.velocity_x},
-        velocity_z{a.velocity_z, b.velocity_z},
-        weight{a.weight, b.weight},
-        strength{a.strength, b.strength},
-        density{a.density, b.density},
-        spacing{a.spacing, b.spacing} {}
-};
+// The gradients of one source or of two.
+inline SourceGradient gradient_of(const DensityGradient& gradient, const Cluster& cluster,
+                                  std::size_t k, const Source&) {
+  return gradient.of_sources[cluster.sources[k]];
+}
 struct TwoGradients {
   Two<double> x, z;
 };
+inline TwoGradients gradient_of(const DensityGradient& gradient, const Cluster& cluster,
+                                std::size_t k, const TwoSources&) {
+  const SourceGradient &first = gradient.of_sources[cluster.sources[k]],
+                       &second = gradient.of_sources[cluster.sources[k + 1]];
+  return {{first.x, second.x}, {first.z, second.z}};
+}
 
 template <class Scheme>
 struct MomentumOfCluster {
@@ -82,7 +79,7 @@ struct MomentumOfCluster {
       const auto [x, z, u, w, rho, spacing] = state_at<Scheme, Number>(*particles, i);
       const Number strength = scheme->formulation.strength(scheme->state.pressure(rho), rho);
       Number sum_x{}, sum_z{};
-      const auto add = [&](const auto& b) {
+      const auto add = [&](const auto& b, std::size_t) {
         const auto dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
         const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
         auto s = strength + b.strength;
@@ -92,13 +89,10 @@ struct MomentumOfCluster {
                scheme->formulation.viscous_scale(rho, b.density);
         }
         const auto f = b.weight * s * pair_gradient<Scheme>(distance2, inverse_h);
-        add_product(sum_x, f, dx);
-        add_product(sum_z, f, dz);
+        sum_x += f * dx;
+        sum_z += f * dz;
       };
-      std::size_t k = 0;
-      for (; k + 1 < cluster->source_count; k += 2)
-        add(TwoSources(cluster->source(sources, k), cluster->source(sources, k + 1)));
-      if (k < cluster->source_count) add(cluster->source(sources, k));
+      for_two_sources_each(*cluster, sources, cluster->source_count, add);
       const auto factor = shared_scale(*scheme) * scheme->formulation.acceleration_factor(rho);
       Number acceleration_x = -factor * sum_x, acceleration_z = -factor * sum_z;
       tank->pull(scheme->setting.gravity, x, z, u, w, acceleration_x, acceleration_z);
@@ -127,31 +121,21 @@ struct ContinuityOfCluster {
         gradient_x = load<Number>(&gradient->x[i]);
         gradient_z = load<Number>(&gradient->z[i]);
       }
-      const auto add = [&](const auto& b, const auto& of_b) {
+      const auto add = [&](const auto& b, [[maybe_unused]] std::size_t k) {
         const auto dx = x - b.x, dz = z - b.z;
         const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
         const auto f = b.weight * pair_gradient<Scheme>(dx * dx + dz * dz, inverse_h);
-        add_product(divergence, f, (u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
+        divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
         if constexpr (Diffusion::active) {
           auto difference = own - b.density;
-          if constexpr (Diffusion::reads_gradient)
+          if constexpr (Diffusion::reads_gradient) {
+            const auto of_b = gradient_of(*gradient, *cluster, k, b);
             difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
-          add_product(diffusion, f, difference);
+          }
+          diffusion += f * difference;
         }
       };
-      const auto gradient_of = [&](std::size_t k) {
-        if constexpr (Diffusion::reads_gradient)
-          return gradient->of_sources[cluster->sources[k]];
-        else
-          return SourceGradient{};
-      };
-      std::size_t k = 0;
-      for (; k + 1 < cluster->source_count; k += 2) {
-        const SourceGradient of_one = gradient_of(k), of_next = gradient_of(k + 1);
-        add(TwoSources(cluster->source(sources, k), cluster->source(sources, k + 1)),
-            TwoGradients{{of_one.x, of_next.x}, {of_one.z, of_next.z}});
-      }
-      if (k < cluster->source_count) add(cluster->source(sources, k), gradient_of(k));
+      for_two_sources_each(*cluster, sources, cluster->source_count, add);
       if constexpr (Diffusion::active)
         diffusion =
             scheme->density_diffusion.pair(diffusion, 1.0 / scheme->smoothing.inverse_length);

@@ -1,6 +1,6 @@
 // Two values side by side. The sums over sources evaluate their formulas for two sources at once:
 // the processor works on one while it waits for an operation on the other, which with one source
-// alone took 5 % more time. The sums add the two in their order.
+// alone took 5 % more time.
 #pragma once
 
 #include "sph/neighbours/lanes.hpp"
@@ -73,15 +73,16 @@ Two<T> negative_part(Two<T> a) {
   return {negative_part(a.first), negative_part(a.second)};
 }
 
-// Adds a product, or two in their order, to a sum.
+// Sums take the two in their order.
 template <Vector Number>
-void add_product(Number& sum, Number a, Number b) {
-  sum += a * b;
+Number& operator+=(Number& sum, Two<Number> terms) {
+  sum += terms.first;
+  return sum += terms.second;
 }
 template <Vector Number>
-void add_product(Number& sum, Two<Number> a, Two<Number> b) {
-  add_product(sum, a.first, b.first);
-  add_product(sum, a.second, b.second);
+Number& operator-=(Number& sum, Two<Number> terms) {
+  sum -= terms.first;
+  return sum -= terms.second;
 }
 
 }  // namespace slosh::sph

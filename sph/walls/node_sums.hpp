@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
+#include "sph/neighbours/two_sources.hpp"
+#include "sph/terms/kernels.hpp"
 #include "sph/walls/solid_particles.hpp"
 #include "sph/walls/tank_walls.hpp"
 
@@ -29,7 +32,8 @@ template <Vector Number>
 struct NodeMoments {
   Number m{}, x{}, z{}, xx{}, xz{}, zz{};
 
-  void add(Number weight, Number dx, Number dz) {
+  template <class NumberOrTwo>
+  void add(NumberOrTwo weight, NumberOrTwo dx, NumberOrTwo dz) {
     m += weight;
     x += weight * dx;
     z += weight * dz;
@@ -42,23 +46,42 @@ template <Vector Number>
 struct NodeProjection {
   Number f{}, x{}, z{};
 
-  void add(Number weight, Number dx, Number dz, double value) {
+  template <class NumberOrTwo, class Value>
+  void add(NumberOrTwo weight, NumberOrTwo dx, NumberOrTwo dz, Value value) {
     f += weight * value;
     x += weight * dx * value;
     z += weight * dz * value;
   }
-  // Returns the fit's value at the nodes.
-  Number value(const NodeMoments<Number>& s) const {
+  // Returns the fit's value at the nodes; h is the smoothing length [m].
+  Number value(const NodeMoments<Number>& s, double h) const {
     // a, b and c are the cofactors of the first row of the moments' matrix.
     const Number a = s.xx * s.zz - s.xz * s.xz, b = s.xz * s.z - s.x * s.zz,
                  c = s.x * s.xz - s.xx * s.z;
     const Number determinant = s.m * a + s.x * b + s.z * c;
-    // With a full support the determinant is about 0.01 m^3 in units of the smoothing length.
-    constexpr double least = 1e-3;
+    // With a full support the determinant is about 0.01 m^3 h^4.
+    const double least = 1e-3 * h * h * h * h;
     const auto fitted = determinant > least * s.m * s.m * s.m;
     return (fitted ? f * a + x * b + z * c : f) / (fitted ? determinant : s.m);
   }
 };
+
+// The field `value` of one source or of two.
+template <double Source::*value>
+double value_of(const Source& b) {
+  return b.*value;
+}
+template <double Source::*value>
+Two<double> value_of(const TwoSources& b) {
+  static_assert(value == &Source::strength || value == &Source::density);
+  return value == &Source::strength ? b.strength : b.density;
+}
+
+// Returns how many of the cluster's sources are liquid or images, which come first.
+inline std::size_t liquid_sources(const Cluster& cluster, std::size_t first_solid_source) {
+  const std::uint32_t* end = cluster.sources + cluster.source_count;
+  return static_cast<std::size_t>(std::lower_bound(cluster.sources, end, first_solid_source) -
+                                  cluster.sources);
+}
 
 // The template depends on the kernel and not on the scheme, so that schemes share its builds.
 template <class Kernel, double Source::*value>
@@ -67,10 +90,14 @@ struct SumAtNodesOfCluster {
   static void run(double smoothing_length, const Cluster* cluster, const Source* sources,
                   std::size_t first_solid_source, const SolidPlace* places, const TankWalls* walls,
                   NodeSum* nodes) {
-    const double inverse_h = 1.0 / smoothing_length;
+    const std::size_t sources_of_liquid = liquid_sources(*cluster, first_solid_source);
     for (std::size_t first = cluster->first; first < cluster->first + cluster->size;
          first += lanes_of<Number>) {
       const std::size_t count = std::min(lanes_of<Number>, cluster->first + cluster->size - first);
+      if (sources_of_liquid == 0) {
+        std::fill_n(nodes + first, count, NodeSum{});
+        continue;
+      }
       Number node_x{}, node_z{};
       for (std::size_t i = 0; i < count; ++i) {
         node_x[i] = walls->left + places[first + i].node_x;
@@ -78,18 +105,19 @@ struct SumAtNodesOfCluster {
       }
       NodeMoments<Number> moments;
       NodeProjection<Number> field, u, w;
-      for (std::size_t k = 0; k < cluster->source_count && cluster->sources[k] < first_solid_source;
-           ++k) {
-        const Source& b = sources[cluster->sources[k]];
-        const Number dx = (b.x - node_x) * inverse_h, dz = (b.z - node_z) * inverse_h;
-        const Number weight = b.weight * Kernel::shape(square_root(dx * dx + dz * dz));
+      const auto add = [&](const auto& b, std::size_t) {
+        const auto dx = b.x - node_x, dz = b.z - node_z;
+        const auto weight =
+            b.weight * shape_of_pair<Kernel>(dx * dx + dz * dz, 1.0 / smoothing_length);
         moments.add(weight, dx, dz);
-        field.add(weight, dx, dz, b.*value);
+        field.add(weight, dx, dz, value_of<value>(b));
         u.add(weight, dx, dz, b.velocity_x);
         w.add(weight, dx, dz, b.velocity_z);
-      }
-      const Number value_at = field.value(moments), u_at = u.value(moments),
-                   w_at = w.value(moments);
+      };
+      for_two_sources_each(*cluster, sources, sources_of_liquid, add);
+      const Number value_at = field.value(moments, smoothing_length),
+                   u_at = u.value(moments, smoothing_length),
+                   w_at = w.value(moments, smoothing_length);
       for (std::size_t i = 0; i < count; ++i)
         nodes[first + i] = moments.m[i] > 0
                                ? NodeSum{true, moments.m[i], value_at[i], u_at[i], w_at[i]}
