@@ -21,10 +21,28 @@
 
 namespace slosh::sph {
 
-struct NodeSum {
-  bool found = false;  // any liquid within the support
-  double liquid = 0;   // its kernel sum, without the kernel's normalisation and 1/h^2
-  double value = 0, velocity_x = 0, velocity_z = 0;
+struct Nodes {
+  Array<double> x, z;  // in the tank [m]
+  // What the sums find: the kernel sum of the liquid, without the kernel's normalisation and 1/h^2,
+  // the liquid's velocity, and one of its fields. Without liquid all are 0.
+  Array<double> liquid, velocity_x, velocity_z, value;
+
+  std::size_t size() const { return x.size(); }
+  bool found(std::size_t i) const { return liquid[i] > 0; }
+
+  // The places must have their final order.
+  void place(const std::vector<SolidPlace>& places) {
+    for_each_named_field(
+        [&](const char*, Array<double>& field) { field.assign(places.size(), 0.0); });
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      x[i] = places[i].node_x;
+      z[i] = places[i].node_z;
+    }
+  }
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    for (auto* field : {&x, &z, &liquid, &velocity_x, &velocity_z, &value}) visit("nodes", *field);
+  }
 };
 
 // The moments' matrix and what the fit's value at the node needs of it.
@@ -61,7 +79,9 @@ struct NodeProjection {
     // With a full support the determinant is about 0.01 m^3 h^4.
     const double least = 1e-3 * h * h * h * h;
     const auto fitted = determinant > least * s.m * s.m * s.m;
-    return (fitted ? f * a + x * b + z * c : f) / (fitted ? determinant : s.m);
+    // Without liquid the quotient is that of 0 by 1.
+    const Number divisor = fitted ? determinant : s.m;
+    return (fitted ? f * a + x * b + z * c : f) / (s.m > Number{} ? divisor : 1.0 - Number{});
   }
 };
 
@@ -88,53 +108,48 @@ template <class Kernel, double Source::*value>
 struct SumAtNodesOfCluster {
   template <Vector Number>
   static void run(double smoothing_length, const Cluster* cluster, const Source* sources,
-                  std::size_t first_solid_source, const SolidPlace* places, const TankWalls* walls,
-                  NodeSum* nodes) {
+                  std::size_t first_solid_source, const TankWalls* walls, Nodes* nodes) {
     const std::size_t sources_of_liquid = liquid_sources(*cluster, first_solid_source);
-    for (std::size_t first = cluster->first; first < cluster->first + cluster->size;
-         first += lanes_of<Number>) {
-      const std::size_t count = std::min(lanes_of<Number>, cluster->first + cluster->size - first);
-      if (sources_of_liquid == 0) {
-        std::fill_n(nodes + first, count, NodeSum{});
-        continue;
+    for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
+         i += lanes_of<Number>) {
+      const std::size_t count = cluster->first + cluster->size - i;
+      Number liquid{}, value_at{}, u_at{}, w_at{};
+      if (sources_of_liquid > 0) {
+        const Number node_x = walls->left + load<Number>(&nodes->x[i]),
+                     node_z = walls->bottom + load<Number>(&nodes->z[i]);
+        NodeMoments<Number> moments;
+        NodeProjection<Number> field, u, w;
+        const auto add = [&](const auto& b, std::size_t) {
+          const auto dx = b.x - node_x, dz = b.z - node_z;
+          const auto weight =
+              b.weight * shape_of_pair<Kernel>(dx * dx + dz * dz, 1.0 / smoothing_length);
+          moments.add(weight, dx, dz);
+          field.add(weight, dx, dz, value_of<value>(b));
+          u.add(weight, dx, dz, b.velocity_x);
+          w.add(weight, dx, dz, b.velocity_z);
+        };
+        for_two_sources_each(*cluster, sources, sources_of_liquid, add);
+        liquid = moments.m;
+        value_at = field.value(moments, smoothing_length);
+        u_at = u.value(moments, smoothing_length);
+        w_at = w.value(moments, smoothing_length);
       }
-      Number node_x{}, node_z{};
-      for (std::size_t i = 0; i < count; ++i) {
-        node_x[i] = walls->left + places[first + i].node_x;
-        node_z[i] = walls->bottom + places[first + i].node_z;
-      }
-      NodeMoments<Number> moments;
-      NodeProjection<Number> field, u, w;
-      const auto add = [&](const auto& b, std::size_t) {
-        const auto dx = b.x - node_x, dz = b.z - node_z;
-        const auto weight =
-            b.weight * shape_of_pair<Kernel>(dx * dx + dz * dz, 1.0 / smoothing_length);
-        moments.add(weight, dx, dz);
-        field.add(weight, dx, dz, value_of<value>(b));
-        u.add(weight, dx, dz, b.velocity_x);
-        w.add(weight, dx, dz, b.velocity_z);
-      };
-      for_two_sources_each(*cluster, sources, sources_of_liquid, add);
-      const Number value_at = field.value(moments, smoothing_length),
-                   u_at = u.value(moments, smoothing_length),
-                   w_at = w.value(moments, smoothing_length);
-      for (std::size_t i = 0; i < count; ++i)
-        nodes[first + i] = moments.m[i] > 0
-                               ? NodeSum{true, moments.m[i], value_at[i], u_at[i], w_at[i]}
-                               : NodeSum{};
+      store(&nodes->liquid[i], liquid, count);
+      store(&nodes->value[i], value_at, count);
+      store(&nodes->velocity_x[i], u_at, count);
+      store(&nodes->velocity_z[i], w_at, count);
     }
   }
 };
 
 // Evaluates the velocity and the sources' field `value` at the nodes.
 template <double Source::*value, class Scheme>
-void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours,
-                  const std::vector<SolidPlace>& places, const TankWalls& walls,
-                  std::vector<NodeSum>& nodes, InstructionSet set) {
+void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours, const TankWalls& walls,
+                  Nodes& nodes, InstructionSet set) {
   neighbours.solid_clusters().for_each([&](const Cluster& cluster) {
     call_in_registers<SumAtNodesOfCluster<typename Scheme::Kernel, value>>(
         set, scheme.setting.smoothing_length(), &cluster, neighbours.sources(),
-        neighbours.first_solid_source(), places.data(), &walls, nodes.data());
+        neighbours.first_solid_source(), &walls, &nodes);
   });
 }
 
