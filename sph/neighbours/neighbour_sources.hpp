@@ -333,7 +333,7 @@ class NeighbourSources {
   };
 
   // In kernel radii; the values were chosen by measurement on a calm and on a breaking surge.
-  static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 6;
+  static constexpr double smallest_slack = 0.0125, largest_slack = 0.1, steps_per_list = 6;
   // In particle spacings: eight particles of a row form a cluster about as wide as it is high.
   static constexpr double cell_height = 2.83, cell_width = 0.5;
 
