@@ -101,13 +101,12 @@ class GhostSolids {
     look_up<&Source::strength>(scheme, neighbours, walls, set);
     const double rho = scheme.setting.rest_density;
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      source.density = rho;
-      if (leave_out(i, source)) return;
       place_with_share(scheme, i, walls, source);
       if (nodes_.found(i)) reflect(i, slip, walls, source);
       const double rise = pressure_rise(scheme, i, walls);
       source.strength =
           nodes_.found(i) ? nodes_.value[i] + scheme.formulation.strength(rise, rho) : 0.0;
+      source.density = rho;
     });
   }
 
@@ -116,7 +115,6 @@ class GhostSolids {
                               InstructionSet set) {
     look_up<&Source::density>(scheme, neighbours, walls, set);
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      if (leave_out(i, source)) return;
       place_with_share(scheme, i, walls, source);
       if (nodes_.found(i) && !places_[i].in_obstacle) reflect(i, Slip::free, walls, source);
       if constexpr (Scheme::DensityDiffusion::active)
@@ -136,14 +134,6 @@ class GhostSolids {
   }
 
  private:
-  // Takes the weight of a particle of the tank's walls without liquid at its node, which has no
-  // share. Returns whether it did: the rest of the source then has no effect.
-  bool leave_out(std::size_t i, Source& source) const {
-    if (nodes_.found(i) || places_[i].in_obstacle) return false;
-    source.weight = 0;
-    return true;
-  }
-
   template <class Scheme>
   void place_with_share(const Scheme& scheme, std::size_t i, const TankWalls& walls,
                         Source& source) const {
