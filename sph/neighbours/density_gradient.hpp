@@ -12,6 +12,7 @@
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/neighbours/two_sources.hpp"
 #include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
@@ -45,45 +46,54 @@ inline Number gradient_over_distance(Number distance2, Length inverse_h) {
 }
 
 // sum_b V_b (r_b - r_a) (x) grad_a W_ab, which is the identity inside the liquid.
+template <Vector Number>
 struct Renormalisation {
-  Lanes xx{}, xz{}, zz{};
+  Number xx{}, xz{}, zz{};
 
   // Adds a pair at (dx, dz) = r_a - r_b, where `f` is V_b (dW/dr)/r.
-  void add(Lanes f, Lanes dx, Lanes dz) {
+  template <class NumberOrTwo>
+  void add(NumberOrTwo f, NumberOrTwo dx, NumberOrTwo dz) {
     xx -= f * dx * dx;
     xz -= f * dx * dz;
     zz -= f * dz * dz;
   }
+  // Returns the inverse of the determinant, or 0 for a drop of a few particles, which defines no
+  // gradient. The determinant is 1 inside the liquid.
+  Number inverse_determinant() const {
+    constexpr double least = 0.01;
+    const Number determinant = xx * zz - xz * xz;
+    return determinant > least - Number{} ? 1.0 / determinant : Number{};
+  }
 };
 
 template <class Scheme>
-void density_gradient_of_cluster(const Scheme* scheme, const Cluster* cluster,
-                                 const Source* sources, const Particles* particles,
-                                 DensityGradient* gradient) {
-  const Particles& p = *particles;
-  const std::size_t i = cluster->first;
-  const Lanes x = load(&p.x[i]), z = load(&p.z[i]), rho = load(&p.density[i]);
-  Renormalisation support;
-  Lanes sum_x{}, sum_z{};
-  for (std::size_t k = 0; k < cluster->source_count; ++k) {
-    const Source& b = sources[cluster->sources[k]];
-    const Lanes dx = x - b.x, dz = z - b.z;
-    const Lanes f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
-                                   dx * dx + dz * dz, scheme->smoothing.inverse_length);
-    support.add(f, dx, dz);
-    sum_x += f * (b.density - rho) * dx;
-    sum_z += f * (b.density - rho) * dz;
+struct DensityGradientOfCluster {
+  template <Vector Number>
+  static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+                  const Particles* particles, DensityGradient* gradient) {
+    const Particles& p = *particles;
+    for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
+         i += lanes_of<Number>) {
+      const std::size_t count = cluster->first + cluster->size - i;
+      const Number x = load<Number>(&p.x[i]), z = load<Number>(&p.z[i]),
+                   rho = load<Number>(&p.density[i]);
+      Renormalisation<Number> support;
+      Number sum_x{}, sum_z{};
+      const auto add = [&](const auto& b, std::size_t) {
+        const auto dx = x - b.x, dz = z - b.z;
+        const auto f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
+                                      dx * dx + dz * dz, scheme->smoothing.inverse_length);
+        support.add(f, dx, dz);
+        sum_x += f * (b.density - rho) * dx;
+        sum_z += f * (b.density - rho) * dz;
+      };
+      for_two_sources_each(*cluster, sources, cluster->source_count, add);
+      const Number scale = support.inverse_determinant();
+      store(&gradient->x[i], scale * (support.zz * sum_x - support.xz * sum_z), count);
+      store(&gradient->z[i], scale * (support.xx * sum_z - support.xz * sum_x), count);
+    }
   }
-  for (std::size_t lane = 0; lane < cluster->size; ++lane) {
-    const double xx = support.xx[lane], xz = support.xz[lane], zz = support.zz[lane];
-    const double determinant = xx * zz - xz * xz;
-    // The determinant is 1 inside the liquid; a drop of a few particles defines no gradient.
-    constexpr double least = 0.01;
-    const double scale = determinant > least ? 1.0 / determinant : 0.0;
-    gradient->x[i + lane] = scale * (zz * sum_x[lane] - xz * sum_z[lane]);
-    gradient->z[i + lane] = scale * (xx * sum_z[lane] - xz * sum_x[lane]);
-  }
-}
+};
 
 template <class Scheme, class Tank>
 void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbours,
@@ -92,8 +102,8 @@ void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbou
   gradient.x.resize(particles.size());
   gradient.z.resize(particles.size());
   neighbours.clusters().for_each([&](const Cluster& cluster) {
-    call<&density_gradient_of_cluster<Scheme>>(set, &scheme, &cluster, neighbours.sources(),
-                                               &particles, &gradient);
+    call_in_registers<DensityGradientOfCluster<Scheme>>(
+        set, &scheme, &cluster, neighbours.sources(), &particles, &gradient);
   });
   const double sound = scheme.state.speed_of_sound;
   const double compressibility = scheme.setting.rest_density / (sound * sound);  // d rho / d(p/rho)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 namespace slosh::sph {
@@ -30,11 +31,25 @@ Number square_root(Number a) {
   return root;
 }
 
-// Returns the larger of a and `bound`; `bound` where a is NaN.
+// Comparisons as integers order doubles too, unless both are negative. AVX-512 has a larger and a
+// smaller of integers in one instruction; the compiler makes two of those of doubles, for the sake
+// of NaN.
+using IntegerLanes = std::int64_t __attribute__((vector_size(sizeof(Lanes))));
+inline Lanes larger_of_integers(Lanes a, Lanes b) {
+  const IntegerLanes i = reinterpret_cast<IntegerLanes>(a), j = reinterpret_cast<IntegerLanes>(b);
+  return reinterpret_cast<Lanes>(i > j ? i : j);
+}
+inline Lanes smaller_of_integers(Lanes a, Lanes b) {
+  const IntegerLanes i = reinterpret_cast<IntegerLanes>(a), j = reinterpret_cast<IntegerLanes>(b);
+  return reinterpret_cast<Lanes>(i < j ? i : j);
+}
+
+// Returns the larger of a and `bound`, which is not negative; either of them where a is NaN.
 inline double at_least(double bound, double a) { return a > bound ? a : bound; }
 template <Vector Number>
 Number at_least(double bound, Number a) {
   const Number bounds = bound - Number{};
+  if constexpr (std::same_as<Number, Lanes>) return larger_of_integers(a, bounds);
   return a > bounds ? a : bounds;
 }
 
@@ -44,9 +59,11 @@ Number at_most(Number a, Number b) {
   return a < b ? a : b;
 }
 
+// Returns a where it is negative, and 0 elsewhere.
 inline double negative_part(double a) { return a < 0.0 ? a : 0.0; }
 template <Vector Number>
 Number negative_part(Number a) {
+  if constexpr (std::same_as<Number, Lanes>) return smaller_of_integers(a, Number{});
   return a < Number{} ? a : Number{};
 }
 

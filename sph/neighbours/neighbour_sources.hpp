@@ -98,13 +98,21 @@ class NeighbourSources {
   template <class Tank>
   bool stale(const Particles& particles, const Tank& tank, double dt) const {
     if (built_x_.size() != particles.size()) return true;
+    // The loop takes plain pointers and a copy of the tank because its loads would not be
+    // vectorised.
+    const double *x = particles.x.data(), *z = particles.z.data(),
+                 *velocity_x = particles.velocity_x.data(),
+                 *velocity_z = particles.velocity_z.data();
+    const float *built_x = built_x_.data(), *built_z = built_z_.data();
+    const std::size_t n = particles.size();
+    const Tank at = tank;
     double farthest2 = 0, fastest2 = 0;
 #pragma omp parallel for simd reduction(max : farthest2, fastest2)
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      const Vector2 place = tank.in_tank(particles.x[i], particles.z[i]);
-      const double dx = place.x - built_x_[i], dz = place.z - built_z_[i];
-      const Vector2 wall = tank.wall_velocity(particles.x[i], particles.z[i]);
-      const double u = particles.velocity_x[i] - wall.x, w = particles.velocity_z[i] - wall.z;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector2 place = at.in_tank(x[i], z[i]);
+      const double dx = place.x - built_x[i], dz = place.z - built_z[i];
+      const Vector2 wall = at.wall_velocity(x[i], z[i]);
+      const double u = velocity_x[i] - wall.x, w = velocity_z[i] - wall.z;
       farthest2 = std::max(farthest2, dx * dx + dz * dz);
       fastest2 = std::max(fastest2, u * u + w * w);
     }
@@ -325,7 +333,7 @@ class NeighbourSources {
   };
 
   // In kernel radii; the values were chosen by measurement on a calm and on a breaking surge.
-  static constexpr double smallest_slack = 0.025, largest_slack = 0.1, steps_per_list = 6;
+  static constexpr double smallest_slack = 0.0125, largest_slack = 0.1, steps_per_list = 6;
   // In particle spacings: eight particles of a row form a cluster about as wide as it is high.
   static constexpr double cell_height = 2.83, cell_width = 0.5;
 

@@ -10,6 +10,7 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/neighbours/two_sources.hpp"
 #include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
@@ -51,6 +52,21 @@ LaneState<Number> state_at(const Particles& p, std::size_t i) {
           Scheme::Smoothing::reads_spacing ? load<Number>(&p.spacing[i]) : Number{}};
 }
 
+// The gradients of one source or of two.
+inline SourceGradient gradient_of(const DensityGradient& gradient, const Cluster& cluster,
+                                  std::size_t k, const Source&) {
+  return gradient.of_sources[cluster.sources[k]];
+}
+struct TwoGradients {
+  Two<double> x, z;
+};
+inline TwoGradients gradient_of(const DensityGradient& gradient, const Cluster& cluster,
+                                std::size_t k, const TwoSources&) {
+  const SourceGradient &first = gradient.of_sources[cluster.sources[k]],
+                       &second = gradient.of_sources[cluster.sources[k + 1]];
+  return {{first.x, second.x}, {first.z, second.z}};
+}
+
 template <class Scheme>
 struct MomentumOfCluster {
   template <Vector Number>
@@ -63,20 +79,20 @@ struct MomentumOfCluster {
       const auto [x, z, u, w, rho, spacing] = state_at<Scheme, Number>(*particles, i);
       const Number strength = scheme->formulation.strength(scheme->state.pressure(rho), rho);
       Number sum_x{}, sum_z{};
-      for (std::size_t k = 0; k < cluster->source_count; ++k) {
-        const Source& b = cluster->source(sources, k);
-        const Number dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
+      const auto add = [&](const auto& b, std::size_t) {
+        const auto dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
         const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-        Number s = strength + b.strength;
+        auto s = strength + b.strength;
         if constexpr (Viscosity::active) {
-          const Number approach = (u - b.velocity_x) * dx + (w - b.velocity_z) * dz;
+          const auto approach = (u - b.velocity_x) * dx + (w - b.velocity_z) * dz;
           s += scheme->viscosity.pair(approach, distance2, 1.0 / inverse_h) *
                scheme->formulation.viscous_scale(rho, b.density);
         }
-        const Number f = b.weight * s * pair_gradient<Scheme>(distance2, inverse_h);
+        const auto f = b.weight * s * pair_gradient<Scheme>(distance2, inverse_h);
         sum_x += f * dx;
         sum_z += f * dz;
-      }
+      };
+      for_two_sources_each(*cluster, sources, cluster->source_count, add);
       const auto factor = shared_scale(*scheme) * scheme->formulation.acceleration_factor(rho);
       Number acceleration_x = -factor * sum_x, acceleration_z = -factor * sum_z;
       tank->pull(scheme->setting.gravity, x, z, u, w, acceleration_x, acceleration_z);
@@ -105,21 +121,21 @@ struct ContinuityOfCluster {
         gradient_x = load<Number>(&gradient->x[i]);
         gradient_z = load<Number>(&gradient->z[i]);
       }
-      for (std::size_t k = 0; k < cluster->source_count; ++k) {
-        const Source& b = cluster->source(sources, k);
-        const Number dx = x - b.x, dz = z - b.z;
+      const auto add = [&](const auto& b, [[maybe_unused]] std::size_t k) {
+        const auto dx = x - b.x, dz = z - b.z;
         const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-        const Number f = b.weight * pair_gradient<Scheme>(dx * dx + dz * dz, inverse_h);
+        const auto f = b.weight * pair_gradient<Scheme>(dx * dx + dz * dz, inverse_h);
         divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
         if constexpr (Diffusion::active) {
-          Number difference = own - b.density;
+          auto difference = own - b.density;
           if constexpr (Diffusion::reads_gradient) {
-            const SourceGradient& of_b = gradient->of_sources[cluster->sources[k]];
+            const auto of_b = gradient_of(*gradient, *cluster, k, b);
             difference -= 0.5 * ((gradient_x + of_b.x) * dx + (gradient_z + of_b.z) * dz);
           }
           diffusion += f * difference;
         }
-      }
+      };
+      for_two_sources_each(*cluster, sources, cluster->source_count, add);
       if constexpr (Diffusion::active)
         diffusion =
             scheme->density_diffusion.pair(diffusion, 1.0 / scheme->smoothing.inverse_length);

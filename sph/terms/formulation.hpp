@@ -28,8 +28,8 @@ struct MassWeighted {
   Number strength(Number pressure, Number density) const {
     return pressure / (density * density);
   }
-  template <class Number>
-  Number viscous_scale(Number density_a, double density_b) const {
+  template <class Number, class Other>
+  auto viscous_scale(Number density_a, Other density_b) const {
     return 2.0 * viscous_share / (density_a + density_b);
   }
   template <class Number>
@@ -61,8 +61,8 @@ struct VolumeWeighted {
   Number strength(Number pressure, Number) const {
     return pressure * inverse_rest_density;
   }
-  template <class Number>
-  double viscous_scale(Number, double) const {
+  template <class Number, class Other>
+  double viscous_scale(Number, Other) const {
     return viscous_share;
   }
   template <class Number>

@@ -5,8 +5,8 @@
 // for q >= 2:
 //   shape(q)           W      = normalisation / h^2 * shape(q)
 //   gradient_shape(q)  (dW/dr) / r = normalisation / h^4 * gradient_shape(q), finite at q = 0
-// A kernel that is a function of q^2 also has gradient_shape_of_square(q^2), which spares the pair
-// sums a square root.
+// A kernel that is a function of q^2 also has shape_of_distance2(r^2, 1/h^2) and
+// gradient_shape_of_distance2(r^2, 1/h^2), which spare the sums a square root.
 #pragma once
 
 #include <array>
@@ -141,20 +141,24 @@ struct KaiserBessel {
 
   template <class Number>
   static Number shape(Number q) {
-    const Number s = at_least(0.0, 1.0 - 0.25 * q * q);
+    return shape_of_distance2(q * q, 1.0);
+  }
+  template <class Number, class Length>
+  static Number shape_of_distance2(Number distance2, Length inverse_h2) {
+    const Number s = at_least(0.0, 1.0 - (0.25 * inverse_h2) * distance2);
     Number sum = Number{} + coefficients[degree];
     for (std::size_t n = degree; n-- > 0;) sum = sum * s + coefficients[n];
     return s * s * sum;
   }
   template <class Number>
   static Number gradient_shape(Number q) {
-    return gradient_shape_of_square(q * q);
+    return gradient_shape_of_distance2(q * q, 1.0);
   }
-  template <class Number>
-  static Number gradient_shape_of_square(Number q2) {
-    const Number s = at_least(0.0, 1.0 - 0.25 * q2);
-    Number sum = Number{} - 0.5 * (degree + 2) * coefficients[degree];
-    for (std::size_t n = degree; n-- > 0;) sum = sum * s - 0.5 * (n + 2) * coefficients[n];
+  template <class Number, class Length>
+  static Number gradient_shape_of_distance2(Number distance2, Length inverse_h2) {
+    const Number s = at_least(0.0, 1.0 - (0.25 * inverse_h2) * distance2);
+    Number sum = Number{} + slopes[degree];
+    for (std::size_t n = degree; n-- > 0;) sum = sum * s + slopes[n];
     return s * sum;
   }
 
@@ -165,13 +169,25 @@ struct KaiserBessel {
                                            11.66477586143,     -13.47245650114,    10.82081075967,
                                            -4.955207163533,    1.22192539969};
   static constexpr std::size_t degree = coefficients.size() - 1;
+  static constexpr auto slopes = [] {  // of s^(n + 1) in the gradient's shape
+    auto slope = coefficients;
+    for (std::size_t n = 0; n <= degree; ++n) slope[n] *= -0.5 * (n + 2);
+    return slope;
+  }();
 };
 
-// Returns gradient_shape of a pair at this distance, squared [m2]; `inverse_h` is 1/h [1/m].
+// Both return a function of a pair at this distance, squared [m2]; `inverse_h` is 1/h [1/m].
+template <class Kernel, class Number, class Length>
+Number shape_of_pair(Number distance2, Length inverse_h) {
+  if constexpr (requires { Kernel::shape_of_distance2(distance2, inverse_h); })
+    return Kernel::shape_of_distance2(distance2, inverse_h * inverse_h);
+  else
+    return Kernel::shape(square_root(distance2) * inverse_h);
+}
 template <class Kernel, class Number, class Length>
 Number gradient_shape_of_pair(Number distance2, Length inverse_h) {
-  if constexpr (requires { Kernel::gradient_shape_of_square(distance2); })
-    return Kernel::gradient_shape_of_square(distance2 * (inverse_h * inverse_h));
+  if constexpr (requires { Kernel::gradient_shape_of_distance2(distance2, inverse_h); })
+    return Kernel::gradient_shape_of_distance2(distance2, inverse_h * inverse_h);
   else
     return Kernel::gradient_shape(square_root(distance2) * inverse_h);
 }

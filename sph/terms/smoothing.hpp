@@ -13,8 +13,8 @@ struct UniformSmoothing {
   double inverse_length;  // 1/h [1/m]
 
   explicit UniformSmoothing(const Setting& s) : inverse_length(1.0 / s.smoothing_length()) {}
-  template <class Number>
-  double inverse(Number, double) const {
+  template <class Number, class Other>
+  double inverse(Number, Other) const {
     return inverse_length;
   }
 };
@@ -26,8 +26,8 @@ struct PairSmoothing {
   double twice_inverse_ratio;
 
   explicit PairSmoothing(const Setting& s) : twice_inverse_ratio(2.0 / s.smoothing_length_ratio) {}
-  template <class Number>
-  Number inverse(Number spacing_a, double spacing_b) const {
+  template <class Number, class Other>
+  auto inverse(Number spacing_a, Other spacing_b) const {
     return twice_inverse_ratio / (spacing_a + spacing_b);
   }
 };

@@ -60,7 +60,8 @@ struct ImpactViscosity : LinearViscosity {
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
-    const Number mu = h * approach / (distance2 + 0.01 * h * h), closing = negative_part(mu);
+    // The factor h is in the denominator, which saves one multiplication per pair.
+    const Number mu = approach / (distance2 * (1.0 / h) + 0.01 * h), closing = negative_part(mu);
     return closing * closing - alpha * speed_of_sound * mu;
   }
 };

@@ -20,31 +20,30 @@ double linear_field(double x, double z) { return 3 + 40 * x - 70 * z; }
 class NodeSums : public testing::Test {
  protected:
   // The sums at places of the tank at rest over the particles, without images or solids.
-  std::vector<NodeSum> sums(Particles particles, std::vector<SolidPlace> places) {
+  Nodes sums(Particles particles, std::vector<SolidPlace> places) {
     NeighbourSources neighbours(tank_at_rest, small_spacing, support);
     neighbours.add_solids(places, {});
-    nodes_ = places;
     EXPECT_TRUE(neighbours.rebuild<NoMirror>(particles, tank_at_rest, 0));
     neighbours.refresh_for_momentum(scheme_, particles, tank_at_rest);
     // The evaluated field does not enter the weights.
-    std::vector<NodeSum> found;
+    Nodes found;
     for (const InstructionSet set :
          {InstructionSet::plain, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!has(set)) continue;
-      found.assign(places.size(), {});
-      sum_at_nodes<&Source::density>(scheme_, neighbours, places, tank_at_rest, found, set);
-      for (std::size_t i = 0; i < places.size(); ++i) check(places[i], found[i]);
+      found.place(places);
+      sum_at_nodes<&Source::density>(scheme_, neighbours, tank_at_rest, found, set);
+      for (std::size_t i = 0; i < places.size(); ++i) check(found, i);
     }
     return found;
   }
 
-  void check(const SolidPlace& place, const NodeSum& node) {
+  void check(const Nodes& nodes, std::size_t i) {
     if (!expect_linear_) return;
-    ASSERT_TRUE(node.found);
-    const double expected = linear_field(place.node_x, place.node_z);
-    EXPECT_NEAR(node.value, expected, 1e-11);
-    EXPECT_NEAR(node.velocity_x, 0.1 * expected, 1e-12);
-    EXPECT_NEAR(node.velocity_z, -0.2 * expected, 1e-12);
+    ASSERT_TRUE(nodes.found(i));
+    const double expected = linear_field(nodes.x[i], nodes.z[i]);
+    EXPECT_NEAR(nodes.value[i], expected, 1e-11);
+    EXPECT_NEAR(nodes.velocity_x[i], 0.1 * expected, 1e-12);
+    EXPECT_NEAR(nodes.velocity_z[i], -0.2 * expected, 1e-12);
   }
 
   // Density and velocity linear in space.
@@ -61,7 +60,6 @@ class NodeSums : public testing::Test {
   static SolidPlace node_at(double x, double z) { return {-0.005, z, x, z, true, false}; }
 
   const Scheme<WithGhostWalls> scheme_{small_scene()};
-  std::vector<SolidPlace> nodes_;
   bool expect_linear_ = false;
 };
 
@@ -85,26 +83,26 @@ TEST_F(NodeSums, AreThePlainMeanInASplash) {
   p.velocity_x = {1, 3};
   p.velocity_z = {-2, 0};
   p.mass = {0.09, 0.11};  // equal volumes
-  const NodeSum half = sums(p, {node_at(0.101, 0.08)})[0];
-  ASSERT_TRUE(half.found);
-  EXPECT_NEAR(half.value, 1000, 1e-9);
-  EXPECT_NEAR(half.velocity_x, 2, 1e-12);
-  EXPECT_NEAR(half.velocity_z, -1, 1e-12);
+  const Nodes half = sums(p, {node_at(0.101, 0.08)});
+  ASSERT_TRUE(half.found(0));
+  EXPECT_NEAR(half.value[0], 1000, 1e-9);
+  EXPECT_NEAR(half.velocity_x[0], 2, 1e-12);
+  EXPECT_NEAR(half.velocity_z[0], -1, 1e-12);
   const double near = Recommended::Kernel::shape(0.004 / 0.015),
                far = Recommended::Kernel::shape(0.018 / 0.015);
-  const NodeSum nearer = sums(p, {node_at(0.094, 0.08)})[0];
-  EXPECT_NEAR(nearer.value, (near * 900 + far * 1100) / (near + far), 1e-9);
+  const Nodes nearer = sums(p, {node_at(0.094, 0.08)});
+  EXPECT_NEAR(nearer.value[0], (near * 900 + far * 1100) / (near + far), 1e-9);
 }
 
 TEST_F(NodeSums, FindNothingWhereTheSupportIsEmpty) {
   DisorderedLiquid drop(tank_at_rest);
   drop.add(0.1, 0.08, small_spacing);
-  const std::vector<NodeSum> found =
+  const Nodes found =
       sums(drop.particles, {node_at(0.1, 0.1101), node_at(0.02, 0.08), node_at(0.1, 0.1095)});
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool reached = nodes_[i].node_z == 0.1095;
-    EXPECT_EQ(found[i].found, reached);
-    EXPECT_EQ(found[i].value != 0, reached);
+    const bool reached = found.z[i] == 0.1095;
+    EXPECT_EQ(found.found(i), reached);
+    EXPECT_EQ(found.value[i] != 0, reached);
   }
 }
 

@@ -8,96 +8,148 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
+#include "sph/neighbours/two_sources.hpp"
+#include "sph/terms/kernels.hpp"
 #include "sph/walls/solid_particles.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
 
-struct NodeSum {
-  bool found = false;  // any liquid within the support
-  double liquid = 0;   // its kernel sum, without the kernel's normalisation and 1/h^2
-  double value = 0, velocity_x = 0, velocity_z = 0;
+struct Nodes {
+  Array<double> x, z;  // in the tank [m]
+  // What the sums find: the kernel sum of the liquid, without the kernel's normalisation and 1/h^2,
+  // the liquid's velocity, and one of its fields. Without liquid all are 0.
+  Array<double> liquid, velocity_x, velocity_z, value;
+
+  std::size_t size() const { return x.size(); }
+  bool found(std::size_t i) const { return liquid[i] > 0; }
+
+  // The places must have their final order.
+  void place(const std::vector<SolidPlace>& places) {
+    for_each_named_field(
+        [&](const char*, Array<double>& field) { field.assign(places.size(), 0.0); });
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      x[i] = places[i].node_x;
+      z[i] = places[i].node_z;
+    }
+  }
+  template <class Visit>
+  void for_each_named_field(const Visit& visit) {
+    for (auto* field : {&x, &z, &liquid, &velocity_x, &velocity_z, &value}) visit("nodes", *field);
+  }
 };
 
+// The moments' matrix and what the fit's value at the node needs of it.
+template <Vector Number>
 struct NodeMoments {
-  Lanes m{}, x{}, z{}, xx{}, xz{}, zz{};
-};
-struct NodeProjection {
-  Lanes f{}, x{}, z{};
+  Number m{}, x{}, z{}, xx{}, xz{}, zz{};
 
-  void add(Lanes weight, Lanes dx, Lanes dz, double value) {
+  template <class NumberOrTwo>
+  void add(NumberOrTwo weight, NumberOrTwo dx, NumberOrTwo dz) {
+    m += weight;
+    x += weight * dx;
+    z += weight * dz;
+    xx += weight * dx * dx;
+    xz += weight * dx * dz;
+    zz += weight * dz * dz;
+  }
+};
+template <Vector Number>
+struct NodeProjection {
+  Number f{}, x{}, z{};
+
+  template <class NumberOrTwo, class Value>
+  void add(NumberOrTwo weight, NumberOrTwo dx, NumberOrTwo dz, Value value) {
     f += weight * value;
     x += weight * dx * value;
     z += weight * dz * value;
   }
-  // Returns the fit's value at the node of lane i.
-  double value(const NodeMoments& s, std::size_t i) const {
+  // Returns the fit's value at the nodes; h is the smoothing length [m].
+  Number value(const NodeMoments<Number>& s, double h) const {
     // a, b and c are the cofactors of the first row of the moments' matrix.
-    const double a = s.xx[i] * s.zz[i] - s.xz[i] * s.xz[i], b = s.xz[i] * s.z[i] - s.x[i] * s.zz[i],
-                 c = s.x[i] * s.xz[i] - s.xx[i] * s.z[i];
-    const double determinant = s.m[i] * a + s.x[i] * b + s.z[i] * c;
-    const double m = s.m[i];
-    // With a full support the determinant is about 0.01 m^3 in units of the smoothing length.
-    constexpr double least = 1e-3;
-    if (determinant > least * m * m * m) return (f[i] * a + x[i] * b + z[i] * c) / determinant;
-    return f[i] / m;
+    const Number a = s.xx * s.zz - s.xz * s.xz, b = s.xz * s.z - s.x * s.zz,
+                 c = s.x * s.xz - s.xx * s.z;
+    const Number determinant = s.m * a + s.x * b + s.z * c;
+    // With a full support the determinant is about 0.01 m^3 h^4.
+    const double least = 1e-3 * h * h * h * h;
+    const auto fitted = determinant > least * s.m * s.m * s.m;
+    // Without liquid the quotient is that of 0 by 1.
+    const Number divisor = fitted ? determinant : s.m;
+    return (fitted ? f * a + x * b + z * c : f) / (s.m > Number{} ? divisor : 1.0 - Number{});
   }
 };
 
+// The field `value` of one source or of two.
+template <double Source::*value>
+double value_of(const Source& b) {
+  return b.*value;
+}
+template <double Source::*value>
+Two<double> value_of(const TwoSources& b) {
+  static_assert(value == &Source::strength || value == &Source::density);
+  return value == &Source::strength ? b.strength : b.density;
+}
+
+// Returns how many of the cluster's sources are liquid or images, which come first.
+inline std::size_t liquid_sources(const Cluster& cluster, std::size_t first_solid_source) {
+  const std::uint32_t* end = cluster.sources + cluster.source_count;
+  return static_cast<std::size_t>(std::lower_bound(cluster.sources, end, first_solid_source) -
+                                  cluster.sources);
+}
+
 // The template depends on the kernel and not on the scheme, so that schemes share its builds.
 template <class Kernel, double Source::*value>
-void sum_at_nodes_of_cluster(double smoothing_length, const Cluster* cluster, const Source* sources,
-                             std::size_t first_solid_source, const SolidPlace* places,
-                             const TankWalls* walls, NodeSum* nodes) {
-  Lanes node_x{}, node_z{};
-  for (std::size_t i = 0; i < cluster->size; ++i) {
-    node_x[i] = walls->left + places[cluster->first + i].node_x;
-    node_z[i] = walls->bottom + places[cluster->first + i].node_z;
+struct SumAtNodesOfCluster {
+  template <Vector Number>
+  static void run(double smoothing_length, const Cluster* cluster, const Source* sources,
+                  std::size_t first_solid_source, const TankWalls* walls, Nodes* nodes) {
+    const std::size_t sources_of_liquid = liquid_sources(*cluster, first_solid_source);
+    for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
+         i += lanes_of<Number>) {
+      const std::size_t count = cluster->first + cluster->size - i;
+      Number liquid{}, value_at{}, u_at{}, w_at{};
+      if (sources_of_liquid > 0) {
+        const Number node_x = walls->left + load<Number>(&nodes->x[i]),
+                     node_z = walls->bottom + load<Number>(&nodes->z[i]);
+        NodeMoments<Number> moments;
+        NodeProjection<Number> field, u, w;
+        const auto add = [&](const auto& b, std::size_t) {
+          const auto dx = b.x - node_x, dz = b.z - node_z;
+          const auto weight =
+              b.weight * shape_of_pair<Kernel>(dx * dx + dz * dz, 1.0 / smoothing_length);
+          moments.add(weight, dx, dz);
+          field.add(weight, dx, dz, value_of<value>(b));
+          u.add(weight, dx, dz, b.velocity_x);
+          w.add(weight, dx, dz, b.velocity_z);
+        };
+        for_two_sources_each(*cluster, sources, sources_of_liquid, add);
+        liquid = moments.m;
+        value_at = field.value(moments, smoothing_length);
+        u_at = u.value(moments, smoothing_length);
+        w_at = w.value(moments, smoothing_length);
+      }
+      store(&nodes->liquid[i], liquid, count);
+      store(&nodes->value[i], value_at, count);
+      store(&nodes->velocity_x[i], u_at, count);
+      store(&nodes->velocity_z[i], w_at, count);
+    }
   }
-  const double inverse_h = 1.0 / smoothing_length;
-  NodeMoments moments;
-  NodeProjection field, u, w;
-  for (std::size_t k = 0; k < cluster->source_count && cluster->sources[k] < first_solid_source;
-       ++k) {
-    const Source& b = sources[cluster->sources[k]];
-    const Lanes dx = (b.x - node_x) * inverse_h, dz = (b.z - node_z) * inverse_h;
-    const Lanes weight = b.weight * Kernel::shape(square_root(dx * dx + dz * dz));
-    moments.m += weight;
-    moments.x += weight * dx;
-    moments.z += weight * dz;
-    moments.xx += weight * dx * dx;
-    moments.xz += weight * dx * dz;
-    moments.zz += weight * dz * dz;
-    field.add(weight, dx, dz, b.*value);
-    u.add(weight, dx, dz, b.velocity_x);
-    w.add(weight, dx, dz, b.velocity_z);
-  }
-  for (std::size_t i = 0; i < cluster->size; ++i) {
-    NodeSum& node = nodes[cluster->first + i];
-    node = {};
-    node.found = moments.m[i] > 0;
-    if (!node.found) continue;
-    node.liquid = moments.m[i];
-    node.value = field.value(moments, i);
-    node.velocity_x = u.value(moments, i);
-    node.velocity_z = w.value(moments, i);
-  }
-}
+};
 
 // Evaluates the velocity and the sources' field `value` at the nodes.
 template <double Source::*value, class Scheme>
-void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours,
-                  const std::vector<SolidPlace>& places, const TankWalls& walls,
-                  std::vector<NodeSum>& nodes, InstructionSet set) {
+void sum_at_nodes(const Scheme& scheme, const NeighbourSources& neighbours, const TankWalls& walls,
+                  Nodes& nodes, InstructionSet set) {
   neighbours.solid_clusters().for_each([&](const Cluster& cluster) {
-    call<&sum_at_nodes_of_cluster<typename Scheme::Kernel, value>>(
+    call_in_registers<SumAtNodesOfCluster<typename Scheme::Kernel, value>>(
         set, scheme.setting.smoothing_length(), &cluster, neighbours.sources(),
-        neighbours.first_solid_source(), places.data(), &walls, nodes.data());
+        neighbours.first_solid_source(), &walls, &nodes);
   });
 }
 

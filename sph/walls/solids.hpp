@@ -78,18 +78,19 @@ class GhostSolids {
   static constexpr bool has_density = false;
 
   GhostSolids(const Scene& scene, bool tank_walls, double depth)
-      : places_(solid_places(scene, tank_walls, depth, 2)), nodes_(places_.size()) {}
+      : places_(solid_places(scene, tank_walls, depth, 2)) {}
   std::vector<SolidPlace>& places() { return places_; }
   template <class Visit>
   void for_each_named_field(const Visit& visit) {
     visit("places", places_);
-    visit("nodes", nodes_);
+    nodes_.for_each_named_field(visit);
     fill_.for_each_named_field(visit);
   }
 
   // The places must have their final order.
   template <class Scheme>
   void initialise(const Scheme& scheme) {
+    nodes_.place(places_);
     fill_.initialise(typename Scheme::Kernel{}, places_, scheme.setting.smoothing_length(),
                      scheme.setting.particle_spacing);
   }
@@ -101,10 +102,10 @@ class GhostSolids {
     const double rho = scheme.setting.rest_density;
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
       place_with_share(scheme, i, walls, source);
-      if (nodes_[i].found) reflect(places_[i], nodes_[i], slip, walls, source);
+      if (nodes_.found(i)) reflect(i, slip, walls, source);
       const double rise = pressure_rise(scheme, i, walls);
       source.strength =
-          nodes_[i].found ? nodes_[i].value + scheme.formulation.strength(rise, rho) : 0.0;
+          nodes_.found(i) ? nodes_.value[i] + scheme.formulation.strength(rise, rho) : 0.0;
       source.density = rho;
     });
   }
@@ -115,17 +116,16 @@ class GhostSolids {
     look_up<&Source::density>(scheme, neighbours, walls, set);
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
       place_with_share(scheme, i, walls, source);
-      if (nodes_[i].found && !places_[i].in_obstacle)
-        reflect(places_[i], nodes_[i], Slip::free, walls, source);
+      if (nodes_.found(i) && !places_[i].in_obstacle) reflect(i, Slip::free, walls, source);
       if constexpr (Scheme::DensityDiffusion::active)
-        if (!nodes_[i].found) {
+        if (!nodes_.found(i)) {
           // The particle has the density of a liquid without pressure.
           const double rho = scheme.setting.rest_density;
           source.density =
               scheme.density_diffusion.diffused(0.0, rho, walls.height(source.x, source.z));
           return;
         }
-      source.density = nodes_[i].value;
+      source.density = nodes_.value[i];
       if constexpr (Scheme::DensityDiffusion::of_whole_density) {
         const double sound = scheme.state.speed_of_sound;
         source.density += pressure_rise(scheme, i, walls) / (sound * sound);
@@ -139,13 +139,12 @@ class GhostSolids {
                         Source& source) const {
     place(scheme, places_[i], walls, source);
     if (!places_[i].in_obstacle)
-      source.weight *= fill_.share(i, scheme.formulation.volume_of_weight * nodes_[i].liquid);
+      source.weight *= fill_.share(i, scheme.formulation.volume_of_weight * nodes_.liquid[i]);
   }
 
-  static void reflect(const SolidPlace& at, const NodeSum& node, Slip at_wall,
-                      const TankWalls& walls, Source& source) {
-    const Turn turn = at_wall == Slip::none ? Turn::both() : at.turn;
-    const Vector2 image = turn.of({node.velocity_x, node.velocity_z}, walls.velocity);
+  void reflect(std::size_t i, Slip at_wall, const TankWalls& walls, Source& source) const {
+    const Turn turn = at_wall == Slip::none ? Turn::both() : places_[i].turn;
+    const Vector2 image = turn.of({nodes_.velocity_x[i], nodes_.velocity_z[i]}, walls.velocity);
     source.velocity_x = image.x;
     source.velocity_z = image.z;
   }
@@ -163,11 +162,11 @@ class GhostSolids {
   void look_up(const Scheme& scheme, NeighbourSources& neighbours, const TankWalls& walls,
                InstructionSet set) {
     if (places_.empty()) return;
-    sum_at_nodes<value>(scheme, neighbours, places_, walls, nodes_, set);
+    sum_at_nodes<value>(scheme, neighbours, walls, nodes_, set);
   }
 
   std::vector<SolidPlace> places_;
-  std::vector<NodeSum> nodes_;
+  Nodes nodes_;
   GhostFill fill_;
 };
 
