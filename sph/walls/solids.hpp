@@ -78,7 +78,10 @@ class GhostSolids {
   static constexpr bool has_density = false;
 
   GhostSolids(const Scene& scene, bool tank_walls, double depth)
-      : places_(solid_places(scene, tank_walls, depth, 2)), nodes_(places_.size()) {}
+      : places_(solid_places(scene, tank_walls, depth, 2)),
+        nodes_(places_.size()),
+        sight_(thin_obstacles(obstacles_on_lattice(scene, depth), depth, scene.tank_length,
+                              scene.tank_height)) {}
   std::vector<SolidPlace>& places() { return places_; }
   template <class Visit>
   void for_each_named_field(const Visit& visit) {
@@ -91,7 +94,7 @@ class GhostSolids {
   template <class Scheme>
   void initialise(const Scheme& scheme) {
     fill_.initialise(typename Scheme::Kernel{}, places_, scheme.setting.smoothing_length(),
-                     scheme.setting.particle_spacing);
+                     scheme.setting.particle_spacing, sight_);
   }
 
   template <class Scheme, class Tank>
@@ -168,6 +171,7 @@ class GhostSolids {
 
   std::vector<SolidPlace> places_;
   std::vector<NodeSum> nodes_;
+  LineOfSight sight_;
   GhostFill fill_;
 };
 
