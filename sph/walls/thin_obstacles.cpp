@@ -15,18 +15,39 @@ bool is_free(const Rectangle& r, int side, double tank_length, double tank_heigh
   return side == bottom_side ? r.bottom > 0 : r.top < tank_height;
 }
 
-// Mirrors the node in the obstacle, other than its own, that hides it from the face before it.
-void fold_at_obstacles(SolidPlace& place, const LineOfSight& obstacles) {
-  const Vector2 node{place.node_x, place.node_z},
-      foot{0.5 * (place.x + node.x), 0.5 * (place.z + node.z)};
-  const int face = obstacles.entered(foot, node);
-  if (face == no_face) return;
-  const Rectangle& other = obstacles.rectangles()[static_cast<std::size_t>(face / 4)];
-  const Vector2 folded = mirrored(node, other, face % 4);
-  place.node_x = folded.x;
-  place.node_z = folded.z;
-  double& turn = is_across_x(face % 4) ? place.turn.xx : place.turn.zz;
+bool contains(const Rectangle& r, Vector2 at) { return holds(r, at.x, at.z); }
+
+void mirror_node(SolidPlace& place, const Rectangle& r, int side) {
+  const Vector2 node = mirrored({place.node_x, place.node_z}, r, side);
+  place.node_x = node.x;
+  place.node_z = node.z;
+  double& turn = is_across_x(side) ? place.turn.xx : place.turn.zz;
   turn = -turn;
+}
+
+// Mirrors the node in an obstacle, other than its own, that hides it from the face before it, or
+// that is as thick as the support and covers this part of the face. What covers the face and is
+// thin has liquid on both of its sides: a node in it sees both.
+void fold_at_obstacles(SolidPlace& place, const LineOfSight& obstacles, double depth,
+                       const Scene& scene) {
+  const double length = scene.tank_length, height = scene.tank_height;
+  const Vector2 node{place.node_x, place.node_z};
+  // Just before the face, half way to the node.
+  const Vector2 before_face{0.45 * place.x + 0.55 * node.x, 0.45 * place.z + 0.55 * node.z};
+  for (const Rectangle& r : obstacles.rectangles()) {
+    if (!contains(r, before_face)) continue;
+    if (!contains(r, node) || !thin_obstacles({r}, depth, length, height).empty()) return;
+    const int low = is_across_x(place.face % 4) ? bottom_side : left_side, high = low + 1;
+    const double to_low = low == bottom_side ? node.z - r.bottom : node.x - r.left,
+                 to_high = low == bottom_side ? r.top - node.z : r.right - node.x;
+    const bool low_is_free = is_free(r, low, length, height),
+               high_is_free = is_free(r, high, length, height);
+    if (low_is_free || high_is_free)
+      mirror_node(place, r, low_is_free && (!high_is_free || to_low < to_high) ? low : high);
+    return;
+  }
+  if (const int face = obstacles.entered(before_face, node); face != no_face)
+    mirror_node(place, obstacles.rectangles()[static_cast<std::size_t>(face / 4)], face % 4);
 }
 
 // The cells behind a face, counted from the rectangle's left bottom corner.
@@ -80,7 +101,7 @@ void add_places_behind_faces(const Scene& scene, const std::vector<Rectangle>& o
           place.turn = is_across_x(side) ? Turn::along(1, 0) : Turn::along(0, 1);
           place.in_obstacle = true;
           place.face = 4 * static_cast<int>(n) + side;
-          fold_at_obstacles(place, all);
+          fold_at_obstacles(place, all, depth, scene);
           fold_into_tank(place, scene);
           places.push_back(place);
         }
