@@ -18,6 +18,7 @@
 #include "sph/terms/gap_friction.hpp"
 #include "sph/terms/kernels.hpp"
 #include "sph/walls/outline_contact.hpp"
+#include "sph/walls/thin_obstacles.hpp"
 #include "sph/walls/wall_power.hpp"
 
 namespace slosh::sph {
@@ -42,6 +43,7 @@ class Liquid {
         gap_(scheme.setting) {
     if (gap_.exists()) gap_.begin(particles);
     neighbours_.add_solids(solids_.places(), obstacles_);
+    keep_thick_obstacles();
     solids_.initialise(scheme_);
     renew_neighbours(0);
   }
@@ -56,6 +58,9 @@ class Liquid {
     exchanged_at_walls_ += exchanged;
     std::size_t moved = exchanged;
     for (const Rectangle& obstacle : obstacles_) moved += expel(particles, tank, obstacle);
+    if (const LineOfSight& sight = neighbours_.sight(); sight.exists())
+      moved += turn_back(particles, tank, sight,
+                         [&](std::size_t i) { return neighbours_.place_at_rebuild(i); });
     if (moved > 0) of_sample_ = false;
     if (!neighbours_.stale(particles, tank, dt)) return false;
     of_sample_ = false;
@@ -228,6 +233,16 @@ class Liquid {
     p.lattice_spacing = p.spacing.front();
     p.spacing = Array<double>();  // gives its memory back
     return p;
+  }
+
+  // Leaves to obstacles_ those that expel particles through their nearest face.
+  void keep_thick_obstacles() {
+    const auto is_thin = [&](const Rectangle& r) {
+      return !thin_obstacles({r}, largest_support(), scene_.tank_length, scene_.tank_height)
+                  .empty();
+    };
+    obstacles_.erase(std::remove_if(obstacles_.begin(), obstacles_.end(), is_thin),
+                     obstacles_.end());
   }
 
   double largest_support() const {

@@ -52,7 +52,7 @@ if [ "${3-}" = --must-fail ]; then
 fi
 
 status=0
-for scene in recommended still no_gauge antuono ghost_walls baffle roll dam narrow_tank pressure_gauge \
+for scene in recommended still no_gauge antuono ghost_walls baffle plate roll dam narrow_tank pressure_gauge \
   energy_budget still_water snapshots saved_states li2010 zhao2021_moving+roll; do
   called "$scene" >"$work/called"
   check "$scene" "$functions" || status=1

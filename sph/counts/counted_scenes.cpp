@@ -41,6 +41,10 @@ const std::map<std::string, Change> changes{
      [](Scene& scene) {
        scene.obstacles = {{0.44, 0.56, 0, 0.16}};
      }},
+    {"plate",
+     [](Scene& scene) {
+       scene.obstacles = {{0.5, 0.52, 0, 0.16}};
+     }},
     {"dam", [](Scene& scene) { scene.column_width = 0.5; }},
     {"narrow_tank",
      [](Scene& scene) {

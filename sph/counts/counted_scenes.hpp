@@ -2,7 +2,7 @@
 // by parts that are joined by "+", such as "antuono+baffle". The parts are
 //   a scheme or a variant      the method; `recommended` where none is named
 //   two_spacings               a lattice twice as fine near the surface, for li2010
-//   still, roll, baffle, dam, narrow_tank
+//   still, roll, baffle, plate, dam, narrow_tank
 //                              another scene
 //   no_gauge, pressure_gauge, probe, wall_forces, energy_budget, still_water, snapshots,
 //   saved_states

@@ -13,6 +13,7 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/neighbours/seen_sources.hpp"
 #include "sph/scene.hpp"
 
 namespace slosh::sph {
@@ -77,10 +78,12 @@ class ClusterLists {
  public:
   // Cuts particles in the order of the grid's last sort into clusters, each within one row, and
   // lists the points within reach of each cluster. `x` and `z` are the particles' positions in the
-  // points' frame.
+  // points' frame. The selection is AllSources or SeenSources.
+  template <class Selection = AllSources>
   void build(const CellGrid& grid, const Array<float>& x, const Array<float>& z,
-             const std::vector<SortedPoints>& points, double reach) {
-    cut_into_clusters(grid);
+             const std::vector<SortedPoints>& points, double reach,
+             const Selection& selection = {}) {
+    cut_into_clusters(grid, selection);
     batches_.resize((firsts_.size() - 1 + batch_size - 1) / batch_size);
     const InstructionSet set = widest_instruction_set();
 #pragma omp parallel
@@ -95,8 +98,14 @@ class ClusterLists {
         for (std::size_t c = k * batch_size; c < last; ++c) {
           const PointRun cluster{&x[firsts_[c]], &z[firsts_[c]], firsts_[c + 1] - firsts_[c], 0};
           const Rectangle box = box_around(cluster, reach);
-          for (const SortedPoints& of : points)
+          int group = 0;
+          if constexpr (Selection::selects) group = selection.group(firsts_[c]);
+          for (const SortedPoints& of : points) {
+            const std::size_t before = length;
             length = append_sources(of, cluster, box, reach, set, list, length);
+            if constexpr (Selection::selects)
+              length = select(selection, of, firsts_[c], group, list, before, length);
+          }
           batch.ends.push_back(static_cast<std::uint32_t>(length));
         }
         batch.sources.reserve(length + prefetch_distance);
@@ -138,12 +147,17 @@ class ClusterLists {
     std::vector<std::uint32_t> sources, ends;
   };
 
-  void cut_into_clusters(const CellGrid& grid) {
+  template <class Selection>
+  void cut_into_clusters(const CellGrid& grid, const Selection& selection) {
     firsts_.assign(1, 0);
     for (int row = 0; row < grid.rows(); ++row) {
       const IndexRange run = grid.run(row, 0, grid.columns() - 1);
-      for (std::size_t end = run.begin; end < run.end;)
-        firsts_.push_back(static_cast<std::uint32_t>(end = std::min(end + lane_count, run.end)));
+      for (std::size_t end = run.begin; end < run.end;) {
+        [[maybe_unused]] const std::size_t first = end;
+        end = std::min(end + lane_count, run.end);
+        if constexpr (Selection::selects) end = selection.end_of_cluster(first, end);
+        firsts_.push_back(static_cast<std::uint32_t>(end));
+      }
     }
   }
 
@@ -176,6 +190,20 @@ class ClusterLists {
       length = static_cast<std::size_t>(end - list.data());
     }
     return length;
+  }
+
+  // Removes the sources from `begin` to `end` of the list that the selection does not keep for the
+  // cluster of the point `first`. Returns the list's new end.
+  template <class Selection>
+  static std::size_t select(const Selection& selection, const SortedPoints& points,
+                            std::size_t first, int group, std::vector<std::uint32_t>& list,
+                            std::size_t begin, std::size_t end) {
+    const auto at = [&](std::size_t k) { return list.begin() + static_cast<std::ptrdiff_t>(k); };
+    const auto kept = std::remove_if(at(begin), at(end), [&](std::uint32_t source) {
+      const std::size_t k = source - points.first_source;
+      return !selection.keeps(first, group, source, {points.x[k], points.z[k]});
+    });
+    return static_cast<std::size_t>(kept - list.begin());
   }
 
   std::vector<std::uint32_t> firsts_;

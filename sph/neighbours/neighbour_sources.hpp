@@ -44,12 +44,13 @@ class NeighbourSources {
 
   // Adds the solids' particles and their nodes, at which their sums are evaluated, in the tank [m].
   // Sorts `places` by cell; they must not change afterwards. Images that fall into an obstacle are
-  // left out.
+  // left out, and obstacles thinner than the support hide what is behind them.
   void add_solids(std::vector<SolidPlace>& places, std::vector<Rectangle> obstacles) {
     std::sort(places.begin(), places.end(), [&](const SolidPlace& a, const SolidPlace& b) {
       return grid_.cell(a.node_x, a.node_z) < grid_.cell(b.node_x, b.node_z);
     });
     obstacles_ = std::move(obstacles);
+    sight_ = LineOfSight(thin_obstacles(obstacles_, support_, length_, height_));
     if (places.empty()) return;
     solid_grid_ = grid_beyond_walls();
     std::vector<std::uint32_t> node_cells, cells, in_order;
@@ -65,6 +66,12 @@ class NeighbourSources {
     for (const std::uint32_t i : solid_order_) {
       solid_x_.push_back(static_cast<float>(places[i].x));
       solid_z_.push_back(static_cast<float>(places[i].z));
+    }
+    if (!sight_.exists()) return;
+    for (const std::uint32_t i : solid_order_) solid_faces_.push_back(places[i].face);
+    for (const SolidPlace& place : places) {
+      const bool at_node = place.x == place.node_x && place.z == place.node_z;
+      node_faces_.push_back(at_node ? place.face : no_face);
     }
   }
 
@@ -87,6 +94,10 @@ class NeighbourSources {
     std::vector<SortedPoints> points{{grid_, built_x_, built_z_, 0}};
     if constexpr (Mirror::exists) points.push_back({*image_grid_, image_x_, image_z_, n});
     if (solid_grid_) points.push_back({*solid_grid_, solid_x_, solid_z_, n + images_.size()});
+    if (sight_.exists()) {
+      list_seen_sources(points);
+      return true;
+    }
     clusters_.build(grid_, built_x_, built_z_, points, reach_);
     if (node_grid_) solid_clusters_.build(*node_grid_, node_x_, node_z_, points, reach_);
     return true;
@@ -130,6 +141,14 @@ class NeighbourSources {
     }
     return std::sqrt(fastest2);
   }
+  // Returns where a particle was in the tank at the last rebuild, or nothing where the lists have
+  // been made stale.
+  std::optional<Vector2> place_at_rebuild(std::size_t i) const {
+    if (built_x_.empty()) return {};
+    return Vector2{built_x_[i], built_z_[i]};
+  }
+  // The obstacles thinner than the support.
+  const LineOfSight& sight() const { return sight_; }
   // Makes the lists stale.
   void forget() { built_x_.clear(); }
   // Returns how far a particle may move relative to the tank before the lists are stale [m].
@@ -197,7 +216,12 @@ class NeighbourSources {
     if (source < liquid) return in_none;
     if (source < liquid + images_.size()) return images_[source - liquid].reflection;
     const std::size_t solid = source - first_solid_source();
-    const double x = solid_x_[solid], z = solid_z_[solid];
+    double x = solid_x_[solid], z = solid_z_[solid];
+    if (const int face = solid_faces_.empty() ? no_face : solid_faces_[solid]; face != no_face) {
+      // The wall that it stands behind may be one that its face hides.
+      const bool across_x = face % 4 == left_side || face % 4 == right_side;
+      (across_x ? x : z) = 0.5 * (across_x ? length_ : height_);
+    }
     return (x < 0         ? in_left
             : x > length_ ? in_right
                           : in_none) +
@@ -224,11 +248,23 @@ class NeighbourSources {
     for (auto* places : {&image_x_, &image_z_}) visit("images", *places);
     for (auto* places : {&node_x_, &node_z_, &solid_x_, &solid_z_}) visit("solids", *places);
     visit("solids", solid_order_);
+    for (auto* faces : {&solid_faces_, &node_faces_}) visit("solids", *faces);
     for (auto* sorted : {&keys_, &order_}) visit("order", *sorted);
     for (auto* built : {&built_x_, &built_z_}) visit("built_places", *built);
   }
 
  private:
+  // Kept out of the code of the scenes without thin obstacles.
+  [[gnu::noinline]] void list_seen_sources(const std::vector<SortedPoints>& points) {
+    const std::size_t first_solid = first_solid_source();
+    clusters_.build(grid_, built_x_, built_z_, points, reach_,
+                    SeenSources(sight_, built_x_, built_z_, reach_, solid_faces_, first_solid, {}));
+    if (!node_grid_) return;
+    solid_clusters_.build(
+        *node_grid_, node_x_, node_z_, points, reach_,
+        SeenSources(sight_, node_x_, node_z_, reach_, solid_faces_, first_solid, node_faces_));
+  }
+
   // Fills in the state that both sums read; complete(source, owner) fills in the rest.
   template <class Mirror, class Scheme, class Tank, class Complete>
   void refresh(const Scheme& scheme, const Particles& p, const Tank& tank,
@@ -346,6 +382,10 @@ class NeighbourSources {
   Array<Source> sources_;
   ClusterLists clusters_, solid_clusters_;
   std::vector<Rectangle> obstacles_;
+  LineOfSight sight_;
+  // The faces that solids stand behind, in the order of their sources, and those that the nodes
+  // stand behind that are the places of solids themselves; empty without thin obstacles.
+  std::vector<int> solid_faces_, node_faces_;
   std::vector<std::uint32_t> solid_order_;
   Array<float> node_x_, node_z_, solid_x_, solid_z_;
   std::vector<Image> images_, listed_;

@@ -33,6 +33,26 @@ double surface_elevation(const Particles& p, double tank_length, double fill_dep
   return depth - fill_depth;
 }
 
+double surface_elevation(const Particles& p, double tank_length, double fill_depth, double x,
+                         const LineOfSight& sight) {
+  double depth = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double scale = 1.0 / (window_width * p.spacing_of(i));
+    // The faces to the left and to the right at this height.
+    double left = 0, right = tank_length;
+    for (const Rectangle& r : sight.rectangles()) {
+      if (!(p.z[i] > r.bottom && p.z[i] < r.top)) continue;
+      if (r.right <= x) left = std::max(left, r.right);
+      if (r.left >= x) right = std::min(right, r.left);
+    }
+    if (p.x[i] < left || p.x[i] > right) continue;
+    depth += p.mass[i] / p.density[i] * scale *
+             (window((x - p.x[i]) * scale) + window((x - 2 * left + p.x[i]) * scale) +
+              window((x - 2 * right + p.x[i]) * scale));
+  }
+  return depth - fill_depth;
+}
+
 double highest_surface(const Particles& p, double fill_depth, double x) {
   double highest = 0;
   for (std::size_t i = 0; i < p.size(); ++i)

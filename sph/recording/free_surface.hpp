@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sph/neighbours/particles.hpp"
+#include "sph/walls/line_of_sight.hpp"
 
 namespace slosh::sph {
 
@@ -24,6 +25,12 @@ double window_integral(double s);
 // mirror image. Drops and overturning jets are included, as in a column integral of VOF.
 double surface_elevation(const Particles& particles, double tank_length, double fill_depth,
                          double x);
+
+// As above, in a tank with obstacles thinner than the window (sight_of_instruments). At the height
+// of such an obstacle the window ends at its face, and the liquid before it is continued by its
+// mirror image. Over the thickness of the obstacle itself it counts for nothing.
+double surface_elevation(const Particles& particles, double tank_length, double fill_depth,
+                         double x, const LineOfSight& sight);
 
 // Returns the height above the still level [m] that the liquid reaches near x, spray included: the
 // upper edge, half a spacing above its centre, of the highest particle within a spacing of x.

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "sph/neighbours/particles.hpp"
+#include "sph/scene.hpp"
 #include "sph/terms/kernels.hpp"
+#include "sph/walls/line_of_sight.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
@@ -30,14 +32,20 @@ class WeightsAbout {
   double radius_, h_, scale_;
 };
 
+// Returns the line of sight past the scene's obstacles that are thinner than the instruments'
+// radius. An instrument counts what it sees from its place.
+LineOfSight sight_of_instruments(const Scene& scene);
+
 // Calls visit(i, share, dx, dz) for every particle within three spacings of the place: `share` is
-// its volume times its weight, and (dx, dz) leads from it to the place.
+// its volume times its weight, and (dx, dz) leads from it to the place. Particles that are not seen
+// from the place do not count.
 template <class Visit>
-void for_each_near(const Particles& p, Vector2 place, double spacing, const Visit& visit) {
+void for_each_near(const Particles& p, Vector2 place, double spacing, const LineOfSight& sight,
+                   const Visit& visit) {
   const WeightsAbout weights(spacing);
   for (std::size_t i = 0; i < p.size(); ++i) {
     const double dx = place.x - p.x[i], dz = place.z - p.z[i];
-    if (const double weight = weights.at(dx, dz); weight > 0)
+    if (const double weight = weights.at(dx, dz); weight > 0 && sight.sees(place, {p.x[i], p.z[i]}))
       visit(i, p.mass[i] / p.density[i] * weight, dx, dz);
   }
 }

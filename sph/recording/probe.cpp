@@ -17,8 +17,10 @@ constexpr double least_filling = 0.5;
 // their second moments; no slope across the line can be fitted to them.
 constexpr double least_determinant = 1e-6;
 
-// Returns the part of the kernel at the place that lies within the outline, by the midpoint rule.
-double share_within(const TankOutline& outline, Vector2 place, const WeightsAbout& weights) {
+// Returns the part of the kernel at the place that lies within the tank's outline, or in which
+// is_within(place) holds, by the midpoint rule.
+template <class IsWithin>
+double share_within(const IsWithin& is_within, Vector2 place, const WeightsAbout& weights) {
   constexpr int steps = 24;
   const double step = 2 * weights.radius() / steps;
   double within = 0, whole = 0;
@@ -27,20 +29,22 @@ double share_within(const TankOutline& outline, Vector2 place, const WeightsAbou
       const double dx = (i + 0.5) * step - weights.radius(),
                    dz = (k + 0.5) * step - weights.radius(), weight = weights.at(dx, dz);
       whole += weight;
-      if (outline.contains(place.x + dx, place.z + dz)) within += weight;
+      if (is_within(Vector2{place.x + dx, place.z + dz})) within += weight;
     }
   return within / whole;
 }
 
 // Returns the part of the kernel at the place that particles and their images in the walls fill. In
-// an outline it is the part that particles fill of what lies within.
-double filling(const Particles& p, Vector2 place, const Scene& scene) {
+// an outline, and beside a thin obstacle, it is the part that particles fill of what lies within or
+// is seen.
+double filling(const Particles& p, Vector2 place, const Scene& scene, const LineOfSight& sight) {
   const WeightsAbout weights(scene.particle_spacing);
   if (const auto outline = outline_of(scene)) {
     double filled = 0;
-    for_each_near(p, place, scene.particle_spacing,
+    for_each_near(p, place, scene.particle_spacing, sight,
                   [&](std::size_t, double share, double, double) { filled += share; });
-    return filled / share_within(*outline, place, weights);
+    return filled /
+           share_within([&](Vector2 at) { return outline->contains(at.x, at.z); }, place, weights);
   }
   double filled = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -49,9 +53,14 @@ double filling(const Particles& p, Vector2 place, const Scene& scene) {
     for (const double x : along)
       if (std::abs(place.x - x) < weights.radius())
         for (const double z : up)
-          filled += p.mass[i] / p.density[i] * weights.at(place.x - x, place.z - z);
+          if (const double weight = weights.at(place.x - x, place.z - z);
+              weight > 0 && sight.sees(place, {x, z}))
+            filled += p.mass[i] / p.density[i] * weight;
   }
-  return filled;
+  if (!sight.exists()) return filled;
+  const double seen =
+      share_within([&](Vector2 at) { return sight.sees(place, at); }, place, weights);
+  return seen > 0 ? filled / seen : 0;
 }
 
 // The weighted sums that determine the linear function of best fit.
@@ -93,17 +102,18 @@ template <class Motion>
 Probed probed(const Particles& p, const Probe& probe, const Scene& scene, const Motion& motion,
               const std::function<double(double)>& pressure_at) {
   const Vector2 place{probe.x, probe.z};
-  if (!(filling(p, place, scene) >= least_filling)) return {{0, 0}, 0};
+  const LineOfSight sight = sight_of_instruments(scene);
+  if (!(filling(p, place, scene, sight) >= least_filling)) return {{0, 0}, 0};
   const Vector2 gravity = motion.in_tank().apparent_gravity(scene.gravity, place.x, place.z, 0, 0);
   LinearFit velocity;
   double pressure = 0;
-  for_each_near(
-      p, place, scene.particle_spacing, [&](std::size_t i, double share, double dx, double dz) {
-        const Vector2 tank = motion.velocity(p.x[i], p.z[i]);
-        velocity.add(share, dx, dz, {p.velocity_x[i] - tank.x, p.velocity_z[i] - tank.z});
-        pressure +=
-            share * (pressure_at(p.density[i]) + p.density[i] * (gravity.x * dx + gravity.z * dz));
-      });
+  for_each_near(p, place, scene.particle_spacing, sight,
+                [&](std::size_t i, double share, double dx, double dz) {
+                  const Vector2 tank = motion.velocity(p.x[i], p.z[i]);
+                  velocity.add(share, dx, dz, {p.velocity_x[i] - tank.x, p.velocity_z[i] - tank.z});
+                  pressure += share * (pressure_at(p.density[i]) +
+                                       p.density[i] * (gravity.x * dx + gravity.z * dz));
+                });
   return {velocity.at_place(WeightsAbout(scene.particle_spacing).radius()),
           pressure / velocity.weight};
 }

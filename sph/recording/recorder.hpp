@@ -10,6 +10,7 @@
 #include "sph/recording/column_in_outline.hpp"
 #include "sph/recording/energy_budget.hpp"
 #include "sph/recording/free_surface.hpp"
+#include "sph/recording/near_particles.hpp"
 #include "sph/recording/probe.hpp"
 #include "sph/recording/seen_from_tank.hpp"
 #include "sph/recording/soundness.hpp"
@@ -28,7 +29,7 @@ template <class Scheme>
 class Recorder {
  public:
   Recorder(const Scene& scene, Liquid<Scheme>& liquid)
-      : scene_(scene), energy_bound_(scene, liquid.particles) {
+      : scene_(scene), sight_(sight_of_instruments(scene)), energy_bound_(scene, liquid.particles) {
     if (const auto outline = outline_of(scene))
       for (const Gauge& gauge : scene.gauges)
         columns_.emplace_back(*outline, scene.fill_depth, gauge.x, scene.particle_spacing);
@@ -108,8 +109,10 @@ class Recorder {
     for (std::size_t k = 0; k < scene_.gauges.size(); ++k) {
       const Gauge& gauge = scene_.gauges[k];
       push(output.elevation[gauge.name], t,
-           columns_.empty() ? surface_elevation(p, scene_.tank_length, scene_.fill_depth, gauge.x)
-                            : columns_[k].elevation(p));
+           !columns_.empty() ? columns_[k].elevation(p)
+           : sight_.exists()
+               ? surface_elevation(p, scene_.tank_length, scene_.fill_depth, gauge.x, sight_)
+               : surface_elevation(p, scene_.tank_length, scene_.fill_depth, gauge.x));
       push(output.highest_surface[gauge.name], t, highest_surface(p, scene_.fill_depth, gauge.x));
     }
     for (const PressureGauge& gauge : scene_.pressure_gauges)
@@ -194,6 +197,7 @@ class Recorder {
   }
 
   const Scene& scene_;
+  LineOfSight sight_;
   std::vector<ColumnInOutline> columns_;  // of the gauges of a tank with an outline
   SeenFromTank seen_;
   EnergyBound energy_bound_;

@@ -28,9 +28,10 @@ Vector2 place_on_wall(const PressureGauge& gauge, double off, const Scene& scene
 }
 
 double pressure_at_place(const Particles& p, Vector2 place, Vector2 gravity,
-                         const std::function<double(double)>& pressure_at, double spacing) {
+                         const std::function<double(double)>& pressure_at, double spacing,
+                         const LineOfSight& sight) {
   double sum = 0, weights = 0;
-  for_each_near(p, place, spacing, [&](std::size_t i, double share, double dx, double dz) {
+  for_each_near(p, place, spacing, sight, [&](std::size_t i, double share, double dx, double dz) {
     const double rise = p.density[i] * (gravity.x * dx + gravity.z * dz);
     sum += share * (pressure_at(p.density[i]) + rise);
     weights += share;
@@ -45,13 +46,14 @@ double wall_pressure(const Particles& p, const PressureGauge& gauge, const Scene
                      const Motion& motion, const std::function<double(double)>& pressure_at) {
   const double dp = scene.particle_spacing;
   const int places = 1 + static_cast<int>(std::ceil(gauge.width / dp - 1e-9));
+  const LineOfSight sight = sight_of_instruments(scene);
   double sum = 0;
   for (int k = 0; k < places; ++k) {
     // The points are the middles of equal parts of the sensor.
     const Vector2 place = place_on_wall(gauge, gauge.width * ((k + 0.5) / places - 0.5), scene);
     const Vector2 gravity =
         motion.in_tank().apparent_gravity(scene.gravity, place.x, place.z, 0, 0);
-    sum += pressure_at_place(p, place, gravity, pressure_at, dp);
+    sum += pressure_at_place(p, place, gravity, pressure_at, dp, sight);
   }
   return sum / places;
 }

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "sph/neighbours/particles.hpp"
@@ -25,6 +27,7 @@ struct PairSource {
   double gradient_x, gradient_z;  // of that density [kg/m4]
   std::size_t owner = 0;          // whose image it is
   double side_x = 1, side_z = 1;  // -1 where it is reflected
+  int face = -1;                  // of a thin obstacle, that it stands behind
   double volume() const { return mass / density; }
 };
 
@@ -165,6 +168,12 @@ class AllPairs {
       for (std::size_t i = 0; i < count_; ++i) add_images(i);
   }
 
+  // Returns the face that hides the second of two places in the tank from the first, or -1.
+  using HidingFace = std::function<int(Vector2 from, Vector2 to)>;
+  // Only what is not hidden counts from now on, and of the solids behind faces only what the very
+  // face hides.
+  void hide(HidingFace hiding_face) { hiding_face_ = std::move(hiding_face); }
+
   // `density`: of dynamic particles.
   void add_solids(const std::vector<SolidPlace>& places, const Array<double>& density) {
     const std::vector<PairSource> liquid = sources_;
@@ -183,7 +192,8 @@ class AllPairs {
                    .spacing = dp,
                    .diffused = 0,
                    .gradient_x = 0,
-                   .gradient_z = 0};
+                   .gradient_z = 0,
+                   .face = places[k].face};
       if (f_.solids == SolidFormula::dynamic) {
         // The volume is the lattice's.
         b.density = density[k];
@@ -307,6 +317,7 @@ class AllPairs {
     for (const PairSource& b : liquid) {
       const double dx = (b.x - walls_.left - place.node_x) / h,
                    dz = (b.z - walls_.bottom - place.node_z) / h;
+      if (!counts({place.node_x, place.node_z}, b)) continue;
       const double weight = b.volume() * f_.kernel.value(std::hypot(dx, dz));
       const std::array<double, 3> basis{1, dx, dz};
       const std::array<double, 4> values{b.pressure, b.diffused, b.u, b.w};
@@ -336,6 +347,7 @@ class AllPairs {
     double solid = 0;
     for (const SolidPlace& b : places) {
       const double dx = (b.x - at.node_x) / h, dz = (b.z - at.node_z) / h;
+      if (hiding_face_ && hiding_face_({at.node_x, at.node_z}, {b.x, b.z}) != b.face) continue;
       if (dx * dx + dz * dz < 4)
         solid += b.cell_share * dp * dp / (h * h) * f_.kernel.value(std::hypot(dx, dz));
     }
@@ -346,6 +358,11 @@ class AllPairs {
     double sum = 0;
     for (double q = -1.9995; q < 2; q += 0.001) sum += f_.kernel.value(std::abs(q));
     return 0.001 * sum / s_.smoothing_length();
+  }
+
+  bool counts(Vector2 from, const PairSource& b) const {
+    if (!hiding_face_) return true;
+    return hiding_face_(from, {b.x - walls_.left, b.z - walls_.bottom}) == b.face;
   }
 
   static double determinant(const std::array<std::array<double, 3>, 3>& m) {
@@ -364,6 +381,7 @@ class AllPairs {
       const Pair pair{a, b, a.x - b.x, a.z - b.z, h};
       const double r2 = pair.r2();
       if (r2 == 0 || r2 >= 4 * h * h) continue;
+      if (!counts({a.x - walls_.left, a.z - walls_.bottom}, b)) continue;
       const double r = std::sqrt(r2);
       visit(pair, f_.kernel.slope(r / h) / (h * h * h) / r);
     }
@@ -432,6 +450,7 @@ class AllPairs {
   Setting s_;
   Formulas f_;
   TankWalls walls_;
+  HidingFace hiding_face_;
   double kernel_along_a_line_ = kernel_along_a_line();  // [1/m]
   std::size_t count_, first_solid_ = static_cast<std::size_t>(-1);
   std::vector<PairSource> sources_;

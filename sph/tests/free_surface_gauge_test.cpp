@@ -95,6 +95,18 @@ TEST(FreeSurfaceGauge, SeesAMissingRowOfParticles) {
   for (double x : {0.0, 0.05, 0.5, 1.0}) EXPECT_NEAR(gauge(particles, x), -0.01, 1e-6) << x;
 }
 
+// A plate one spacing thick with liquid on its left alone.
+TEST(FreeSurfaceGauge, MeasuresTheDepthOnItsOwnSideOfAPlate) {
+  Particles particles = waved_lattice({.mode = 1, .amplitude = 0}, 0.01, 0.01, 0);
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    if (particles.x[i] > 0.5) particles.mass[i] = 0;
+  const LineOfSight sight({{0.5, 0.51, -0.03, 1}});
+  for (const double x : {0.48, 0.495, 0.5})
+    EXPECT_NEAR(surface_elevation(particles, 1, 0.35, x, sight), 0, 1e-6) << x;
+  EXPECT_NEAR(surface_elevation(particles, 1, 0.35, 0.515, sight), -0.35, 1e-12);
+  EXPECT_LT(gauge(particles, 0.495), -0.05) << "without the plate";
+}
+
 TEST(HighestSurface, IsTheUpperEdgeOfTheHighestParticleNearby) {
   Particles particles = waved_lattice({.mode = 1, .amplitude = 0}, 0.01, 0.01, 0);
   EXPECT_NEAR(highest_surface(particles, 0.35, 0.95), 0, 1e-12);

@@ -28,11 +28,11 @@ struct Neighbourhood {
   NeighbourSources sources;
   typename Choice::Solids solids;
 
-  explicit Neighbourhood(const TankWalls& walls)
+  explicit Neighbourhood(const TankWalls& walls, const Scene& scene = small_scene())
       : scheme(small_scene(Choice::Smoothing::reads_spacing ? spacing / 2 : spacing)),
         sources(walls, spacing, support),
-        solids(small_scene(), !Choice::Mirror::exists, support) {
-    sources.add_solids(solids.places(), {});
+        solids(scene, !Choice::Mirror::exists, support) {
+    sources.add_solids(solids.places(), obstacles_on_lattice(scene, support));
     solids.initialise(scheme);
     if constexpr (Choice::Solids::has_density) {
       Array<double> density = solids.density();
@@ -157,6 +157,81 @@ TYPED_TEST(PairSums, AreThoseOverAllPairsInATankAtRest) {
 
 TYPED_TEST(PairSums, AreThoseOverAllPairsInAMovingAndAcceleratingTank) {
   this->expect_the_sums_over_all_pairs(full_tank(moving_tank), moving_tank);
+}
+
+// An upright plate on the bottom, one spacing thick. The sums are exact, although the particles of
+// a cluster share their list.
+template <class Choice>
+struct BesideAPlate {
+  static constexpr Rectangle plate{0.1, 0.11, 0, 0.08};
+  TankWalls walls;
+  Particles particles;
+  Neighbourhood<Choice> neighbourhood{walls, scene()};
+
+  explicit BesideAPlate(const TankWalls& in) : walls(in) {
+    const Particles full = full_tank(walls);
+    const auto left = [&](std::size_t i) {
+      return !holds(plate, full.x[i] - walls.left, full.z[i]);
+    };
+    particles = full;
+    particles.for_each_field([&](Array<double>& field) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < full.size(); ++i)
+        if (left(i)) field[kept++] = field[i];
+      field.resize(kept);
+    });
+    EXPECT_LT(particles.size(), full.size());
+    EXPECT_TRUE(neighbourhood.rebuild(particles, walls, 0));
+  }
+  static Scene scene() {
+    Scene scene = small_scene();
+    scene.obstacles = {plate};
+    return scene;
+  }
+  Rates expected(const AllPairs::HidingFace& hiding_face) {
+    AllPairs oracle(neighbourhood.scheme.setting, formulas_of<Choice>(), particles, walls);
+    oracle.hide(hiding_face);
+    if constexpr (Choice::Solids::has_density)
+      oracle.add_solids(neighbourhood.solids.places(), neighbourhood.solids.density());
+    else
+      oracle.add_solids(neighbourhood.solids.places(), {});
+    return oracle.rates();
+  }
+};
+
+// Faces 0, 1 and 3 are the left and the right one and the top.
+int hidden_by_plate(Vector2 from, Vector2 to) {
+  const bool to_is_low = to.z < 0.08;
+  if (from.z > 0.08) return to_is_low && to.x > 0.1 && to.x < 0.11 ? 3 : -1;
+  if (from.x < 0.1) return to_is_low && to.x > 0.1 ? 0 : -1;
+  return to_is_low && to.x < 0.11 ? 1 : -1;
+}
+
+using ChoicesWithObstacles =
+    testing::Types<Recommended, DeltaSph, WithWendlandC6, WithAntuono, WithStickingWalls,
+                   WithGhostWalls, WithStickingGhostWalls, WithDynamicWalls>;
+template <class Choice>
+class PairSumsBesideAPlate : public testing::Test {};
+TYPED_TEST_SUITE(PairSumsBesideAPlate, ChoicesWithObstacles);
+
+TYPED_TEST(PairSumsBesideAPlate, AreThoseOverAllPairsThatThePlateDoesNotHide) {
+  for (const TankWalls& walls : {tank_at_rest, moving_tank}) {
+    BesideAPlate<TypeParam> beside(walls);
+    const Rates expected = beside.expected(hidden_by_plate);
+    for (const InstructionSet set : instruction_sets())
+      EXPECT_LE(disagreement(beside.neighbourhood.rates(beside.particles, walls, set), expected),
+                round_off);
+  }
+}
+
+// Shows that the test above can fail: the plate's left face is left out.
+TYPED_TEST(PairSumsBesideAPlate, DifferWhereOneFaceHidesNothing) {
+  BesideAPlate<TypeParam> beside(tank_at_rest);
+  const Rates wrong = beside.expected([](Vector2 from, Vector2 to) {
+    const int face = hidden_by_plate(from, to);
+    return face == 0 ? -1 : face;
+  });
+  EXPECT_GT(disagreement(beside.neighbourhood.rates(beside.particles, tank_at_rest), wrong), 1e-3);
 }
 
 // Few particles a row: the vectors that read a run of them reach far past its end, and the end of

@@ -55,6 +55,18 @@ TEST(Probe, SmoothsAShortWaveByTheKernelsSecondMoment) {
   EXPECT_NEAR(found, 1, 0.02);
 }
 
+// Left and right of a plate one spacing thick the velocities are opposite.
+TEST(Probe, DoesNotLookThroughAPlate) {
+  Scene scene = still_scene(0.01, 0);
+  scene.obstacles = {{0.5, 0.51, 0, 0.2}};
+  Particles p = still_water(scene);
+  for (std::size_t i = 0; i < p.size(); ++i) p.velocity_x[i] = p.x[i] < 0.505 ? -1 : 1;
+  EXPECT_NEAR(read(scene, p, 0.495, 0.1).velocity.x, -1, 1e-12);
+  EXPECT_NEAR(read(scene, p, 0.515, 0.1).velocity.x, 1, 1e-12);
+  scene.obstacles.clear();  // it can fail
+  EXPECT_GT(std::abs(read(scene, p, 0.495, 0.1).velocity.x + 1), 0.1);
+}
+
 TEST(Probe, ReadsTheHydrostaticPressure) {
   const Scene scene = still_scene(0.01, 0);
   const Particles p = still_water(scene);

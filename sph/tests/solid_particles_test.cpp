@@ -167,16 +167,16 @@ std::string refusal_of(const Rectangle& obstacle) {
   return "";
 }
 
-TEST(ObstaclesOnLattice, RefuseOneAcrossWhichTheLiquidWouldMeet) {
-  const std::string refusal = refusal_of({0.42, 0.52, 0, 0.3});
-  for (const char* part :
-       {"obstacle", "0.42 to 0.52 m", "0 to 0.3 m", "expected", "0.15 m", "spacing of 0.05 m"})
+TEST(ObstaclesOnLattice, RefuseOneThinnerThanAParticleSpacing) {
+  const std::string refusal = refusal_of({0.42, 0.46, 0, 0.3});
+  for (const char* part : {"obstacle", "0.42 to 0.46 m", "0 to 0.3 m", "expected",
+                           "at least as thick as a particle spacing, 0.05 m"})
     EXPECT_NE(refusal.find(part), std::string::npos) << part << " is not in " << refusal;
-  EXPECT_NE(refusal_of({0.3, 0.6, 0.2, 0.3}), "");   // thin and hanging in the liquid
-  EXPECT_NE(refusal_of({0.6, 0.3, 0.1, 0.3}), "");   // right before left
-  EXPECT_NE(refusal_of({0.3, 0.31, 0.1, 0.3}), "");  // snapped to nothing
+  EXPECT_NE(refusal_of({0.3, 0.6, 0.2, 0.249}), "");  // thin and hanging in the liquid
+  EXPECT_NE(refusal_of({0.6, 0.3, 0.1, 0.3}), "");    // right before left
+  EXPECT_NE(refusal_of({0.3, 0.31, 0.1, 0.3}), "");   // snapped to nothing
   EXPECT_NE(refusal_of({std::nan(""), 0.5, 0, 0.3}), "");
-  EXPECT_EQ(refusal_of({0.3, 0.45, 0, 0.3}), "");
+  EXPECT_EQ(refusal_of({0.3, 0.35, 0, 0.3}), "");
   // Behind a wall there is no liquid to meet.
   EXPECT_EQ(refusal_of({0.3, 0.6, 0, 0.05}), "");
   EXPECT_EQ(refusal_of({0, 0.05, 0, 0.3}), "");

@@ -35,6 +35,20 @@ TEST(WallPressure, IsHydrostaticOnEveryWallOfStillWater) {
   EXPECT_NEAR(read(scene, p, {"a", Wall::bottom, 0.4, 0.05}), unit * 0.35, 2e-3 * unit * 0.35);
 }
 
+// Right of a plate one spacing thick the liquid is compressed.
+TEST(WallPressure, DoesNotLookThroughAPlate) {
+  Scene scene = still_scene(0.01, 0);
+  scene.obstacles = {{0.5, 0.51, 0, 0.2}};
+  Particles p = still_water(scene);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p.x[i] > 0.505) p.density[i] *= 1.1;
+  const double still = 1000 * 9.81 * 0.35;
+  EXPECT_NEAR(read(scene, p, {"a", Wall::bottom, 0.495, 0}), still, 0.01 * still);
+  EXPECT_GT(read(scene, p, {"a", Wall::bottom, 0.515, 0}), 5 * still);
+  scene.obstacles.clear();  // it can fail
+  EXPECT_GT(read(scene, p, {"a", Wall::bottom, 0.495, 0}), 1.1 * still);
+}
+
 TEST(WallPressure, IsTheMeanOverASensorThatIsPartlyDry) {
   const Scene scene = still_scene(0.01, 0);
   const Particles p = still_water(scene);

@@ -21,9 +21,11 @@ namespace slosh::sph {
 
 class GhostFill {
  public:
-  // The places must have their final order; h is the smoothing length and dp the spacing [m].
+  // The places must have their final order; h is the smoothing length and dp the spacing [m]. A
+  // node sees the solids that `sight` lets it see.
   template <class Kernel>
-  void initialise(const Kernel&, const std::vector<SolidPlace>& places, double h, double dp) {
+  void initialise(const Kernel&, const std::vector<SolidPlace>& places, double h, double dp,
+                  const LineOfSight& sight) {
     fall_ = dp / h * Kernel::normalisation * integral_along_a_line<Kernel>();
     if (places.empty()) return;
     const double reach = kernel_support * h;
@@ -43,6 +45,8 @@ class GhostFill {
             grid.run(row, grid.column(at.node_x - reach), grid.column(at.node_x + reach));
         for (std::size_t k = near.begin; k < near.end; ++k) {
           const SolidPlace& b = places[order[k]];
+          if (sight.exists() && sight.hiding_face({at.node_x, at.node_z}, {b.x, b.z}) != b.face)
+            continue;
           solid += b.cell_share * dp * dp *
                    Kernel::shape(std::hypot(b.x - at.node_x, b.z - at.node_z) / h);
         }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "sph/walls/outline_layers.hpp"
+#include "sph/walls/thin_obstacles.hpp"
 
 namespace slosh::sph {
 namespace {
@@ -21,17 +22,6 @@ double cell_along(double length, double spacing) {
 // Returns the nearest border between cells, or the wall at `end` where that is as near.
 double snapped(double edge, double cell, double end) {
   return std::abs(edge - end) <= 0.5 * cell ? end : cell * std::round(edge / cell);
-}
-
-// Reflects a node that lies behind the tank's walls into the tank.
-void fold_into_tank(SolidPlace& place, const Scene& scene) {
-  const auto fold = [](double& at, double& turn, double length) {
-    if (at > 0 && at < length) return;
-    at = at <= 0 ? -at : 2 * length - at;
-    turn = -turn;
-  };
-  fold(place.node_x, place.turn.xx, scene.tank_length);
-  fold(place.node_z, place.turn.zz, scene.tank_height);
 }
 
 void fill_obstacle(const Scene& scene, const Rectangle& r, double depth,
@@ -47,8 +37,6 @@ void fill_obstacle(const Scene& scene, const Rectangle& r, double depth,
       places.push_back(place);
     }
 }
-
-int whole_layers(double depth, double dp) { return static_cast<int>(std::ceil(depth / dp - 1e-9)); }
 
 // Adds a place behind a wall as `count` places of equal shares beside one another along it. A place
 // in a corner is divided along both walls.
@@ -87,6 +75,18 @@ void fill_tank_walls(const Scene& scene, double depth, int along_walls,
 
 }  // namespace
 
+int whole_layers(double depth, double dp) { return static_cast<int>(std::ceil(depth / dp - 1e-9)); }
+
+void fold_into_tank(SolidPlace& place, const Scene& scene) {
+  const auto fold = [](double& at, double& turn, double length) {
+    if (at > 0 && at < length) return;
+    at = at <= 0 ? -at : 2 * length - at;
+    turn = -turn;
+  };
+  fold(place.node_x, place.turn.xx, scene.tank_length);
+  fold(place.node_z, place.turn.zz, scene.tank_height);
+}
+
 std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth) {
   const double dp = scene.particle_spacing;
   const double dx = cell_along(scene.tank_length, dp), dz = cell_along(scene.fill_depth, dp);
@@ -96,13 +96,13 @@ std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth) {
         snapped(given.left, dx, scene.tank_length), snapped(given.right, dx, scene.tank_length),
         snapped(given.bottom, dz, scene.tank_height), snapped(given.top, dz, scene.tank_height)};
     const double thin =
-        std::min(r.left > 0 && r.right < scene.tank_length ? r.right - r.left : depth,
-                 r.bottom > 0 && r.top < scene.tank_height ? r.top - r.bottom : depth);
-    if (!(r.right > r.left && r.top > r.bottom && thin >= depth * (1 - 1e-9)))
+        std::min(r.left > 0 && r.right < scene.tank_length ? given.right - given.left : dp,
+                 r.bottom > 0 && r.top < scene.tank_height ? given.top - given.bottom : dp);
+    if (!(r.right > r.left && r.top > r.bottom && thin >= dp * (1 - 1e-9)))
       throw std::invalid_argument(fmt::format(
-          "obstacle from x = {} to {} m and z = {} to {} m: expected one at least as thick as the "
-          "kernel reaches, {:.4g} m at the particle spacing of {} m",
-          given.left, given.right, given.bottom, given.top, depth, dp));
+          "obstacle from x = {} to {} m and z = {} to {} m: expected one at least as thick as a "
+          "particle spacing, {} m",
+          given.left, given.right, given.bottom, given.top, dp));
     const int layers = whole_layers(depth, dp);
     if (r.left <= 0) r.left = -layers * dx;
     if (r.right >= scene.tank_length) r.right = scene.tank_length + layers * dx;
@@ -140,7 +140,10 @@ std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double
   std::vector<SolidPlace> places;
   const std::vector<Rectangle> obstacles = obstacles_on_lattice(scene, depth);
   if (tank_walls) fill_tank_walls(scene, depth, along_walls, obstacles, places);
-  for (const Rectangle& obstacle : obstacles) fill_obstacle(scene, obstacle, depth, places);
+  for (const Rectangle& obstacle : obstacles)
+    if (thin_obstacles({obstacle}, depth, scene.tank_length, scene.tank_height).empty())
+      fill_obstacle(scene, obstacle, depth, places);
+  add_places_behind_faces(scene, obstacles, depth, places);
   places.shrink_to_fit();  // they stay as long as the run
   return places;
 }

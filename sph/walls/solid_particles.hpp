@@ -19,14 +19,22 @@ namespace slosh::sph {
 // particle spacing apart, from half a spacing inside the faces. Along the tank's walls each cell
 // holds `along_walls` of them beside one another, of equal shares of its volume, and each cell of a
 // corner the square of that number. An obstacle that touches a wall is continued behind it, in
-// place of the wall's own layers. Throws std::invalid_argument for an obstacle thinner than
-// `depth`, across which the liquid on its two sides would interact.
+// place of the wall's own layers. An obstacle thinner than `depth` has places behind each of its
+// faces (thin_obstacles.hpp).
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth,
                                      int along_walls);
 
 // Returns the obstacles with their edges moved to the nearest border between cells of the lattice.
 // An obstacle that touches a wall is continued behind it by as many whole layers as reach `depth`.
+// Throws std::invalid_argument for one with liquid on two sides that is thinner than a particle
+// spacing, and for one that covers no cell.
 std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth);
+
+// Returns how many layers of particles reach `depth`.
+int whole_layers(double depth, double particle_spacing);
+
+// Reflects a node that lies behind the tank's walls into the tank.
+void fold_into_tank(SolidPlace& place, const Scene& scene);
 
 inline bool holds(const Rectangle& r, double x, double z) {
   return x > r.left && x < r.right && z > r.bottom && z < r.top;

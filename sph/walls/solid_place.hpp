@@ -1,6 +1,7 @@
 // A particle of a solid wall and its node, where the liquid's state is evaluated for it.
 #pragma once
 
+#include "sph/walls/line_of_sight.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
@@ -24,6 +25,7 @@ struct SolidPlace {
   double node_x, node_z;  // in the liquid [m]
   Turn turn = {};         // of the velocity by the reflection
   bool in_obstacle = false;
+  int face = no_face;     // of the thin obstacles, that it stands behind
   double cell_share = 1;  // its share of a lattice cell's volume
 };
 

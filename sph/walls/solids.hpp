@@ -78,7 +78,9 @@ class GhostSolids {
   static constexpr bool has_density = false;
 
   GhostSolids(const Scene& scene, bool tank_walls, double depth)
-      : places_(solid_places(scene, tank_walls, depth, 2)) {}
+      : places_(solid_places(scene, tank_walls, depth, 2)),
+        sight_(thin_obstacles(obstacles_on_lattice(scene, depth), depth, scene.tank_length,
+                              scene.tank_height)) {}
   std::vector<SolidPlace>& places() { return places_; }
   template <class Visit>
   void for_each_named_field(const Visit& visit) {
@@ -92,7 +94,7 @@ class GhostSolids {
   void initialise(const Scheme& scheme) {
     nodes_.place(places_);
     fill_.initialise(typename Scheme::Kernel{}, places_, scheme.setting.smoothing_length(),
-                     scheme.setting.particle_spacing);
+                     scheme.setting.particle_spacing, sight_);
   }
 
   template <class Scheme, class Tank>
@@ -167,6 +169,7 @@ class GhostSolids {
 
   std::vector<SolidPlace> places_;
   Nodes nodes_;
+  LineOfSight sight_;
   GhostFill fill_;
 };
 
