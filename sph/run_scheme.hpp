@@ -92,6 +92,8 @@ std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& 
     terms.push_back(fmt::format("boundary layers of the front and the back wall {:.4g} m apart",
                                 scene.breadth));
   terms.push_back(start_name(chosen_state<Choice>(scene)));
+  if (scene.speed_from_coarse_run)
+    terms.push_back("expected largest speed measured by a coarse run");
   if constexpr (Choice::TimeStep::adapts)
     terms.push_back(fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));
   return terms;
@@ -159,10 +161,13 @@ void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const 
 }
 
 template <class Choice>
-void add_diagnostics(RunMemory<Choice>& run, RunOutput& output) {
+void add_diagnostics(RunMemory<Choice>& run, const Scene& scene, RunOutput& output) {
   const Scheme<Choice>& scheme = run.liquid.scheme();
   output.held_arrays = held_arrays(run);
   output.exchanged_at_walls = run.liquid.exchanged_at_walls();
+  output.diagnostics["expected_speed_m_s"] = scheme.setting.expected_speed;
+  if (const auto& coarse = scene.coarse_run)
+    output.diagnostics["coarse_run_spacing_m"] = coarse->particle_spacing;
   output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
   output.diagnostics["smoothing_length_ratio"] = scheme.setting.smoothing_length_ratio;
   output.diagnostics["evaluations_per_step"] = Choice::Integrator::evaluations;
@@ -196,7 +201,7 @@ RunOutput run_scheme(const Scene& scene, const Progress& progress) {
     if (last_good.kept()) scene.save_last_good_state(last_good.state(run, scene));
     throw;
   }
-  add_diagnostics(run, output);
+  add_diagnostics(run, scene, output);
   return std::move(output);
 }
 

@@ -87,6 +87,12 @@ struct SchemeNumbers {
   std::optional<double> density_diffusion;       // delta
 };
 
+// What a coarse run measured (coarse_run.hpp).
+struct CoarseRun {
+  double particle_spacing;  // [m]
+  double expected_speed;    // V_max [m/s]
+};
+
 // How the liquid is prepared (start/initial_state.hpp).
 enum class InitialState { lattice, settled, projected };
 
@@ -119,6 +125,11 @@ struct Scene {
   std::optional<InitialWave> initial_wave = {};  // excludes a dam and obstacles
   std::string variant = {};                      // of the scheme; empty: none
   SchemeNumbers numbers = {};
+  // Whether the largest speed V_max, of which the speed of sound is a multiple, is measured
+  // (coarse_run.hpp) and not estimated (scheme.hpp).
+  bool speed_from_coarse_run = false;
+  // What was measured. Where it is empty, `run` measures it, or takes it from `resume`.
+  std::optional<CoarseRun> coarse_run = {};
   std::optional<InitialState> initial_state = {};  // empty: the scheme's own
   // Every particle of the initial lattice is moved along x and z by up to this fraction of its
   // spacing, at most 0.25, at random from the seed. This gives the members of an ensemble for flows

@@ -24,33 +24,38 @@ double tank_speed(const Scene& scene, double t) {
   return std::abs(scene.velocity(t)) + reach * std::abs(roll.rate(t));
 }
 
-double expected_speed(const Scene& scene) {
+double largest_tank_speed(const Scene& scene) {
   double fastest = 0;
   for (double t = 0; t <= scene.duration; t += scene.sample_interval)
     fastest = std::max(fastest, tank_speed(scene, t));
+  return fastest;
+}
+
+double expected_speed(const Scene& scene) {
   const double wave_speed = std::sqrt(scene.gravity * scene.fill_depth);
-  return (scene.column_width ? 2 : 1) * wave_speed + fastest;
+  return (scene.column_width ? 2 : 1) * wave_speed + largest_tank_speed(scene);
 }
 
 Setting setting_of(const Scene& scene, const SchemeNumbers& own) {
   const SchemeNumbers& run = scene.numbers;
-  return {
-      .gravity = scene.gravity,
-      .fill_depth = scene.fill_depth,
-      .rest_density = scene.rest_density,
-      .kinematic_viscosity = scene.kinematic_viscosity,
-      .breadth = scene.breadth,
-      .particle_spacing = scene.particle_spacing,
-      .flattest_cell = flattest_cell(scene),
-      .smoothing_length_ratio =
-          chosen(run.smoothing_length_ratio, own.smoothing_length_ratio, "smoothing_length_ratio"),
-      .speed_of_sound = chosen(run.sound_speed_ratio, own.sound_speed_ratio, "sound_speed_ratio") *
-                        expected_speed(scene),
-      .courant_number = chosen(run.courant_number, own.courant_number, "courant_number"),
-      .artificial_viscosity =
-          chosen(run.artificial_viscosity, own.artificial_viscosity, "artificial_viscosity"),
-      .density_diffusion =
-          chosen(run.density_diffusion, own.density_diffusion, "density_diffusion")};
+  const double speed = scene.coarse_run ? scene.coarse_run->expected_speed : expected_speed(scene);
+  return {.gravity = scene.gravity,
+          .fill_depth = scene.fill_depth,
+          .rest_density = scene.rest_density,
+          .kinematic_viscosity = scene.kinematic_viscosity,
+          .breadth = scene.breadth,
+          .particle_spacing = scene.particle_spacing,
+          .flattest_cell = flattest_cell(scene),
+          .smoothing_length_ratio = chosen(run.smoothing_length_ratio, own.smoothing_length_ratio,
+                                           "smoothing_length_ratio"),
+          .expected_speed = speed,
+          .speed_of_sound =
+              chosen(run.sound_speed_ratio, own.sound_speed_ratio, "sound_speed_ratio") * speed,
+          .courant_number = chosen(run.courant_number, own.courant_number, "courant_number"),
+          .artificial_viscosity =
+              chosen(run.artificial_viscosity, own.artificial_viscosity, "artificial_viscosity"),
+          .density_diffusion =
+              chosen(run.density_diffusion, own.density_diffusion, "density_diffusion")};
 }
 
 }  // namespace slosh::sph

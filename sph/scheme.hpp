@@ -21,8 +21,12 @@ namespace slosh::sph {
 // Returns the speed of the tank's fastest point below the still level at time t [m/s].
 double tank_speed(const Scene& scene, double t);
 
-// Returns the largest speed that the liquid is expected to reach [m/s]: the speed sqrt(g h) of a
-// long wave, or twice that where a dam breaks (Ritter 1892), plus the largest tank_speed.
+// Returns the largest tank_speed at the sample times [m/s].
+double largest_tank_speed(const Scene& scene);
+
+// Returns the estimate of the largest speed that the liquid is expected to reach [m/s]: the speed
+// sqrt(g h) of a long wave, or twice that where a dam breaks (Ritter 1892), plus the largest
+// tank_speed.
 double expected_speed(const Scene& scene);
 
 // Returns the numbers of a scheme whose own numbers are `own`, with the scene's changes. Throws

@@ -15,6 +15,7 @@ struct Setting {
   double particle_spacing;     // [m]
   double flattest_cell;        // height over width of the lattice's flattest cell, at most 1
   double smoothing_length_ratio;
+  double expected_speed;        // V_max [m/s]
   double speed_of_sound;        // c0 [m/s]
   double courant_number;        // dt c0 / h; unused by a fixed step
   double artificial_viscosity;  // alpha

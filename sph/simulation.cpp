@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "sph/coarse_run.hpp"
+#include "sph/restart/saved_state.hpp"
 #include "sph/scheme.hpp"
 #include "sph/schemes.hpp"
 #include "sph/threads.hpp"
@@ -134,6 +136,23 @@ std::size_t particles_in(const Scene& scene) {
                                   (scene.particle_spacing * scene.particle_spacing));
 }
 
+// A restart has the speed of the run that saved the state, without a coarse run. A state of a run
+// without one is refused later, because the terms differ.
+Scene with_measured_speed(const std::string& scheme, const Scene& scene) {
+  Scene measured = scene;
+  if (!scene.resume) {
+    measured.coarse_run =
+        coarse_run(scene, [&](const Scene& coarse) { return run(scheme, coarse, {}); });
+    return measured;
+  }
+  const auto saved = [&](const char* name) {
+    const auto found = scene.resume->setting.find(name);
+    return found == scene.resume->setting.end() ? 0 : found->second;
+  };
+  measured.coarse_run = {saved("coarse_run_spacing"), saved("expected_speed")};
+  return measured;
+}
+
 }  // namespace
 
 std::vector<std::string> scheme_names() { return names_of(schemes()); }
@@ -147,6 +166,8 @@ double stable_time_step(const std::string& scheme, const Scene& scene) {
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress) {
   const Method method = chosen(scheme, scene);
   if (scene.roll) require_roll(method);
+  if (scene.speed_from_coarse_run && !scene.coarse_run && scene.takes_steps)
+    return run(scheme, with_measured_speed(scheme, scene), progress);
   const ThreadScope threads(scene.threads.value_or(threads_for(particles_in(scene))));
   return method.run(scene, progress);
 }

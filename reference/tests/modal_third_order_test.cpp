@@ -74,6 +74,8 @@ Errors errors_of_a_free_wave(double amplitude) {
 // periods the error of b1 is 4e-5, 7e-4 and 1.05 % for amplitudes of 0.02, 0.04 and 0.08 of the
 // length. The measured ratios from 0.01 to 0.02 are 15.97, 7.95 and 15.9. With d6 = -3k/(2 T1) and
 // 4 T2 T3 in place of 3 T2 T3 in d7, the error of b3 is of its own leading order: its ratio is 4.0.
+// That form lacks the third mode of d phi_1/dt between the still and the true surface, to second
+// order in the wave: 3 k T3 (b1'' b2 / 2 + k b1'' b1^2 / (8 T1)).
 TEST(ModalThirdOrder, DiffersFromTheNonlinearFlowByTheFourthOrder) {
   const Errors small = errors_of_a_free_wave(0.01), large = errors_of_a_free_wave(0.02);
   EXPECT_NEAR(large.b1 / small.b1, 16, 0.3);

@@ -24,6 +24,7 @@ Json sph_entry(const SphRun& sph) {
           {"surface_particle_spacing_m", sph.surface_particle_spacing},
           {"variant", sph.variant.empty() ? Json(nullptr) : Json(sph.variant)},
           {"initial_state", sph.initial_state.empty() ? Json(nullptr) : Json(sph.initial_state)},
+          {"expected_speed", sph.speed_from_coarse_run ? "coarse_run" : "estimate"},
           {"start_disorder", sph.start_disorder},
           {"start_seed", sph.start_disorder > 0 ? Json(sph.start_seed) : Json(nullptr)},
           {"numbers", numbers}};

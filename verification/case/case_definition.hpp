@@ -183,6 +183,8 @@ struct SphRun {
   double start_disorder = 0;
   int start_seed = 0;
   bool energy_budget = false;  // record where the liquid's energy goes
+  // The largest speed that the speed of sound follows is measured by a coarse run, not estimated.
+  bool speed_from_coarse_run = false;
 
   bool operator==(const SphRun&) const = default;
 };

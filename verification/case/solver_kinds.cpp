@@ -76,6 +76,7 @@ struct Row<SphRun> : CommonRow {
                       {sph.scheme, sph.particle_spacing, sph.surface_particle_spacing, sph.variant,
                        sph.initial_state, numbers}}};
     if (sph.energy_budget) settings["energy_budget"] = true;
+    if (sph.speed_from_coarse_run) settings["expected_speed"] = "coarse_run";
     if (sph.start_disorder > 0) settings["start"] = {sph.start_disorder, sph.start_seed};
     return settings;
   }
@@ -398,6 +399,7 @@ std::string changes_of(const SphRun& run) {
   for (const auto& [name, number] : sph_number_names)
     if (const auto& value = run.numbers.*number)
       changes.push_back(fmt::format("{} = {:g}", name, *value));
+  if (run.speed_from_coarse_run) changes.push_back("expected_speed = coarse_run");
   // The seed is no change: the repeats of a run have the same changes.
   if (run.start_disorder > unseen_disorder)
     changes.push_back(fmt::format("start_disorder = {:g}", run.start_disorder));

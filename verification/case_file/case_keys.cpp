@@ -329,7 +329,12 @@ const std::vector<KeyTable>& case_key_tables() {
         {"smoothing_length_ratio", "number > 0", "no",
          "h / dp, the smoothing length over the spacing. Default: the scheme's."},
         {"sound_speed_ratio", "number > 0", "no",
-         "c0 / V_max, the speed of sound over the estimated largest speed. Default: the scheme's."},
+         "c0 / V_max, the speed of sound over the expected largest speed. Default: the scheme's."},
+        {"expected_speed", "\"estimate\" or \"coarse_run\"", "no",
+         "Where V_max comes from: sqrt(g h) plus the tank's largest speed, or a first run of the "
+         "same flow at a coarser spacing: see [The speed of "
+         "sound](schemes.md#the-speed-of-sound). A coarse run is refused where tank and liquid are "
+         "at rest. Default: estimate."},
         {"courant_number", "number > 0", "no", "Default: the scheme's."},
         {"artificial_viscosity", "number >= 0", "no",
          "The coefficient alpha of the artificial viscosity. Default: the scheme's."},

@@ -46,6 +46,19 @@ const Rule<double> a_disturbed_level{
     "a number >= 0 and <= 0.2, in heights of a cell",
     [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
 
+// Throws for a coarse run of liquid at rest in a tank at rest.
+bool read_speed_from_coarse_run(const TomlTable& run, const CaseDefinition& definition) {
+  if (!run.has("expected_speed")) return false;
+  if (run.choice("expected_speed", "where the expected largest speed comes from",
+                 std::vector<std::string>{"estimate", "coarse_run"}) == "estimate")
+    return false;
+  if (definition.motion.still() && !definition.initial_wave && !definition.liquid.column_width)
+    run.refuse("expected_speed",
+               "\"estimate\" in a case without motion, initial wave or dam: nothing flows whose "
+               "speed a coarse run could measure");
+  return true;
+}
+
 struct DisturbedStart {
   double disorder;
   int seed;
@@ -65,8 +78,8 @@ DisturbedStart read_start(const TomlTable& run, const Rule<double>& rule) {
   return {disorder, run.find("start_seed", at_least(0)).value_or(0)};
 }
 
-SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
-  const double spacing = run.get("particle_spacing_m", a_particle_spacing(liquid));
+SphRun read_sph(const TomlTable& run, const CaseDefinition& definition) {
+  const double spacing = run.get("particle_spacing_m", a_particle_spacing(definition.liquid));
   const auto surface_spacing =
       run.find<double>("surface_particle_spacing_m",
                        {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m", spacing),
@@ -80,7 +93,8 @@ SphRun read_sph(const TomlTable& run, const LiquidDefinition& liquid) {
           .numbers = read_numbers(run),
           .start_disorder = start.disorder,
           .start_seed = start.seed,
-          .energy_budget = run.flag("energy_budget")};
+          .energy_budget = run.flag("energy_budget"),
+          .speed_from_coarse_run = read_speed_from_coarse_run(run, definition)};
 }
 
 const Rule<double> a_courant_number{"a number > 0 and <= 1",
@@ -295,7 +309,7 @@ SolverSection section_of_openfoam(const char* name, FoamProgram program) {
 
 const std::vector<SolverSection> solver_sections{
     {"sph", [](const auto& run, const auto& definition,
-               const auto&) { return read_sph(run, definition.liquid); }},
+               const auto&) { return read_sph(run, definition); }},
     section_of_openfoam("interfoam", FoamProgram::inter_foam),
     section_of_openfoam("interisofoam", FoamProgram::inter_iso_foam),
     section_of_openfoam("compressible_interfoam", FoamProgram::compressible_inter_foam),

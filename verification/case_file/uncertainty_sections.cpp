@@ -91,6 +91,13 @@ RefinementDefinition read_refinement(const TomlTable& refinement,
     if (std::find(known.begin(), known.end(), run.text) == known.end())
       refinement.refuse(
           "runs", fmt::format("{} of this case; {} is not one", runs_with(path.number), run.text));
+    const auto* sph = std::get_if<SphRun>(&run_named(definition, run.text).solver);
+    if (sph && sph->speed_from_coarse_run)
+      refinement.refuse("runs",
+                        fmt::format("runs with expected_speed = \"estimate\": the speed of sound "
+                                    "of {}, from a coarse run, would differ beside the refined "
+                                    "number",
+                                    run.text));
     if (std::find(path.runs.begin(), path.runs.end(), run.text) != path.runs.end())
       refinement.refuse("runs", fmt::format("each run once; {} is there twice", run.text));
     if (!path.runs.empty() && !are_alike(run_named(definition, path.runs.front()),

@@ -19,7 +19,9 @@ struct SphStep {
 };
 
 // Returns nullopt for a run of another solver, or one that SPH does not take (require_runnable,
-// run_case.hpp).
-std::optional<SphStep> sph_step(const CaseDefinition& definition, const RunDefinition& run);
+// run_case.hpp). `measured_speed` is what the run's coarse run has measured [m/s]; without it the
+// step is that of the estimated largest speed.
+std::optional<SphStep> sph_step(const CaseDefinition& definition, const RunDefinition& run,
+                                std::optional<double> measured_speed = {});
 
 }  // namespace slosh

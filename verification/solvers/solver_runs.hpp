@@ -96,6 +96,7 @@ std::vector<std::filesystem::path> stored_files(const StoredRun& stored);
 struct SphOutline {
   std::size_t particles;                  // of the liquid
   std::vector<std::string> active_terms;  // the physics compiled in
+  double estimated_speed = 0;             // the largest of the liquid, as estimated [m/s]
 };
 // Makes the start to find the outline; throws CaseFileError as require_scene() does.
 SphOutline sph_outline(const CaseDefinition& definition, const RunDefinition& run);

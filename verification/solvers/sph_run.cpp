@@ -96,7 +96,8 @@ SphOutline sph_outline(const CaseDefinition& definition, const RunDefinition& ru
   sph::Scene scene = sph_scene(definition, sph);
   scene.takes_steps = false;
   sph::RunOutput start = sph::run(sph.scheme, scene, {});
-  return {start.particles, std::move(start.active_terms)};
+  return {start.particles, std::move(start.active_terms),
+          start.diagnostics.at("expected_speed_m_s")};
 } catch (const std::invalid_argument& error) {
   throw refused(run, error.what());
 }

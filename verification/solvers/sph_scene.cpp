@@ -77,6 +77,7 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
                                .courant_number = sph.numbers.courant_number,
                                .artificial_viscosity = sph.numbers.artificial_viscosity,
                                .density_diffusion = sph.numbers.density_diffusion},
+                   .speed_from_coarse_run = sph.speed_from_coarse_run,
                    .initial_state = initial_state(sph),
                    .start_disorder = sph.start_disorder,
                    .start_seed = static_cast<unsigned>(sph.start_seed),

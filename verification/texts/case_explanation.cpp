@@ -125,6 +125,11 @@ std::string purpose_text(const InputEnd& end, const CaseDefinition& definition) 
                      in_unit(std::abs(end.change), input_unit(end.input, definition.motion)));
 }
 
+bool measures_speed(const RunDefinition& run) {
+  const auto* sph = std::get_if<SphRun>(&run.solver);
+  return sph && sph->speed_from_coarse_run;
+}
+
 // The relative loss of a time step from which on it is printed.
 constexpr double told_loss = 0.005;
 
@@ -146,6 +151,12 @@ std::string runs_text(const CaseDefinition& definition,
     if (run.at_input) text += wrapped(purpose_text(*run.at_input, definition), 6);
     text += wrapped(
         solver_text(run) + number_of_elements(run, of_run) + ": " + cost_text(of_run.cost), 6);
+    if (of_run.start && measures_speed(run))
+      text += wrapped(fmt::format("speed of sound: a coarse run of the same flow measures the "
+                                  "expected largest speed first; cost and steps are those of the "
+                                  "estimate, {:.4g} m/s",
+                                  of_run.start->estimated_speed),
+                      6);
     if (of_run.step && of_run.step->lost_to_samples() >= told_loss)
       text += wrapped("steps: " + step_text(*of_run.step, definition.sample_interval), 6);
     if (!of_run.start) continue;

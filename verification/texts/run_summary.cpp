@@ -46,6 +46,22 @@ std::string cost_text(const RunResult& result) {
   return text + "\n";
 }
 
+// Returns what a coarse run has measured [m/s].
+std::optional<double> measured_speed(const RunResult& result) {
+  if (!result.diagnostics.contains("coarse_run_spacing_m")) return {};
+  return result.diagnostics.at("expected_speed_m_s");
+}
+
+std::string speed_of_sound_text(const RunResult& result) {
+  const std::optional<double> measured = measured_speed(result);
+  if (!measured) return "";
+  const double c0 = result.diagnostics.at("speed_of_sound_m_s");
+  return fmt::format(
+      "speed of sound: {:.4g} m/s, {:.3g} times the {:.4g} m/s that a coarse run at {:.4g} mm "
+      "measured\n",
+      c0, c0 / *measured, *measured, 1000 * result.diagnostics.at("coarse_run_spacing_m"));
+}
+
 // Returns how far landing on the samples and the flow itself shorten the time steps.
 std::string steps_text(const RunResult& result, const CaseDefinition& definition,
                        const SphStep& step) {
@@ -78,7 +94,8 @@ std::string run_summary(const RunResult& result, const CaseDefinition& definitio
       if (series.name == quantity && is_gauged(quantity) && !series.value.empty())
         text += gauge_text(series);
   text += cost_text(result);
-  const std::optional<SphStep> step = sph_step(definition, run);
+  text += speed_of_sound_text(result);
+  const std::optional<SphStep> step = sph_step(definition, run, measured_speed(result));
   if (step && result.cost.steps > 0) text += steps_text(result, definition, *step);
   return text;
 }

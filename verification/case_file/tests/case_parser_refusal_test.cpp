@@ -52,6 +52,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "cells_x, cells_z, processes, interface_courant_number, no_slip, wall_cell_m, "
                 "cells_y, start_disorder, start_seed, repeats, vary_inputs; nearest known "
                 "key: "},
+        Mistake{"ExpectedSpeedOfAnotherSolver",
+                {"cells_x = 50", "cells_x = 50\nexpected_speed = \"coarse_run\""},
+                "trial.toml:51: run.expected_speed = \"coarse_run\": expected only these keys "
+                "here: name, solver, quick, cells_x, "},
+        Mistake{"ExpectedSpeedFromNowhere",
+                {"quick = true", "expected_speed = \"fine_run\""},
+                "trial.toml:46: run.expected_speed = \"fine_run\": expected where the expected "
+                "largest speed comes from, one of estimate, coarse_run"},
         Mistake{"CourantNumberAboveOne",
                 {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 1.5"},
                 "trial.toml:51: run.interface_courant_number = 1.5: expected a number > 0 and <= "

@@ -453,6 +453,23 @@ SphRun sph_of(const std::string& keys) {
       read_text(edited({"quick = true\n", keys + "quick = true\n"})).runs.at(1).solver);
 }
 
+TEST(ExpectedSpeedOfARun, IsEstimatedUnlessACoarseRunIsAskedFor) {
+  EXPECT_FALSE(sph_of("").speed_from_coarse_run);
+  EXPECT_FALSE(sph_of("expected_speed = \"estimate\"\n").speed_from_coarse_run);
+  EXPECT_TRUE(sph_of("expected_speed = \"coarse_run\"\n").speed_from_coarse_run);
+}
+
+TEST(ExpectedSpeedOfARun, IsNotMeasuredWhereNothingFlows) {
+  std::string text = edited({sine_surge, "[motion]\nstill = true\n"});
+  text.replace(text.find("quick = true\n"), 0, "expected_speed = \"coarse_run\"\n");
+  const Workspace workspace;
+  const std::string message = complaint(workspace.write("trial.toml", text));
+  EXPECT_NE(message.find("run.expected_speed = \"coarse_run\": expected \"estimate\" in a case "
+                         "without motion, initial wave or dam: nothing flows"),
+            std::string::npos)
+      << message;
+}
+
 TEST(StartOfARun, MayBeDisorderedBySeed) {
   const SphRun repeat = sph_of("start_disorder = 0.05\nstart_seed = 7\n");
   EXPECT_EQ(repeat.start_disorder, 0.05);

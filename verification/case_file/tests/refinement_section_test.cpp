@@ -22,6 +22,12 @@ solver = "sph"
 scheme = "any"
 particle_spacing_m = 0.005
 artificial_viscosity = 0.2
+[[run]]
+name = "measured"
+solver = "sph"
+scheme = "any"
+particle_spacing_m = 0.005
+expected_speed = "coarse_run"
 )";
 
 std::string refined(const std::string& number, const std::string& names) {
@@ -93,6 +99,12 @@ TEST(RefinementSection, RefusesWhatIsNoRunOfTheSolver) {
   EXPECT_TRUE(holds(complaint_about("mesh", "\"mesh\", \"fine\""),
                     "OpenFOAM runs of this case; fine is not one"));
   EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"nobody\""), "nobody is not"));
+}
+
+TEST(RefinementSection, RefusesARunWhoseSpeedOfSoundFollowsACoarseRun) {
+  EXPECT_TRUE(holds(complaint_about("particle_spacing", "\"fine\", \"measured\""),
+                    "runs with expected_speed = \"estimate\": the speed of sound of measured, from "
+                    "a coarse run, would differ"));
 }
 
 TEST(RefinementSection, RefusesAPathThatIsNone) {

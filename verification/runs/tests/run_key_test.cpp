@@ -224,6 +224,9 @@ TEST_F(RunKey, ChangesWithTheSolverAndItsSettings) {
     repeat.start_seed = seed;
     EXPECT_TRUE(keys.insert(key(definition, sample_run(repeat))).second) << disorder << " " << seed;
   }
+  SphRun measured{"li2010", 0.02, 0.02};
+  measured.speed_from_coarse_run = true;
+  EXPECT_TRUE(keys.insert(key(definition, sample_run(measured))).second);
 }
 
 TEST_F(RunKey, OfInterFoamChangesWithTheDisturbanceOfItsStartAndNotWithTheSeedOfNone) {

@@ -59,6 +59,20 @@ TEST(CaseExplanation, TellsHowMuchTheSamplesShortenTheSteps) {
   EXPECT_FALSE(holds(explanation(tank(), {{"a_run", known}}), "steps:"));
 }
 
+TEST(CaseExplanation, TellsThatACoarseRunMeasuresTheExpectedSpeed) {
+  CaseDefinition definition = tank();
+  KnownRun known;
+  known.start = SphOutline{3500, {"a kernel"}, 1.875};
+  EXPECT_FALSE(holds(explanation(definition, {{"a_run", known}}), "coarse run"));
+  std::get<SphRun>(definition.runs.front().solver).speed_from_coarse_run = true;
+  const std::string text = explanation(definition, {{"a_run", known}});
+  EXPECT_TRUE(holds(text, "with expected_speed = coarse_run, spacing 10 mm")) << text;
+  EXPECT_TRUE(holds(text,
+                    "a coarse run of the same flow measures the expected largest speed first; cost "
+                    "and steps are those of the estimate, 1.875 m/s"))
+      << text;
+}
+
 TEST(CaseExplanation, TellsWhatARunAtTheEndOfAnInputIsFor) {
   CaseDefinition definition = tank();
   definition.runs.front().at_input = InputEnd{Input::fill_depth, -0.0005, "coarse"};

@@ -72,6 +72,21 @@ TEST(RunSummary, TellsHowMuchTheSamplesShortenTheStep) {
             "0.5 ms each: landing on the samples every 10 ms costs nothing");
 }
 
+TEST(RunSummary, TellsTheSpeedThatACoarseRunMeasuredAndTheStepThatFollowsFromIt) {
+  RunResult result = swaying(16);
+  result.cost.steps = 1000;
+  EXPECT_FALSE(holds(run_summary(result, sample_case(), particles), "coarse run"));
+  result.diagnostics = {
+      {"speed_of_sound_m_s", 40}, {"expected_speed_m_s", 4}, {"coarse_run_spacing_m", 0.03}};
+  EXPECT_TRUE(holds(run_summary(result, sample_case(), particles),
+                    "speed of sound: 40 m/s, 10 times the 4 m/s that a coarse run at 30 mm "
+                    "measured\n"));
+  const SphStep step = sph_step(sample_case(), particles, 4).value();
+  EXPECT_NEAR(step.stable / sph_step(sample_case(), particles, 8)->stable, 2, 0.2);
+  EXPECT_TRUE(holds(run_summary(result, sample_case(), particles),
+                    step_text(step, sample_case().sample_interval)));
+}
+
 TEST(RunSummary, TellsNoStepsOfAnotherSolver) {
   RunResult result = swaying(16);
   result.solver = "linear";
