@@ -134,27 +134,29 @@ double share_reached(const std::vector<double>& values, double reached) {
 
 constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 
+// `equal` are draws of equal solvers that do not scatter beside their sampling.
 double agreement(const std::vector<Drawn>& all, std::size_t left_out,
-                 const std::vector<Draw>& draws) {
+                 const std::vector<std::vector<Drawn>>& equal) {
   std::vector<double> values;
-  for (const Draw& draw : draws)
-    values.push_back(heterogeneity(drawn_anew(all, draw, 0), left_out));
+  for (const std::vector<Drawn>& draw : equal) values.push_back(heterogeneity(draw, left_out));
   return share_reached(values, heterogeneity(all, left_out));
 }
 
 SolverApart against_others(const std::vector<Drawn>& all, std::size_t j,
-                           const std::vector<Draw>& draws) {
+                           const std::vector<Draw>& draws,
+                           const std::vector<std::vector<Drawn>>& equal) {
   const Distance found = from_others(all, j);
   const double tau2 = between_solvers(all, j);
   std::vector<double> values;
-  for (const Draw& draw : draws)
-    values.push_back(from_others(drawn_anew(all, draw, tau2), j).statistic());
+  for (std::size_t k = 0; k < draws.size(); ++k)
+    values.push_back(
+        from_others(tau2 > 0 ? drawn_anew(all, draws[k], tau2) : equal[k], j).statistic());
   const double p = share_reached(values, found.statistic());
   const students_t of_solvers(static_cast<double>(all.size()) - 2);
   const double further =
       2 * boost::math::cdf(boost::math::complement(of_solvers, found.statistic()));
   const double widest = Distribution("bootstrap", std::move(values)).quantile(1 - panel_level);
-  return {{found.difference, widest * found.deviation}, p, p, agreement(all, j, draws), further};
+  return {{found.difference, widest * found.deviation}, p, p, agreement(all, j, equal), further};
 }
 
 void correct_by_holm(std::vector<SolverApart>& each, double SolverApart::*p,
@@ -200,10 +202,12 @@ PanelVerdict judge_panel(const std::vector<SolverMean>& solvers, const SeededTri
   std::vector<Drawn> all;
   for (const SolverMean& one : solvers) all.push_back(drawn_of(one));
   const std::vector<Draw> random = random_draws(solvers, draws);
-  PanelVerdict verdict{.agree_p = agreement(all, nobody, random)};
+  std::vector<std::vector<Drawn>> equal;
+  for (const Draw& draw : random) equal.push_back(drawn_anew(all, draw, 0));
+  PanelVerdict verdict{.agree_p = agreement(all, nobody, equal)};
   if (solvers.size() < fewest_solvers) return verdict;
   for (std::size_t j = 0; j < all.size(); ++j)
-    verdict.each.push_back(against_others(all, j, random));
+    verdict.each.push_back(against_others(all, j, random, equal));
   correct_by_holm(verdict.each, &SolverApart::p, &SolverApart::corrected_p);
   correct_by_holm(verdict.each, &SolverApart::further_solver_p, &SolverApart::further_solver_p);
   if (verdict.all_agree()) return verdict;

@@ -24,7 +24,18 @@
 // the p-value of one more solver of the others' kind (Higgins, Thompson & Spiegelhalter 2009, J. R.
 // Stat. Soc. A 172:137). It is told beside the name and names nobody.
 //
-// Counted against known truth by tests/solver_panel_test.cpp, which has the shares.
+// Counted against known truth (4000 panels each of 999 draws; shifts and scatters in standard
+// deviations of the members), part of which tests/solver_panel_test.cpp repeats. Of equal solvers
+// all agree in 94 to 97 % of the panels and one is named in 2 to 3 %: of 20, 8, 4 and 4 members, of
+// 4 each, of unequal scatter (1, 2, 0.5 and 3), of skewed members, of three solvers, of 3 members
+// each. One of four that is shifted is named in
+//   20 members among 8, 4 and 4, shifted by 2, 3 and 5:  72, 83 and 92 %
+//   4 members among 20, 8 and 4, shifted by 3 and 5:     72 and 92 %
+//   4 members among 4, 4 and 4, shifted by 3 and 5:      61 and 89 %
+// and another one in 0.1 % or less. Where the solvers' true means all differ, by normal errors of
+// the deviation 1, 2 or 5, one of four is named in 19, 15 and 6 %, one of three in 32, 37 and 26 %:
+// two of them agree by chance. The p-value of one more solver is then below 5 % as well in 1 to 3 %
+// of four and in 0.4 % or less of three; of one that is shifted by 5 in 45 to 80 % of four.
 #pragma once
 
 #include <cstddef>

@@ -1,14 +1,12 @@
 // Solvers compared as ensembles, counted against known truth: equal solvers name nobody, one that
-// is shifted is named, and solvers that all differ are told to. The header's shares are of 4000
-// panels and 999 draws (--gtest_also_run_disabled_tests prints them); the tests repeat parts of
-// them.
+// is shifted is named, and solvers that all differ are told to. The header has the
+// shares of more panels.
 #include "verification/gate/distributions/solver_panel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "verification/gate/tests/random_peaks.hpp"
 
@@ -95,12 +93,12 @@ KnownPanel different(double between, KnownPanel panel = equal) {
   return panel;
 }
 
-constexpr int trials = 400;
+constexpr int trials = 400, draws_of_trial = 299;
 
 TEST(SolverPanel, NamesNobodyOfEqualSolversInNineteenOfTwentyPanels) {
   std::uint64_t seed = 1;
   for (const KnownPanel& panel : {equal, few, unequal, skewed, three, fewest}) {
-    const Shares shares = count(panel, trials, 499, seed);
+    const Shares shares = count(panel, trials, draws_of_trial, seed);
     const double allowed = 0.05 + binomial_half_width(0.05, trials);
     EXPECT_LT(shares.first + shares.other, allowed) << seed;
     EXPECT_GT(shares.agree, 1 - 0.08 - binomial_half_width(0.08, trials)) << seed;
@@ -109,8 +107,9 @@ TEST(SolverPanel, NamesNobodyOfEqualSolversInNineteenOfTwentyPanels) {
 }
 
 TEST(SolverPanel, NamesTheOneThatIsShifted) {
-  const Shares by_3 = count(shifted(3), trials, 499, 11), by_5 = count(shifted(5), trials, 499, 12),
-               few_by_5 = count(shifted(5, equal, 3), trials, 499, 13);
+  const Shares by_3 = count(shifted(3), trials, draws_of_trial, 11),
+               by_5 = count(shifted(5), trials, draws_of_trial, 12),
+               few_by_5 = count(shifted(5, equal, 3), trials, draws_of_trial, 13);
   for (const Shares& shares : {by_3, by_5, few_by_5}) EXPECT_LT(shares.other, 0.05);
   EXPECT_GT(by_3.first, 0.75);
   EXPECT_GT(by_5.first, 0.85);
@@ -121,42 +120,12 @@ TEST(SolverPanel, NamesTheOneThatIsShifted) {
 // Where the solvers' own means scatter, one of four may lie apart from three that agree by chance.
 // It is named then, and as a further solver of their kind it is nothing special.
 TEST(SolverPanel, TellsThatSolversDifferWhichHaveNothingInCommon) {
-  const Shares far = count(different(5), trials, 499, 21);
+  const Shares far = count(different(5), trials, draws_of_trial, 21);
   EXPECT_LT(far.agree, 0.05);
   EXPECT_LT(far.first + far.other, 0.15);
-  const Shares near = count(different(1), trials, 499, 22);
+  const Shares near = count(different(1), trials, draws_of_trial, 22);
   EXPECT_LT(near.first + near.other, 0.35);
   EXPECT_LT(near.further, 0.05 + binomial_half_width(0.05, trials));
-}
-
-TEST(SolverPanel, DISABLED_PrintsItsShares) {
-  const std::pair<const char*, KnownPanel> panels[] = {
-      {"equal, 20 8 4 4", equal},
-      {"equal, 4 4 4 4", few},
-      {"equal, 20 8 4 4 of unequal scatter", unequal},
-      {"equal, 20 8 4 4 of skewed members", skewed},
-      {"equal, 20 8 4", three},
-      {"equal, 3 3 3", fewest},
-      {"20 shifted by 2", shifted(2)},
-      {"20 shifted by 3", shifted(3)},
-      {"20 shifted by 5", shifted(5)},
-      {"4 shifted by 3", shifted(3, equal, 3)},
-      {"4 shifted by 5", shifted(5, equal, 3)},
-      {"4 of 4 4 4 4 shifted by 3", shifted(3, few)},
-      {"4 of 4 4 4 4 shifted by 5", shifted(5, few)},
-      {"20 of 20 8 4 shifted by 5", shifted(5, three)},
-      {"scattered by 0.5", different(0.5)},
-      {"scattered by 1", different(1)},
-      {"scattered by 2", different(2)},
-      {"scattered by 5", different(5)},
-      {"three scattered by 1", different(1, three)},
-      {"three scattered by 2", different(2, three)},
-      {"three scattered by 5", different(5, three)}};
-  for (const auto& [what, panel] : panels) {
-    const Shares shares = count(panel, 4000, 999, 77);
-    std::printf("%-36s agree %.3f, first %.3f, other %.3f, further %.3f\n", what, shares.agree,
-                shares.first, shares.other, shares.further);
-  }
 }
 
 SolverMean of(double mean, double deviation, std::size_t members) {
@@ -221,7 +190,8 @@ TEST(SolverMeans, NeedThreeMembers) {
   EXPECT_NEAR(found.half_width, 4.302653 / std::sqrt(3.0), 1e-5);
 }
 
-// The intervals of the mean, of a ratio and of a difference hold the truth in 95 % of all draws.
+// The intervals of the mean, of a ratio and of a difference hold the truth in 95 to 96 % of all
+// draws of normal members and in 92 to 93 % of skewed ones.
 TEST(SolverMeans, HaveIntervalsThatHoldTheTruth) {
   for (const bool is_skewed : {false, true}) {
     const KnownPanel panel{{{4, 2}, {8, 1}}, 0, is_skewed};
@@ -238,7 +208,6 @@ TEST(SolverMeans, HaveIntervalsThatHoldTheTruth) {
       difference_held += holds(difference_of(solvers[0], solvers[1]), 0);
     }
     for (const int held : {mean_held, ratio_held, difference_held}) {
-      std::printf("%s: held in %.3f\n", is_skewed ? "skewed" : "normal", held / double(draws));
       EXPECT_GT(held / double(draws), is_skewed ? 0.90 : 0.935);
       EXPECT_LT(held / double(draws), 0.975);
     }
