@@ -54,6 +54,10 @@ gauge = "B"
 times_s = [2.0, 4.0]
 period_s = 2.0
 peaks_Pa = [3000.0, 3000.0]
+peaks_sd_Pa = [300.0, 300.0]
+plateau_begin_s = 2.5
+plateau_end_s = 2.8
+plateau_Pa = 500.0
 arrival_share = 0.1
 arrivals_s = [1.9, 3.9]
 source = "a source"
@@ -110,7 +114,7 @@ TEST(PanelSection, RefusesMetricsThatItDoesNotHave) {
   EXPECT_TRUE(
       holds(complaint_with("\"lag\"", "\"impact_peak\""), "this one needs a case with [impacts]"));
   EXPECT_TRUE(holds(complaint_with("[\"rms\", \"lag\"]", "[]"), "one metric or more"));
-  EXPECT_TRUE(holds(complaint_with("metrics", "quantity = \"elevation@left\"\nmetrics"),
+  EXPECT_TRUE(holds(complaint_with("metrics", "quantity = \"elevation@middle\"\nmetrics"),
                     "expected a compared quantity of this case"));
 }
 
@@ -126,7 +130,7 @@ TEST(PanelSection, AsksForWhatTheMetricsOfImpactsNeed) {
   EXPECT_EQ(complaint_of("wall_pressure@B/filtered", both), "");
   EXPECT_TRUE(holds(complaint_of("elevation@right", both),
                     "needs the quantity wall_pressure@B or wall_pressure@B/filtered"));
-  EXPECT_TRUE(holds(complaint_of("wall_pressure@B", "\"plateau\""), "needs plateau_Pa"));
+  EXPECT_EQ(complaint_of("wall_pressure@B", "\"plateau\""), "");
   EXPECT_TRUE(holds(complaint_of("wall_pressure@B", "\"impulse\""), "impulse_duration_s"));
   EXPECT_EQ(complaint_of("wall_pressure@B", "\"impulse\"", "\nimpulse_duration_s = 0.05"), "");
   EXPECT_TRUE(holds(complaint_of("wall_pressure@B", "\"rms\"", "\nimpulse_duration_s = 0.05"),

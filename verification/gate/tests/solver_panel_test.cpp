@@ -1,6 +1,6 @@
 // Solvers compared as ensembles, counted against known truth: equal solvers name nobody, one that
-// is shifted is named, and solvers that all differ are told to. The header has the
-// shares of more panels.
+// is shifted is named, and solvers that all differ are told to. The header has the shares of more
+// panels.
 #include "verification/gate/distributions/solver_panel.hpp"
 
 #include <gtest/gtest.h>
