@@ -20,8 +20,11 @@ std::string solver_cell(const PanelSolver& solver) {
           ? ""
           : fmt::format("; never in {} of {}", solver.without_value, found + solver.without_value);
   if (!solver.mean) return fmt::format("left out: {} usable", found) + never;
-  return fmt::format("{} (sd {:.2g}, {}){}", interval_text(solver.mean->estimate()),
-                     solver.mean->deviation, found, never);
+  const double deviation = solver.mean->deviation;
+  return fmt::format(
+      "{} (sd {}, {}){}", interval_text(solver.mean->estimate()),
+      deviation >= 10 ? fmt::format("{:.0f}", deviation) : fmt::format("{:.2g}", deviation), found,
+      never);
 }
 
 std::string odd_text(const PanelRow& row, const PanelSolver& odd) {
@@ -65,7 +68,8 @@ std::string caption(const PanelDefinition& panel) {
       "fewer than {} members is left out. All agree where the means scatter no more than their "
       "members let expect (p of 5 % or more). One is apart where the others agree and it alone "
       "differs from their weighted mean, after Holm's correction for the number of runs. Each row "
-      "stands for itself: of equal solvers two or three rows in a hundred name one. The last p says whether "
+      "stands for itself: of equal solvers two or three rows in a hundred name one. The last p "
+      "says whether "
       "one more solver, drawn from those of which the others are a sample, would lie so far; above "
       "5 % the named run is apart from these others and not from solvers in general.",
       panel.reason, fewest_members);

@@ -14,8 +14,7 @@ inline void add_ensemble(CaseAssessment& assessment, const std::string& name,
   for (int k = 0; k < members; ++k) {
     const double spread = 0.03 * (2.0 * k / (members - 1) - 1);
     const std::string member = k == 0 ? name : name + "_" + std::to_string(k + 1);
-    add_run(assessment, member, solver,
-            {pressure_of({.late = 0.001 * spread, .scale = scale * (1 + spread)})});
+    add_run(assessment, member, solver, {pressure_of({.scale = scale * (1 + spread)})});
     assessment.definition.runs.back().ensemble = name;
   }
 }
