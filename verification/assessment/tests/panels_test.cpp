@@ -81,10 +81,11 @@ TEST(Panels, TellWhyAMemberIsLeftOut) {
   for (double& value : poisoned.value) value = not_a_number;
   assessment.runs.results.at("particles_2") = result_with("particles_2", {poisoned});
   assessment.runs.results.at("particles_3") = result_with("particles_3", {});
+  const auto panels = panels_of(assessment);
   for (const auto& [mode, metric] : {std::pair{"impact_1", PanelMetric::impact_peak},
                                      {"whole", PanelMetric::rms},
                                      {"whole", PanelMetric::lag}}) {
-    const PanelRow& row = row_of(panels_of(assessment), mode, metric);
+    const PanelRow& row = row_of(panels, mode, metric);
     ASSERT_EQ(row.solvers[2].left_out.size(), 1U);
     EXPECT_EQ(row.solvers[2].left_out[0], "sharp_3 (solver failed)");
     EXPECT_TRUE(row.solvers[2].mean);
