@@ -51,17 +51,37 @@ double heterogeneity(const std::vector<Drawn>& all, std::size_t left_out) {
   return sum;
 }
 
-double between_solvers(const std::vector<Drawn>& all, std::size_t left_out) {
+// The unweighted mean of all but one, the variance of their means, and the mean of the variances
+// that these have by sampling.
+struct Spread {
+  double middle = 0, of_means = 0, own = 0;
+};
+
+Spread spread_of(const std::vector<Drawn>& all, std::size_t left_out) {
   const double others = static_cast<double>(all.size()) - 1;
-  double middle = 0, own = 0, sum = 0;
+  Spread spread;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i == left_out) continue;
-    middle += all[i].mean / others;
-    own += all[i].variance / others;
+    spread.middle += all[i].mean / others;
+    spread.own += all[i].variance / others;
   }
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (i != left_out) sum += square(all[i].mean - middle);
-  return std::max(0.0, sum / (others - 1) - own);
+    if (i != left_out) spread.of_means += square(all[i].mean - spread.middle) / (others - 1);
+  return spread;
+}
+
+double between_solvers(const std::vector<Drawn>& all, std::size_t left_out) {
+  const Spread spread = spread_of(all, left_out);
+  return std::max(0.0, spread.of_means - spread.own);
+}
+
+double further_solver_p(const std::vector<Drawn>& all, std::size_t j) {
+  const Spread spread = spread_of(all, j);
+  const double others = static_cast<double>(all.size()) - 1;
+  const double of_one = std::max(spread.of_means, spread.own);
+  const double t = std::abs(all[j].mean - spread.middle) /
+                   std::sqrt(of_one * (1 + 1 / others) + all[j].variance);
+  return 2 * boost::math::cdf(boost::math::complement(students_t(others - 1), t));
 }
 
 // m_j - m_o, and the deviation that T_j divides it by.
@@ -152,11 +172,12 @@ SolverApart against_others(const std::vector<Drawn>& all, std::size_t j,
     values.push_back(
         from_others(tau2 > 0 ? drawn_anew(all, draws[k], tau2) : equal[k], j).statistic());
   const double p = share_reached(values, found.statistic());
-  const students_t of_solvers(static_cast<double>(all.size()) - 2);
-  const double further =
-      2 * boost::math::cdf(boost::math::complement(of_solvers, found.statistic()));
   const double widest = Distribution("bootstrap", std::move(values)).quantile(1 - panel_level);
-  return {{found.difference, widest * found.deviation}, p, p, agreement(all, j, equal), further};
+  return {{found.difference, widest * found.deviation},
+          p,
+          p,
+          agreement(all, j, equal),
+          further_solver_p(all, j)};
 }
 
 void correct_by_holm(std::vector<SolverApart>& each, double SolverApart::*p,

@@ -20,10 +20,13 @@
 // all agree, the others agree, and it alone differs from them by its corrected p-value, each at
 // 5 %. Two that could each be the odd one leave both unnamed.
 //
-// That one is apart from these others is less than that it is unlike solvers in general. Of k
-// solvers tau has k - 2 degrees of freedom, one or two, and T_j against Student's t of so many is
-// the p-value of one more solver of the others' kind (Higgins, Thompson & Spiegelhalter 2009, J. R.
-// Stat. Soc. A 172:137). It is told beside the name and names nobody.
+// That one is apart from these others is less than that it is unlike solvers in general. With M the
+// unweighted mean of the others' m_i, S^2 the variance of these m_i but no less than the mean of
+// their v_i, below which tau cannot be told, and k solvers,
+//   t = |m_j - M| / sqrt(S^2 (1 + 1 / (k - 1)) + v_j)
+// has Student's distribution of k - 2 degrees of freedom, one or two, if j is one more solver of
+// the others' kind (a prediction, as of Higgins, Thompson & Spiegelhalter 2009, J. R. Stat. Soc. A
+// 172:137). Its p-value is told beside the name, corrected by Holm too, and names nobody.
 //
 // Counted against known truth (4000 panels each of 999 draws; shifts and scatters in standard
 // deviations of the members), part of which tests/solver_panel_test.cpp repeats. Of equal solvers
@@ -75,7 +78,7 @@ struct SolverApart {
   double p;                 // of T_j
   double corrected_p;       // by Holm
   double others_agree_p;    // of Q of the others
-  double further_solver_p;  // of T_j as one more solver, corrected likewise
+  double further_solver_p;  // of t, corrected likewise
 };
 
 struct PanelVerdict {
