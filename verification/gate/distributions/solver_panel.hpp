@@ -38,8 +38,8 @@
 //   4 members among 4, 4 and 4, shifted by 3 and 5:      61 and 89 %
 // and another one in 0.1 % or less. Where the solvers' true means all differ, by normal errors of
 // the deviation 1, 2 or 5, one of four is named in 19, 15 and 6 %, one of three in 32, 37 and 26 %:
-// two of them agree by chance. The p-value of one more solver is then below 5 % as well in 1 to 3 %
-// of four and in 0.4 % or less of three; of one that is shifted by 5 in 45 to 80 % of four.
+// two of them agree by chance. The p-value of one more solver is then below 5 % as well
+// in 2.1 % of four or less and in 0.1 % of three; of one that is shifted by 5 in 9 to 34 % of four.
 #pragma once
 
 #include <cstddef>
