@@ -7,6 +7,7 @@
 #include "reports/figures/figure_panels.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/assessment/observed_order.hpp"
 #include "verification/case/campaign_definition.hpp"

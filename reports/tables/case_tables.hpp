@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "reports/model/report_model.hpp"
 #include "verification/assessment/case_assessment.hpp"
@@ -84,6 +85,12 @@ std::optional<reports::Table> impact_table(const CaseAssessment& assessment);
 // For each impact's peak over repeated runs: mean, standard deviation, central 90 % and the area
 // metric to the experiment's repeats (distribution.hpp). Needs [impacts] and repeated runs.
 std::optional<reports::Table> repeat_table(const CaseAssessment& assessment);
+
+// panel_tables.cpp
+
+// For each panel: the means of its solvers with their intervals, which of them is apart, and what
+// the air's compressibility changes (panels.hpp). None where the case has no panel.
+std::vector<reports::Table> panel_tables(const CaseAssessment& assessment);
 
 // run_tables.cpp: what the runs recorded of themselves.
 

@@ -9,6 +9,7 @@
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/series/interval_text.hpp"
 
 namespace slosh {

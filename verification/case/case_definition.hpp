@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "verification/case/metric_table.hpp"
+#include "verification/case/panel/panel_definition.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/enum_names.hpp"
 
@@ -493,6 +494,7 @@ struct CaseDefinition {
   std::vector<RefinementDefinition> refinements = {};
   std::vector<InputUncertainty> inputs = {};  // each input at most once
   std::vector<GateRow> gate;
+  std::vector<PanelDefinition> panels = {};
   std::string text;  // the file as read
   std::filesystem::path file;
 };
