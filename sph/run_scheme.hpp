@@ -34,10 +34,11 @@ inline double largest_acceleration(const Rates& rates, double gravity) {
 }
 
 inline double largest_density(const Particles& particles) {
+  const double* density = particles.density.data();
+  const std::size_t n = particles.size();
   double largest = 0;
 #pragma omp simd reduction(max : largest)
-  for (std::size_t i = 0; i < particles.size(); ++i)
-    largest = std::max(largest, particles.density[i]);
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, density[i]);
   return largest;
 }
 

@@ -129,14 +129,19 @@ class NeighbourSources {
     }
     return !(std::sqrt(farthest2) + dt * std::sqrt(fastest2) < slack_);
   }
-  // Returns the largest speed relative to the tank [m/s].
+  // Returns the largest speed relative to the tank [m/s]. The loop is written as that of stale().
   template <class Tank>
   static double fastest(const Particles& particles, const Tank& tank) {
+    const double *x = particles.x.data(), *z = particles.z.data(),
+                 *velocity_x = particles.velocity_x.data(),
+                 *velocity_z = particles.velocity_z.data();
+    const std::size_t n = particles.size();
+    const Tank at = tank;
     double fastest2 = 0;
 #pragma omp parallel for simd reduction(max : fastest2)
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      const Vector2 wall = tank.wall_velocity(particles.x[i], particles.z[i]);
-      const double u = particles.velocity_x[i] - wall.x, w = particles.velocity_z[i] - wall.z;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vector2 wall = at.wall_velocity(x[i], z[i]);
+      const double u = velocity_x[i] - wall.x, w = velocity_z[i] - wall.z;
       fastest2 = std::max(fastest2, u * u + w * w);
     }
     return std::sqrt(fastest2);
