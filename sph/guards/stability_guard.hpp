@@ -20,7 +20,7 @@ void check_state(const Particles& particles, double rest_density, double time);
 
 // Checks the next step. Throws SimulationError when the largest acceleration requires a step of
 // less than a ten-thousandth of the longest one. By the force criterion 0.25 sqrt(h / |a|)
-// (terms/time_step.hpp) and at a Courant number of 1.1, that particle would gain six million times
+// (terms/time_step.hpp) and at a Courant number of 1, that particle would gain six million times
 // the speed of sound in a step of the longest length.
 void check_step(double step, double longest_step, const Particles& particles, const Rates& rates,
                 double time);

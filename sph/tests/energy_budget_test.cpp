@@ -57,9 +57,8 @@ TEST_P(EnergyBudgetOf, ClosesInATankThatSurgesAndRolls) {
 }
 
 // A breaking surge of Li et al. 2010, section 4.3. Particles are compressed by a sixth and reach a
-// third of the speed of sound, so that a step of 1.1 h / c0 is too long for them. Measured over
-// 40 s: 2 % of what is dissipated; 11 % where the step follows the sum of the speeds of sound and
-// of the liquid, 70 % and a run that fails where it follows c0 alone.
+// third of the speed of sound. With a step by c0 alone the budget misses 4 % of what is dissipated
+// in 40 s at a Courant number of 0.8, and the run fails at 1.1 (docs/schemes.md).
 TEST(EnergyBudget, ClosesWhereWavesBreak) {
   constexpr double tolerance = 0.04;
   Scene scene = metered(still_scene(0.02, 15));
