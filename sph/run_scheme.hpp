@@ -42,17 +42,12 @@ inline double largest_density(const Particles& particles) {
   return largest;
 }
 
-// Returns the longest stable step from a state whose accelerations are known. The fastest signal is
-// that of the densest particle and of a pair that approaches at twice the largest speed, as a
-// particle and its mirror image do: (c_a + c_b + 3 w_ab) / 2 with the approach w_ab (Monaghan 1997;
-// Springel 2005, eq. 13).
+// Returns the longest stable step from a state whose accelerations are known.
 template <class Liquid>
 double stable_step(const Liquid& liquid, double gravity) {
   const auto& scheme = liquid.scheme();
-  const double speed = NeighbourSources::fastest(liquid.particles, liquid.tank_at(liquid.time));
-  const double signal_speed =
-      scheme.state.speed_of_sound_at(largest_density(liquid.particles)) + 3 * speed;
-  return scheme.time_step(largest_acceleration(liquid.rates, gravity), signal_speed);
+  return scheme.time_step(largest_acceleration(liquid.rates, gravity),
+                          scheme.state.speed_of_sound_at(largest_density(liquid.particles)));
 }
 
 inline double largest_magnitude(const History& history) {

@@ -68,7 +68,7 @@ struct Recommended {
   static constexpr InitialState initial_state = InitialState::projected;
   static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 1.5,
                                          .sound_speed_ratio = 10,
-                                         .courant_number = 1.0,
+                                         .courant_number = 0.8,
                                          .artificial_viscosity = 0.0005,
                                          .density_diffusion = 0.05};
 };
@@ -86,7 +86,7 @@ struct DeltaSph : Recommended {
   using Mirror = NoMirror;
   static constexpr SchemeNumbers numbers{.smoothing_length_ratio = 2,
                                          .sound_speed_ratio = 10,
-                                         .courant_number = 1.0,
+                                         .courant_number = 0.8,
                                          .artificial_viscosity = 0.02,
                                          .density_diffusion = 0.1};
 };

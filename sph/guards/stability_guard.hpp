@@ -20,8 +20,8 @@ void check_state(const Particles& particles, double rest_density, double time);
 
 // Checks the next step. Throws SimulationError when the largest acceleration requires a step of
 // less than a ten-thousandth of the longest one. By the force criterion 0.25 sqrt(h / |a|)
-// (terms/time_step.hpp) and at a Courant number of 1, that particle would gain six million times
-// the speed of sound in a step of the longest length.
+// (terms/time_step.hpp) and at a Courant number of 0.8, that particle would gain eight million
+// times the speed of sound in a step of the longest length.
 void check_step(double step, double longest_step, const Particles& particles, const Rates& rates,
                 double time);
 

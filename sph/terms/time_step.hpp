@@ -37,8 +37,7 @@ struct FixedStep {
 
 // dt = min(C h / c, 0.25 sqrt(h / |a|), 0.0625 h^2 / nu): Courant, force and viscous criterion
 // (Monaghan 1992, section 10.3; Morris, Fox & Zhu 1997, eq. 21), where c is the speed of sound of
-// the densest particle plus the largest speed relative to the tank, at least c0, a is the largest
-// acceleration [m/s2], and nu is the larger of
+// the densest particle, at least c0, a is the largest acceleration [m/s2], and nu is the larger of
 // the liquid's viscosity and the artificial one's alpha h c0 / 8. The viscous number of Morris, Fox
 // & Zhu is 0.125. On a square lattice the largest eigenvalue of the pair sum is 24.1 nu / h^2
 // (Kaiser-Bessel, h = 1.5 dp; quintic 23.1), with which an explicit step is stable up to 0.083 h^2
@@ -59,8 +58,8 @@ struct AdaptiveStep {
     if (const double friction = gap_layers(s).largest_friction(); friction > 0)
       longest_step = std::min(longest_step, largest_friction_per_step / friction);
   }
-  double operator()(double largest_acceleration, double signal_speed) const {
-    return std::min({longest_step, courant_number * h / signal_speed,
+  double operator()(double largest_acceleration, double largest_speed_of_sound) const {
+    return std::min({longest_step, courant_number * h / largest_speed_of_sound,
                      0.25 * std::sqrt(h / largest_acceleration)});
   }
 };

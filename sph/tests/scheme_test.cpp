@@ -41,7 +41,7 @@ TEST(SettingOf, TakesTheSchemesOwnNumbersWhereTheRunChangesNone) {
   EXPECT_EQ(recommended.smoothing_length_ratio, 1.5);
   EXPECT_NEAR(recommended.smoothing_length(), 1.5 * dp, 1e-15);
   EXPECT_NEAR(recommended.speed_of_sound, 10 * expected_speed(scene), 1e-12);
-  EXPECT_EQ(recommended.courant_number, 1.0);
+  EXPECT_EQ(recommended.courant_number, 0.8);
   EXPECT_EQ(recommended.artificial_viscosity, 0.0005);
   EXPECT_EQ(recommended.density_diffusion, 0.05);
   const Setting delta_sph = setting_of(scene, DeltaSph::numbers);
