@@ -41,7 +41,8 @@ std::vector<std::vector<TimeSeries>> histories(const CaseAssessment& assessment,
 
 PanelSolver panel_solver(const CaseAssessment& assessment, const PanelQuestion& question,
                          const std::string& run) {
-  PanelSolver solver{.run = run};
+  PanelSolver solver;
+  solver.run = run;
   for (const std::string& member : members_of(assessment.definition, run)) {
     try {
       const double value =

@@ -225,7 +225,7 @@ PanelVerdict judge_panel(const std::vector<SolverMean>& solvers, const SeededTri
   const std::vector<Draw> random = random_draws(solvers, draws);
   std::vector<std::vector<Drawn>> equal;
   for (const Draw& draw : random) equal.push_back(drawn_anew(all, draw, 0));
-  PanelVerdict verdict{.agree_p = agreement(all, nobody, equal)};
+  PanelVerdict verdict{agreement(all, nobody, equal), {}, {}, {}};
   if (solvers.size() < fewest_solvers) return verdict;
   for (std::size_t j = 0; j < all.size(); ++j)
     verdict.each.push_back(against_others(all, j, random, equal));
