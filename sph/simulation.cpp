@@ -28,7 +28,9 @@ Method method_of() {
   return {&run_scheme<Choice>,
           [](const Scene& scene) {
             const Scheme<Choice> scheme(scene);
-            return scheme.time_step(scene.gravity, scheme.setting.speed_of_sound);
+            const double at_bottom =
+                scheme.state.density(scene.rest_density * scene.gravity * scene.fill_depth);
+            return scheme.time_step(scene.gravity, scheme.state.speed_of_sound_at(at_bottom));
           },
           Choice::Frame::takes_roll};
 }

@@ -30,7 +30,7 @@ SchemeWork work_of(const SphRun& sph) {
   const std::string& variant = sph.variant;
   const bool wendland = variant.starts_with("wendland_");
   if (sph.scheme == "li2010") work = {2, 1.5, 2, 1.4};
-  if (sph.scheme == "delta_sph") work = {2, 2, 2, 2.3};
+  if (sph.scheme == "delta_sph") work = {2, 2, 1, 3};
   if (sph.scheme.starts_with("zhao2021")) work = {2, 1.5, 2, 1.5};
   if (wendland || variant == "cubic_spline") work.support = 2;
   if (variant == "predictor_corrector" || variant == "symplectic") work.evaluations = 2;
