@@ -151,7 +151,7 @@ Scene with_measured_speed(const std::string& scheme, const Scene& scene) {
     const auto found = scene.resume->setting.find(name);
     return found == scene.resume->setting.end() ? 0 : found->second;
   };
-  measured.coarse_run = {saved("coarse_run_spacing"), saved("expected_speed")};
+  measured.coarse_run = {saved("coarse_run_spacing"), saved("coarse_run_speed")};
   return measured;
 }
 

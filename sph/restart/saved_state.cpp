@@ -122,7 +122,7 @@ std::map<std::string, double> numbers_in_common(const Setting& s, const Scene& s
       {"breadth", s.breadth},
       {"particle_spacing", s.particle_spacing},
       {"smoothing_length_ratio", s.smoothing_length_ratio},
-      {"expected_speed", s.expected_speed},
+      {"coarse_run_speed", scene.coarse_run ? scene.coarse_run->expected_speed : 0},
       {"coarse_run_spacing", scene.coarse_run ? scene.coarse_run->particle_spacing : 0},
       {"speed_of_sound", s.speed_of_sound},
       {"courant_number", s.courant_number},

@@ -211,7 +211,7 @@ TEST(CoarseRun, IsNotRepeatedByARestart) {
   EXPECT_EQ(resumed.states.back().fields, whole.states.back().fields);
   // The state's own speed counts, which shows that none was measured.
   SavedState other = whole.states[1];
-  other.setting["expected_speed"] *= 2;
+  other.setting["coarse_run_speed"] *= 2;
   other.setting["speed_of_sound"] *= 2;
   rest.resume = &other;
   EXPECT_EQ(record(rest).output.diagnostics.at("expected_speed_m_s"),

@@ -82,7 +82,7 @@ struct Cross {
     const auto distance = [&](std::size_t i) { return std::hypot(p.x[i] - at.x, p.z[i] - at.z); };
     for (std::size_t i = 1; i < p.size(); ++i)
       if (distance(i) < distance(nearest)) nearest = i;
-    p.x[nearest] = at.x + (step == 2 ? 1e-3 : -1e-3);
+    p.x[nearest] = at.x + (step == 2 ? 5e-4 : -5e-4);
     EXPECT_EQ(liquid.neighbours().stale(p, tank, 2e-4), step == 2);
   }
 };
