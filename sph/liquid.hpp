@@ -17,6 +17,7 @@
 #include "sph/scene.hpp"
 #include "sph/terms/gap_friction.hpp"
 #include "sph/terms/kernels.hpp"
+#include "sph/walls/obstacle_contact.hpp"
 #include "sph/walls/outline_contact.hpp"
 #include "sph/walls/thin_obstacles.hpp"
 #include "sph/walls/wall_power.hpp"

@@ -19,6 +19,7 @@
 #include "sph/neighbours/cluster_lists.hpp"
 #include "sph/neighbours/particles.hpp"
 #include "sph/walls/mirror_particles.hpp"
+#include "sph/walls/obstacle_contact.hpp"
 #include "sph/walls/solid_particles.hpp"
 #include "sph/walls/tank_walls.hpp"
 

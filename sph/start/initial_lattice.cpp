@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sph/start/initial_surface.hpp"
+#include "sph/walls/obstacle_contact.hpp"
 #include "sph/walls/solid_particles.hpp"
 #include "sph/walls/tank_outline.hpp"
 

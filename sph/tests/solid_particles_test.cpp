@@ -1,3 +1,4 @@
+#include "sph/walls/obstacle_contact.hpp"
 #include "sph/walls/solid_particles.hpp"
 
 #include <gtest/gtest.h>

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "sph/walls/obstacle_contact.hpp"
 #include "sph/walls/outline_layers.hpp"
 #include "sph/walls/thin_obstacles.hpp"
 
@@ -75,18 +74,6 @@ void fill_tank_walls(const Scene& scene, double depth, int along_walls,
 
 }  // namespace
 
-int whole_layers(double depth, double dp) { return static_cast<int>(std::ceil(depth / dp - 1e-9)); }
-
-void fold_into_tank(SolidPlace& place, const Scene& scene) {
-  const auto fold = [](double& at, double& turn, double length) {
-    if (at > 0 && at < length) return;
-    at = at <= 0 ? -at : 2 * length - at;
-    turn = -turn;
-  };
-  fold(place.node_x, place.turn.xx, scene.tank_length);
-  fold(place.node_z, place.turn.zz, scene.tank_height);
-}
-
 std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth) {
   const double dp = scene.particle_spacing;
   const double dx = cell_along(scene.tank_length, dp), dz = cell_along(scene.fill_depth, dp);
@@ -111,24 +98,6 @@ std::vector<Rectangle> obstacles_on_lattice(const Scene& scene, double depth) {
     obstacles.push_back(r);
   }
   return obstacles;
-}
-
-SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double tank_length,
-                               double tank_height) {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  const std::array<double, 4> depth{
-      r.left < 0 ? none : x - r.left, r.right > tank_length ? none : r.right - x,
-      r.bottom < 0 ? none : z - r.bottom, r.top > tank_height ? none : r.top - z};
-  switch (std::min_element(depth.begin(), depth.end()) - depth.begin()) {
-    case 0:
-      return {x, z, 2 * r.left - x, z, Turn::along(1, 0)};
-    case 1:
-      return {x, z, 2 * r.right - x, z, Turn::along(1, 0)};
-    case 2:
-      return {x, z, x, 2 * r.bottom - z, Turn::along(0, 1)};
-    default:
-      return {x, z, x, 2 * r.top - z, Turn::along(0, 1)};
-  }
 }
 
 std::vector<SolidPlace> solid_places(const Scene& scene, bool tank_walls, double depth,

@@ -1,6 +1,9 @@
 // A particle of a solid wall and its node, where the liquid's state is evaluated for it.
 #pragma once
 
+#include <cmath>
+
+#include "sph/scene.hpp"
 #include "sph/walls/line_of_sight.hpp"
 #include "sph/walls/tank_walls.hpp"
 
@@ -28,5 +31,21 @@ struct SolidPlace {
   int face = no_face;     // of the thin obstacles, that it stands behind
   double cell_share = 1;  // its share of a lattice cell's volume
 };
+
+// Reflects a node that lies behind the tank's walls into the tank.
+inline void fold_into_tank(SolidPlace& place, const Scene& scene) {
+  const auto fold = [](double& at, double& turn, double length) {
+    if (at > 0 && at < length) return;
+    at = at <= 0 ? -at : 2 * length - at;
+    turn = -turn;
+  };
+  fold(place.node_x, place.turn.xx, scene.tank_length);
+  fold(place.node_z, place.turn.zz, scene.tank_height);
+}
+
+// Returns how many layers of particles reach `depth`.
+inline int whole_layers(double depth, double dp) {
+  return static_cast<int>(std::ceil(depth / dp - 1e-9));
+}
 
 }  // namespace slosh::sph

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sph/walls/line_of_sight.hpp"
-#include "sph/walls/solid_particles.hpp"
+#include "sph/walls/obstacle_contact.hpp"
 
 namespace slosh::sph {
 
