@@ -13,6 +13,7 @@
 #include "sph/simulation.hpp"
 #include "sph/start/initial_lattice.hpp"
 #include "sph/tests/surging_scene.hpp"
+#include "sph/walls/obstacle_contact.hpp"
 #include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph::dam_and_obstacle_test {

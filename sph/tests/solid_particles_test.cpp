@@ -1,4 +1,3 @@
-#include "sph/walls/obstacle_contact.hpp"
 #include "sph/walls/solid_particles.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/terms/kernels.hpp"
 #include "sph/tests/surging_scene.hpp"
+#include "sph/walls/obstacle_contact.hpp"
 
 namespace slosh::sph::solid_particles_test {
 namespace {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sph/tests/surging_scene.hpp"
+#include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph::thin_obstacles_test {
 namespace {
