@@ -236,14 +236,12 @@ class Liquid {
     return p;
   }
 
-  // Leaves to obstacles_ those that expel particles through their nearest face.
+  // Takes the thin obstacles out of obstacles_. They turn particles back
+  // (walls/thin_obstacles.hpp); the others expel them through the nearest face.
   void keep_thick_obstacles() {
-    const auto is_thin = [&](const Rectangle& r) {
-      return !thin_obstacles({r}, largest_support(), scene_.tank_length, scene_.tank_height)
-                  .empty();
-    };
-    obstacles_.erase(std::remove_if(obstacles_.begin(), obstacles_.end(), is_thin),
-                     obstacles_.end());
+    std::erase_if(obstacles_, [&](const Rectangle& r) {
+      return is_thin(r, largest_support(), scene_.tank_length, scene_.tank_height);
+    });
   }
 
   double largest_support() const {

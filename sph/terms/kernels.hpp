@@ -146,9 +146,7 @@ struct KaiserBessel {
   template <class Number, class Length>
   static Number shape_of_distance2(Number distance2, Length inverse_h2) {
     const Number s = at_least(0.0, 1.0 - (0.25 * inverse_h2) * distance2);
-    Number sum = Number{} + coefficients[degree];
-    for (std::size_t n = degree; n-- > 0;) sum = sum * s + coefficients[n];
-    return s * s * sum;
+    return s * s * polynomial(coefficients, s);
   }
   template <class Number>
   static Number gradient_shape(Number q) {
@@ -157,9 +155,7 @@ struct KaiserBessel {
   template <class Number, class Length>
   static Number gradient_shape_of_distance2(Number distance2, Length inverse_h2) {
     const Number s = at_least(0.0, 1.0 - (0.25 * inverse_h2) * distance2);
-    Number sum = Number{} + slopes[degree];
-    for (std::size_t n = degree; n-- > 0;) sum = sum * s + slopes[n];
-    return s * sum;
+    return s * polynomial(slopes, s);
   }
 
  private:
@@ -169,6 +165,12 @@ struct KaiserBessel {
                                            11.66477586143,     -13.47245650114,    10.82081075967,
                                            -4.955207163533,    1.22192539969};
   static constexpr std::size_t degree = coefficients.size() - 1;
+  template <class Number>
+  static Number polynomial(const std::array<double, degree + 1>& of, Number s) {  // by Horner
+    Number sum = Number{} + of[degree];
+    for (std::size_t n = degree; n-- > 0;) sum = sum * s + of[n];
+    return sum;
+  }
   static constexpr auto slopes = [] {  // of s^(n + 1) in the gradient's shape
     auto slope = coefficients;
     for (std::size_t n = 0; n <= degree; ++n) slope[n] *= -0.5 * (n + 2);

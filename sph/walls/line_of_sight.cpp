@@ -86,43 +86,47 @@ double distance(const Rectangle& r, Vector2 place) {
                     std::max({r.bottom - place.z, place.z - r.top, 0.0}));
 }
 
+// A side of a rectangle, or no_face, and how far away it is, in any one unit.
+struct Found {
+  int side;
+  double distance;
+};
+
+// Returns the nearest of the faces that find(rectangle) finds, or no_face.
+template <class Find>
+int nearest_face(const std::vector<Rectangle>& rectangles, const Find& find) {
+  double nearest = infinity;
+  int face = no_face;
+  for (std::size_t n = 0; n < rectangles.size(); ++n) {
+    const Found found = find(rectangles[n]);
+    if (found.side == no_face || !(found.distance < nearest)) continue;
+    nearest = found.distance;
+    face = 4 * static_cast<int>(n) + found.side;
+  }
+  return face;
+}
+
 }  // namespace
 
 int LineOfSight::entered(Vector2 from, Vector2 to) const {
-  double first = infinity;
-  int face = no_face;
-  for (std::size_t n = 0; n < rectangles_.size(); ++n) {
-    const Crossing crossing = crossing_of(rectangles_[n], from, to);
-    if (!crossing.exists() || !(crossing.enter < first)) continue;
-    first = crossing.enter;
-    face = 4 * static_cast<int>(n) + crossing.side;
-  }
-  return face;
+  return nearest_face(rectangles_, [&](const Rectangle& r) -> Found {
+    const Crossing crossing = crossing_of(r, from, to);
+    return {crossing.side, crossing.enter};
+  });
 }
 
 int LineOfSight::hiding_face(Vector2 from, Vector2 to) const {
-  double nearest = infinity;
-  int face = no_face;
-  for (std::size_t n = 0; n < rectangles_.size(); ++n) {
-    const int side = hiding_side(rectangles_[n], from, to);
-    if (side == no_face || !(distance(rectangles_[n], from) < nearest)) continue;
-    nearest = distance(rectangles_[n], from);
-    face = 4 * static_cast<int>(n) + side;
-  }
-  return face;
+  return nearest_face(rectangles_, [&](const Rectangle& r) -> Found {
+    return {hiding_side(r, from, to), distance(r, from)};
+  });
 }
 
 int LineOfSight::pierced(Vector2 from, Vector2 to) const {
-  double first = infinity;
-  int face = no_face;
-  for (std::size_t n = 0; n < rectangles_.size(); ++n) {
-    const Crossing crossing = crossing_of(rectangles_[n], from, to);
+  return nearest_face(rectangles_, [&](const Rectangle& r) -> Found {
+    const Crossing crossing = crossing_of(r, from, to);
     const bool passed_a_corner = crossing.leave < 1 && !crossing.opposite;
-    if (!crossing.exists() || passed_a_corner || !(crossing.enter < first)) continue;
-    first = crossing.enter;
-    face = 4 * static_cast<int>(n) + crossing.side;
-  }
-  return face;
+    return {passed_a_corner ? no_face : crossing.side, crossing.enter};
+  });
 }
 
 int LineOfSight::group(Vector2 place, double reach) const {
@@ -136,16 +140,18 @@ int LineOfSight::group(Vector2 place, double reach) const {
   return group;
 }
 
+bool is_thin(const Rectangle& r, double depth, double tank_length, double tank_height) {
+  const bool free_x = r.left > 0 && r.right < tank_length;
+  const bool free_z = r.bottom > 0 && r.top < tank_height;
+  const double least = depth * (1 - 1e-9);
+  return (free_x && r.right - r.left < least) || (free_z && r.top - r.bottom < least);
+}
+
 std::vector<Rectangle> thin_obstacles(const std::vector<Rectangle>& obstacles, double depth,
                                       double tank_length, double tank_height) {
   std::vector<Rectangle> thin;
-  for (const Rectangle& r : obstacles) {
-    const bool free_x =
-        r.left > 0 && r.right<tank_length, free_z = r.bottom> 0 && r.top < tank_height;
-    const double least = depth * (1 - 1e-9);
-    if ((free_x && r.right - r.left < least) || (free_z && r.top - r.bottom < least))
-      thin.push_back(r);
-  }
+  for (const Rectangle& r : obstacles)
+    if (is_thin(r, depth, tank_length, tank_height)) thin.push_back(r);
   return thin;
 }
 

@@ -61,8 +61,10 @@ class LineOfSight {
   std::vector<Rectangle> rectangles_;
 };
 
-// Returns those of the obstacles, as obstacles_on_lattice has them, that have liquid on two sides
-// nearer to each other than `depth` [m].
+// Whether an obstacle, as obstacles_on_lattice has it, has liquid on two sides nearer to each other
+// than `depth` [m].
+bool is_thin(const Rectangle& obstacle, double depth, double tank_length, double tank_height);
+// Returns those of the obstacles that are thin.
 std::vector<Rectangle> thin_obstacles(const std::vector<Rectangle>& obstacles, double depth,
                                       double tank_length, double tank_height);
 

@@ -36,7 +36,7 @@ void fold_at_obstacles(SolidPlace& place, const LineOfSight& obstacles, double d
   const Vector2 before_face{0.45 * place.x + 0.55 * node.x, 0.45 * place.z + 0.55 * node.z};
   for (const Rectangle& r : obstacles.rectangles()) {
     if (!contains(r, before_face)) continue;
-    if (!contains(r, node) || !thin_obstacles({r}, depth, length, height).empty()) return;
+    if (!contains(r, node) || is_thin(r, depth, length, height)) return;
     const int low = is_across_x(place.face % 4) ? bottom_side : left_side, high = low + 1;
     const double to_low = low == bottom_side ? node.z - r.bottom : node.x - r.left,
                  to_high = low == bottom_side ? r.top - node.z : r.right - node.x;
@@ -75,7 +75,7 @@ void add_places_behind_faces(const Scene& scene, const std::vector<Rectangle>& o
   const LineOfSight all(obstacles);
   const auto is_in_thick = [&](double x, double z) {
     return std::any_of(obstacles.begin(), obstacles.end(), [&](const Rectangle& r) {
-      return holds(r, x, z) && thin_obstacles({r}, depth, length, height).empty();
+      return holds(r, x, z) && !is_thin(r, depth, length, height);
     });
   };
   for (std::size_t n = 0; n < thin.size(); ++n) {
