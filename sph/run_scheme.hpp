@@ -180,8 +180,10 @@ template <class Choice>
 RunOutput run_scheme(const Scene& scene, const Progress& progress) {
   const Scheme<Choice> scheme(scene);
   if constexpr (!Choice::TimeStep::adapts) check_fixed_step(scene, scheme);
+  // A run that takes no steps, or goes on from a saved state, needs no prepared liquid.
+  const bool prepares = scene.takes_steps && !scene.resume;
   RunMemory<Choice> run(scene, scheme,
-                        scene.resume ? start_lattice(scene, scheme) : initial_state(scene, scheme));
+                        prepares ? initial_state(scene, scheme) : start_lattice(scene, scheme));
   RunOutput& output = run.recorder.output;
   output.particles = run.liquid.particles.size();
   output.active_terms = terms_of_run(scene, scheme);

@@ -104,7 +104,7 @@ struct Scene {
   // of the rectangle around it, whose bottom left corner is the origin.
   std::vector<Corner> outline = {};
   double gravity;                  // [m/s2], downward
-  double rest_density;             // [kg/m3]
+  double rest_density;             // [kg/m3], the mean of the still liquid
   double kinematic_viscosity = 0;  // of the liquid [m2/s]
   // The breadth of the gap between a front and a back wall, which slow the liquid down
   // (terms/gap_friction.hpp) [m]; 0: there are no such walls.
@@ -136,6 +136,9 @@ struct Scene {
   // that are sensitive to small disturbances.
   double start_disorder = 0;
   unsigned start_seed = 0;
+  // The initial lattice is turned by this angle, of which only initial_state = settled can make a
+  // liquid at rest [rad].
+  double start_rotation = 0;
   std::vector<Gauge> gauges;
   std::vector<PressureGauge> pressure_gauges = {};
   std::vector<Probe> probes = {};
@@ -151,7 +154,7 @@ struct Scene {
   std::function<void(const SavedState&)> save_state = {};
   const SavedState* resume = nullptr;
   std::optional<int> threads = {};  // empty: chosen by threads_for (threads.hpp)
-  // Where false, the run ends after its start, which shows whether the scene is valid.
+  // Where false, the run ends with the lattice of its start, which shows whether the scene is valid.
   bool takes_steps = true;
   // Called with the state at the last sample when the run fails after its first sample. The run can
   // be restarted from that state. Where this is empty, no such state is kept.

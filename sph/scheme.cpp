@@ -39,18 +39,21 @@ double expected_speed(const Scene& scene) {
 Setting setting_of(const Scene& scene, const SchemeNumbers& own) {
   const SchemeNumbers& run = scene.numbers;
   const double speed = scene.coarse_run ? scene.coarse_run->expected_speed : expected_speed(scene);
+  const double sound =
+      chosen(run.sound_speed_ratio, own.sound_speed_ratio, "sound_speed_ratio") * speed;
+  const Particles volumes = lattice_of_volumes(scene);
   return {.gravity = scene.gravity,
           .fill_depth = scene.fill_depth,
-          .rest_density = scene.rest_density,
+          .rest_density = scene.rest_density /
+                          (1 + scene.gravity * mean_depth(volumes, scene) / (sound * sound)),
           .kinematic_viscosity = scene.kinematic_viscosity,
           .breadth = scene.breadth,
           .particle_spacing = scene.particle_spacing,
-          .flattest_cell = flattest_cell(scene),
+          .flattest_cell = flattest_cell(volumes),
           .smoothing_length_ratio = chosen(run.smoothing_length_ratio, own.smoothing_length_ratio,
                                            "smoothing_length_ratio"),
           .expected_speed = speed,
-          .speed_of_sound =
-              chosen(run.sound_speed_ratio, own.sound_speed_ratio, "sound_speed_ratio") * speed,
+          .speed_of_sound = sound,
           .courant_number = chosen(run.courant_number, own.courant_number, "courant_number"),
           .artificial_viscosity =
               chosen(run.artificial_viscosity, own.artificial_viscosity, "artificial_viscosity"),

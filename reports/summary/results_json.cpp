@@ -27,6 +27,7 @@ Json sph_entry(const SphRun& sph) {
           {"expected_speed", sph.speed_from_coarse_run ? "coarse_run" : "estimate"},
           {"start_disorder", sph.start_disorder},
           {"start_seed", sph.start_disorder > 0 ? Json(sph.start_seed) : Json(nullptr)},
+          {"start_rotation_deg", sph.start_rotation_deg},
           {"numbers", numbers}};
 }
 

@@ -85,7 +85,8 @@ std::string changed_terms(const AblationRun& one, const AblationRun* plain) {
     else if (!with.empty() || !without.empty())
       texts.push_back(with.empty() ? "without " + without : "with " + with);
   }
-  if (!one.sph->initial_state.empty() || one.sph->start_disorder > unseen_disorder)
+  if (!one.sph->initial_state.empty() || one.sph->start_disorder > unseen_disorder ||
+      one.sph->start_rotation_deg != 0)
     texts.push_back("initial state");
   for (std::size_t i = 0; i < std::size(sph_number_names); ++i)
     if (one.sph->numbers.*sph_number_names[i].second) texts.push_back(terms_of_numbers[i]);

@@ -60,6 +60,25 @@ void lay_block(const Scene& scene, const DensityAt& density_at, double bottom, d
     }
 }
 
+// The lattice is turned about the middle of the liquid, and the particles share the liquid's area.
+void lay_rotated(const Scene& scene, const DensityAt& density_at, Particles& p) {
+  const double spacing = scene.particle_spacing, cosine = std::cos(scene.start_rotation),
+               sine = std::sin(scene.start_rotation);
+  const double half_length = 0.5 * scene.tank_length, half_depth = 0.5 * scene.fill_depth;
+  const int reach = static_cast<int>(std::ceil(std::hypot(half_length, half_depth) / spacing));
+  const InitialSurface surface(scene);
+  for (int row = -reach; row < reach; ++row)
+    for (int column = -reach; column < reach; ++column) {
+      const double along = (column + 0.5) * spacing, across = (row + 0.5) * spacing;
+      const double x = along * cosine - across * sine, z = along * sine + across * cosine;
+      if (!(std::abs(x) < half_length && std::abs(z) < half_depth)) continue;
+      add_particle(p, half_length + x, half_depth + z, spacing, 1,
+                   density_at(surface.pressure(0, half_depth + z)));
+    }
+  const double area = 4 * half_length * half_depth / static_cast<double>(p.size());
+  for (double& mass : p.mass) mass *= area;
+}
+
 // Each row has as many particles as fit its mean width, and the area of its part of the tank.
 void lay_rows(const Scene& scene, const TankOutline& outline, const DensityAt& density_at,
               Particles& p) {
@@ -85,6 +104,10 @@ Particles initial_lattice(const Scene& scene, const DensityAt& density_at) {
   Particles particles;
   if (const auto outline = outline_of(scene)) {
     lay_rows(scene, *outline, density_at, particles);
+    return particles;
+  }
+  if (scene.start_rotation != 0) {
+    lay_rotated(scene, density_at, particles);
     return particles;
   }
   const double coarse = scene.particle_spacing, fine = scene.surface_particle_spacing;
@@ -131,12 +154,25 @@ void perturb_randomly(Particles& p, double share, unsigned seed) {
   }
 }
 
-double flattest_cell(const Scene& scene) {
-  const Particles lattice = initial_lattice(scene, [](double) { return 1.0; });
+Particles lattice_of_volumes(const Scene& scene) {
+  return initial_lattice(scene, [](double) { return 1.0; });
+}
+
+double flattest_cell(const Particles& volumes) {
   double ratio = 1;
-  for (std::size_t i = 0; i < lattice.size(); ++i)
-    ratio = std::min(ratio, lattice.mass[i] / (lattice.spacing[i] * lattice.spacing[i]));
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+    ratio = std::min(ratio, volumes.mass[i] / (volumes.spacing[i] * volumes.spacing[i]));
   return ratio;
+}
+
+double mean_depth(const Particles& volumes, const Scene& scene) {
+  const InitialSurface surface(scene);
+  double moment = 0, volume = 0;
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    moment += volumes.mass[i] * (surface.height(volumes.x[i]) - volumes.z[i]);
+    volume += volumes.mass[i];
+  }
+  return moment / volume;
 }
 
 }  // namespace slosh::sph

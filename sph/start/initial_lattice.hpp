@@ -36,7 +36,13 @@ inline constexpr double largest_disorder = 0.25;
 // seed. Throws std::invalid_argument for a share that is not between 0 and largest_disorder.
 void perturb_randomly(Particles& lattice, double share, unsigned seed);
 
-// Returns the height over the width of the lattice's flattest cell, at most 1.
-double flattest_cell(const Scene& scene);
+// Returns the initial lattice of a liquid of density 1, whose masses are the volumes of its cells.
+Particles lattice_of_volumes(const Scene& scene);
+
+// Returns the height over the width of the flattest cell of lattice_of_volumes, at most 1.
+double flattest_cell(const Particles& volumes);
+
+// Returns the depth below the surface of the scene, averaged over the liquid's volume [m].
+double mean_depth(const Particles& volumes, const Scene& scene);
 
 }  // namespace slosh::sph

@@ -77,7 +77,7 @@ class Projection {
         surface_(scene),
         weightless_(scene_, operators(scene, 0), start),
         heavy_(scene_, operators(scene, scene.gravity), start) {
-    set_density(weightless_.particles, [&](std::size_t) { return scene.rest_density; });
+    set_density(weightless_.particles, [&](std::size_t) { return rest_density(); });
     set_density(heavy_.particles, [&](std::size_t i) {
       return heavy_.scheme().state.density(hydrostatic_pressure(heavy_.particles, i));
     });
@@ -137,6 +137,8 @@ class Projection {
     return surface_.pressure(place.x, place.z);
   }
 
+  double rest_density() const { return weightless_.scheme().setting.rest_density; }
+
   double unit_pressure() const {
     const LinearState& state = weightless_.scheme().state;
     return small_compression * state.rest_density * state.speed_of_sound * state.speed_of_sound;
@@ -145,7 +147,7 @@ class Projection {
   // Computes the acceleration by the pressure into the weightless liquid's rates.
   void push(const Eigen::VectorXd& pressure) {
     Array<double>& density = weightless_.particles.density;
-    const double rest = scene_.rest_density;
+    const double rest = rest_density();
     for (std::size_t i = 0; i < density.size(); ++i)
       density[i] = rest * (1 + small_compression * pressure[static_cast<long>(i)]);
     weightless_.accelerate(0);
@@ -242,6 +244,13 @@ void require_initial_state(const Scene& scene) {
     throw std::invalid_argument(
         "initial_state = settled: expected lattice | projected, because a dam would break and a "
         "wave would run while the particles settle");
+  if (scene.start_rotation != 0 &&
+      (wanted != InitialState::settled || !scene.obstacles.empty() || !scene.outline.empty() ||
+       scene.surface_particle_spacing != scene.particle_spacing))
+    throw std::invalid_argument(fmt::format(
+        "start_rotation = {} rad: expected 0 unless the initial state is settled, in a rectangular "
+        "tank without obstacles and with one spacing, because rotated rows do not fit the walls",
+        scene.start_rotation));
 }
 
 // Returns the lattice in the scheme's frame, before any preparation.

@@ -53,8 +53,48 @@ TEST(InitialLattice, StandsHalfACellOffTheWallsAndTheSurface) {
 }
 
 TEST(InitialLattice, KnowsItsFlattestCell) {
-  EXPECT_NEAR(flattest_cell(still_scene(0.01, 0)), 1, 1e-12);
-  EXPECT_NEAR(flattest_cell(still_scene(0.02, 0)), 17.5 / 18, 1e-12);
+  EXPECT_NEAR(flattest_cell(lattice_of_volumes(still_scene(0.01, 0))), 1, 1e-12);
+  EXPECT_NEAR(flattest_cell(lattice_of_volumes(still_scene(0.02, 0))), 17.5 / 18, 1e-12);
+}
+
+TEST(InitialLattice, KnowsTheMeanDepthOfItsLiquid) {
+  const auto depth_of = [](const Scene& scene) {
+    return mean_depth(lattice_of_volumes(scene), scene);
+  };
+  for (double spacing : {0.02, 0.01})
+    EXPECT_NEAR(depth_of(still_scene(spacing, 0)), 0.175, 1e-14) << spacing;
+  // A triangle with its tip at the bottom: its centroid is at two thirds of the height.
+  Scene triangle = still_scene(0.01, 0);
+  triangle.outline = {{0.5, 0}, {1, 1}, {0, 1}};
+  EXPECT_NEAR(depth_of(triangle), 0.35 / 3, 1e-4);
+}
+
+TEST(InitialLattice, MayBeTurnedAndKeepsItsVolume) {
+  Scene scene = still_scene(0.01, 0);
+  scene.start_rotation = 0.35;
+  const Particles p = initial_lattice(scene, water);
+  EXPECT_NEAR(volume(p), 0.35, 1e-12);
+  EXPECT_NEAR(static_cast<double>(p.size()), 3500, 0.01 * 3500);
+  const auto [left, right] = std::minmax_element(p.x.begin(), p.x.end());
+  const auto [lowest, highest] = std::minmax_element(p.z.begin(), p.z.end());
+  EXPECT_GT(*left, 0);
+  EXPECT_LT(*left, 0.01);
+  EXPECT_LT(*right, 1);
+  EXPECT_GT(*lowest, 0);
+  EXPECT_LT(*highest, 0.35);
+  EXPECT_GT(*highest, 0.34);
+  // The nearest neighbour of a particle in the middle lies one spacing away along a turned row.
+  std::size_t middle = 0;
+  const auto from = [&](std::size_t i, double x, double z) {
+    return std::hypot(p.x[i] - x, p.z[i] - z);
+  };
+  for (std::size_t i = 1; i < p.size(); ++i)
+    if (from(i, 0.5, 0.175) < from(middle, 0.5, 0.175)) middle = i;
+  const double along_x = p.x[middle] + 0.01 * std::cos(0.35),
+               along_z = p.z[middle] + 0.01 * std::sin(0.35);
+  double nearest = 1;
+  for (std::size_t i = 0; i < p.size(); ++i) nearest = std::min(nearest, from(i, along_x, along_z));
+  EXPECT_LT(nearest, 1e-12);
 }
 
 TEST(InitialLattice, LaysTheFinerSpacingAtTheSurface) {

@@ -35,6 +35,17 @@ TEST(ExpectedSpeed, CountsASpeedThatTheTankReachesOnlyAtTheEnd) {
   EXPECT_NEAR(expected_speed(scene), std::sqrt(9.81 * 0.35) + 3, 1e-12);
 }
 
+// The mean pressure of the still liquid is rho g h / 2, and compresses it by g h / (2 c0^2).
+TEST(SettingOf, LowersTheDensityWithoutPressureByTheMeanCompression) {
+  const Scene scene = still_scene(dp, 1);
+  const double sound = 10 * std::sqrt(9.81 * 0.35);
+  EXPECT_NEAR(setting_of(scene, Recommended::numbers).rest_density,
+              1000 / (1 + 9.81 * 0.175 / (sound * sound)), 1e-9);
+  Scene weightless = carried_scene(dp, 1, 0.5);
+  weightless.gravity = 0;
+  EXPECT_EQ(setting_of(weightless, Recommended::numbers).rest_density, 1000);
+}
+
 TEST(SettingOf, TakesTheSchemesOwnNumbersWhereTheRunChangesNone) {
   const Scene scene = still_scene(dp, 1);
   const Setting recommended = setting_of(scene, Recommended::numbers);

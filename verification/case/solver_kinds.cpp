@@ -78,6 +78,7 @@ struct Row<SphRun> : CommonRow {
     if (sph.energy_budget) settings["energy_budget"] = true;
     if (sph.speed_from_coarse_run) settings["expected_speed"] = "coarse_run";
     if (sph.start_disorder > 0) settings["start"] = {sph.start_disorder, sph.start_seed};
+    if (sph.start_rotation_deg != 0) settings["start_rotation_deg"] = sph.start_rotation_deg;
     return settings;
   }
 };
@@ -403,6 +404,8 @@ std::string changes_of(const SphRun& run) {
   // The seed is no change: the repeats of a run have the same changes.
   if (run.start_disorder > unseen_disorder)
     changes.push_back(fmt::format("start_disorder = {:g}", run.start_disorder));
+  if (run.start_rotation_deg != 0)
+    changes.push_back(fmt::format("start_rotation_deg = {:g}", run.start_rotation_deg));
   return fmt::format("{}", fmt::join(changes, ", "));
 }
 

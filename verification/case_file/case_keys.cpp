@@ -348,6 +348,9 @@ const std::vector<KeyTable>& case_key_tables() {
         {"start_seed", "integer >= 0", "no",
          "The seed of the shifts and of drawn inputs. It needs start_disorder > 0 or "
          "vary_inputs."},
+        {"start_rotation_deg", "number from 0 to 45, degrees", "no",
+         "The angle by which the initial lattice is turned, in a rectangular tank without "
+         "obstacles. It needs initial_state = \"settled\". Default: 0."},
         {"repeats", "integer from 2 to 1000", "no",
          "The number of runs of an ensemble, which differ only in their seed. It needs "
          "start_disorder > 0 or vary_inputs."},

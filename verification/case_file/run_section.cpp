@@ -42,6 +42,10 @@ const Rule<std::string> an_initial_state{"one of lattice | settled | projected",
 const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
                               [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
 
+// A square lattice repeats itself after a quarter turn, and is mirrored after an eighth.
+const Rule<double> a_rotation{"a number >= 0 and <= 45, in degrees",
+                              [](double angle) { return angle >= 0 && angle <= 45; }, 0};
+
 const Rule<double> a_disturbed_level{
     "a number >= 0 and <= 0.2, in heights of a cell",
     [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
@@ -78,6 +82,21 @@ DisturbedStart read_start(const TomlTable& run, const Rule<double>& rule) {
   return {disorder, run.find("start_seed", at_least(0)).value_or(0)};
 }
 
+// Throws for a lattice that could not be turned or would not come to rest.
+double read_start_rotation(const TomlTable& run, const CaseDefinition& definition) {
+  const double angle = run.find("start_rotation_deg", a_rotation).value_or(0);
+  if (angle == 0) return angle;
+  if (run.find("initial_state", an_initial_state) != "settled")
+    run.refuse("start_rotation_deg",
+               "initial_state = \"settled\" beside it: rotated rows do not fit the walls");
+  if (!is_rectangle(definition.tank) || !definition.obstacles.empty())
+    run.refuse("start_rotation_deg",
+               "no such key in a tank with an obstacle or another shape than a rectangle");
+  if (run.has("surface_particle_spacing_m"))
+    run.refuse("start_rotation_deg", "no such key beside surface_particle_spacing_m");
+  return angle;
+}
+
 SphRun read_sph(const TomlTable& run, const CaseDefinition& definition) {
   const double spacing = run.get("particle_spacing_m", a_particle_spacing(definition.liquid));
   const auto surface_spacing =
@@ -93,6 +112,7 @@ SphRun read_sph(const TomlTable& run, const CaseDefinition& definition) {
           .numbers = read_numbers(run),
           .start_disorder = start.disorder,
           .start_seed = start.seed,
+          .start_rotation_deg = read_start_rotation(run, definition),
           .energy_budget = run.flag("energy_budget"),
           .speed_from_coarse_run = read_speed_from_coarse_run(run, definition)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -81,6 +82,7 @@ sph::Scene sph_scene(const CaseDefinition& definition, const SphRun& sph) {
                    .initial_state = initial_state(sph),
                    .start_disorder = sph.start_disorder,
                    .start_seed = static_cast<unsigned>(sph.start_seed),
+                   .start_rotation = sph.start_rotation_deg * std::numbers::pi / 180,
                    .gauges = {},
                    .record_still_water = still_water,
                    .record_energy_budget = sph.energy_budget,

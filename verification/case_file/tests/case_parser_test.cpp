@@ -496,6 +496,33 @@ TEST(StartOfARun, IsRefusedWhereItIsTooFarOrHasNothingToVary) {
               std::string::npos);
 }
 
+TEST(StartOfARun, MayBeATurnedLatticeThatSettles) {
+  EXPECT_EQ(sph_of("start_rotation_deg = 20\ninitial_state = \"settled\"\n").start_rotation_deg,
+            20);
+  EXPECT_EQ(sph_of("").start_rotation_deg, 0);
+}
+
+TEST(StartOfARun, RefusesATurnedLatticeThatWouldNotComeToRest) {
+  const auto complaint_of = [](const std::string& keys) {
+    return complaint_about({"quick = true\n", keys + "quick = true\n"});
+  };
+  for (const char* value : {"-1", "46", "nan"})
+    EXPECT_NE(complaint_of(std::string("start_rotation_deg = ") + value + "\n")
+                  .find(": expected a number >= 0 and <= 45, in degrees"),
+              std::string::npos)
+        << value;
+  for (const char* state : {"", "initial_state = \"projected\"\n"})
+    EXPECT_NE(complaint_of(std::string("start_rotation_deg = 20\n") + state)
+                  .find("run.start_rotation_deg = 20: expected initial_state = \"settled\" beside "
+                        "it: rotated rows do not fit the walls"),
+              std::string::npos)
+        << state;
+  EXPECT_NE(complaint_of("start_rotation_deg = 20\ninitial_state = \"settled\"\n"
+                         "surface_particle_spacing_m = 0.0125\n")
+                .find("expected no such key beside surface_particle_spacing_m"),
+            std::string::npos);
+}
+
 TEST(Ensemble, OfOneRunIsAsManyThatDifferInTheirSeedAlone) {
   const CaseDefinition definition = read_text(edited(
       {"quick = true\n", "start_disorder = 1e-6\nstart_seed = 5\nrepeats = 3\nquick = true\n"}));
