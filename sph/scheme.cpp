@@ -42,10 +42,12 @@ Setting setting_of(const Scene& scene, const SchemeNumbers& own) {
   const double sound =
       chosen(run.sound_speed_ratio, own.sound_speed_ratio, "sound_speed_ratio") * speed;
   const Particles volumes = lattice_of_volumes(scene);
+  // Without gravity nothing is compressed, and the speed of sound may be 0.
+  const double mean_compression =
+      scene.gravity == 0 ? 0 : scene.gravity * mean_depth(volumes, scene) / (sound * sound);
   return {.gravity = scene.gravity,
           .fill_depth = scene.fill_depth,
-          .rest_density = scene.rest_density /
-                          (1 + scene.gravity * mean_depth(volumes, scene) / (sound * sound)),
+          .rest_density = scene.rest_density / (1 + mean_compression),
           .kinematic_viscosity = scene.kinematic_viscosity,
           .breadth = scene.breadth,
           .particle_spacing = scene.particle_spacing,

@@ -65,10 +65,18 @@ struct Beside {
   }
 };
 
+// The still liquid with the pressure rho_0 g depth, which the solids continue.
 template <class Choice>
 Particles lattice(const Scene& scene) {
   const Scheme<Choice> scheme(scene);
-  return initial_lattice(scene, [&](double pressure) { return scheme.state.density(pressure); });
+  return initial_lattice(scene, [&](double pressure) {
+    return scheme.state.density(pressure * scheme.setting.rest_density / scene.rest_density);
+  });
+}
+
+template <class Choice>
+double rest_density_in(const Scene& scene) {
+  return Scheme<Choice>(scene).setting.rest_density;
 }
 
 constexpr TankWalls still_walls{0, 1, 0, 1, 0, 0};
@@ -123,8 +131,9 @@ TEST(GhostSolids, ContinueThePressureOfAnAcceleratedLiquidExactly) {
   const Scene scene = still_scene(dp, 0);
   Particles leaning = lattice<WithGhostWalls>(scene);
   const Scheme<WithGhostWalls> scheme(scene);
+  const double rest = scheme.setting.rest_density;
   const auto pressure = [&](double x, double z) {
-    return 1000 * (9.81 * (fill_depth - z) + acceleration * (1 - x));
+    return rest * (9.81 * (fill_depth - z) + acceleration * (1 - x));
   };
   for (std::size_t i = 0; i < leaning.size(); ++i)
     leaning.density[i] = scheme.state.density(pressure(leaning.x[i], leaning.z[i]));
@@ -132,7 +141,7 @@ TEST(GhostSolids, ContinueThePressureOfAnAcceleratedLiquidExactly) {
   beside.refresh_for_momentum();
   beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
     if (source.z > fill_depth - dp) return;
-    EXPECT_NEAR(1000 * source.strength, pressure(source.x, source.z), 1e-7);
+    EXPECT_NEAR(rest * source.strength, pressure(source.x, source.z), 1e-7);
   });
 }
 
@@ -222,13 +231,13 @@ TEST(GhostSolids, HoldTheLiquidWithNoSlip) {
   expect_velocities<WithStickingGhostWalls>(0.7, 0.2, 0.7, 0.2);
 }
 
-Particles one_particle(double x, double z) {
+Particles one_particle(double x, double z, double density) {
   Particles p;
   p.x = {x};
   p.z = {z};
   p.velocity_x = p.velocity_z = {0.0};
-  p.density = {1000};
-  p.mass = {1000 * dp * dp};
+  p.density = {density};
+  p.mass = {density * dp * dp};
   p.spacing = {dp};
   return p;
 }
@@ -241,7 +250,9 @@ struct BesideTheCorner : Beside<Choice> {
   double z;
 
   explicit BesideTheCorner(double height)
-      : Beside<Choice>(scene_with_a_step(), still_walls, one_particle(x, height)), z(height) {
+      : Beside<Choice>(scene_with_a_step(), still_walls,
+                       one_particle(x, height, rest_density_in<Choice>(scene_with_a_step()))),
+        z(height) {
     this->refresh_for_continuity();
   }
 
@@ -293,7 +304,8 @@ struct BesideTheCorner : Beside<Choice> {
   // Returns the rate that a density of 0 in place of the rest density would cause in the solids
   // that find no liquid.
   double rate_of_no_density() {
-    return diffusion_of([](const Source&, bool found) { return found ? 0.0 : 1000.0; });
+    const double rest = this->scheme.setting.rest_density;
+    return diffusion_of([=](const Source&, bool found) { return found ? 0.0 : rest; });
   }
 };
 
@@ -339,8 +351,9 @@ TEST(DynamicSolids, StartWithTheDensityOfTheStillLiquid) {
   Beside<WithDynamicWalls> beside(scene, still_walls, lattice<WithDynamicWalls>(scene));
   beside.solids.initialise(beside.scheme);
   beside.refresh_for_momentum();
+  const double rest = beside.scheme.setting.rest_density;
   beside.sources.for_each_solid_source([&](Source& source, std::size_t) {
-    EXPECT_NEAR(1000 * source.strength, 1000 * 9.81 * std::max(0.0, fill_depth - source.z), 1e-7);
+    EXPECT_NEAR(rest * source.strength, 1000 * 9.81 * std::max(0.0, fill_depth - source.z), 1e-7);
     EXPECT_EQ(source.velocity_x, 0);
   });
 }
@@ -350,7 +363,7 @@ TEST(DynamicSolids, StartWithTheDensityOfTheStillLiquid) {
 TEST(DynamicSolids, AreCompressedByAParticleThatComesNearer) {
   Scene scene = still_scene(dp, 0);
   scene.gravity = 1e-12;
-  Particles particle = one_particle(0.01, 0.5125);
+  Particles particle = one_particle(0.01, 0.5125, rest_density_in<WithDynamicWalls>(scene));
   particle.velocity_x = {-0.2};
   Beside<WithDynamicWalls> beside(scene, still_walls, particle);
   beside.solids.initialise(beside.scheme);
@@ -370,17 +383,17 @@ TEST(DynamicSolids, AreCompressedByAParticleThatComesNearer) {
   const double integral = 4 * std::numbers::pi * (2 * std::cyl_bessel_i(1, beta) / beta - 1);
   const double slope =
       -beta * q * std::cyl_bessel_i(1, beta * root) / (4 * root * integral * std::pow(1.5 * dp, 3));
-  const double rate = 1000 * dp * dp * 0.2 * -slope;
-  EXPECT_NEAR(beside.solids.density()[solid(-0.5 * dp, 0.5125)], 1000 + 0.01 * rate,
+  const double rest = beside.scheme.setting.rest_density, rate = rest * dp * dp * 0.2 * -slope;
+  EXPECT_NEAR(beside.solids.density()[solid(-0.5 * dp, 0.5125)], rest + 0.01 * rate,
               1e-5 * 0.01 * rate);
   // Behind the other wall there is nothing to feel, and a receding particle leaves the rest
   // density.
-  EXPECT_EQ(beside.solids.density()[solid(1 + 0.5 * dp, 0.5125)], 1000);
+  EXPECT_EQ(beside.solids.density()[solid(1 + 0.5 * dp, 0.5125)], rest);
   beside.solids.initialise(beside.scheme);
   beside.particles.velocity_x = {0.2};
   beside.refresh_for_continuity();
   beside.solids.advance_density(beside.scheme, 0.01);
-  EXPECT_EQ(beside.solids.density()[solid(-0.5 * dp, 0.5125)], 1000);
+  EXPECT_EQ(beside.solids.density()[solid(-0.5 * dp, 0.5125)], rest);
 }
 
 TEST(NoSolids, TakeNoObstacles) {

@@ -15,7 +15,7 @@
 namespace slosh::sph::soundness_test {
 namespace {
 
-constexpr double dp = 0.01, rho = 1000;
+constexpr double dp = 0.01;
 // How many particles wide and high a tank is in which most of them have a wall within their kernel,
 // and one in which most have none.
 constexpr int narrow = 10, wide = 40;
@@ -28,8 +28,8 @@ Scene full_tank(int cells) {
   return scene;
 }
 
-// Fills the tank with a liquid of the rest density that moves with it.
-Particles lattice(int cells) {
+// Fills the tank with a liquid of this density that moves with it.
+Particles lattice(int cells, double density) {
   Particles p;
   for (int row = 0; row < cells; ++row)
     for (int column = 0; column < cells; ++column) {
@@ -37,8 +37,8 @@ Particles lattice(int cells) {
       p.z.push_back((row + 0.5) * dp);
       p.velocity_x.push_back(0.5);
       p.velocity_z.push_back(0);
-      p.density.push_back(rho);
-      p.mass.push_back(rho * dp * dp);
+      p.density.push_back(density);
+      p.mass.push_back(density * dp * dp);
       p.spacing.push_back(dp);
     }
   return p;
@@ -49,7 +49,7 @@ class SoundnessSeries : public testing::Test {
  protected:
   const Scene scene = full_tank(narrow);
   const Scheme<Choice> scheme{scene};
-  Liquid<Scheme<Choice>> liquid{scene, scheme, lattice(narrow)};
+  Liquid<Scheme<Choice>> liquid{scene, scheme, lattice(narrow, scheme.setting.rest_density)};
 
   // The value at the start of a run that starts from the liquid's present state.
   double value(const std::string& name) {
@@ -79,8 +79,9 @@ TYPED_TEST(SoundnessSeries, KnowTheSpeedOfABlockThatMovesThroughItsTank) {
 
 TYPED_TEST(SoundnessSeries, KnowTheLargestErrorOfTheDensityAndTheParticlesInTension) {
   Array<double>& density = this->liquid.particles.density;
-  for (std::size_t i = 0; i < density.size(); i += 4) density[i] = 0.99 * rho;
-  density[2] = 1.02 * rho;
+  const double rest = this->scheme.setting.rest_density;
+  for (std::size_t i = 0; i < density.size(); i += 4) density[i] = 0.99 * rest;
+  density[2] = 1.02 * rest;
   EXPECT_NEAR(this->value("density_error"), 0.02, 1e-12);
   EXPECT_NEAR(this->value("tension_share"), 0.25, 1e-12);
 }
@@ -94,7 +95,8 @@ TYPED_TEST(SoundnessSeries, StandOnAKernelSumOfOne) {
 // of their volumes m / rho does not change. The packing is measured at every tenth sample.
 TYPED_TEST(SoundnessSeries, SeeParticlesThatComeCloserThanTheirVolumesAllow) {
   const Scene scene = full_tank(wide);
-  Liquid<Scheme<TypeParam>> liquid(scene, Scheme<TypeParam>(scene), lattice(wide));
+  const Scheme<TypeParam> scheme(scene);
+  Liquid<Scheme<TypeParam>> liquid(scene, scheme, lattice(wide, scheme.setting.rest_density));
   Soundness soundness;
   RunOutput output;
   for (int sample = 0; sample < 10; ++sample) soundness.record(liquid, false, output);
@@ -110,7 +112,8 @@ TYPED_TEST(SoundnessSeries, SeeParticlesThatComeCloserThanTheirVolumesAllow) {
 }
 
 TYPED_TEST(SoundnessSeries, LeaveTheNextStepAsItIs) {
-  Liquid<Scheme<TypeParam>> other(this->scene, this->scheme, lattice(narrow));
+  Liquid<Scheme<TypeParam>> other(this->scene, this->scheme,
+                                  lattice(narrow, this->scheme.setting.rest_density));
   this->value("mach_number");
   for (auto* liquid : {&this->liquid, &other})
     typename TypeParam::Integrator().advance(*liquid, 1e-4);

@@ -41,12 +41,13 @@ inline sph::Scene scene_of(const Box& box) {
           .record_snapshot = {}};
 }
 
-// Returns the scheme with its own numbers, except the speed of sound: without gravity there is no
-// wave speed to scale it by.
+// Returns the scheme with its own numbers, except the speed of sound, as there is no wave speed to
+// scale it by without gravity, and the density without pressure, which the box gives.
 template <class Choice>
 sph::Scheme<Choice> scheme_of(const Box& box) {
   sph::Setting setting = sph::setting_of(scene_of(box), Choice::numbers);
   setting.speed_of_sound = box.speed_of_sound;
+  setting.rest_density = box.rest_density;
   if (box.smoothing_length_ratio) setting.smoothing_length_ratio = *box.smoothing_length_ratio;
   return sph::Scheme<Choice>(setting);
 }
