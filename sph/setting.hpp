@@ -7,10 +7,10 @@
 namespace slosh::sph {
 
 struct Setting {
-  double gravity;              // [m/s2]
-  double fill_depth;           // [m]
-  // Where there is no pressure [kg/m3]. It is lower than the scene's density by the mean compression
-  // of the still liquid, so that the tank holds the right mass.
+  double gravity;     // [m/s2]
+  double fill_depth;  // [m]
+  // Where there is no pressure [kg/m3]. It is lower than the scene's density by the mean
+  // compression of the still liquid, so that the tank holds the right mass.
   double rest_density;
   double kinematic_viscosity;  // of the liquid [m2/s]
   double breadth;              // between the front and the back wall [m]; 0 without them
