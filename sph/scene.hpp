@@ -154,7 +154,8 @@ struct Scene {
   std::function<void(const SavedState&)> save_state = {};
   const SavedState* resume = nullptr;
   std::optional<int> threads = {};  // empty: chosen by threads_for (threads.hpp)
-  // Where false, the run ends with the lattice of its start, which shows whether the scene is valid.
+  // Where false, the run ends with the lattice of its start, which shows whether the scene is
+  // valid.
   bool takes_steps = true;
   // Called with the state at the last sample when the run fails after its first sample. The run can
   // be restarted from that state. Where this is empty, no such state is kept.

@@ -184,7 +184,7 @@ struct SphRun {
   double start_disorder = 0;
   int start_seed = 0;
   double start_rotation_deg = 0;  // by which the initial lattice is turned
-  bool energy_budget = false;  // record where the liquid's energy goes
+  bool energy_budget = false;     // record where the liquid's energy goes
   // The largest speed that the speed of sound follows is measured by a coarse run, not estimated.
   bool speed_from_coarse_run = false;
 
