@@ -136,8 +136,8 @@ struct Scene {
   // that are sensitive to small disturbances.
   double start_disorder = 0;
   unsigned start_seed = 0;
-  // The initial lattice is turned by this angle, of which only initial_state = settled can make a
-  // liquid at rest [rad].
+  // The angle by which the initial lattice is turned about the middle of the liquid [rad]. Its rows
+  // do not fit the walls, so that it needs initial_state = settled.
   double start_rotation = 0;
   std::vector<Gauge> gauges;
   std::vector<PressureGauge> pressure_gauges = {};
