@@ -95,16 +95,19 @@ class Liquid {
     compress(scheme, tank_at(time), result);
   }
 
-  // Returns the median over the particles of the kernel sum over liquid, images and solids
-  // (neighbours/kernel_sum.hpp). Overwrites the densities' rates, which every step computes before
-  // it reads them.
-  double median_kernel_sum() {
+  // Returns each particle's kernel sum over liquid, images and solids (neighbours/kernel_sum.hpp).
+  // Overwrites the densities' rates, which every step computes before it reads them.
+  Array<double>& kernel_sums() {
     const auto tank = tank_at(time);
     neighbours_.refresh_for_momentum(scheme_, particles, tank);
     solids_.refresh_for_momentum(scheme_, neighbours_, tank, instructions_);
-    Array<double>& sums = rates.density_rate;
-    sum_kernel(scheme_, neighbours_.clusters(), neighbours_.sources(), particles, sums,
-               instructions_);
+    sum_kernel(scheme_, neighbours_.clusters(), neighbours_.sources(), particles,
+               rates.density_rate, instructions_);
+    return rates.density_rate;
+  }
+  // Returns their median, and overwrites the same rates.
+  double median_kernel_sum() {
+    Array<double>& sums = kernel_sums();
     const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
     std::nth_element(sums.begin(), middle, sums.end());
     return *middle;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sph/terms/kernel_share.hpp"
+
 namespace slosh::sph::kernels_test {
 namespace {
 
@@ -55,6 +57,21 @@ TYPED_TEST(Kernels, AreFiniteWhereTwoParticlesCoincide) {
 
 TYPED_TEST(Kernels, FallTowardsTheirSupport) {
   for (double q = 0.01; q < 1.99; q += 0.01) EXPECT_LT(TypeParam::gradient_shape(q), 0) << q;
+}
+
+// Against the sum over a fine lattice of the half plane below the surface.
+TYPED_TEST(Kernels, HaveTheShareOfTheirIntegralThatLiesBelowASurface) {
+  const double dq = 0.005;
+  for (const double depth : {-0.7, 0.2, 0.9, 1.6}) {
+    double below = 0;
+    for (double z = -kernel_support + 0.5 * dq; z < depth; z += dq)
+      for (double x = 0.5 * dq; x < kernel_support; x += dq)
+        below += 2 * TypeParam::normalisation * TypeParam::shape(std::hypot(x, z)) * dq * dq;
+    EXPECT_NEAR(kernel_share_below<TypeParam>(depth), below, 1e-4) << depth;
+  }
+  EXPECT_NEAR(kernel_share_below<TypeParam>(0), 0.5, 1e-5);
+  EXPECT_EQ(kernel_share_below<TypeParam>(2.5), 1);
+  EXPECT_EQ(kernel_share_below<TypeParam>(-2.5), 0);
 }
 
 TEST(CubicSpline, IsTheOneThatLiPrints) {
