@@ -51,10 +51,14 @@ bool are_repeats(const CaseDefinition& definition, const RunDefinition& run,
   return sph && !run.varies_inputs && candidate && repeat_one_another(*sph, *candidate);
 }
 
+// Rows, refinements and patterns name an ensemble by its first member.
+const std::string& ensemble_name(const RunDefinition& run) {
+  return run.ensemble.empty() ? run.name : run.ensemble;
+}
+
 // Returns whether the row's value, bounds or uncertainty (row_uncertainty.hpp) depend on the run.
 bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDefinition& run) {
-  // Rows and refinements name an ensemble by its first member.
-  const std::string& name = run.ensemble.empty() ? run.name : run.ensemble;
+  const std::string& name = ensemble_name(run);
   if (row.candidate == name || row.reference == name || row.improves_on == name) return true;
   if (is_cost(row.metric))
     return work_family(run) == work_family(run_named(definition, row.candidate));
@@ -86,7 +90,8 @@ bool names_run(const RunSelection& selection, const CaseDefinition& definition,
   return has_any_tag(selection.tags, definition) &&
          (selection.only.empty() ||
           std::any_of(selection.only.begin(), selection.only.end(), [&](const auto& pattern) {
-            return matches_run(pattern, definition.name, run.name);
+            return matches_run(pattern, definition.name, run.name) ||
+                   matches_run(pattern, definition.name, ensemble_name(run));
           }));
 }
 

@@ -85,6 +85,19 @@ TEST(EnsembleAssessment, IsSelectedWhole) {
       is_selected(selection, repeated.definition, run_named(repeated.definition, "coarse_mesh")));
 }
 
+TEST(EnsembleAssessment, IsSelectedWholeWithoutARowToo) {
+  Repeated repeated({0.01, 0.02, 0.03}, 0.05);
+  repeated.definition.gate.clear();
+  RunSelection selection;
+  selection.only = {"small_surge/particles"};
+  for (const char* run : {"particles", "particles_2", "particles_3"})
+    EXPECT_TRUE(names_run(selection, repeated.definition, run_named(repeated.definition, run)))
+        << run;
+  selection.only = {"small_surge/particles_2"};
+  EXPECT_FALSE(
+      names_run(selection, repeated.definition, run_named(repeated.definition, "particles")));
+}
+
 TEST(EnsembleAssessment, IsTabulatedWithItsSpread) {
   const auto table = ensemble_table(Repeated({0.01, 0.02, 0.03}, 0.05).assessed());
   ASSERT_TRUE(table.has_value());
