@@ -12,7 +12,7 @@
 namespace slosh {
 
 struct BasketValue {
-  Estimate value;       // in the metric's unit, with the interval that a gate row would have
+  Estimate value;       // in the metric's unit, as of a gate row: of an ensemble the mean
   double ratio;         // NaN where there is no value
   std::string message;  // why there is no value; empty where there is one
 };

@@ -151,6 +151,25 @@ TEST(Basket, MeasuresTheRunWithTheSuffixForItsChoice) {
   EXPECT_NEAR(basket.choices[0].worst, 0.5, 1e-4);
 }
 
+TEST(Basket, TakesTheMeanOverAnEnsembleWithTheIntervalOfItsScatter) {
+  std::vector<BasketMeasure> three = measures;
+  three.push_back(measure_of("deep", 0.1));
+  three[2].run_suffix = "_disordered";
+  CaseAssessment deep =
+      surge_named("deep", {scaled_run("a", 1), scaled_run("a_disordered", 1.04),
+                           scaled_run("a_disordered_2", 1.05), scaled_run("a_disordered_3", 1.06)});
+  for (RunDefinition& run : deep.definition.runs)
+    if (run.name.starts_with("a_disordered")) run.ensemble = "a_disordered";
+  const BasketAssessment basket =
+      assess(three, {deep, surge_named("shallow", {scaled_run("a", 1)})});
+  ASSERT_EQ(names_of(basket), (std::vector<std::string>{"a"})) << "a later member is no choice";
+  const BasketValue& disordered = basket.choices[0].values.at(2);
+  EXPECT_NEAR(disordered.value.value, 0.05, 1e-5);
+  // Student's factor of two degrees of freedom, for a standard deviation of 0.01.
+  EXPECT_NEAR(disordered.value.half_width, 4.30265 * 0.01 / std::sqrt(3.0), 1e-4);
+  EXPECT_NEAR(disordered.ratio, 0.5, 1e-4);
+}
+
 TEST(Basket, CountsOnlyItsOwnCases) {
   const std::vector<ScaledRun> runs{scaled_run("a", 1)};
   const std::vector<CaseAssessment> cases{surge_named("deep", runs), surge_named("other", runs)};
