@@ -336,7 +336,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"expected_speed", "\"estimate\" or \"coarse_run\"", "no",
          "Where V_max comes from: sqrt(g h) plus the tank's largest speed, or a first run of the "
          "same flow at a coarser spacing: see [The speed of "
-         "sound](scheme_choices.md#the-speed-of-sound). A coarse run is refused where tank and liquid are "
+         "sound](scheme_choices.md#the-speed-of-sound). A coarse run is refused where tank and "
+         "liquid are "
          "at rest. Default: estimate."},
         {"courant_number", "number > 0", "no", "Default: the scheme's."},
         {"artificial_viscosity", "number >= 0", "no",
