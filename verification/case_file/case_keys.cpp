@@ -337,8 +337,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "Where V_max comes from: sqrt(g h) plus the tank's largest speed, or a first run of the "
          "same flow at a coarser spacing: see [The speed of "
          "sound](scheme_choices.md#the-speed-of-sound). A coarse run is refused where tank and "
-         "liquid are "
-         "at rest. Default: estimate."},
+         "liquid are at rest. Default: estimate."},
         {"courant_number", "number > 0", "no", "Default: the scheme's."},
         {"artificial_viscosity", "number >= 0", "no",
          "The coefficient alpha of the artificial viscosity. Default: the scheme's."},

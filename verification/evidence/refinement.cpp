@@ -46,7 +46,9 @@ struct MeasuredRun {
   ValueAtStep value;
 };
 
-// The row's metric with each run of the path in the role, coarse to fine.
+// The row's metric with each run of the path in the role, coarse to fine. Of runs with the same
+// step, as a default and a number that is written out can be, the row's own run counts, or else
+// the one that is declared first.
 std::vector<MeasuredRun> measure_path(const RefinementDefinition& path,
                                       const CaseDefinition& definition, const CaseRuns& runs,
                                       const GateRow& row, Role role, const MeasureRow& measure) {
@@ -62,8 +64,16 @@ std::vector<MeasuredRun> measure_path(const RefinementDefinition& path,
       continue;  // ComparisonError or ResultError: this run has no such metric
     }
   }
-  std::sort(measured.begin(), measured.end(),
-            [](const MeasuredRun& a, const MeasuredRun& b) { return a.value.step > b.value.step; });
+  const std::string& own = role == Role::candidate ? row.candidate : row.reference;
+  std::stable_sort(measured.begin(), measured.end(),
+                   [&](const MeasuredRun& a, const MeasuredRun& b) {
+                     return a.value.step != b.value.step ? a.value.step > b.value.step
+                                                         : a.name == own && b.name != own;
+                   });
+  const auto repeated = std::unique(
+      measured.begin(), measured.end(),
+      [](const MeasuredRun& a, const MeasuredRun& b) { return a.value.step == b.value.step; });
+  measured.erase(repeated, measured.end());
   return measured;
 }
 

@@ -36,7 +36,8 @@ struct RefinedMetric {
 };
 
 // The metric on each path of the case that holds the row's candidate (or reference), for all runs
-// that can be measured. A path is left out where that run or all others cannot be measured.
+// that can be measured. A path is left out where that run or all others cannot be measured. Of runs
+// with the same step one counts: the row's own, or else the first.
 std::vector<RefinedMetric> refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
                                            const GateRow& row, Role role,
                                            const MeasureRow& measure);

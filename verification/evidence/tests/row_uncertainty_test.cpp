@@ -54,6 +54,20 @@ TEST(RowUncertainty, OfTheCoarserMeshCountsTheFinerOneToo) {
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);  // 1 % +- 5.1 % of 5 %
 }
 
+// A default and a number that is written out can give two runs of a path the same step.
+TEST(RowUncertainty, OfTwoRunsWithOneStepCountsTheRowsOwn) {
+  OfMeshes meshes(0.01, 0.005);
+  const double alone = meshes.judged().judgement.value().contributions.reference.known();
+  RunDefinition again = run_named(meshes.definition, "fine_mesh");
+  again.name = "fine_mesh_again";
+  meshes.definition.runs.push_back(again);
+  meshes.definition.refinements[0].runs = {"coarse_mesh", "fine_mesh_again", "fine_mesh"};
+  meshes.runs.results["fine_mesh_again"] =
+      result_of("fine_mesh_again", scaled(elevation_of({}), 1.03));
+  meshes.runs.status["fine_mesh_again"] = {RunState::finished, ""};
+  EXPECT_EQ(meshes.judged().judgement.value().contributions.reference.known(), alone);
+}
+
 TEST(RowUncertainty, OfAMeshWithoutAnotherIsUnknownAndDoesNotPass) {
   OfMeshes meshes(0.01, 0.005);
   ASSERT_EQ(meshes.judged().verdict, Verdict::pass);
