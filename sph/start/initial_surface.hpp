@@ -2,7 +2,7 @@
 //   height(x) = fill_depth + A cos(k x),   k = m pi / tank_length
 // A is 0 where the scene has no initial wave. The pressure under the surface is hydrostatic,
 //   p = rho_0 g (height(x) - z),
-// which is the pressure of a long wave; the projected start (initial_state.hpp) finds the depth
+// which is the pressure of a long wave; the projected start (projection.hpp) finds the depth
 // profile of a shorter one.
 #pragma once
 

@@ -12,7 +12,7 @@
 namespace slosh {
 
 struct BasketValue {
-  Estimate value;       // in the metric's unit, as of a gate row: of an ensemble the mean
+  Estimate value;       // in the metric's unit, as a gate row takes it; an ensemble has its mean
   double ratio;         // NaN where there is no value
   std::string message;  // why there is no value; empty where there is one
 };
