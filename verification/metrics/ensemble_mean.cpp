@@ -64,4 +64,11 @@ Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSi
   return {value, std::hypot(half_width_of(one_more.variance, one_more.freedom), mean(own))};
 }
 
+Estimate mean_of_members(const std::vector<double>& numbers) {
+  if (numbers.size() == 1) return {numbers.front(), 0};
+  std::vector<std::vector<Estimate>> pairs;
+  for (const double one : numbers) pairs.push_back({{one, 0}});
+  return ensemble_mean(pairs, SingleSide::exact);
+}
+
 }  // namespace slosh

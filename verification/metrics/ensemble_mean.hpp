@@ -27,4 +27,8 @@ enum class SingleSide { exact, one_of_many };
 // them gives NaN. Throws std::invalid_argument for a single pair.
 Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single);
 
+// The mean of one number of each member with its 95 % interval, t_(0.975, n - 1) s / sqrt(n); half
+// width 0 for a single number. Throws std::invalid_argument for none.
+Estimate mean_of_members(const std::vector<double>& numbers);
+
 }  // namespace slosh

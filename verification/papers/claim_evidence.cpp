@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "verification/case/ensemble.hpp"
 #include "verification/fits/dense_algebra.hpp"
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
@@ -40,6 +41,17 @@ FittedTone fit_tone(const Values& time, const Values& value, double omega) {
   return {std::hypot(x[1], x[2]), std::atan2(-x[2], x[1]), half_width};
 }
 
+// A single number on one side has no scatter of its own.
+Estimate difference_of_means(const Values& larger, const Values& smaller) {
+  std::vector<std::vector<Estimate>> pairs;
+  for (const double one : larger) {
+    pairs.emplace_back();
+    for (const double other : smaller) pairs.back().push_back({one - other, 0});
+  }
+  if (pairs.size() == 1 && pairs.front().size() == 1) return pairs.front().front();
+  return ensemble_mean(pairs, SingleSide::exact);
+}
+
 }  // namespace
 
 const CaseAssessment* find_case(const std::vector<CaseAssessment>& cases, const std::string& name) {
@@ -64,6 +76,29 @@ const RunResult& standing_result(const CaseAssessment& assessment, const std::st
   const std::string& message = status->second.message;
   throw std::runtime_error(fmt::format("{}: {}{}", place, state_name(status->second.state),
                                        message.empty() ? "" : " (" + message + ")"));
+}
+
+std::vector<double> over_members(const CaseAssessment& assessment, const std::string& run,
+                                 const std::function<double(const std::string& member)>& number) {
+  std::vector<double> numbers;
+  for (const std::string& member : members_of(assessment.definition, run))
+    numbers.push_back(number(member));
+  return numbers;
+}
+
+Estimate ratio_of_members(const std::vector<double>& larger, const std::vector<double>& smaller) {
+  const auto logarithms = [](std::vector<double> numbers) {
+    for (double& one : numbers) one = std::log(one);
+    return numbers;
+  };
+  const Estimate log_ratio = difference_of_means(logarithms(larger), logarithms(smaller));
+  const double ratio = std::exp(log_ratio.value);
+  return {ratio, ratio * std::expm1(log_ratio.half_width)};
+}
+
+std::string name_of_members(const CaseAssessment& assessment, const std::string& run) {
+  const std::size_t count = members_of(assessment.definition, run).size();
+  return count < 2 ? run : fmt::format("{} (mean of {} repeats)", run, count);
 }
 
 std::string at_first_gauge(const CaseDefinition& definition, const std::string& kind) {

@@ -2,11 +2,13 @@
 // Throws std::runtime_error where something is missing, with a message that a claim can repeat.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "verification/assessment/case_assessment.hpp"
+#include "verification/metrics/ensemble_mean.hpp"
 
 namespace slosh {
 
@@ -17,6 +19,19 @@ const CaseAssessment& case_named(const std::vector<CaseAssessment>& cases, const
 // Throws where the case declares no such run or the run has no result; the message says how it
 // ended.
 const RunResult& standing_result(const CaseAssessment& assessment, const std::string& run);
+
+// A number of each member of the ensemble that the run begins (case/ensemble.hpp); of a single run,
+// of that run alone. `number` is called with the names of the members.
+std::vector<double> over_members(const CaseAssessment& assessment, const std::string& run,
+                                 const std::function<double(const std::string& member)>& number);
+
+// The geometric mean of the larger over that of the smaller, numbers above zero, with the wider
+// side of its 95 % interval; half width 0 for single ones. Throws std::invalid_argument where one
+// is empty.
+Estimate ratio_of_members(const std::vector<double>& larger, const std::vector<double>& smaller);
+
+// "interfoam_50x50 (mean of 4 repeats)", or the name of a single run.
+std::string name_of_members(const CaseAssessment& assessment, const std::string& run);
 
 // Returns the elevation or the highest surface at the case's first gauge: "elevation@right". Throws
 // where the case has no gauge.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "verification/series/interval_text.hpp"
@@ -44,21 +45,20 @@ DecidedClaim decide(const Claim& claim) {
           fmt::format("{}", fmt::join(refuted ? against : unknown, "; "))};
 }
 
-Held compare(double value, const Threshold& threshold) {
-  if (std::isnan(value)) return Held::undecided;
-  const auto yes_or_no = [](bool holds) { return holds ? Held::yes : Held::no; };
-  switch (threshold.relation) {
-    case Relation::within:
-      return yes_or_no(value >= threshold.lower && value <= threshold.upper);
-    case Relation::at_least:
-      if (value >= threshold.upper) return Held::yes;
-      return value <= threshold.lower ? Held::no : Held::undecided;
-    case Relation::at_most:
-      return yes_or_no(value <= threshold.upper);
-    case Relation::within_factor:
-      return yes_or_no(std::max(value, 1 / value) <= threshold.upper);
+Held compare(const Estimate& estimate, const Threshold& threshold) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto [relation, lower, upper] = threshold;
+  double holds_from = lower, holds_to = upper, refuted_below = lower, refuted_above = upper;
+  if (relation == Relation::at_most) holds_from = refuted_below = -infinite;
+  if (relation == Relation::at_least) {
+    holds_from = upper;
+    holds_to = refuted_above = infinite;
+    refuted_below = std::nextafter(lower, infinite);  // at the lower end itself it is refuted
   }
-  throw std::logic_error("a relation without a comparison");
+  const double low = estimate.value - estimate.half_width;
+  const double high = estimate.value + estimate.half_width;
+  if (low >= holds_from && high <= holds_to) return Held::yes;
+  return high < refuted_below || low > refuted_above ? Held::no : Held::undecided;
 }
 
 Held both(Held one, Held other) {
@@ -67,21 +67,19 @@ Held both(Held one, Held other) {
 }
 
 Finding within(const Shown& shown, const Estimate& estimate, const Threshold& range) {
-  const auto [relation, lower, upper] = range;
-  if (relation != Relation::within)
+  if (range.relation != Relation::within)
     throw std::logic_error(shown.name + " is compared with a range; the row has another relation");
-  const double low = estimate.value - estimate.half_width,
-               high = estimate.value + estimate.half_width;
   const auto in_unit = [&](double value) { return fmt::format("{:.3g}", shown.scale * value); };
   const std::string value =
       interval_text({shown.scale * estimate.value, shown.scale * estimate.half_width});
   const std::string unit = shown.unit.empty() ? "" : " " + shown.unit;
   const std::string text =
       fmt::format("{} {}{}{} ({} to {})", shown.name, value.starts_with('-') ? "" : "+", value,
-                  unit, in_unit(lower), in_unit(upper));
-  if (low >= lower && high <= upper) return {Held::yes, text};
-  if (low > upper || high < lower) return {Held::no, text};
-  return {Held::undecided, text + (std::isnan(low + high) ? ": NaN" : ": within its interval")};
+                  unit, in_unit(range.lower), in_unit(range.upper));
+  const Held held = compare(estimate, range);
+  if (held != Held::undecided) return {held, text};
+  const bool is_number = !std::isnan(estimate.value + estimate.half_width);
+  return {held, text + (is_number ? ": within its interval" : ": NaN")};
 }
 
 reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims,

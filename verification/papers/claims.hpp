@@ -38,8 +38,12 @@ inline Threshold within_factor(double factor) {
   return {Relation::within_factor, 1 / factor, factor};
 }
 
-// NaN is undecided.
-Held compare(double value, const Threshold& threshold);
+// Whether a value with its 95 % interval meets the threshold: undecided where the interval reaches
+// over an end, and for NaN.
+Held compare(const Estimate& estimate, const Threshold& threshold);
+inline Held compare(double value, const Threshold& threshold) {
+  return compare(Estimate{value, 0}, threshold);
+}
 
 // The claim of both parts together.
 Held both(Held one, Held other);

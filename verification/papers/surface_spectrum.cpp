@@ -9,6 +9,7 @@
 #include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/papers/claim_evidence.hpp"
+#include "verification/series/interval_text.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -33,20 +34,24 @@ double amplitude(const CaseDefinition& definition) {
   return sine ? sine->amplitude : not_a_number;
 }
 
-std::vector<std::string> cells(const SurfaceSpectrum& spectrum) {
-  const auto& [first, second] = spectrum.peak;
-  return {fmt::format("{:.3f}", first.frequency), fmt::format("{:.3e}", first.power),
-          fmt::format("{:.3f}", second.frequency), fmt::format("{:.3e}", second.power),
-          fmt::format("{:.3g}", spectrum.ratio())};
+// Powers and their ratios are geometric means, as those of the growth.
+std::vector<std::string> cells(const std::vector<SurfaceSpectrum>& members) {
+  const auto mean_power = [&](std::size_t k) {
+    return interval_text(ratio_of_members(powers(members, k), {1}));
+  };
+  return {interval_text(mean_frequency(members, 0)), mean_power(0),
+          interval_text(mean_frequency(members, 1)), mean_power(1),
+          interval_text(ratio_of_members(ratios(members), {1}))};
 }
 
 // Adds the two rows of a run; the second has the growth.
 void add_rows(const CaseAssessment& smaller, const CaseAssessment& larger, const std::string& run,
               reports::Table& table) {
   const auto row_of = [&](const CaseAssessment& assessment) {
-    std::vector<std::string> row{run, fmt::format("{}", amplitude(assessment.definition))};
+    std::vector<std::string> row{name_of_members(assessment, run),
+                                 fmt::format("{}", amplitude(assessment.definition))};
     try {
-      const auto found = cells(surface_spectrum(assessment, run));
+      const auto found = cells(surface_spectra(assessment, run));
       row.insert(row.end(), found.begin(), found.end());
     } catch (const std::runtime_error& error) {
       row.push_back(error.what());
@@ -57,10 +62,9 @@ void add_rows(const CaseAssessment& smaller, const CaseAssessment& larger, const
   table.rows.push_back(row_of(smaller));
   auto last = row_of(larger);
   try {
-    const SurfaceSpectrum less = surface_spectrum(smaller, run),
-                          more = surface_spectrum(larger, run);
+    const auto less = surface_spectra(smaller, run), more = surface_spectra(larger, run);
     for (const std::size_t k : {0u, 1u})
-      last[7 + k] = fmt::format("{:.3g}", more.peak[k].power / less.peak[k].power);
+      last[7 + k] = interval_text(ratio_of_members(powers(more, k), powers(less, k)));
   } catch (const std::runtime_error&) {
     // The row says what is missing.
   }
@@ -88,6 +92,32 @@ SurfaceSpectrum surface_spectrum(const CaseAssessment& assessment, const std::st
   return found;
 }
 
+std::vector<SurfaceSpectrum> surface_spectra(const CaseAssessment& assessment,
+                                             const std::string& run) {
+  std::vector<SurfaceSpectrum> members;
+  for (const std::string& member : members_of(assessment.definition, run))
+    members.push_back(surface_spectrum(assessment, member));
+  return members;
+}
+
+std::vector<double> powers(const std::vector<SurfaceSpectrum>& members, std::size_t peak) {
+  std::vector<double> found;
+  for (const SurfaceSpectrum& one : members) found.push_back(one.peak[peak].power);
+  return found;
+}
+
+std::vector<double> ratios(const std::vector<SurfaceSpectrum>& members) {
+  std::vector<double> found;
+  for (const SurfaceSpectrum& one : members) found.push_back(one.ratio());
+  return found;
+}
+
+Estimate mean_frequency(const std::vector<SurfaceSpectrum>& members, std::size_t peak) {
+  std::vector<double> found;
+  for (const SurfaceSpectrum& one : members) found.push_back(one.peak[peak].frequency);
+  return mean_of_members(found);
+}
+
 reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger,
                                       const RedrawnFigures& redrawn) {
   reports::Table table{
@@ -95,8 +125,9 @@ reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseA
       "Spectrum of the highest surface elevation",
       fmt::format(
           "Peaks at the excitation frequency and at twice that, {} m from the left wall, from {} "
-          "to {} s. Power: half the squared amplitude of a sine [m2], one-sided, Hann window. The "
-          "unit of the printed power is unknown, so only ratios can be compared. Growth: from the "
+          "to {} s. Power: half the squared amplitude of a sine [m2], one-sided, Hann window. Of "
+          "an ensemble they are means over its repeats, the powers geometric ones. The unit of the "
+          "printed power is unknown, so only ratios can be compared. Growth: from the "
           "smaller to the larger amplitude b.",
           smaller.definition.gauges.empty() ? not_a_number : smaller.definition.gauges.front().x,
           smaller.definition.window_begin, smaller.definition.window_end),

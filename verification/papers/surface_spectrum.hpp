@@ -25,8 +25,20 @@ struct SurfaceSpectrum {
 // power_spectrum() does.
 SurfaceSpectrum surface_spectrum(const CaseAssessment& assessment, const std::string& run);
 
-// The spectra of every run of a solver that the two cases share, and the printed numbers. Its rows
-// link to the panel of figure 7.
+// The spectrum of each member of the ensemble that the run begins; one of a single run. Throws as
+// surface_spectrum() does.
+std::vector<SurfaceSpectrum> surface_spectra(const CaseAssessment& assessment,
+                                             const std::string& run);
+
+// One number of each spectrum: the power of a peak [m2], the first's over the second's [1].
+std::vector<double> powers(const std::vector<SurfaceSpectrum>& members, std::size_t peak);
+std::vector<double> ratios(const std::vector<SurfaceSpectrum>& members);
+
+// The mean frequency of a peak [Hz] (mean_of_members()).
+Estimate mean_frequency(const std::vector<SurfaceSpectrum>& members, std::size_t peak);
+
+// The spectra of every run of a solver that the two cases share, of an ensemble the means over its
+// members, and the printed numbers. Its rows link to the panel of figure 7.
 reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger,
                                       const RedrawnFigures& redrawn);
 

@@ -8,6 +8,7 @@
 #include "verification/papers/claim_evidence.hpp"
 #include "verification/papers/findings.hpp"
 #include "verification/papers/surface_spectrum.hpp"
+#include "verification/series/interval_text.hpp"
 #include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
@@ -46,24 +47,35 @@ Finding mode_error(const Cases& cases, const FindingRow& row, Estimate ModeCompa
                 mode_named(comparison, row.quantity).*error, row.thresholds.at(0));
 }
 
+// The spectra of runs[0], one of each member, in the case of the smaller and of the larger
+// amplitude.
 struct BothSpectra {
-  SurfaceSpectrum smaller, larger;
+  std::vector<SurfaceSpectrum> smaller, larger;
 
-  double growth(std::size_t k) const { return larger.peak[k].power / smaller.peak[k].power; }
+  Estimate growth(std::size_t k) const {
+    return ratio_of_members(powers(larger, k), powers(smaller, k));
+  }
 };
 
 BothSpectra both_spectra(const Cases& cases, const FindingRow& row) {
-  return {surface_spectrum(case_named(cases, row.cases.at(0)), row.runs.at(0)),
-          surface_spectrum(case_named(cases, row.cases.at(1)), row.runs.at(0))};
+  return {surface_spectra(case_named(cases, row.cases.at(0)), row.runs.at(0)),
+          surface_spectra(case_named(cases, row.cases.at(1)), row.runs.at(0))};
 }
 
 // A missing peak, of NaN, speaks against two peaks.
-bool at_multiples(const SurfaceSpectrum& spectrum, const Threshold& range) {
+bool is_at_multiples(const SurfaceSpectrum& spectrum, const Threshold& range) {
   const auto at = [&](std::size_t k) {
     const double expected = static_cast<double>(k + 1) * spectrum.excitation;
     return compare(spectrum.peak[k].frequency / expected - 1, range) == Held::yes;
   };
   return spectrum.highest && at(0) && at(1);
+}
+
+// Confirmed where all members have the two peaks there, refuted where none has.
+Held are_at_multiples(const std::vector<SurfaceSpectrum>& members, const Threshold& range) {
+  const auto is_there = [&](const SurfaceSpectrum& one) { return is_at_multiples(one, range); };
+  if (std::all_of(members.begin(), members.end(), is_there)) return Held::yes;
+  return std::any_of(members.begin(), members.end(), is_there) ? Held::undecided : Held::no;
 }
 
 }  // namespace
@@ -94,51 +106,74 @@ Finding flattened_crests(const Cases& cases, const FindingRow& row) {
 Finding violent_motion(const Cases& cases, const FindingRow& row) {
   const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const CaseDefinition& definition = assessment.definition;
-  const TimeSeries elevation = cut_to_window(
-      standing_result(assessment, row.runs.at(0)).at(at_first_gauge(definition, "elevation")),
-      comparison_window(definition));
-  const auto [lowest, highest] =
-      std::minmax_element(elevation.value.begin(), elevation.value.end());
-  const double over_depth = *highest / definition.liquid.fill_depth;
+  const auto extremes = [&](const std::string& member) {
+    const TimeSeries elevation = cut_to_window(
+        standing_result(assessment, member).at(at_first_gauge(definition, "elevation")),
+        comparison_window(definition));
+    const auto [lowest, highest] =
+        std::minmax_element(elevation.value.begin(), elevation.value.end());
+    return std::pair{*lowest, *highest};
+  };
+  const auto mean_of = [&](const auto& number) {
+    return mean_of_members(over_members(assessment, row.runs.at(0), number));
+  };
+  const Estimate over_depth = mean_of([&](const std::string& member) {
+    return extremes(member).second / definition.liquid.fill_depth;
+  });
   // A surface that never falls has no trough to compare with.
-  const double ratio = *lowest < 0 ? *highest / -*lowest : not_a_number;
+  const Estimate ratio = mean_of([&](const std::string& member) {
+    const auto [lowest, highest] = extremes(member);
+    return lowest < 0 ? highest / -lowest : not_a_number;
+  });
   return {
       both(compare(over_depth, row.thresholds.at(0)), compare(ratio, row.thresholds.at(1))),
-      fmt::format("{} of {}: highest elevation {:.2f} depths (at least {:.2g}), {:.2f} times as "
-                  "high as the lowest is deep (at least {:.3g})",
-                  row.runs.at(0), definition.name, over_depth, row.thresholds.at(0).upper, ratio,
-                  row.thresholds.at(1).upper)};
+      fmt::format(
+          "{} of {}: highest elevation {} depths (at least {:.2g}), {} times as high as the "
+          "lowest is deep (at least {:.3g})",
+          name_of_members(assessment, row.runs.at(0)), definition.name, interval_text(over_depth),
+          row.thresholds.at(0).upper, interval_text(ratio), row.thresholds.at(1).upper)};
 }
 
 Finding peaks_at_multiples(const Cases& cases, const FindingRow& row) {
   const BothSpectra found = both_spectra(cases, row);
   const Threshold &at_frequency = row.thresholds.at(0), &grows = row.thresholds.at(1);
-  const bool placed =
-      at_multiples(found.smaller, at_frequency) && at_multiples(found.larger, at_frequency);
-  const auto text = [](const SurfaceSpectrum& one) {
-    return fmt::format("{:.3f} and {:.3f} Hz{}", one.peak[0].frequency, one.peak[1].frequency,
-                       one.highest ? "" : " (not the two highest)");
+  const Held placed = both(are_at_multiples(found.smaller, at_frequency),
+                           are_at_multiples(found.larger, at_frequency));
+  const auto text = [&](const std::vector<SurfaceSpectrum>& members) {
+    const auto count = std::count_if(
+        members.begin(), members.end(),
+        [&](const SurfaceSpectrum& one) { return is_at_multiples(one, at_frequency); });
+    return fmt::format("{} and {} Hz ({} of {})", interval_text(mean_frequency(members, 0)),
+                       interval_text(mean_frequency(members, 1)), count, members.size());
   };
+  const double excitation = found.smaller.front().excitation;
   const Held grown = both(compare(found.growth(0), grows), compare(found.growth(1), grows));
-  return {placed ? grown : Held::no,
-          fmt::format("{}: peaks at {}, then {} (within {:.2g} % of {:.3f} and {:.3f} Hz); powers "
-                      "grow {:.3g} and {:.3g} times (at least {})",
-                      row.runs.at(0), text(found.smaller), text(found.larger),
-                      100 * at_frequency.upper, found.smaller.excitation,
-                      2 * found.smaller.excitation, found.growth(0), found.growth(1), grows.upper)};
+  return {
+      both(placed, grown),
+      fmt::format("{}: peaks at {}, then {} are the two highest and within {:.2g} % of {:.3f} and "
+                  "{:.3f} Hz; powers grow {} and {} times (at least {})",
+                  name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
+                  text(found.smaller), text(found.larger), 100 * at_frequency.upper, excitation,
+                  2 * excitation, interval_text(found.growth(0)), interval_text(found.growth(1)),
+                  grows.upper)};
 }
 
 Finding growth_of_peak_ratio(const Cases& cases, const FindingRow& row) {
   const BothSpectra found = both_spectra(cases, row);
   const Threshold &grows = row.thresholds.at(0), &near_printed = row.thresholds.at(1);
-  const double smaller = found.smaller.ratio(), larger = found.larger.ratio();
-  return {both(compare(larger / smaller, grows),
-               both(compare(smaller / row.printed.at(0), near_printed),
-                    compare(larger / row.printed.at(1), near_printed))),
-          fmt::format("{}: first over second from {:.3g} to {:.3g} (printed: {:.2f} to {:.3f}; met "
-                      "within a factor of {})",
-                      row.runs.at(0), smaller, larger, row.printed.at(0), row.printed.at(1),
-                      near_printed.upper)};
+  const std::vector<double> smaller = ratios(found.smaller), larger = ratios(found.larger);
+  const auto over = [](const std::vector<double>& numbers, double printed) {
+    return ratio_of_members(numbers, {printed});
+  };
+  return {
+      both(compare(ratio_of_members(larger, smaller), grows),
+           both(compare(over(smaller, row.printed.at(0)), near_printed),
+                compare(over(larger, row.printed.at(1)), near_printed))),
+      fmt::format("{}: first over second from {} to {} (printed: {:.2f} to {:.3f}; met within a "
+                  "factor of {})",
+                  name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
+                  interval_text(over(smaller, 1)), interval_text(over(larger, 1)),
+                  row.printed.at(0), row.printed.at(1), near_printed.upper)};
 }
 
 }  // namespace evidence

@@ -99,6 +99,15 @@ TEST_P(EnsembleCoverage, OfTheIntervalIs95Percent) {
   EXPECT_LE(covered, 0.99 * draws);
 }
 
+TEST(MeanOfMembers, HasTheIntervalOfStudentsDistribution) {
+  const Estimate found = mean_of_members({1, 2, 3, 4});
+  EXPECT_EQ(found.value, 2.5);
+  EXPECT_NEAR(found.half_width, 3.182446 * std::sqrt(5.0 / 3 / 4), 1e-6);
+  EXPECT_EQ(mean_of_members({7}).half_width, 0);
+  EXPECT_TRUE(std::isnan(mean_of_members({1, not_a_number}).value));
+  EXPECT_THROW(mean_of_members({}), std::invalid_argument);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Scenarios, EnsembleCoverage,
     ::testing::Values(Scenario{"FourAgainstFour", 4, 4, 0.03, 0.03, SingleSide::exact},

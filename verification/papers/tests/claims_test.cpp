@@ -110,6 +110,19 @@ TEST(Compare, KnowsTheOtherRelations) {
   EXPECT_EQ(compare(0.03, within_range(-0.02, 0.02)), Held::no);
 }
 
+TEST(Compare, LeaveOpenWhatAnIntervalReachesOver) {
+  EXPECT_EQ(compare(Estimate{1.3, 0.1}, at_least_between(1, 1.1)), Held::yes);
+  EXPECT_EQ(compare(Estimate{1.3, 0.3}, at_least_between(1, 1.1)), Held::undecided);
+  EXPECT_EQ(compare(Estimate{0.8, 0.1}, at_least_between(1, 1.1)), Held::no);
+  EXPECT_EQ(compare(Estimate{0.8, 0.1}, at_most(1)), Held::yes);
+  EXPECT_EQ(compare(Estimate{0.95, 0.1}, at_most(1)), Held::undecided);
+  EXPECT_EQ(compare(Estimate{1.2, 0.1}, at_most(1)), Held::no);
+  EXPECT_EQ(compare(Estimate{0.6, 0.2}, within_factor(2)), Held::undecided);
+  EXPECT_EQ(compare(Estimate{3, 0.9}, within_factor(2)), Held::no);
+  EXPECT_EQ(compare(Estimate{0.5, 1}, within_range(-0.2, 0.2)), Held::undecided);
+  EXPECT_EQ(compare(Estimate{1, nan}, at_most(2)), Held::undecided);
+}
+
 TEST(PaperClaims, HaveASourceAndFindingsWithThresholds) {
   for (const PaperClaim& claim : paper_claims()) {
     EXPECT_FALSE(claim.source.empty()) << claim.statement;

@@ -194,6 +194,48 @@ TEST(ClaimsOnTheFlow, AreNotDecidableWithoutADecidingRunOrItsNumbers) {
   }
 }
 
+// The larger amplitude's run of the paper's scheme as an ensemble, whose other members are spoiled.
+std::vector<CaseAssessment> with_repeats(const std::vector<LargeRun>& others) {
+  auto cases = good();
+  CaseAssessment& large = cases[2];
+  large.definition.runs[0].ensemble = "li2010_20mm";
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    RunDefinition member = large.definition.runs[0];
+    member.name = "li2010_20mm_" + std::to_string(i + 2);
+    large.definition.runs.push_back(member);
+    large.runs.results[member.name] = large_result(member.name, others[i]);
+    large.runs.status[member.name] = {RunState::finished, ""};
+  }
+  return cases;
+}
+
+TEST(ClaimsOnTheFlow, AreJudgedOnTheMeanOfAnEnsembleWithItsInterval) {
+  LargeRun near = larger, other = larger, one_peak = larger;
+  near.first *= 1.02;
+  other.first *= 0.98;
+  one_peak.second = 0;
+  const LargeRun flat{.first = 0.04, .second = 0.04, .highest = 0.05, .lowest = 0.05};
+  for (const std::size_t n : {2u, 3u, 4u}) {
+    EXPECT_EQ(claim(n, with_repeats({near, other})).held, Held::yes) << n;
+    EXPECT_NE(claim(n, with_repeats({near, other})).found.find("(mean of 3 repeats)"),
+              std::string::npos);
+    EXPECT_EQ(claim(n, with_repeats({near, flat})).held, Held::undecided)
+        << n << ": the first member alone would confirm it";
+  }
+  EXPECT_EQ(claim(3, with_repeats({near, one_peak})).held, Held::undecided);
+  EXPECT_EQ(claim(2, with_repeats(std::vector<LargeRun>(300, flat))).held, Held::no);
+}
+
+TEST(ClaimsOnTheFlow, AreNotDecidableWithoutAMemberOfAnEnsemble) {
+  auto cases = with_repeats({larger, larger});
+  cases[2].runs.results.erase("li2010_20mm_3");
+  cases[2].runs.status["li2010_20mm_3"] = {RunState::failed, "diverged"};
+  for (const std::size_t n : {2u, 3u, 4u}) {
+    EXPECT_EQ(claim(n, cases).held, Held::undecided) << n;
+    EXPECT_EQ(claim(n, cases).why, "li2010_20mm_3 of li2010_large_b125: solver failed (diverged)");
+  }
+}
+
 TEST(SurfaceSpectrum, FindsThePowersOfKnownTones) {
   const auto cases = good();
   const SurfaceSpectrum found = surface_spectrum(cases[2], "li2010_20mm");
