@@ -1,6 +1,6 @@
-// The peaks of a case's impacts as cumulative distributions: over the repeats of the experiment and
-// over those of each run, each peak over the published mean of its impact, so that the impacts of a
-// case stand in one curve.
+// The peaks of each impact of a case as cumulative distributions: those of the experiment's repeats
+// and those of each ensemble. The impacts are not put together: an ensemble with one impact too
+// high and another too low would look right.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,20 +33,9 @@ Curve steps_of(const std::string& label, const std::vector<double>& values) {
   return curve;
 }
 
-std::vector<double> of_experiment(const ImpactsDefinition& impacts) {
-  std::vector<double> peaks;
-  for (std::size_t n = 0; n < impacts.repeats.size(); ++n)
-    for (const double peak : impacts.repeats[n]) peaks.push_back(peak / impacts.peak_means[n]);
-  return peaks;
-}
-
-std::vector<double> of_runs(const CaseAssessment& assessment, const Repeats& repeats,
-                            const std::string& pressure) {
-  const ImpactsDefinition& impacts = assessment.definition.impacts.value();
-  std::vector<double> peaks;
-  for (std::size_t n = 0; n < impacts.times.size(); ++n)
-    for (const double peak : peak_sample(assessment, repeats, pressure, n).peaks)
-      peaks.push_back(peak / impacts.peak_means[n]);
+// Each peak over the published mean of its impact.
+std::vector<double> over_published(std::vector<double> peaks, double published) {
+  for (double& peak : peaks) peak /= published;
   return peaks;
 }
 
@@ -61,48 +50,50 @@ std::optional<double> edge_of_band(const CaseAssessment& assessment, const std::
   return std::nullopt;
 }
 
-// " NAME, impact 1: 20 peaks, median 1.12 (0.95 to 1.30) times the experiment's, ...; impact 2:
-// ..." of runs with enough peaks; else empty.
-std::string comparisons_text(const CaseAssessment& assessment, const Repeats& repeats,
-                             const std::string& pressure) {
-  std::string text;
-  for (std::size_t n = 0; n < assessment.definition.impacts->times.size(); ++n) {
-    const PeakSample sample = peak_sample(assessment, repeats, pressure, n);
-    if (const auto found = against_experiment(assessment.definition, sample, n))
-      text += fmt::format("{}impact {}: {} peaks, {}", text.empty() ? "" : "; ", n + 1,
-                          sample.peaks.size(), comparison_text(*found));
-  }
-  return text.empty() ? "" : fmt::format(" {}, {}.", repeats.front()->name, text);
+// " NAME: 20 peaks, median 1.12 (0.95 to 1.30) times the experiment's, ..." of runs with enough
+// peaks; else empty.
+std::string comparison_with_experiment(const CaseDefinition& definition, const std::string& run,
+                                       const PeakSample& sample, std::size_t impact) {
+  const auto found = against_experiment(definition, sample, impact);
+  if (!found) return "";
+  return fmt::format(" {}: {} peaks, {}.", run, sample.peaks.size(), comparison_text(*found));
 }
 
-Figure distributions(const CaseAssessment& assessment, const std::string& pressure) {
+Figure distributions(const CaseAssessment& assessment, const std::string& pressure,
+                     std::size_t impact) {
   const CaseDefinition& definition = assessment.definition;
   const ImpactsDefinition& impacts = definition.impacts.value();
+  const double published = impacts.peak_means.at(impact);
   const bool is_filtered = pressure.ends_with(through_filter);
+  const bool is_only = impacts.times.size() == 1;
   Figure figure;
-  figure.id = definition.name + (is_filtered ? "-filtered-peaks" : "-peaks");
-  figure.title = is_filtered ? "Distribution of the peaks, filtered" : "Distribution of the peaks";
+  figure.id = fmt::format("{}{}-peaks{}", definition.name, is_filtered ? "-filtered" : "",
+                          is_only ? "" : fmt::format("-{}", impact + 1));
+  figure.title = fmt::format("Distribution of the peaks{}{}",
+                             is_only ? "" : fmt::format(" of impact {}", impact + 1),
+                             is_filtered ? ", filtered" : "");
   figure.x_label = "peak over the published one [1]";
   figure.y_label = "share of the peaks up to it [1]";
   std::vector<std::string> runs;
   std::string comparisons;
   for (const Repeats& repeats : repeated_runs(definition)) {
-    const std::vector<double> peaks = of_runs(assessment, repeats, pressure);
-    if (peaks.size() < 2) continue;
+    const PeakSample sample = peak_sample(assessment, repeats, pressure, impact);
+    if (sample.peaks.size() < 2) continue;
     runs.push_back(repeats.front()->name);
-    comparisons += comparisons_text(assessment, repeats, pressure);
-    figure.curves.push_back(
-        steps_of(fmt::format("{}, {} peaks", runs.back(), peaks.size()), peaks));
+    comparisons += comparison_with_experiment(definition, runs.back(), sample, impact);
+    figure.curves.push_back(steps_of(fmt::format("{}, {} peaks", runs.back(), sample.peaks.size()),
+                                     over_published(sample.peaks, published)));
     figure.curves.back().look = look_of(definition, runs.back());
   }
   if (figure.curves.empty()) return figure;
   if (!impacts.repeats.empty()) {
-    const std::vector<double> peaks = of_experiment(impacts);
+    const std::vector<double>& peaks = impacts.repeats.at(impact);
     figure.curves.insert(figure.curves.begin(),
-                         steps_of(fmt::format("experiment, {} peaks", peaks.size()), peaks));
+                         steps_of(fmt::format("experiment, {} peaks", peaks.size()),
+                                  over_published(peaks, published)));
     figure.curves.front().look = guide_look(0);
   }
-  if (impacts.times.size() == 1)
+  if (is_only)
     for (const auto& [label, edge] :
          {std::pair{"lower edge", lower_edge}, {"upper edge", upper_edge}})
       if (const auto peak = edge_of_band(assessment, pressure + edge))
@@ -113,8 +104,9 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   for (const reports::Marker& edge : figure.markers) highest = std::max(highest, edge.x);
   figure.x_range = {0, 1.05 * highest};
   figure.caption = fmt::format(
-      "Each peak over the published mean of its impact; the steps of a curve are its peaks. Runs "
-      "are repeats that differ only in their random seed. {}{} Published: {}.{}",
+      "The steps of a curve are its peaks, each over the published mean. The repeats of a run "
+      "differ "
+      "only in their random seed. {}{} Published: {}.{}",
       figure.markers.empty()
           ? is_filtered ? "The runs are filtered and the published peaks are not. " : ""
           : "Vertical lines: the peaks of the edges of the record's band. ",
@@ -128,8 +120,9 @@ std::vector<Figure> impact_figures(const CaseAssessment& assessment) {
   if (!assessment.definition.impacts) return {};
   std::vector<Figure> figures;
   for (const std::string& pressure : impact_pressures(assessment.definition))
-    if (Figure figure = distributions(assessment, pressure); !figure.curves.empty())
-      figures.push_back(std::move(figure));
+    for (std::size_t n = 0; n < assessment.definition.impacts->times.size(); ++n)
+      if (Figure figure = distributions(assessment, pressure, n); !figure.curves.empty())
+        figures.push_back(std::move(figure));
   return figures;
 }
 

@@ -8,6 +8,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/gate/impact_metrics.hpp"
+#include "verification/metrics/ensemble_mean.hpp"
 #include "verification/series/low_pass_filter.hpp"
 
 namespace slosh {
@@ -154,11 +155,12 @@ std::string caption(const CaseDefinition& definition) {
   return text;
 }
 
-// Returns the mean, the standard deviation and the central 90 % interval.
+// Returns the mean with its 95 % interval, the standard deviation and the central 90 % interval.
 Row moments(const Distribution& peaks) {
   const std::size_t count = peaks.sorted().size();
+  const Estimate mean = mean_of_members(peaks.sorted());
   Row row{
-      fmt::format("{:.0f}", peaks.mean()),
+      fmt::format("{:.0f} ± {:.0f}", mean.value, mean.half_width),
       count < 2 ? std::string("single run") : fmt::format("{:.0f}", peaks.standard_deviation())};
   try {
     const Interval interval = peaks.central_90_percent();
@@ -184,7 +186,7 @@ Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
     const Row rest = moments(peaks);
     row.insert(row.end(), rest.begin(), rest.end());
   }
-  row.insert(row.end(), {"", "", "", "", "", ""});
+  row.insert(row.end(), {"", "", "", "", "", "", "", ""});
   return row;
 }
 
@@ -196,24 +198,25 @@ Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std:
           pressure_word(pressure), fmt::format("{}", impact + 1),
           fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
   if (sample.peaks.empty()) {
-    row.insert(row.end(), 8, "");
+    row.insert(row.end(), 10, "");
   } else {
     const Distribution peaks("peaks of " + repeats.front()->name, sample.peaks);
     const Row rest = moments(peaks);
     row.insert(row.end(), rest.begin(), rest.end());
     if (definition.impacts->repeats.empty()) {
-      row.insert(row.end(), {"not supplied", "", "", "", ""});
+      row.insert(row.end(), {"not supplied", "", "", "", "", "", ""});
     } else {
       const Distribution experiment = repeated_peaks(definition, impact);
       const double area = area_metric(peaks, experiment);
       row.push_back(fmt::format("{:.0f}", area));
       if (const auto found = against_experiment(definition, sample, impact))
-        row.insert(row.end(), {area_text(*found), median_ratio_text(*found),
+        row.insert(row.end(), {area_text(*found), median_ratio_text(*found), p90_ratio_text(*found),
+                               fmt::format("{:.2g}", found->mean_p.value),
                                fmt::format("{:.2g}", found->ks_p.value),
                                fmt::format("{:.2g}", found->ad_p.value)});
       else
         row.insert(row.end(), {fmt::format("{:.0f}", 100 * area / experiment.mean()),
-                               "fewer than 20 peaks", "", ""});
+                               "fewer than 20 peaks", "", "", "", ""});
     }
   }
   row.push_back(fmt::format("{}", fmt::join(sample.left_out, "; ")));
@@ -265,16 +268,20 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
   Table table{
       definition.name + "-repeats",
       "Distribution of peaks over repeated runs",
-      "Impact peaks of runs that differ only in their random seed, and those of the experiment's "
-      "repeats. The area metric is the area between the two "
+      "Impact peaks of runs that differ only in their random seed, by which their starts are "
+      "disturbed or their inputs are drawn, and those of the experiment's repeats. The mean has "
+      "the "
+      "95 % interval of the repeats' scatter. The area metric is the area between the two "
       "cumulative distributions, also given in percent of the experiment's mean. Both samples are "
       "small, so even two samples of one distribution have an area metric above zero. In brackets: "
-      "95 % intervals by the bootstrap. p: the share of random divisions of all peaks into two "
+      "95 % intervals by the bootstrap. p (means): by Welch's test of equal means. The other p: "
+      "the share of random divisions of all peaks into two "
       "such samples that differ as much or more, by Kolmogorov and Smirnov (KS) and by Anderson "
       "and Darling (AD); below 0.05 the samples are told apart.",
       {"repeats", "pressure", "impact", "occurred in", "mean [Pa]", "sd [Pa]", "central 90 % [Pa]",
-       "area metric [Pa]", "area metric [% of mean]", "median over the experiment's", "p (KS)",
-       "p (AD)", "left out (reason)"},
+       "area metric [Pa]", "area metric [% of mean]", "median over the experiment's",
+       "quantile of 90 % over the experiment's", "p (means)", "p (KS)", "p (AD)",
+       "left out (reason)"},
       {}};
   for (std::size_t impact = 0; impact < definition.impacts->times.size(); ++impact) {
     table.rows.push_back(experiment_row(definition, impact));

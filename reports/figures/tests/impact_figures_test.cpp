@@ -20,21 +20,35 @@ CaseAssessment repeats(const CaseDefinition& definition, int count) {
   return assessment;
 }
 
-TEST(ImpactFigures, DrawTheRepeatsBesideThoseOfTheExperiment) {
+TEST(ImpactFigures, DrawTheRepeatsOfEachImpactBesideThoseOfTheExperiment) {
   const auto figures = impact_figures(repeats(impact_case(), 3));
-  ASSERT_EQ(figures.size(), 1U);
-  const reports::Figure& figure = figures[0];
-  EXPECT_EQ(figure.id, "impacts-peaks");
+  ASSERT_EQ(figures.size(), 4U);
+  EXPECT_EQ(figures[0].id, "impacts-peaks-1");
+  const reports::Figure& figure = figures[3];
+  EXPECT_EQ(figure.id, "impacts-peaks-4");
+  EXPECT_EQ(figure.title, "Distribution of the peaks of impact 4");
   ASSERT_EQ(figure.curves.size(), 2U);
-  EXPECT_EQ(figure.curves[0].label, "experiment, 160 peaks");
-  EXPECT_EQ(figure.curves[1].label, "repeat_0, 12 peaks");
+  EXPECT_EQ(figure.curves[0].label, "experiment, 40 peaks");
+  EXPECT_EQ(figure.curves[1].label, "repeat_0, 3 peaks");
   const reports::Curve& runs = figure.curves[1];
-  ASSERT_EQ(runs.x.size(), 24U);
+  ASSERT_EQ(runs.x.size(), 6U);
   EXPECT_NEAR(runs.x.front(), 0.9, 1e-3);
   EXPECT_NEAR(runs.x.back(), 1.1, 1e-3);
   EXPECT_EQ(runs.y.front(), 0);
   EXPECT_EQ(runs.y.back(), 1);
   EXPECT_TRUE(figure.markers.empty());
+}
+
+// Put together, an impact that is too high and one that is too low would look like the
+// experiment's.
+TEST(ImpactFigures, ShowAnImpactThatIsTooHighInItsOwnFigureAlone) {
+  CaseDefinition definition = impact_case();
+  definition.impacts->peak_means[1] /= 2;
+  for (double& peak : definition.impacts->repeats[1]) peak /= 2;
+  const auto figures = impact_figures(repeats(definition, 3));
+  ASSERT_EQ(figures.size(), 4U);
+  EXPECT_NEAR(figures[0].curves[1].x.front(), 0.9, 1e-3);
+  EXPECT_NEAR(figures[1].curves[1].x.front(), 1.8, 2e-3);
 }
 
 TEST(ImpactFigures, OfASingleImpactMarkTheEdgesOfTheRecordsBand) {
@@ -59,9 +73,9 @@ TEST(ImpactFigures, OfASingleImpactMarkTheEdgesOfTheRecordsBand) {
 TEST(ImpactFigures, TellHowEnoughRepeatsCompareWithTheExperiments) {
   EXPECT_EQ(impact_figures(repeats(impact_case(), 3))[0].caption.find("Kolmogorov"),
             std::string::npos);
-  const std::string caption = impact_figures(repeats(impact_case(), 20))[0].caption;
-  EXPECT_NE(caption.find(" repeat_0, impact 1: 20 peaks, median "), std::string::npos) << caption;
-  EXPECT_NE(caption.find("; impact 4: 20 peaks, median "), std::string::npos) << caption;
+  for (const reports::Figure& figure : impact_figures(repeats(impact_case(), 20)))
+    EXPECT_NE(figure.caption.find(" repeat_0: 20 peaks, median "), std::string::npos)
+        << figure.caption;
 }
 
 TEST(ImpactFigures, AreOfRepeatsAlone) {

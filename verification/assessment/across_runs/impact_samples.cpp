@@ -21,6 +21,11 @@ bool differ_in_seed_alone(const RunDefinition& one, const RunDefinition& other) 
   return *first == alike && first->start_seed != second->start_seed;
 }
 
+std::string ratio_text(const SampleFigure& error) {
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", 1 + error.value.value, 1 + error.interval.low,
+                     1 + error.interval.high);
+}
+
 }  // namespace
 
 std::string place_among_repeats(const CaseDefinition& definition, std::size_t impact, double peak) {
@@ -76,9 +81,11 @@ std::optional<PeakComparison> against_experiment(const CaseDefinition& definitio
 }
 
 std::string median_ratio_text(const PeakComparison& comparison) {
-  const auto& [value, interval] = comparison.median_error;
-  return fmt::format("{:.2f} ({:.2f} to {:.2f})", 1 + value.value, 1 + interval.low,
-                     1 + interval.high);
+  return ratio_text(comparison.median_error);
+}
+
+std::string p90_ratio_text(const PeakComparison& comparison) {
+  return ratio_text(comparison.p90_error);
 }
 
 std::string area_text(const PeakComparison& comparison) {
@@ -89,10 +96,10 @@ std::string area_text(const PeakComparison& comparison) {
 
 std::string comparison_text(const PeakComparison& comparison) {
   return fmt::format(
-      "median {} times the experiment's, area {} % of its mean, p {:.2g} by Kolmogorov and Smirnov "
-      "and {:.2g} by Anderson and Darling",
-      median_ratio_text(comparison), area_text(comparison), comparison.ks_p.value,
-      comparison.ad_p.value);
+      "median {} times the experiment's, area {} % of its mean, p {:.2g} of equal means by Welch, "
+      "{:.2g} by Kolmogorov and Smirnov and {:.2g} by Anderson and Darling",
+      median_ratio_text(comparison), area_text(comparison), comparison.mean_p.value,
+      comparison.ks_p.value, comparison.ad_p.value);
 }
 
 }  // namespace slosh
