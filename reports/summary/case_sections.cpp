@@ -69,7 +69,7 @@ Section results_section(const CaseAssessment& assessment) {
     else if (status.state == RunState::not_supplied)
       section.paragraphs.push_back("The record `" + run + "` is not supplied: " + status.message +
                                    ". Rows that need it neither pass nor fail.");
-  for (const ModelLimit& limit : model_limits(definition))
+  for (const ModelLimit& limit : model_limits(definition, assessment.runs))
     if (limit.exceeded())
       section.paragraphs.push_back("The models are doubtful here, because they leave out " +
                                    limit_text(limit) + ".");

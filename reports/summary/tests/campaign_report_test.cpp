@@ -394,6 +394,15 @@ TEST(CampaignReport, TellsPlainlyOfARecordThatIsNotSupplied) {
   EXPECT_EQ(section_of(report, "small_surge-gate").tables.at(0).rows.at(0).at(0), "not supplied");
 }
 
+TEST(CampaignReport, DoubtsTheModelsByTheMachNumberThatARunRecorded) {
+  CaseAssessment assessment = good();
+  assessment.runs.results.at("particles").diagnostics["largest_mach_number"] = 0.28;
+  EXPECT_EQ(section_of(report_of(surge_campaign(), {assessment}), "small_surge").paragraphs.at(1),
+            "The models are doubtful here, because they leave out the compressibility of the "
+            "liquid at the largest Mach number recorded, 0.28 of particles: 7.8 % of the density, "
+            "limit 1 % (Monaghan 1994, J. Comput. Phys. 110:399).");
+}
+
 TEST(CampaignReport, TellsHowTheTankMoves) {
   const auto motion = [](const MotionDefinition& motion) {
     CaseAssessment assessment = good();

@@ -104,27 +104,12 @@ TEST_F(SpacingStudies, NameTheirRunsBySpacing) {
 }
 
 TEST_F(SpacingStudies, DropTheImpactsAndWhatOnlyEnsemblesHave) {
-  const fs::path cases = SLOSH_SOURCE_DIR "/verification/cases";
-  fs::copy_file(cases / "spheric10_oil_roll.csv", temporary_.path() / "spheric10_oil_roll.csv");
-  const fs::path file = temporary_.path() / "drawn.toml";
-  std::ofstream(file) << std::ifstream(cases / "spheric10_oil.toml").rdbuf() << R"(
-[[run]]
-name = "drawn"
-solver = "sph"
-scheme = "recommended"
-particle_spacing_m = 0.008
-repeats = 3
-vary_inputs = true
-[[input]]
-name = "density"
-half_width = 45.0
-unit = "kg/m3"
-source = "a test"
-)";
-  const CaseDefinition study = made(read_case(file), {.candidate = "drawn",
-                                                      .family = "",
-                                                      .spacings = {0.004, 0.006, 0.008},
-                                                      .reference = "interfoam_90x51"});
+  const CaseDefinition oil = read_case(SLOSH_SOURCE_DIR "/verification/cases/spheric10_oil.toml");
+  ASSERT_FALSE(oil.inputs.empty()) << "its ensemble draws them";
+  const CaseDefinition study = made(oil, {.candidate = "inputs_drawn_4mm",
+                                          .family = "",
+                                          .spacings = {0.004, 0.006, 0.008},
+                                          .reference = "interfoam_90x51"});
   EXPECT_EQ(study.runs.size(), 4U);
   EXPECT_FALSE(study.impacts);
 }

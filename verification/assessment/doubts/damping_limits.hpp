@@ -1,0 +1,23 @@
+// What the models take too little or too much of a wave's amplitude in each period:
+//   friction at walls     (pi / 2) delta / h, with a Stokes layer delta on the bottom of a liquid
+//   of
+//                         depth h (Keulegan 1959): half of sqrt(nu omega / 2) rho U^2 / 2 per area
+//                         over rho h U^2 / 2
+//   artificial viscosity  2 nu k^2 times the period, of the first mode with nu = alpha h c0 / 8
+//                         (Lamb, article 348; Monaghan 2005, section 8.5)
+#pragma once
+
+#include <vector>
+
+#include "verification/assessment/doubts/model_limit.hpp"
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+
+// Returns, of those that apply:
+//   the friction of the liquid at walls where it slips in the model, or sticks in layers thinner
+//     than three particles, or than three of the cells beside the walls
+//   the artificial viscosity of an SPH run that sets its own
+std::vector<ModelLimit> damping_limits(const CaseDefinition& definition);
+
+}  // namespace slosh
