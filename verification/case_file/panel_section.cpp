@@ -100,6 +100,41 @@ std::optional<double> read_impulse_duration(const TomlTable& panel, const PanelD
   return panel.get(key, positive("s"));
 }
 
+template <class Value>
+std::string setting_text(const char* key, const std::optional<Value>& value) {
+  return value ? fmt::format("{} = {}", key, *value) : fmt::format("no {}", key);
+}
+
+// What a [[run]] of an OpenFOAM program sets beside its program and its seed, as the case file
+// writes it. The binding names all members of InterFoamRun, so that it no longer compiles when
+// one is added.
+std::vector<std::string> mesh_settings(const RunDefinition& run) {
+  const auto& [cells_x, cells_z, processes, disorder, seed, program, courant_number, no_slip,
+               wall_cell, cells_y] = std::get<InterFoamRun>(run.solver);
+  return {fmt::format("cells_x = {}", cells_x),
+          fmt::format("cells_z = {}", cells_z),
+          setting_text("cells_y", cells_y),
+          setting_text("wall_cell_m", wall_cell),
+          fmt::format("interface_courant_number = {}", courant_number),
+          fmt::format("no_slip = {}", no_slip),
+          fmt::format("processes = {}", processes),
+          fmt::format("start_disorder = {}", disorder),
+          fmt::format("vary_inputs = {}", run.varies_inputs)};
+}
+
+// Returns what the incompressible run must have and what it has instead; "" where the two differ in
+// their program and their seed alone.
+std::string difference_of_pair(const RunDefinition& compressible,
+                               const RunDefinition& incompressible) {
+  const std::vector<std::string> expected = mesh_settings(compressible);
+  const std::vector<std::string> found = mesh_settings(incompressible);
+  const auto [one, other] = std::mismatch(expected.begin(), expected.end(), found.begin());
+  if (one == expected.end()) return "";
+  return fmt::format(
+      "a run that differs from {} in its program and its seed alone, with {}; it has {}",
+      compressible.name, *one, *other);
+}
+
 std::optional<AirPair> read_air(const TomlTable& panel, const PanelDefinition& read,
                                 const CaseDefinition& definition) {
   const char* key = "compressibility";
@@ -119,6 +154,10 @@ std::optional<AirPair> read_air(const TomlTable& panel, const PanelDefinition& r
     panel.refuse(key, "two of the panel's runs: one of compressibleInterFoam, one of interFoam");
   require(0, FoamProgram::compressible_inter_foam);
   require(1, FoamProgram::inter_foam);
+  if (const std::string difference = difference_of_pair(run_named(definition, pair[0].text),
+                                                        run_named(definition, pair[1].text));
+      !difference.empty())
+    panel.refuse_element(key, 1, difference);
   return AirPair{pair[0].text, pair[1].text};
 }
 

@@ -77,6 +77,17 @@ std::string complaint_with(const std::string& from, const std::string& to,
   return complaint(workspace.write("trial.toml", text_with(from, to, before)));
 }
 
+// What the parser says where the [[run]] of this name has `to` in the place of `from`.
+std::string complaint_with_run(const std::string& name, const std::string& from,
+                               const std::string& to, const std::string& before = "") {
+  std::string text = runs;
+  const std::size_t at = text.find(from, text.find("name = \"" + name + "\""));
+  if (at == std::string::npos) throw std::logic_error("no such text: " + from);
+  const Workspace workspace;
+  return complaint(workspace.write(
+      "trial.toml", valid_text + before + text.replace(at, from.size(), to) + panel));
+}
+
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -146,6 +157,38 @@ TEST(PanelSection, TakesTheShareOfTheAirFromACompressibleRunAndAnIncompressibleO
   EXPECT_TRUE(holds(complaint_of("[\"air\", \"particles\"]"), "runs of interFoam"));
   EXPECT_TRUE(holds(complaint_of("[\"air\", \"pair\"]"), "runs of interFoam"));
   EXPECT_TRUE(holds(complaint_of("[\"air\"]"), "two of the panel's runs"));
+}
+
+TEST(PanelSection, TakesTheShareOfTheAirFromTwoRunsThatDifferInTheirProgramAndTheirSeedAlone) {
+  const std::string drawn_depth =
+      "[[input]]\nname = \"fill_depth\"\nhalf_width = 0.0005\nunit = \"m\"\nsource = \"a "
+      "ruler\"\n";
+  struct Change {
+    std::string from, of_air, of_cells;  // without `from` the key is added
+  };
+  for (const Change& change : std::vector<Change>{
+           {"cells_x = 20", "cells_x = 20", "cells_x = 30"},
+           {"cells_z = 20", "cells_z = 20", "cells_z = 30"},
+           {"start_disorder = 0.1", "start_disorder = 0.1", "start_disorder = 0.05"},
+           {"", "no wall_cell_m", "wall_cell_m = 0.04"},
+           {"", "interface_courant_number = 0.5", "interface_courant_number = 0.25"},
+           {"", "no_slip = false", "no_slip = true"},
+           {"", "processes = 1", "processes = 2"},
+           {"", "vary_inputs = false", "vary_inputs = true"}}) {
+    const std::string said =
+        change.from.empty()
+            ? complaint_with_run("cells", "repeats = 3", "repeats = 3\n" + change.of_cells,
+                                 drawn_depth)
+            : complaint_with_run("cells", change.from, change.of_cells, drawn_depth);
+    EXPECT_TRUE(holds(said,
+                      "compressibility = \"cells\": expected a run that differs from air in its "
+                      "program and its seed alone, with " +
+                          change.of_air + "; it has " + change.of_cells))
+        << said;
+  }
+  EXPECT_EQ(complaint_with_run("cells", "repeats = 3", "repeats = 4\nstart_seed = 7"), "");
+  EXPECT_EQ(complaint_with_run("cells", "repeats = 3", "repeats = 3\nquick = true"), "");
+  EXPECT_EQ(complaint_with_run("particles", "start_disorder = 0.1", "start_disorder = 0.05"), "");
 }
 
 TEST(PanelSection, NeedsAReasonAndANameOfItsOwn) {

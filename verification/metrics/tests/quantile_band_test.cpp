@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "verification/metrics/comparison.hpp"
 
@@ -66,6 +67,43 @@ TEST(QuantileBand, CountsTheTimeOutsideAndNotTheSamples) {
   EXPECT_NEAR(excursion(sampled(ramp)), 3, 1e-9);
 }
 
+// A band about straight lines, sampled once a second.
+TimeSeries margin_of(const std::vector<double>& candidate, const std::vector<double>& lower,
+                     const std::vector<double>& upper) {
+  std::vector<double> time;
+  for (std::size_t i = 0; i < candidate.size(); ++i) time.push_back(static_cast<double>(i));
+  return band_margin(time, candidate, {{"lower", "Pa", time, lower}, {"upper", "Pa", time, upper}});
+}
+
+TEST(QuantileBand, HoldsAFrontThatCrossesItBetweenTwoSamplesForThePartOfThatTimeInside) {
+  // The front rises from -1 to 3 and is within 0 and 1 from 0.25 to 0.5 s.
+  const TimeSeries rising = margin_of({-1, 3, 3}, {0, 0, 0}, {1, 1, 1});
+  EXPECT_NEAR(share_outside(rising, {0, 1}), 0.75, 1e-12);
+  EXPECT_NEAR(share_outside(rising, {0, 2}), 1.75 / 2, 1e-12);
+  EXPECT_NEAR(share_outside(rising, {0.25, 0.5}), 0, 1e-12);
+  EXPECT_NEAR(share_outside(rising, {0, 0.4}), 0.25 / 0.4, 1e-12);
+  EXPECT_NEAR(largest_excursion(rising, {0, 2}), 2, 1e-12);
+  EXPECT_NEAR(share_outside(margin_of({3, -1}, {0, 0}, {1, 1}), {0, 1}), 0.75, 1e-12);
+  // The edges move too: the front meets the lower one at 0.25 s and the upper one at 0.6 s.
+  EXPECT_NEAR(share_outside(margin_of({-1, 4}, {0, 1}, {2, 2}), {0, 1}), 0.65, 1e-12);
+  // Of 10 s the candidate is inside for three tenths of one interval.
+  const TimeSeries jump = sampled([](double t) { return median(t) + (t < 5 ? -5 : 5); });
+  EXPECT_NEAR(outside(jump), 1 - 0.3 * 0.01 / 10, 1e-9);
+}
+
+TEST(QuantileBand, IsLeftAtTheEdgeThatACandidateCrossesAndNotAtTheOneThatWasNearer) {
+  // The candidate falls from just below the upper edge and crosses the lower one at 9 / 19 s.
+  const TimeSeries falling = margin_of({0.9, -1}, {0, 0}, {1, 1});
+  EXPECT_NEAR(share_outside(falling, {0, 1}), 10.0 / 19, 1e-12);
+  EXPECT_NEAR(largest_excursion(falling, {0, 1}), 1, 1e-12);
+}
+
+TEST(QuantileBand, CoversAWindowThatEndsWithinOneIntervalThoughTheMarginHasCorners) {
+  const TimeSeries margin = margin_of({-1, 3, 3, 3}, {0, 0, 0, 0}, {1, 1, 1, 1});
+  EXPECT_NEAR(share_outside(margin, {0, 3.99}), 2.75 / 3, 1e-12);
+  EXPECT_THROW(share_outside(margin, {0, 4.01}), ComparisonError);
+}
+
 TEST(QuantileBand, IsTakenOverAPartOfTheWindow) {
   const TimeSeries ramp = sampled([](double t) { return median(t) + 0.5 * t; });
   EXPECT_EQ(outside(ramp, {1, 3.995}), 0);
@@ -80,6 +118,10 @@ TEST(QuantileBand, NeverHoldsANumberThatIsNone) {
   EXPECT_TRUE(std::isnan(share_outside(margin, {0, 3})));
   EXPECT_TRUE(std::isnan(largest_excursion(margin, {0, 3})));
   EXPECT_EQ(share_outside(margin, {0, 1}), 0);
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double none : {not_a_number, infinite, -infinite})
+    EXPECT_TRUE(std::isnan(share_outside(margin_of({-1, none, 3}, {0, 0, 0}, {1, 1, 1}), {0, 2})))
+        << none;
 }
 
 TEST(QuantileBand, IsOfAReferenceThatHasOne) {
