@@ -103,7 +103,9 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
   if (is_of_repeats(row.metric))
     return {0, "the finite number of the experiment's repeats is in the metric's own interval"};
   if (is_of_impacts(row.metric))
-    return of_impacts(definition.impacts.value(), row, measures.measure(row).value);
+    return row.kind == RowKind::regression
+               ? as_when_measured("against the same published impacts")
+               : of_impacts(definition.impacts.value(), row, measures.measure(row).value);
   if (row.reference.empty()) return {0, "no reference: the metric is zero in a correct run"};
   if (metric_entry(row.metric).fitted == FittedTones::of_candidate)
     return {0, "the decay is the candidate's own: the reference only provides its frequency"};

@@ -46,6 +46,24 @@ std::vector<ImpactNumbers> found_numbers(const CaseDefinition& definition, const
   return {};
 }
 
+// A series that does not cover the plateau has a line that says why.
+std::string plateau_line(const CaseDefinition& definition, const char* role,
+                         const TimeSeries& series) try {
+  const double error = plateau_error(series, definition);
+  return fmt::format("plateau of {}: {:.4g} Pa, {:+.3g} %\n", role,
+                     (1 + error) * definition.impacts->plateau, 100 * error);
+} catch (const ComparisonError& error) {
+  return fmt::format("plateau of {}: {}\n", role, error.what());
+}
+
+std::string plateau_lines(const CaseDefinition& definition, const TimeSeries& candidate,
+                          const TimeSeries& reference) {
+  if (!(definition.impacts->plateau > 0)) return "";
+  return plateau_line(definition, "the candidate", candidate) +
+         plateau_line(definition, "the reference", reference) +
+         fmt::format("plateau as published: {:.4g} Pa\n", definition.impacts->plateau);
+}
+
 }  // namespace
 
 bool has_impacts(const CaseDefinition& definition, const std::string& quantity) {
@@ -69,7 +87,7 @@ std::string impact_lines(const CaseDefinition& definition, const TimeSeries& can
     add(n, "of the reference", of_reference);
     add(n, "as published", published);
   }
-  return lines;
+  return lines + plateau_lines(definition, candidate, reference);
 }
 
 }  // namespace slosh

@@ -13,7 +13,8 @@ bool has_impacts(const CaseDefinition& definition, const std::string& quantity);
 
 // For each impact a line of the candidate, one of the reference and one of what is published:
 // "impact_1 of the candidate: peak 5260 Pa at 0.4512 s, rise time 0.0123 s, arrival 0.4301 s,
-// impulse 310 Pa s". A series that cannot be searched has one line that says why.
+// impulse 310 Pa s". Where a plateau is published, its mean pressure follows in the same way, with
+// the difference to the published one. A series that cannot be searched has one line that says why.
 std::string impact_lines(const CaseDefinition& definition, const TimeSeries& candidate,
                          const TimeSeries& reference);
 

@@ -424,6 +424,8 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
   EXPECT_NEAR(reference().value(), 1.1 * 100 / 5000, 1e-12);
   row.metric = Metric::impact_arrival;
   EXPECT_EQ(reference().value(), 0.002);
+  row.kind = RowKind::regression;
+  EXPECT_EQ(reference().value(), 0) << "it is as large as when the limit was measured";
 }
 
 TEST(RowUncertainty, OfAnEnsembleThatDrawsItsInputsCountsThemOnce) {

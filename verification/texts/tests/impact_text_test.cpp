@@ -38,6 +38,21 @@ TEST(ImpactText, SaysWhyASeriesHasNone) {
   EXPECT_NE(lines.find("impact_1 of the reference"), std::string::npos);
 }
 
+TEST(ImpactText, ListsThePlateauWhereOneIsPublished) {
+  CaseDefinition definition = published_case();
+  definition.impacts->plateau_begin = 2.45;
+  definition.impacts->plateau_end = 2.65;
+  definition.impacts->plateau = 670;
+  TimeSeries flat = pressure_of({});
+  for (double& value : flat.value) value = 737;
+  const std::string lines = impact_lines(definition, flat, pressure_of({.until = 2.5}));
+  EXPECT_NE(lines.find("plateau of the candidate: 737 Pa, +10 %\n"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("plateau of the reference: wall_pressure@B"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("plateau as published: 670 Pa\n"), std::string::npos) << lines;
+  definition.impacts->plateau = 0;
+  EXPECT_EQ(impact_lines(definition, flat, flat).find("plateau"), std::string::npos);
+}
+
 TEST(ImpactText, IsOfThePressureAtTheCasesImpacts) {
   EXPECT_TRUE(has_impacts(published_case(), impact_pressure));
   EXPECT_FALSE(has_impacts(published_case(), "elevation@left"));
