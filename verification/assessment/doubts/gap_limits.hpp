@@ -2,11 +2,10 @@
 // walls act on a mean velocity v exp(i omega t) over the gap b as the force per mass W v, with
 //   W = i omega T / (1 - T),   T = tanh(kappa) / kappa,   kappa = (b / 2) sqrt(i omega / nu)
 // (Landau & Lifshitz 1987, section 24, problem 6; docs/walls.md, narrow tanks):
-//   friction    Re W, which takes pi Re W / omega of a wave's amplitude in each period
-//   added mass  the share a = Im W / omega of the liquid's inertia, which lowers a natural
-//   frequency
-//               by a / 2. A wave without it runs ahead by the angle pi a in each period, and so
-//               differs by pi a of its amplitude.
+// - Friction: Re W takes pi Re W / omega of a wave's amplitude in each period.
+// - Added mass: the share a = Im W / omega of the liquid's inertia lowers a natural frequency by
+//   a / 2. A wave without it runs ahead by the angle pi a in each period, and so differs by pi a of
+//   its amplitude.
 // With thin layers delta both are pi delta / b of the amplitude. One limit therefore holds for
 // both, and 1 / pi of it is that on the added mass.
 #pragma once
