@@ -23,8 +23,8 @@ struct FindingRow {
   std::string quantity = {};  // a series or a fitted mode, where the function needs one
   std::vector<Threshold> thresholds;
   std::vector<double> printed = {};  // the paper's numbers, where the function compares with them
-  // Whether the claim is about the flow, so that the finest interFoam run that the first case
-  // declares gives a second finding.
+  // Whether the claim is about the flow, so that interFoam gives a second finding: the finest run
+  // of the first case that has three repeats or more, or the finest of all where none has.
   bool by_finest_mesh_too = false;
 };
 

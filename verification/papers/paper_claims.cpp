@@ -1,5 +1,6 @@
 #include "verification/papers/paper_claims.hpp"
 
+#include "verification/case/ensemble.hpp"
 #include "verification/papers/claim_evidence.hpp"
 
 namespace slosh {
@@ -58,7 +59,7 @@ const Threshold smaller_by_a_fifth = at_most(0.8);
 }  // namespace
 
 // A claim on Li et al.'s scheme is decided by the paper's own scheme at its spacing, one on the
-// flow also by the finest interFoam run.
+// flow also by the finest interFoam run that has repeats.
 const std::vector<PaperClaim>& paper_claims() {
   using namespace evidence;
   using namespace paper_cases;
@@ -203,22 +204,35 @@ const std::vector<PaperClaim>& paper_claims() {
 
 namespace {
 
-// Returns the row, and the same row for the finest interFoam run that its first case declares, with
-// or without a result, where the row asks for it.
+// The interval of a mean over fewer repeats of a wave that breaks is too wide to decide anything.
+constexpr std::size_t enough_repeats = 3;
+
+// Returns the finest interFoam run that the case declares, with or without a result, of those with
+// enough repeats, or of all where none has enough. Empty where there is none.
+string finest_mesh(const CaseDefinition& definition) {
+  string finest;
+  std::pair<bool, double> highest{false, 0};  // whether it has enough repeats, and its cells
+  for (const RunDefinition& run : definition.runs) {
+    const InterFoamRun* mesh = std::get_if<InterFoamRun>(&run.solver);
+    if (!mesh || mesh->program != FoamProgram::inter_foam || is_later_member(run)) continue;
+    const std::pair rank{members_of(definition, run.name).size() >= enough_repeats,
+                         number_of_cells(*mesh)};
+    if (rank <= highest) continue;
+    highest = rank;
+    finest = run.name;
+  }
+  return finest;
+}
+
+// Returns the row, and where it asks for it the same row for the finest mesh of its first case.
 std::vector<FindingRow> rows_to_evaluate(const FindingRow& row,
                                          const std::vector<CaseAssessment>& cases) {
   std::vector<FindingRow> rows{row};
   const CaseAssessment* assessment = find_case(cases, row.cases.front());
   if (!row.by_finest_mesh_too || !assessment) return rows;
-  double most_cells = 0;
-  for (const RunDefinition& run : assessment->definition.runs) {
-    const InterFoamRun* mesh = std::get_if<InterFoamRun>(&run.solver);
-    if (!mesh || mesh->program != FoamProgram::inter_foam || number_of_cells(*mesh) <= most_cells)
-      continue;
-    most_cells = number_of_cells(*mesh);
-    rows.resize(1);
+  if (const string mesh = finest_mesh(assessment->definition); !mesh.empty()) {
     rows.push_back(row);
-    rows.back().runs.front() = run.name;
+    rows.back().runs.front() = mesh;
   }
   return rows;
 }

@@ -226,6 +226,25 @@ TEST(ClaimsOnTheFlow, AreJudgedOnTheMeanOfAnEnsembleWithItsInterval) {
   EXPECT_EQ(claim(2, with_repeats(std::vector<LargeRun>(300, flat))).held, Held::no);
 }
 
+TEST(ClaimsOnTheFlow, AreDecidedByACoarserMeshThatAloneHasThreeRepeats) {
+  const LargeRun flat{.first = 0.04, .second = 0.04, .highest = 0.05, .lowest = 0.05};
+  auto cases = spoiled(flat, "interfoam_100x100");
+  for (CaseAssessment* large : {&cases[1], &cases[2]}) {
+    large->definition.runs[1].ensemble = "interfoam_50x50";
+    for (const char* name : {"interfoam_50x50_2", "interfoam_50x50_3"}) {
+      RunDefinition member = large->definition.runs[1];
+      member.name = name;
+      large->definition.runs.push_back(member);
+      large->runs.results[name] = large->runs.results["interfoam_50x50"];
+      large->runs.status[name] = {RunState::finished, ""};
+    }
+  }
+  for (const std::size_t n : {2u, 3u, 4u}) {
+    EXPECT_EQ(claim(n, cases).held, Held::yes) << n << claim(n, cases).why;
+    EXPECT_NE(claim(n, cases).found.find("interfoam_50x50 (mean of 3 repeats)"), std::string::npos);
+  }
+}
+
 TEST(ClaimsOnTheFlow, AreNotDecidableWithoutAMemberOfAnEnsemble) {
   auto cases = with_repeats({larger, larger});
   cases[2].runs.results.erase("li2010_20mm_3");
