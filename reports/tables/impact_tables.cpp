@@ -270,13 +270,13 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
       "Distribution of peaks over repeated runs",
       "Impact peaks of runs that differ only in their random seed, by which their starts are "
       "disturbed or their inputs are drawn, and those of the experiment's repeats. The mean has "
-      "the "
-      "95 % interval of the repeats' scatter. The area metric is the area between the two "
+      "the 95 % interval of the repeats' scatter. The area metric is the area between the two "
       "cumulative distributions, also given in percent of the experiment's mean. Both samples are "
       "small, so even two samples of one distribution have an area metric above zero. In brackets: "
-      "95 % intervals by the bootstrap. p (means): by Welch's test of equal means. The other p: "
-      "the share of random divisions of all peaks into two "
-      "such samples that differ as much or more, by Kolmogorov and Smirnov (KS) and by Anderson "
+      "95 % intervals by the bootstrap. p (means) is that of equal means by Welch's test. The "
+      "other "
+      "two p are the share of random divisions of all peaks into two such samples that differ as "
+      "much or more, by Kolmogorov and Smirnov (KS) and by Anderson "
       "and Darling (AD); below 0.05 the samples are told apart.",
       {"repeats", "pressure", "impact", "occurred in", "mean [Pa]", "sd [Pa]", "central 90 % [Pa]",
        "area metric [Pa]", "area metric [% of mean]", "median over the experiment's",

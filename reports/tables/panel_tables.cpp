@@ -69,9 +69,8 @@ std::string caption(const PanelDefinition& panel) {
       "members let expect (p of 5 % or more). One is apart where the others agree and it alone "
       "differs from their weighted mean, after Holm's correction for the number of runs. Each row "
       "stands for itself: of equal solvers two or three rows in a hundred name one. The last p "
-      "says whether "
-      "one more solver, drawn from those of which the others are a sample, would lie so far; above "
-      "5 % the named run is apart from these others and not from solvers in general.",
+      "judges whether one more solver of the same kind as the others would lie so far from them; "
+      "above 5 % the named run is apart from these others, but not from solvers in general.",
       panel.reason, fewest_members);
   if (panel.air)
     text += fmt::format(

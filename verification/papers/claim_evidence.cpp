@@ -78,14 +78,6 @@ const RunResult& standing_result(const CaseAssessment& assessment, const std::st
                                        message.empty() ? "" : " (" + message + ")"));
 }
 
-std::vector<double> over_members(const CaseAssessment& assessment, const std::string& run,
-                                 const std::function<double(const std::string& member)>& number) {
-  std::vector<double> numbers;
-  for (const std::string& member : members_of(assessment.definition, run))
-    numbers.push_back(number(member));
-  return numbers;
-}
-
 Estimate ratio_of_members(const std::vector<double>& larger, const std::vector<double>& smaller) {
   const auto logarithms = [](std::vector<double> numbers) {
     for (double& one : numbers) one = std::log(one);

@@ -2,7 +2,6 @@
 // Throws std::runtime_error where something is missing, with a message that a claim can repeat.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,11 +18,6 @@ const CaseAssessment& case_named(const std::vector<CaseAssessment>& cases, const
 // Throws where the case declares no such run or the run has no result; the message says how it
 // ended.
 const RunResult& standing_result(const CaseAssessment& assessment, const std::string& run);
-
-// A number of each member of the ensemble that the run begins (case/ensemble.hpp); of a single run,
-// of that run alone. `number` is called with the names of the members.
-std::vector<double> over_members(const CaseAssessment& assessment, const std::string& run,
-                                 const std::function<double(const std::string& member)>& number);
 
 // The geometric mean of the larger over that of the smaller, numbers above zero, with the wider
 // side of its 95 % interval; half width 0 for single ones. Throws std::invalid_argument where one

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "verification/case/ensemble.hpp"
 #include "verification/papers/claim_evidence.hpp"
 #include "verification/papers/findings.hpp"
 #include "verification/papers/surface_spectrum.hpp"
@@ -106,25 +107,18 @@ Finding flattened_crests(const Cases& cases, const FindingRow& row) {
 Finding violent_motion(const Cases& cases, const FindingRow& row) {
   const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const CaseDefinition& definition = assessment.definition;
-  const auto extremes = [&](const std::string& member) {
+  std::vector<double> heights, ratios;
+  for (const std::string& member : members_of(definition, row.runs.at(0))) {
     const TimeSeries elevation = cut_to_window(
         standing_result(assessment, member).at(at_first_gauge(definition, "elevation")),
         comparison_window(definition));
     const auto [lowest, highest] =
         std::minmax_element(elevation.value.begin(), elevation.value.end());
-    return std::pair{*lowest, *highest};
-  };
-  const auto mean_of = [&](const auto& number) {
-    return mean_of_members(over_members(assessment, row.runs.at(0), number));
-  };
-  const Estimate over_depth = mean_of([&](const std::string& member) {
-    return extremes(member).second / definition.liquid.fill_depth;
-  });
-  // A surface that never falls has no trough to compare with.
-  const Estimate ratio = mean_of([&](const std::string& member) {
-    const auto [lowest, highest] = extremes(member);
-    return lowest < 0 ? highest / -lowest : not_a_number;
-  });
+    heights.push_back(*highest / definition.liquid.fill_depth);
+    // A surface that never falls has no trough to compare with.
+    ratios.push_back(*lowest < 0 ? *highest / -*lowest : not_a_number);
+  }
+  const Estimate over_depth = mean_of_members(heights), ratio = mean_of_members(ratios);
   return {
       both(compare(over_depth, row.thresholds.at(0)), compare(ratio, row.thresholds.at(1))),
       fmt::format(
