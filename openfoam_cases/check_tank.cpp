@@ -58,8 +58,11 @@ void check_numbers(const SloshingTank& tank) {
             "zero in three dimensions, where the mesh has the front wall");
   }
   // Beyond 1 MULES is no longer bounded.
-  require(tank.courant_number > 0 && tank.courant_number <= 1, "courant_number",
-          tank.courant_number, "above 0 and at most 1");
+  const auto require_courant_number = [](const char* name, double number) {
+    require(number > 0 && number <= 1, name, number, "above 0 and at most 1");
+  };
+  require_courant_number("courant_number", tank.courant_number);
+  require_courant_number("interface_courant_number", tank.interface_courant_number);
 }
 
 // Refuses what a mesh that an outline cuts cannot carry.

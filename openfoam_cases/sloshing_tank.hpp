@@ -117,9 +117,9 @@ struct SloshingTank {
   std::vector<double> snapshot_times = {};  // [s]
   int cells_x, cells_z;
   int processes = 1;
-  // The largest Courant number, of any cell and of those of the interface. In violent flow it
-  // limits the time step.
-  double courant_number = 0.5;
+  // The largest Courant numbers of any cell and of the cells that the interface cuts. In violent
+  // flow they limit the time step.
+  double courant_number = 0.5, interface_courant_number = 0.5;
   bool no_slip = false;  // at all walls, those of obstacles too; it needs a viscous liquid
   // [m], of the cells beside the walls, from where they grow to uniform ones in the middle
   // (geometry/cell_faces.hpp). Without it all cells are uniform. It excludes obstacles and an

@@ -84,10 +84,11 @@ TEST_F(WrittenCase, NamesItsProgram) {
 
 TEST_F(WrittenCase, LimitsTheCourantNumberOfAllCellsAndOfTheInterface) {
   SloshingTank tank = small_tank();
-  tank.courant_number = 0.25;
+  tank.courant_number = 0.4;
+  tank.interface_courant_number = 0.25;
   write(tank);
   const std::string control = file("system/controlDict");
-  EXPECT_EQ(entry(control, "maxCo"), "0.25");
+  EXPECT_EQ(entry(control, "maxCo"), "0.4");
   EXPECT_EQ(entry(control, "maxAlphaCo"), "0.25");
 }
 
@@ -284,7 +285,9 @@ TEST_F(WrittenCase, RefusesATankThatCannotBe) {
             std::string::npos);
   EXPECT_EQ(refused([](SloshingTank& t) { t.courant_number = 1.1; }),
             "OpenFOAM tank: courant_number = 1.1: expected above 0 and at most 1");
-  EXPECT_NE(refused([](SloshingTank& t) { t.courant_number = NAN; }).find("courant_number = nan"),
+  EXPECT_NE(refused([](SloshingTank& t) {
+              t.interface_courant_number = NAN;
+            }).find("interface_courant_number = nan"),
             std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.processes = 21; }).find("processes"),
             std::string::npos);

@@ -47,7 +47,8 @@ std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& defin
   return "not available";
 }
 
-// Returns " (-0.012)", the difference to the time that the gate expects; empty without such a time.
+// Returns " (-0.012)", the difference to expected_time(); empty where that needs a record that is
+// not supplied.
 std::string time_difference(double time, std::size_t n, const TimeSeries& pressure,
                             const TimeSeries* record, const CaseDefinition& definition) try {
   return fmt::format(" ({:+.3f})", time - expected_time(n, pressure, record, definition));
@@ -171,6 +172,22 @@ Row moments(const Distribution& peaks) {
   return row;
 }
 
+const Row repeat_columns{"repeats",
+                         "pressure",
+                         "impact",
+                         "occurred in",
+                         "mean [Pa]",
+                         "sd [Pa]",
+                         "central 90 % [Pa]",
+                         "area metric [Pa]",
+                         "area metric [% of mean]",
+                         "median over the experiment's",
+                         "quantile of 90 % over the experiment's",
+                         "p (means)",
+                         "p (KS)",
+                         "p (AD)",
+                         "left out (reason)"};
+
 Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
   const ImpactsDefinition& impacts = definition.impacts.value();
   Row row{"experiment", "as published", fmt::format("{}", impact + 1)};
@@ -186,8 +203,28 @@ Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
     const Row rest = moments(peaks);
     row.insert(row.end(), rest.begin(), rest.end());
   }
-  row.insert(row.end(), {"", "", "", "", "", "", "", ""});
+  row.resize(repeat_columns.size());
   return row;
+}
+
+// What the peaks are against those of the experiment's repeats.
+Row against_repeats(const CaseDefinition& definition, const Distribution& peaks,
+                    const PeakSample& sample, std::size_t impact) {
+  if (definition.impacts->repeats.empty()) return {"not supplied"};
+  const Distribution experiment = repeated_peaks(definition, impact);
+  const double area = area_metric(peaks, experiment);
+  const std::string in_pascal = fmt::format("{:.0f}", area);
+  const auto found = against_experiment(definition, sample, impact);
+  if (!found)
+    return {in_pascal, fmt::format("{:.0f}", 100 * area / experiment.mean()),
+            "fewer than 20 peaks"};
+  return {in_pascal,
+          area_text(*found),
+          median_ratio_text(*found),
+          p90_ratio_text(*found),
+          fmt::format("{:.2g}", found->mean_p.value),
+          fmt::format("{:.2g}", found->ks_p.value),
+          fmt::format("{:.2g}", found->ad_p.value)};
 }
 
 Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std::string& pressure,
@@ -197,29 +234,13 @@ Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std:
   Row row{fmt::format("{} to {}", repeats.front()->name, repeats.back()->name),
           pressure_word(pressure), fmt::format("{}", impact + 1),
           fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
-  if (sample.peaks.empty()) {
-    row.insert(row.end(), 10, "");
-  } else {
+  if (!sample.peaks.empty()) {
     const Distribution peaks("peaks of " + repeats.front()->name, sample.peaks);
-    const Row rest = moments(peaks);
-    row.insert(row.end(), rest.begin(), rest.end());
-    if (definition.impacts->repeats.empty()) {
-      row.insert(row.end(), {"not supplied", "", "", "", "", "", ""});
-    } else {
-      const Distribution experiment = repeated_peaks(definition, impact);
-      const double area = area_metric(peaks, experiment);
-      row.push_back(fmt::format("{:.0f}", area));
-      if (const auto found = against_experiment(definition, sample, impact))
-        row.insert(row.end(), {area_text(*found), median_ratio_text(*found), p90_ratio_text(*found),
-                               fmt::format("{:.2g}", found->mean_p.value),
-                               fmt::format("{:.2g}", found->ks_p.value),
-                               fmt::format("{:.2g}", found->ad_p.value)});
-      else
-        row.insert(row.end(), {fmt::format("{:.0f}", 100 * area / experiment.mean()),
-                               "fewer than 20 peaks", "", "", "", ""});
-    }
+    for (const Row& part : {moments(peaks), against_repeats(definition, peaks, sample, impact)})
+      row.insert(row.end(), part.begin(), part.end());
   }
-  row.push_back(fmt::format("{}", fmt::join(sample.left_out, "; ")));
+  row.resize(repeat_columns.size());
+  row.back() = fmt::format("{}", fmt::join(sample.left_out, "; "));
   return row;
 }
 
@@ -278,10 +299,7 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
       "two p are the share of random divisions of all peaks into two such samples that differ as "
       "much or more, by Kolmogorov and Smirnov (KS) and by Anderson "
       "and Darling (AD); below 0.05 the samples are told apart.",
-      {"repeats", "pressure", "impact", "occurred in", "mean [Pa]", "sd [Pa]", "central 90 % [Pa]",
-       "area metric [Pa]", "area metric [% of mean]", "median over the experiment's",
-       "quantile of 90 % over the experiment's", "p (means)", "p (KS)", "p (AD)",
-       "left out (reason)"},
+      repeat_columns,
       {}};
   for (std::size_t impact = 0; impact < definition.impacts->times.size(); ++impact) {
     table.rows.push_back(experiment_row(definition, impact));

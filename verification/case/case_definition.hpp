@@ -210,7 +210,8 @@ struct InterFoamRun {
   double start_disorder = 0;
   int start_seed = 0;
   FoamProgram program = FoamProgram::inter_foam;
-  double interface_courant_number = 0.5;  // the largest, of any cell and of the interface's
+  double courant_number = 0.5;            // the largest of any cell
+  double interface_courant_number = 0.5;  // the largest of the cells that the interface cuts
   bool no_slip = false;                   // the liquid sticks to the walls
   // [m], of the cells beside the walls, from where they grow to uniform ones in the middle. Without
   // it all cells are uniform.
@@ -331,14 +332,15 @@ enum class Input {
   sensor_position,      // m, of every gauge, along x or along its wall
   density,              // kg/m3
   kinematic_viscosity,  // m2/s
-  gravity               // m/s2
+  gravity,              // m/s2
+  start_phase           // deg, of a motion of sines at the start
 };
 
 inline constexpr EnumName<Input> input_names[] = {
     {Input::fill_depth, "fill_depth"}, {Input::period, "period"},
     {Input::amplitude, "amplitude"},   {Input::sensor_position, "sensor_position"},
     {Input::density, "density"},       {Input::kinematic_viscosity, "kinematic_viscosity"},
-    {Input::gravity, "gravity"}};
+    {Input::gravity, "gravity"},       {Input::start_phase, "start_phase"}};
 
 // The half width of the 95 % interval of an input, in its unit.
 struct InputUncertainty {
@@ -450,9 +452,8 @@ struct ImpactsDefinition {
   std::vector<double> peak_deviations;  // [Pa], by impact, if published, else empty
   // [s], after an impact, and the published record's mean there [Pa]; 0 where none is published.
   double plateau_begin, plateau_end, plateau;
-  // The half widths of the 95 % intervals of the times [s] and of the plateau [Pa], if published.
-  std::optional<double> times_half_width = {}, plateau_half_width = {};
-  std::optional<double> peaks_half_width = {};  // [Pa], of the mean peaks, likewise
+  // The half widths of the 95 % intervals of the plateau and of the mean peaks [Pa], if published.
+  std::optional<double> plateau_half_width = {}, peaks_half_width = {};
   // The table of the repeats: the path where it lies or should lie (empty: the case names none),
   // and its peaks [Pa] by impact (empty: it is not supplied).
   std::filesystem::path peak_table;

@@ -54,6 +54,20 @@ void stretch_period(CaseDefinition& definition, double change) {
   if (definition.declared_forcing_frequency) *definition.declared_forcing_frequency /= factor;
 }
 
+// In a tank that surges and rolls, both motions start elsewhere.
+void change_start(CaseDefinition& definition, double radians) {
+  const auto change = [radians](MotionHistory& motion) {
+    if (auto* sine = std::get_if<SineMotion>(&motion))
+      sine->phase += radians;
+    else if (auto* sum = std::get_if<SumOfSines>(&motion))
+      for (SineMotion& one : sum->sines) one.phase += radians;
+    else
+      throw std::logic_error("a table's start has no phase");
+  };
+  if (definition.motion.surge) change(*definition.motion.surge);
+  if (definition.motion.roll) change(definition.motion.roll->angle);
+}
+
 void move_gauges(CaseDefinition& definition, double change) {
   for (GaugeDefinition& gauge : definition.gauges) gauge.x += change;
   for (PressureGaugeDefinition& gauge : definition.pressure_gauges) {
@@ -82,6 +96,8 @@ std::string input_unit(Input input, const MotionDefinition& motion) {
       return "m2/s";
     case Input::gravity:
       return "m/s2";
+    case Input::start_phase:
+      return "deg";
   }
   throw std::logic_error("an input without a unit");
 }
@@ -109,6 +125,9 @@ CaseDefinition with_input(CaseDefinition definition, Input input, double change)
       break;
     case Input::gravity:
       definition.gravity += change;
+      break;
+    case Input::start_phase:
+      change_start(definition, change * pi / 180);
       break;
   }
   return definition;

@@ -14,12 +14,13 @@ namespace slosh {
 // Returns the name in the case file: "fill_depth".
 std::string input_name(Input input);
 
-// Returns "m", "s", "kg/m3", "m2/s" or "m/s2"; of an amplitude "m" (surge) or "deg" (roll).
+// Returns "m", "s", "kg/m3", "m2/s", "m/s2" or "deg"; of an amplitude "m" (surge) or "deg" (roll).
 std::string input_unit(Input input, const MotionDefinition& motion);
 
 // Returns the case with one input increased by `change` [the input's unit]. A change of the period
-// stretches the times of a motion table, a change of the amplitude its values. Gauges move along x,
-// or along their wall.
+// stretches the times of a motion table, a change of the amplitude its values. A change of the
+// start's phase is that of every sine of the motion; std::logic_error is thrown for a table, which
+// has none. Gauges move along x, or along their wall.
 CaseDefinition with_input(CaseDefinition definition, Input input, double change);
 
 // Returns the case that the run solves: with a changed input if the run stands at the end of an

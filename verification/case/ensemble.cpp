@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace slosh {
 namespace {
 
@@ -18,11 +20,12 @@ int& seed_of(RunDefinition& run) {
 
 }  // namespace
 
-std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats) {
+std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats, int quick_repeats) {
   std::vector<RunDefinition> members;
   for (int k = 0; k < repeats; ++k) {
     RunDefinition member = first;
     member.ensemble = first.name;
+    member.quick = first.quick && k < quick_repeats;
     seed_of(member) += k;
     if (k > 0) member.name = fmt::format("{}_{}", first.name, k + 1);
     members.push_back(std::move(member));
@@ -44,6 +47,15 @@ std::vector<std::string> members_of(const CaseDefinition& definition, const std:
   for (const RunDefinition& one : definition.runs)
     if (one.name == run || one.ensemble == run) members.push_back(one.name);
   return members;
+}
+
+void keep_quick_members(CaseDefinition& definition) {
+  std::set<std::string> quick;
+  for (const RunDefinition& run : definition.runs)
+    if (run.quick) quick.insert(run.ensemble);
+  std::erase_if(definition.runs, [&](const RunDefinition& run) {
+    return is_later_member(run) && !run.quick && quick.contains(run.ensemble);
+  });
 }
 
 }  // namespace slosh

@@ -14,8 +14,8 @@ namespace slosh {
 inline constexpr int most_repeats = 1000;
 
 // Returns the members of the ensemble that an SPH or interFoam run begins, with the seeds
-// start_seed, start_seed + 1, ...
-std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats);
+// start_seed, start_seed + 1, ... Of a quick run the first quick_repeats are quick.
+std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats, int quick_repeats);
 
 // Returns the seed of an SPH or interFoam run. Throws std::bad_variant_access for any other.
 int start_seed(const RunDefinition& run);
@@ -25,5 +25,8 @@ bool is_later_member(const RunDefinition& run);
 
 // Returns the names of all members if `run` is the first of an ensemble, and its own otherwise.
 std::vector<std::string> members_of(const CaseDefinition& definition, const std::string& run);
+
+// Takes the members that are not quick out of the ensembles whose first member is.
+void keep_quick_members(CaseDefinition& definition);
 
 }  // namespace slosh

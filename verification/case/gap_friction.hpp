@@ -12,17 +12,26 @@
 // so that no model needs to be chosen. The first term of the second limit alone is 15 % too low at
 // delta = b / 12.
 //
-// The part out of phase, an added mass, is left out: interFoam would need it in the inertia of the
-// liquid. It is r / omega for thin layers and 1/5 in a thin gap, and lowers a natural frequency by
-// half of that. SPH has both parts (sph/terms/gap_layers.hpp).
+// The part out of phase is an added mass,
+//   a = Im(i omega / (1 - tanh(kappa) / kappa)) / omega - 1
+// It is r / omega for thin layers and 1/5 in a thin gap, and lowers a natural frequency by half of
+// that. interFoam leaves it out, as it would need it in the inertia of the liquid; SPH has both
+// parts (sph/terms/gap_layers.hpp).
 #pragma once
 
 #include "verification/case/case_definition.hpp"
 
 namespace slosh {
 
-// Returns the rate r [1/s]; the limit of Poiseuille flow for the frequency 0.
-double friction_between_walls(double gap, double kinematic_viscosity, double angular_frequency);
+struct WallLayers {
+  double friction;    // the rate r [1/s]
+  double added_mass;  // a, as a share of the liquid's inertia
+};
+
+// Returns what the two walls add to the mean motion over the gap [m] of a liquid of this viscosity
+// [m2/s] at this frequency [rad/s]; for the frequency 0 the limit of Poiseuille flow, and nothing
+// for a liquid without viscosity.
+WallLayers layers_between_walls(double gap, double kinematic_viscosity, double angular_frequency);
 
 // Returns the rate r of the case's tank [1/s], or 0 where the case gives no breadth. The frequency
 // is that of the forcing. Where the forcing has no single one, it is the natural frequency of the

@@ -41,7 +41,6 @@ enum class Metric {
   noise_share,    // of the candidate alone
   initial_value,  // of the candidate alone
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
-  impact_time,        // of one impact's peak, less the published one
   plateau_error,      // the mean over the published plateau's time
   impact_percentile,  // the share of the experiment's repeats with a lower peak
   impact_arrival,     // the time at which the pressure first reaches a share of the published peak

@@ -123,7 +123,9 @@ struct Row<InterFoamRun> : CommonRow {
   }
   static std::string changes(const InterFoamRun& mesh) {
     std::vector<std::string> changes;
-    if (mesh.interface_courant_number != InterFoamRun().interface_courant_number)
+    if (mesh.courant_number != InterFoamRun().courant_number)
+      changes.push_back(fmt::format("courant_number = {:g}", mesh.courant_number));
+    if (mesh.interface_courant_number != mesh.courant_number)
       changes.push_back(
           fmt::format("interface_courant_number = {:g}", mesh.interface_courant_number));
     if (mesh.no_slip) changes.push_back("no_slip");
@@ -135,7 +137,7 @@ struct Row<InterFoamRun> : CommonRow {
     json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
     if (mesh.program != FoamProgram::inter_foam) settings["program"] = program(mesh);
     if (const std::string changed = changes(mesh); !changed.empty())
-      settings["changes"] = {mesh.interface_courant_number, mesh.no_slip,
+      settings["changes"] = {mesh.courant_number, mesh.interface_courant_number, mesh.no_slip,
                              mesh.wall_cell.value_or(0)};
     if (mesh.cells_y) settings["cells_y"] = *mesh.cells_y;
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};

@@ -277,7 +277,6 @@ const std::vector<KeyTable>& case_key_tables() {
          "The published impulses: as many as times_s."},
         {"impulses_half_width_Pa_s", "number > 0, Pa s", "no",
          "Half the 95 % interval of the impulses."},
-        {"times_half_width_s", "number > 0, s", "no", "Half the 95 % interval of the times."},
         {"plateau_half_width_Pa", "number > 0, Pa", "no", "Half the 95 % interval of the plateau."},
         {"peak_table", "path below the directory of the user's records", "no",
          "The repeats' own peaks, of up to four impacts."},
@@ -354,6 +353,9 @@ const std::vector<KeyTable>& case_key_tables() {
         {"repeats", "integer from 2 to 1000", "no",
          "The number of runs of an ensemble, which differ only in their seed. It needs "
          "start_disorder > 0 or vary_inputs."},
+        {"quick_repeats", "integer from 1 to repeats", "no",
+         "How many of the repeats belong to the quick form of campaigns. It needs repeats and "
+         "quick. Default: all."},
         {"vary_inputs", "true or false", "no",
          "Whether each repeat draws every [[input]] of the case anew, from the normal distribution "
          "with the declared 95 % interval, by its seed. It needs repeats. Default: false."},
@@ -371,9 +373,12 @@ const std::vector<KeyTable>& case_key_tables() {
         {"cells_z", "integer >= 2", "yes", "The number of cells over the tank's height."},
         {"processes", "integer from 1 to cells_x", "no",
          "The number of MPI processes. Default: 1."},
+        {"courant_number", "number > 0 and <= 1", "no",
+         "The largest Courant number of any cell, which shortens the time step of violent flow. "
+         "Default: 0.5."},
         {"interface_courant_number", "number > 0 and <= 1", "no",
-         "The largest Courant number, of any cell and of those of the interface, which shortens "
-         "the time step of violent flow. Default: 0.5."},
+         "The largest Courant number of the cells that the interface cuts. Default: "
+         "courant_number."},
         {"no_slip", "true or false", "no",
          "Whether the liquid sticks to the walls, which cells much thinner than the Stokes layer "
          "resolve: see wall_cell_m. Default: it slips."},
@@ -396,6 +401,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "not a dam, an initial wave or a tank with obstacles."},
         {"start_seed", "integer >= 0", "no", "The same as for SPH."},
         {"repeats", "integer from 2 to 1000", "no", "The same as for SPH."},
+        {"quick_repeats", "integer from 1 to repeats", "no", "The same as for SPH."},
         {"vary_inputs", "true or false", "no", "The same as for SPH."}}},
       {"run.linear",
        "[[run]] with solver = \"linear\"",
@@ -555,9 +561,11 @@ const std::vector<KeyTable>& case_key_tables() {
        "no",
        "An input that the experiment knows only within an interval.",
        {{"name", "text", "yes",
-         "fill_depth, period, amplitude, sensor_position, density, kinematic_viscosity or gravity, "
-         "each at most once. A still tank has neither period nor amplitude; a tank that surges and "
-         "rolls has no amplitude."},
+         "fill_depth, period, amplitude, start_phase, sensor_position, density, "
+         "kinematic_viscosity "
+         "or gravity, each at most once. A still tank has neither period nor amplitude nor "
+         "start_phase; a tank that surges and rolls has no amplitude, and a motion by a table no "
+         "start_phase."},
         {"half_width", "number > 0", "yes", "Half the width of the 95 % interval, in `unit`."},
         {"unit", "text", "yes", "The input's unit."},
         {"source", "text", "yes", ""},

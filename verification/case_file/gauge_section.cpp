@@ -254,7 +254,6 @@ ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& d
   if (impacts.has("peaks_sd_Pa") || !impacts.has("sought_within_s"))
     read.peak_deviations = read_of_each_impact(impacts, "peaks_sd_Pa", "Pa", count);
   read.peaks_half_width = impacts.find("peaks_half_width_Pa", positive("Pa"));
-  read.times_half_width = impacts.find("times_half_width_s", positive("s"));
   read_plateau(impacts, definition.duration, read);
   read_arrivals(impacts, read);
   read_rise_times(impacts, read);

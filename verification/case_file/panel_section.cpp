@@ -109,13 +109,15 @@ std::string setting_text(const char* key, const std::optional<Value>& value) {
 // writes it. The binding names all members of InterFoamRun, so that it no longer compiles when
 // one is added.
 std::vector<std::string> mesh_settings(const RunDefinition& run) {
-  const auto& [cells_x, cells_z, processes, disorder, seed, program, courant_number, no_slip,
-               wall_cell, cells_y] = std::get<InterFoamRun>(run.solver);
+  const auto& [cells_x, cells_z, processes, disorder, seed, program, courant_number,
+               interface_courant_number, no_slip, wall_cell, cells_y] =
+      std::get<InterFoamRun>(run.solver);
   return {fmt::format("cells_x = {}", cells_x),
           fmt::format("cells_z = {}", cells_z),
           setting_text("cells_y", cells_y),
           setting_text("wall_cell_m", wall_cell),
-          fmt::format("interface_courant_number = {}", courant_number),
+          fmt::format("courant_number = {}", courant_number),
+          fmt::format("interface_courant_number = {}", interface_courant_number),
           fmt::format("no_slip = {}", no_slip),
           fmt::format("processes = {}", processes),
           fmt::format("start_disorder = {}", disorder),

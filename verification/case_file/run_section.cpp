@@ -173,6 +173,8 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
   const bool no_slip = run.flag("no_slip");
   if (no_slip && !(definition.liquid.kinematic_viscosity > 0))
     run.refuse("no_slip", "no such key for a liquid without viscosity, which slips");
+  const double courant_number =
+      run.find("courant_number", a_courant_number).value_or(InterFoamRun().courant_number);
   const DisturbedStart start = read_start(run, a_disturbed_level);
   if (start.disorder > 0 &&
       (definition.initial_wave || definition.liquid.column_width || !definition.obstacles.empty()))
@@ -185,8 +187,9 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
           .start_disorder = start.disorder,
           .start_seed = start.seed,
           .program = program,
-          .interface_courant_number = run.find("interface_courant_number", a_courant_number)
-                                          .value_or(InterFoamRun().interface_courant_number),
+          .courant_number = courant_number,
+          .interface_courant_number =
+              run.find("interface_courant_number", a_courant_number).value_or(courant_number),
           .no_slip = no_slip,
           .wall_cell = wall_cell,
           .cells_y = read_cells_y(run, definition, no_slip)};
@@ -412,7 +415,13 @@ std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition&
   const auto repeats =
       run.find<int>("repeats", {fmt::format("an integer from 2 to {}", most_repeats),
                                 [](int count) { return count >= 2 && count <= most_repeats; }, 2});
-  return repeats ? ensemble_of(read, *repeats) : std::vector{read};
+  if (run.has("quick_repeats") && !(repeats && read.quick))
+    run.refuse("quick_repeats",
+               "no such key without repeats and quick: it says how many repeats are quick");
+  if (!repeats) return {read};
+  const Rule<int> some{fmt::format("an integer from 1 to repeats ({})", *repeats),
+                       [&](int count) { return count >= 1 && count <= *repeats; }, 1};
+  return ensemble_of(read, *repeats, run.find("quick_repeats", some).value_or(*repeats));
 }
 
 }  // namespace slosh

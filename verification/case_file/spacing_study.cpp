@@ -30,7 +30,7 @@ void require_spacings(const std::vector<double>& spacings) {
 
 // A study has single runs, of the case as it is.
 toml::table single_run(const TomlTable& run) {
-  return toml::parse(run.without({"repeats", "vary_inputs"}).as_toml());
+  return toml::parse(run.without({"repeats", "quick_repeats", "vary_inputs"}).as_toml());
 }
 
 // Returns the table of the run in the file. Throws CaseFileError with the nearest names.

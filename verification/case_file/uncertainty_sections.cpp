@@ -60,12 +60,20 @@ const char* runs_with(RefinedNumber number) {
   return "SPH runs";
 }
 
+bool is_table(const MotionHistory& motion) { return std::holds_alternative<TableMotion>(motion); }
+
+bool has_input(const MotionDefinition& motion, Input input) {
+  if (input == Input::start_phase)
+    return !motion.still() && !(motion.surge && is_table(*motion.surge)) &&
+           !(motion.roll && is_table(motion.roll->angle));
+  const bool of_motion = input == Input::period || input == Input::amplitude;
+  return !of_motion || !motion.still();
+}
+
 Input read_name(const TomlTable& table, const CaseDefinition& definition) {
   std::vector<std::string> names;
-  for (const auto& [input, name] : input_names) {
-    const bool of_motion = input == Input::period || input == Input::amplitude;
-    if (!of_motion || !definition.motion.still()) names.push_back(name);
-  }
+  for (const auto& [input, name] : input_names)
+    if (has_input(definition.motion, input)) names.push_back(name);
   return value_of(table.choice("name", "an input that this case has", names), input_names);
 }
 

@@ -60,7 +60,7 @@ Contribution of_record(const CaseRuns& runs, const GateRow& row, const RecordRun
 // What a p-value says of a difference does not depend on where the difference comes from.
 constexpr const char* of_the_ensemble = "the test is of the ensemble as it is";
 
-// The uncertainty of the published impacts' times, plateau and repeats.
+// The uncertainty of the published figures of the impacts.
 Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, double value) {
   const auto half_width = [&](const std::optional<double>& declared, double scale,
                               const char* key) {
@@ -68,8 +68,6 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
                     : Contribution::unknown(fmt::format(
                           "[impacts] declares no uncertainty; its key {} would provide it", key));
   };
-  if (row.metric == Metric::impact_time)
-    return half_width(impacts.times_half_width, 1, "times_half_width_s");
   if (row.metric == Metric::plateau_error)
     return half_width(impacts.plateau_half_width, std::abs(1 + value) / impacts.plateau,
                       "plateau_half_width_Pa");

@@ -125,8 +125,6 @@ double impact_metric(Metric metric, const std::string& mode, const TimeSeries& p
   const std::size_t n = impact_number(mode, definition);
   const std::optional<ImpactPeak> peak = peak_in(pressure, n, record, definition);
   switch (metric) {
-    case Metric::impact_time:
-      return peak ? peak->time - expected_time(n, pressure, record, definition) : not_a_number;
     case Metric::impact_percentile: {
       const Distribution repeats = repeated_peaks(definition, n);
       return peak ? repeats.percentile(peak->pressure) / 100 : not_a_number;

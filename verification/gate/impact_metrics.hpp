@@ -1,8 +1,8 @@
-// A run's impacts compared with the published ones of its case: the time of each impact, the height
-// of the plateau after it, and the percentile of its peak among the peaks of the experiment's
-// repeats, no two of which are equal. An impact's peak is sought within a quarter of a period of
-// its published time (impact_peaks.hpp), in the whole history and not in the comparison's window
-// alone.
+// A run's impacts compared with the published ones of its case: the arrival of each impact, the
+// height of the plateau after it, and the percentile of its peak among the peaks of the
+// experiment's repeats, no two of which are equal. An impact's peak is sought within a quarter of a
+// period of its published time (impact_peaks.hpp), in the whole history and not in the comparison's
+// window alone.
 #pragma once
 
 #include <optional>
@@ -36,11 +36,11 @@ double plateau_error(const TimeSeries& pressure, const CaseDefinition& definitio
 // The peaks of the n-th impact in all repeats [Pa], n from 0. Throws NotSuppliedError.
 Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n);
 
-// The time at which the n-th impact should occur [s]. In the unfiltered pressure this is the
-// published time. The filter moves the peaks, so that in the filtered pressure it is the time of
-// the peak in `record`, the record's series of the same name filtered alike; nullptr where there is
-// none. Throws NotSuppliedError where the record is needed and missing, and ComparisonError where
-// it does not have the impact.
+// The time that the highest sample of the n-th impact should have [s]; reports tell the difference,
+// no metric does. In the unfiltered pressure this is the published time. The filter moves the
+// peaks, so that in the filtered pressure it is the time of the peak in `record`, the record's
+// series of the same name filtered alike; nullptr where there is none. Throws NotSuppliedError
+// where the record is needed and missing, and ComparisonError where it does not have the impact.
 double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries* record,
                      const CaseDefinition& definition);
 

@@ -113,7 +113,6 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::largest_magnitude:
     case Metric::noise_share:
     case Metric::initial_value:
-    case Metric::impact_time:
     case Metric::plateau_error:
     case Metric::impact_percentile:
     case Metric::impact_arrival:

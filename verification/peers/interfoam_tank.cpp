@@ -68,7 +68,8 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .cells_x = run.cells_x,
       .cells_z = run.cells_z,
       .processes = run.processes,
-      .courant_number = run.interface_courant_number,
+      .courant_number = run.courant_number,
+      .interface_courant_number = run.interface_courant_number,
       .no_slip = run.no_slip,
       .wall_cell = run.wall_cell,
       .program = program_of(run.program)};

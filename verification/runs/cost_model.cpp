@@ -54,7 +54,8 @@ double time_of(const SphRun& sph, const RunEffort& effort, const CaseDefinition&
 double time_of(const InterFoamRun&, const RunEffort& effort, const CaseDefinition& definition) {
   constexpr double start = 0.5;                // [s], the mesh and the reading of the results
   constexpr double shallow = 0.15, bores = 3;  // depth over length; times as long
-  const double equations = (effort.pressure_corrections + 2) / 4.0 * effort.elements;
+  const double equations =
+      effort.outer_corrections * (effort.pressure_corrections + 2) / 4.0 * effort.elements;
   const bool is_shallow =
       definition.liquid.fill_depth < shallow * still_surface(definition).length();
   return start + effort.steps * (is_shallow ? bores : 1) *

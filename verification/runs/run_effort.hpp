@@ -8,7 +8,8 @@ namespace slosh {
 struct RunEffort {
   double steps = 0;              // in time; for potential flow and theory the samples
   double elements = 0;           // particles, cells, nodes or modes
-  int pressure_corrections = 0;  // pressure equations that interFoam solves in a step
+  int outer_corrections = 0;     // how often a step of OpenFOAM solves its equations
+  int pressure_corrections = 0;  // pressure equations in each of these solutions
 };
 
 // Violent flow shortens the steps and takes more of them; potential flow that leaves its range

@@ -62,6 +62,20 @@ TEST_F(Tool, EndsWithFourWhereNothingWasCompared) {
   EXPECT_FALSE(fs::exists(result("particles")));
 }
 
+TEST_F(Tool, JudgesTheQuickFormByItsRepeatsAlone) {
+  const std::string repeated =
+      with(particles_case, "particle_spacing_m = 0.025",
+           "particle_spacing_m = 0.025\nstart_disorder = 1e-6\nrepeats = 3\nquick_repeats = 2\n"
+           "quick = true");
+  write_campaign(repeated);
+  const Ended run = tool({"campaign", "./surges.toml", "--quick", "--output", "out"});
+  EXPECT_EQ(run.status, 0) << run.err << run.out;
+  EXPECT_TRUE(holds(run.out, "PASS: 1 of 1 gate rows hold."));
+  EXPECT_TRUE(holds(read(report() / "small.md"), "2 repeats"));
+  EXPECT_TRUE(fs::exists(result("particles_2")));
+  EXPECT_FALSE(fs::exists(result("particles_3")));
+}
+
 // Nothing failed where a reference is out of its range: every output has the one word for that.
 TEST_F(Tool, SaysNotComparedInAllOutputsWhereAReferenceIsOutOfItsRange) {
   write_campaign(with(particles_case, "valid_elevation_over_depth = 0.2",

@@ -2,25 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <complex>
 #include <numbers>
 #include <optional>
 
 #include "verification/assessment/doubts/flow_scales.hpp"
+#include "verification/case/gap_friction.hpp"
 
 namespace slosh {
 namespace {
 
 using std::numbers::pi;
-
-// Returns a.
-double added_mass(double gap, double kinematic_viscosity, double frequency) {
-  if (kinematic_viscosity == 0) return 0;
-  const std::complex<double> i{0, 1};
-  const std::complex<double> kappa = 0.5 * gap * std::sqrt(i * frequency / kinematic_viscosity);
-  return (1.0 / (1.0 - std::tanh(kappa) / kappa)).real() - 1;
-}
 
 bool is_plane(const RunDefinition& run) {
   const auto* mesh = std::get_if<InterFoamRun>(&run.solver);
@@ -45,7 +36,8 @@ std::vector<ModelLimit> gap_limits(const CaseDefinition& definition) {
   if (!gap) return {undeclared_breadth(definition, stokes_layer(definition, *frequency))};
   const std::vector<std::string> runs = runs_with(definition, is_plane);
   if (runs.empty()) return {};
-  const double mass = added_mass(*gap, definition.liquid.kinematic_viscosity, *frequency);
+  const double mass =
+      layers_between_walls(*gap, definition.liquid.kinematic_viscosity, *frequency).added_mass;
   return {
       {fmt::format("the added mass of the layers on the front and the back wall, which lowers a "
                    "natural frequency by {:.2g} %, in {}",

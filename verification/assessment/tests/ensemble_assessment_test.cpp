@@ -23,7 +23,8 @@ struct Repeated {
   explicit Repeated(const std::vector<double>& errors, double limit) {
     RunDefinition first = run_named(definition, "particles");
     std::get<SphRun>(first.solver).start_disorder = 1e-6;
-    const auto members = ensemble_of(first, static_cast<int>(errors.size()));
+    const int count = static_cast<int>(errors.size());
+    const auto members = ensemble_of(first, count, count);
     std::erase_if(definition.runs, [](const auto& run) { return run.name == "particles"; });
     definition.runs.insert(definition.runs.end(), members.begin(), members.end());
     for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -120,7 +121,7 @@ CaseAssessment of_peaks() {
   sph.start_disorder = 0.05;
   first.solver = sph;
   CaseDefinition& definition = assessment.definition;
-  definition.runs = ensemble_of(first, 25);
+  definition.runs = ensemble_of(first, 25, 25);
   for (std::size_t k = 0; k < definition.runs.size(); ++k) {
     const std::string& name = definition.runs[k].name;
     assessment.runs.status[name] = {RunState::finished, ""};

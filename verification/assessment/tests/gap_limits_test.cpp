@@ -71,7 +71,7 @@ TEST(GapLimits, LeaveTheAddedMassToRunsThatHaveIt) {
 TEST(GapLimits, ShiftAWaveOfWaterByAsMuchAsTheFrictionTakesFromIt) {
   const auto limit = found_limit(rolling_tank(8.96e-7, 3.840445, plane_mesh), added_mass);
   ASSERT_TRUE(limit);
-  const double friction = friction_between_walls(0.062, 8.96e-7, 3.840445);
+  const double friction = layers_between_walls(0.062, 8.96e-7, 3.840445).friction;
   EXPECT_NEAR(limit->value / (friction / 3.840445), 1, 0.03);
   EXPECT_TRUE(limit->exceeded());
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+#include <stdexcept>
+
 #include "verification/case/motion.hpp"
 
 namespace slosh::changed_input_test {
@@ -27,6 +30,20 @@ TEST(ChangedInput, RaisesEveryValueOfATableByTheShareOfItsLargest) {
   const CaseDefinition raised = with_input(definition, Input::amplitude, 0.02);
   EXPECT_DOUBLE_EQ(std::get<TableMotion>(*raised.motion.surge).value[1], 0.11);
   EXPECT_DOUBLE_EQ(std::get<TableMotion>(*raised.motion.surge).value[2], -0.22);
+}
+
+TEST(ChangedInput, StartsEverySineElsewhereInItsPeriod) {
+  const CaseDefinition later = with_input(of_two_sines(), Input::start_phase, 90);
+  const std::vector<SineMotion> sines = sines_of(*later.motion.surge);
+  EXPECT_DOUBLE_EQ(sines.at(0).phase, 0.5 + std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(sines.at(1).phase, std::numbers::pi / 2);
+  CaseDefinition rolling{};
+  rolling.motion.roll = RollDefinition{SineMotion{0.07, 3.8}, 0.45, 0};
+  const RollMotion roll = *roll_motion(with_input(rolling, Input::start_phase, 90));
+  EXPECT_NEAR(roll.angle(0), 0.07, 1e-15);
+  EXPECT_NEAR(roll.rate(0), 0, 1e-15);
+  rolling.motion.roll->angle = TableMotion{};
+  EXPECT_THROW(with_input(rolling, Input::start_phase, 1), std::logic_error);
 }
 
 TEST(ChangedInput, StretchesEverySineThatSharesThePeriod) {

@@ -55,7 +55,7 @@ CaseDefinition with_ensembles() {
   definition.inputs = declared;
   RunDefinition run = named("mesh", InterFoamRun{80, 30});
   run.varies_inputs = true;
-  definition.runs = ensemble_of(run, 3);
+  definition.runs = ensemble_of(run, 3, 3);
   definition.runs.push_back(named("alone", SphRun{"recommended", 0.01, 0.01}));
   draw_inputs(definition);
   return definition;

@@ -15,34 +15,51 @@ double viscosity_of_layer(double share, double omega) {
   return 0.5 * omega * share * share * gap * gap;
 }
 
-TEST(FrictionBetweenWalls, IsThatOfPoiseuilleFlowWhereTheLayersFillTheGap) {
+TEST(LayersBetweenWalls, IsThatOfPoiseuilleFlowWhereTheLayersFillTheGap) {
   for (const double share : {2.0, 20.0, 2000.0}) {
     const double nu = viscosity_of_layer(share, 4), expected = 12 * nu / (gap * gap);
-    EXPECT_NEAR(friction_between_walls(gap, nu, 4), expected, 1e-4 * expected) << share;
+    EXPECT_NEAR(layers_between_walls(gap, nu, 4).friction, expected, 1e-4 * expected) << share;
   }
-  EXPECT_DOUBLE_EQ(friction_between_walls(gap, 5e-5, 0), 12 * 5e-5 / (gap * gap));
+  EXPECT_DOUBLE_EQ(layers_between_walls(gap, 5e-5, 0).friction, 12 * 5e-5 / (gap * gap));
 }
 
-TEST(FrictionBetweenWalls, IsThatOfTwoStokesLayersWhereTheyAreThin) {
+// The mean inertia of a parabolic profile is 6/5 of that of a uniform one.
+TEST(LayersBetweenWalls, AddAFifthOfTheInertiaWhereTheyFillTheGap) {
+  for (const double share : {2.0, 20.0, 2000.0})
+    EXPECT_NEAR(layers_between_walls(gap, viscosity_of_layer(share, 4), 4).added_mass, 0.2, 1e-4)
+        << share;
+  EXPECT_DOUBLE_EQ(layers_between_walls(gap, 5e-5, 0).added_mass, 0.2);
+}
+
+TEST(LayersBetweenWalls, AddTheMassOfHalfALayerOnEachWallWhereTheyAreThin) {
+  for (const double share : {0.01, 1e-3, 1e-4})
+    EXPECT_NEAR(layers_between_walls(gap, viscosity_of_layer(share, 4), 4).added_mass, share,
+                0.02 * share)
+        << share;
+}
+
+TEST(LayersBetweenWalls, IsThatOfTwoStokesLayersWhereTheyAreThin) {
   for (const double share : {0.05, 0.01, 1e-4}) {
     const double nu = viscosity_of_layer(share, 4),
                  expected = 2 / gap * std::sqrt(0.5 * nu * 4) + 4 * nu / (gap * gap);
-    EXPECT_NEAR(friction_between_walls(gap, nu, 4), expected, 0.006 * expected) << share;
+    EXPECT_NEAR(layers_between_walls(gap, nu, 4).friction, expected, 0.006 * expected) << share;
   }
 }
 
-// The series for a thin gap is used below |kappa| = 1e-3.
-TEST(FrictionBetweenWalls, HasNoJumpBetweenItsSeriesAndItsFormula) {
-  const double nu = 1e-2, omega = 4 * nu * 1e-6 / (gap * gap);
-  EXPECT_NEAR(
-      friction_between_walls(gap, nu, 1.01 * omega) / friction_between_walls(gap, nu, 0.99 * omega),
-      1, 1e-8);
+// The series for a thin gap is used below |kappa| = 0.1.
+TEST(LayersBetweenWalls, HasNoJumpBetweenItsSeriesAndItsFormula) {
+  const double nu = 1e-2, omega = 4 * nu * 0.01 / (gap * gap);
+  const WallLayers above = layers_between_walls(gap, nu, 1.01 * omega),
+                   below = layers_between_walls(gap, nu, 0.99 * omega);
+  EXPECT_NEAR(above.friction / below.friction, 1, 1e-8);
+  EXPECT_NEAR(above.added_mass / below.added_mass, 1, 1e-6);
 }
 
 // The oil of 5e-5 m2/s in a tank 62 mm broad, at 4 rad/s: the formula evaluated on its own.
-TEST(FrictionBetweenWalls, OfAnOilIsAThirdOfASecond) {
-  EXPECT_NEAR(friction_between_walls(gap, 5e-5, 4), 0.378738, 1e-6);
-  EXPECT_EQ(friction_between_walls(gap, 0, 4), 0);
+TEST(LayersBetweenWalls, OfAnOilIsAThirdOfASecond) {
+  EXPECT_NEAR(layers_between_walls(gap, 5e-5, 4).friction, 0.378738, 1e-6);
+  EXPECT_EQ(layers_between_walls(gap, 0, 4).friction, 0);
+  EXPECT_EQ(layers_between_walls(gap, 0, 4).added_mass, 0);
 }
 
 CaseDefinition narrow_tank() {
@@ -61,15 +78,15 @@ double natural_frequency(int mode) {
 TEST(GapFriction, TakesTheForcingsFrequencyOrANaturalOne) {
   CaseDefinition definition = narrow_tank();
   EXPECT_DOUBLE_EQ(gap_friction(definition),
-                   friction_between_walls(gap, 5e-5, natural_frequency(1)));
+                   layers_between_walls(gap, 5e-5, natural_frequency(1)).friction);
   definition.initial_wave = InitialWaveDefinition{3, 0.01};
   EXPECT_DOUBLE_EQ(gap_friction(definition),
-                   friction_between_walls(gap, 5e-5, natural_frequency(3)));
+                   layers_between_walls(gap, 5e-5, natural_frequency(3)).friction);
   definition.motion.roll = RollDefinition{SineMotion{0.07, 3.8}, 0.45, 0};
-  EXPECT_DOUBLE_EQ(gap_friction(definition), friction_between_walls(gap, 5e-5, 3.8));
+  EXPECT_DOUBLE_EQ(gap_friction(definition), layers_between_walls(gap, 5e-5, 3.8).friction);
   definition.motion.roll->angle = TableMotion{};
   definition.declared_forcing_frequency = 4.2;
-  EXPECT_DOUBLE_EQ(gap_friction(definition), friction_between_walls(gap, 5e-5, 4.2));
+  EXPECT_DOUBLE_EQ(gap_friction(definition), layers_between_walls(gap, 5e-5, 4.2).friction);
 }
 
 TEST(GapFriction, IsZeroWithoutABreadth) {

@@ -84,7 +84,7 @@ TEST(MetricTable, NoLimitIsSoWideThatNothingViolatesIt) {
     EXPECT_NE(rule.expected.find(entry.widest.because), std::string::npos);
   }
   EXPECT_EQ(widest_bound(metric_entry(Metric::time_lag), scales), 2);
-  EXPECT_EQ(widest_bound(metric_entry(Metric::impact_time), scales), 0.5);
+  EXPECT_EQ(widest_bound(metric_entry(Metric::impact_arrival), scales), 0.5);
 }
 
 }  // namespace

@@ -78,7 +78,9 @@ TEST(SolverKinds, TellTheProgramsOfOpenFoamApart) {
 TEST(SolverKinds, TellAMeshWithAnotherCourantNumberApart) {
   const RunDefinition usual = run_of(InterFoamRun{50, 40});
   InterFoamRun mesh{50, 40};
-  mesh.interface_courant_number = 0.25;
+  mesh.courant_number = mesh.interface_courant_number = 0.25;
+  EXPECT_EQ(work_family(run_of(mesh)), "interFoam, courant_number = 0.25");
+  mesh.courant_number = 0.5;
   const RunDefinition shorter = run_of(mesh);
   EXPECT_EQ(family(shorter), "interFoam");
   EXPECT_EQ(work_family(shorter), "interFoam, interface_courant_number = 0.25");

@@ -57,7 +57,7 @@ TEST(GapFriction, OfAnOutlineNeedsTheForcingsFrequency) {
   definition.tank.breadth = 0.1;
   EXPECT_THROW(gap_friction(definition), std::invalid_argument);
   definition.motion.surge = SineMotion{0.01, 3.8};
-  EXPECT_DOUBLE_EQ(gap_friction(definition), friction_between_walls(0.1, 1e-6, 3.8));
+  EXPECT_DOUBLE_EQ(gap_friction(definition), layers_between_walls(0.1, 1e-6, 3.8).friction);
 }
 
 TEST(ChangedSensorPosition, FollowsTheOutline) {

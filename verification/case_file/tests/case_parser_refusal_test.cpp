@@ -49,8 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes, interface_courant_number, no_slip, wall_cell_m, "
-                "cells_y, start_disorder, start_seed, repeats, vary_inputs; nearest known "
+                "cells_x, cells_z, processes, courant_number, interface_courant_number, no_slip, "
+                "wall_cell_m, cells_y, start_disorder, start_seed, repeats, quick_repeats, "
+                "vary_inputs; nearest known "
                 "key: "},
         Mistake{"ExpectedSpeedOfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nexpected_speed = \"coarse_run\""},
@@ -61,9 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:46: run.expected_speed = \"fine_run\": expected where the expected "
                 "largest speed comes from, one of estimate, coarse_run"},
         Mistake{"CourantNumberAboveOne",
-                {"cells_x = 50", "cells_x = 50\ninterface_courant_number = 1.5"},
-                "trial.toml:51: run.interface_courant_number = 1.5: expected a number > 0 and <= "
-                "1"},
+                {"cells_x = 50", "cells_x = 50\ncourant_number = 1.5"},
+                "trial.toml:51: run.courant_number = 1.5: expected a number > 0 and <= 1"},
         Mistake{"WallCellThickerThanTheCells",
                 {"cells_x = 50", "cells_x = 50\nwall_cell_m = 0.1"},
                 "trial.toml:51: run.wall_cell_m = 0.1: expected a number > 0 and <= "},
@@ -425,7 +425,7 @@ INSTANTIATE_TEST_SUITE_P(
             "maximum_residual, time_lag, aligned_rms, largest_magnitude, "
             "band_energy_error, cross_correlation_lag, spectral_peak_error, rms_error, "
             "crest_error, trough_error, "
-            "mean_offset, noise_share, initial_value, impact_time, "
+            "mean_offset, noise_share, initial_value, "
             "plateau_error, impact_percentile, impact_arrival, impact_rise_time, "
             "impact_peak_error, "
             "impulse_error, peak_mean_p_value, peak_ks_p_value, peak_ad_p_value, peak_area, "

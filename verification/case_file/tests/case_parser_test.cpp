@@ -148,10 +148,15 @@ TEST(CaseParser, ReadsTheProgramOfOpenFoamAndItsSettings) {
   EXPECT_EQ(run_of("interisofoam", "").program, FoamProgram::inter_iso_foam);
   EXPECT_EQ(run_of("compressible_interfoam", "").program, FoamProgram::compressible_inter_foam);
   const InterFoamRun plain = run_of("interfoam", "");
+  EXPECT_EQ(plain.courant_number, 0.5);
   EXPECT_EQ(plain.interface_courant_number, 0.5);
+  const InterFoamRun short_steps = run_of("interfoam", "courant_number = 0.25");
+  EXPECT_EQ(short_steps.courant_number, 0.25);
+  EXPECT_EQ(short_steps.interface_courant_number, 0.25);
   EXPECT_FALSE(plain.no_slip || plain.wall_cell);
   const InterFoamRun changed =
       run_of("interfoam", "interface_courant_number = 0.25\nno_slip = true\nwall_cell_m = 0.02");
+  EXPECT_EQ(changed.courant_number, 0.5);
   EXPECT_EQ(changed.interface_courant_number, 0.25);
   EXPECT_TRUE(changed.no_slip);
   EXPECT_EQ(changed.wall_cell, 0.02);
@@ -601,6 +606,31 @@ TEST(Ensemble, IsRefusedWhereItsMembersWouldBeOneRun) {
     EXPECT_NE(complaint_of(std::string("start_disorder = 1e-6\nrepeats = ") + count + "\n")
                   .find("expected an integer from 2 to 1000"),
               std::string::npos);
+}
+
+TEST(Ensemble, MayHaveFewerMembersInTheQuickForm) {
+  CaseDefinition definition = read_text(edited(
+      {"quick = true\n", "start_disorder = 1e-6\nrepeats = 3\nquick_repeats = 2\nquick = true\n"}));
+  ASSERT_EQ(definition.runs.size(), 5U);
+  EXPECT_TRUE(definition.runs[1].quick);
+  EXPECT_TRUE(definition.runs[2].quick);
+  EXPECT_FALSE(definition.runs[3].quick);
+  EXPECT_EQ(members_of(definition, "coarse").size(), 3U);
+  keep_quick_members(definition);
+  EXPECT_EQ(members_of(definition, "coarse"), (std::vector<std::string>{"coarse", "coarse_2"}));
+  EXPECT_EQ(definition.runs.size(), 4U) << "single runs stay, as the quick form tells of them";
+
+  const auto complaint_of = [](const std::string& keys) {
+    return complaint_about({"quick = true\n", "start_disorder = 1e-6\n" + keys});
+  };
+  const char* needed = "expected no such key without repeats and quick";
+  EXPECT_NE(complaint_of("quick = true\nquick_repeats = 2\n").find(needed), std::string::npos);
+  EXPECT_NE(complaint_of("repeats = 3\nquick_repeats = 2\n").find(needed), std::string::npos);
+  for (const char* count : {"0", "4"})
+    EXPECT_NE(
+        complaint_of(std::string("repeats = 3\nquick = true\nquick_repeats = ") + count + "\n")
+            .find("expected an integer from 1 to repeats (3)"),
+        std::string::npos);
 }
 
 TEST(Ensemble, IsRefusedWhereAMemberHasTheNameOfAnotherRun) {

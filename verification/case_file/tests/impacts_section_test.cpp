@@ -20,6 +20,7 @@ plateau_end_s = 2.65
 plateau_Pa = 670
 source = "a paper"
 )";
+const std::string arrivals = "arrival_share = 0.3\narrivals_s = [2.37, 4.06, 5.7]\n";
 const std::string peaks = "mbar\n1st 2nd 3rd 4th\n30 40 50 60\n31 41 51 61\n";
 
 std::string text_with(const std::string& section) {
@@ -179,13 +180,13 @@ constexpr const char* limit = "limit = 0.1";
 constexpr const char* bounds = "lower = 0.05\nupper = 0.95";
 
 TEST(GateOnImpacts, TakesThePressureAtTheirGauge) {
-  std::string text = text_with(impacts);
+  std::string text = text_with(impacts + arrivals);
   text.replace(text.find("position_m = 0.1\n"), 16, "position_m = 0.1\nfilter_cutoff_Hz = 20");
   const CaseDefinition definition =
-      read_text(text + row_on("wall_pressure@B", "impact_3", "impact_time", "s", limit) +
+      read_text(text + row_on("wall_pressure@B", "impact_3", "impact_arrival", "s", limit) +
                 row_on("wall_pressure@B/filtered", "whole", "plateau_error", "1", limit) +
                 row_on("wall_pressure@B", "impact_1", "impact_percentile", "1", bounds));
-  EXPECT_EQ(definition.gate.at(1).metric, Metric::impact_time);
+  EXPECT_EQ(definition.gate.at(1).metric, Metric::impact_arrival);
   EXPECT_EQ(definition.gate[1].mode, "impact_3");
   EXPECT_TRUE(definition.gate[1].reference.empty());
   EXPECT_EQ(definition.gate.at(2).quantity, "wall_pressure@B/filtered");
@@ -195,25 +196,28 @@ TEST(GateOnImpacts, TakesThePressureAtTheirGauge) {
 TEST(GateOnImpacts, IsRefusedByItsLine) {
   const std::string pressure = "wall_pressure@B";
   const std::vector<std::pair<std::string, std::string>> mistakes{
-      {row_on("wall_pressure@C", "impact_1", "impact_time", "s", limit),
+      {row_on(pressure, "impact_1", "impact_time", "s", limit),
+       "gate.metric = \"impact_time\": expected a metric, one of amplitude_error, "},
+      {row_on("wall_pressure@C", "impact_1", "impact_arrival", "s", limit),
        "gate.quantity = \"wall_pressure@C\": expected the pressure at the gauge of [impacts], "
        "which "
        "is wall_pressure@B"},
-      {row_on(pressure, "impact_4", "impact_time", "s", limit),
-       "gate.mode = \"impact_4\": expected what impact_time is measured on, one of impact_1, "
+      {row_on(pressure, "impact_4", "impact_arrival", "s", limit),
+       "gate.mode = \"impact_4\": expected what impact_arrival is measured on, one of impact_1, "
        "impact_2, impact_3"},
       {row_on(pressure, "impact_1", "plateau_error", "1", limit),
        "gate.mode = \"impact_1\": expected what plateau_error is measured on, which is whole"},
-      {row_on(pressure, "impact_1", "impact_time", "ms", limit),
-       "gate.unit = \"ms\": expected the unit of impact_time, which is s"},
+      {row_on(pressure, "impact_1", "impact_arrival", "ms", limit),
+       "gate.unit = \"ms\": expected the unit of impact_arrival, which is s"},
       {row_on(pressure, "impact_1", "impact_percentile", "1", limit),
        "gate = a row on impact_percentile: expected lower with upper"},
-      {row_on(pressure, "impact_1", "impact_time", "s", "limit = 0.1\nreference = \"theory\""),
-       "gate.reference = \"theory\": expected no reference: impact_time is measured on the "
+      {row_on(pressure, "impact_1", "impact_arrival", "s", "limit = 0.1\nreference = \"theory\""),
+       "gate.reference = \"theory\": expected no reference: impact_arrival is measured on the "
        "published impacts"}};
   for (const auto& [row, wanted] : mistakes) {
     const Workspace workspace;
-    const std::string message = complaint(workspace.write("trial.toml", text_with(impacts) + row));
+    const std::string message =
+        complaint(workspace.write("trial.toml", text_with(impacts + arrivals) + row));
     EXPECT_NE(message.find(wanted), message.npos)
         << "got:    " << message << "\nwanted: " << wanted;
   }
@@ -263,10 +267,11 @@ TEST(GateOnImpacts, TakesARiseTimeWhereOneIsPublished) {
 
 TEST(GateOnImpacts, NeedsThem) {
   const Workspace workspace;
-  const std::string row = row_on("elevation@right", "impact_1", "impact_time", "s", limit);
-  EXPECT_NE(complaint(workspace.write("trial.toml", valid_text + row))
-                .find("gate.metric = \"impact_time\": expected a metric that needs no [impacts]"),
-            std::string::npos);
+  const std::string row = row_on("elevation@right", "impact_1", "impact_arrival", "s", limit);
+  EXPECT_NE(
+      complaint(workspace.write("trial.toml", valid_text + row))
+          .find("gate.metric = \"impact_arrival\": expected a metric that needs no [impacts]"),
+      std::string::npos);
 }
 
 const std::string single = R"([impacts]

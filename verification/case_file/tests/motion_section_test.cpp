@@ -61,6 +61,24 @@ TEST(MotionSection, ReadsThePhaseOfASine) {
   EXPECT_DOUBLE_EQ(std::get<SineMotion>(definition.motion.surge.value()).phase, -90 * degree);
 }
 
+const std::string uncertain_start =
+    "[[input]]\nname = \"start_phase\"\nhalf_width = 2\nunit = \"deg\"\nsource = \"a trigger\"\n";
+
+TEST(MotionSection, OfSinesMayStartAtAnUncertainPhase) {
+  const CaseDefinition definition = read_text(moved_by(sine_surge) + uncertain_start);
+  EXPECT_EQ(definition.inputs.at(0).input, Input::start_phase);
+  EXPECT_EQ(definition.inputs.at(0).half_width, 2);
+  const std::string refused =
+      "input.name = \"start_phase\": expected an input that this case has, one of fill_depth";
+  const Workspace workspace;
+  workspace.write("roll.csv", "time_s,angle_deg\n0,0\n10,1\n20,0\n30,1\n40,0\n");
+  for (const std::string& motion : {table_roll, std::string()}) {
+    const std::string said =
+        complaint(workspace.write("trial.toml", moved_by(motion) + uncertain_start));
+    EXPECT_NE(said.find(refused), std::string::npos) << said;
+  }
+}
+
 const std::string two_sines =
     "[motion.surge]\ntype = \"sines\"\nsines = [{ amplitude_m = 0.02, period_s = 4 },\n"
     "  { amplitude_m = 0.005, frequency_Hz = 0.75, phase_deg = 90, ramp_periods = 2 }]\n";

@@ -171,6 +171,7 @@ TEST(PanelSection, TakesTheShareOfTheAirFromTwoRunsThatDifferInTheirProgramAndTh
            {"cells_z = 20", "cells_z = 20", "cells_z = 30"},
            {"start_disorder = 0.1", "start_disorder = 0.1", "start_disorder = 0.05"},
            {"", "no wall_cell_m", "wall_cell_m = 0.04"},
+           {"", "courant_number = 0.5", "courant_number = 0.25"},
            {"", "interface_courant_number = 0.5", "interface_courant_number = 0.25"},
            {"", "no_slip = false", "no_slip = true"},
            {"", "processes = 1", "processes = 2"},

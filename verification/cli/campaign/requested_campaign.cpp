@@ -6,6 +6,7 @@
 
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/case/campaign_definition.hpp"
+#include "verification/case/ensemble.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/sweep.hpp"
@@ -100,6 +101,8 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
   campaign.definition.basket = read_basket(campaign.definition, campaign.cases);
   require_matches(options.selection, {campaign.cases, names_of(campaign.definition.problems)});
   require_runnable(campaign.cases);
+  if (options.selection.quick)
+    for (CaseDefinition& one : campaign.cases) keep_quick_members(one);
   const fs::path usual =
       installation.build / "campaigns" / (campaign.definition.name + form_of(options));
   campaign.settings = {.output = fs::absolute(options.output.empty() ? usual : options.output),

@@ -385,7 +385,7 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
   ImpactsDefinition impacts{};
   impacts.plateau = 500;
   definition.impacts = impacts;
-  GateRow row = surge_row("impact_1", Metric::impact_time, "s", 0.1);
+  GateRow row = surge_row("whole", Metric::plateau_error, "1", 0.1);
   row.reference.clear();
   const MeasureRow measure = [](const GateRow&) { return Estimate{0.1, 0}; };
   const auto reference = [&] {
@@ -393,10 +393,6 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
                                .input = [](const GateRow&) { return Contribution{}; }};
     return row_uncertainty(definition, surge_runs(), row, measures).reference.half_width;
   };
-  EXPECT_FALSE(reference().has_value());
-  definition.impacts->times_half_width = 0.002;
-  EXPECT_EQ(reference().value(), 0.002);
-  row.metric = Metric::plateau_error;
   EXPECT_FALSE(reference().has_value());
   definition.impacts->plateau_half_width = 10;
   EXPECT_NEAR(reference().value(), 1.1 * 10 / 500, 1e-12);
@@ -431,9 +427,9 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
 TEST(RowUncertainty, OfAnEnsembleThatDrawsItsInputsCountsThemOnce) {
   CaseDefinition definition = surge_case();
   definition.impacts = ImpactsDefinition{};
-  definition.impacts->times_half_width = 0.002;
+  definition.impacts->arrivals = ArrivalsDefinition{0.5, {0.9}, 0.002};
   for (RunDefinition& run : definition.runs) run.varies_inputs = run.name == "particles";
-  GateRow row = surge_row("impact_1", Metric::impact_time, "s", 0.1);
+  GateRow row = surge_row("impact_1", Metric::impact_arrival, "s", 0.1);
   row.reference.clear();
   const RowMeasures measures{.measure =
                                  [](const GateRow&) {

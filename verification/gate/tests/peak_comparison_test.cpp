@@ -50,7 +50,7 @@ TEST(PeakComparison, TakesEachMetricAsOneOfItsFigures) {
   EXPECT_EQ(value(Metric::peak_area), all.area.value.value);
   EXPECT_EQ(value(Metric::peak_median_error), all.median_error.value.value);
   EXPECT_EQ(value(Metric::peak_p90_error), all.p90_error.value.value);
-  EXPECT_THROW(value(Metric::impact_time), std::logic_error);
+  EXPECT_THROW(value(Metric::impact_arrival), std::logic_error);
 }
 
 TEST(PeakComparison, OfFewerThanTwentyPeaksIsRefused) {

@@ -139,7 +139,7 @@ TEST(GateClaims, HoldEveryRowButThoseOfImpactsToASoundSeries) {
          {Metric::amplitude_error, Metric::phase_lag, Metric::decay_rate, Metric::aligned_rms,
           Metric::largest_magnitude, Metric::initial_value})
       EXPECT_TRUE(claims(row_of(metric, 1e9), 0, kind));
-    EXPECT_FALSE(claims(row_of(Metric::impact_time, 1e9), 0, kind));
+    EXPECT_FALSE(claims(row_of(Metric::impact_arrival, 1e9), 0, kind));
     EXPECT_EQ(claims(row_of(Metric::noise_share, 1e9), 0, kind), kind != MutationKind::other_unit);
   }
 }
