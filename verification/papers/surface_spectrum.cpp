@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -37,11 +38,10 @@ double amplitude(const CaseDefinition& definition) {
 // Powers and their ratios are geometric means, as those of the growth.
 std::vector<std::string> cells(const std::vector<SurfaceSpectrum>& members) {
   const auto mean_power = [&](std::size_t k) {
-    return interval_text(ratio_of_members(powers(members, k), {1}));
+    return mean_text(ratio_of_members(powers(members, k), {1}));
   };
-  return {interval_text(mean_frequency(members, 0)), mean_power(0),
-          interval_text(mean_frequency(members, 1)), mean_power(1),
-          interval_text(ratio_of_members(ratios(members), {1}))};
+  return {frequency_text(members, 0), mean_power(0), frequency_text(members, 1), mean_power(1),
+          mean_text(ratio_of_members(ratios(members), {1}))};
 }
 
 // Adds the two rows of a run; the second has the growth.
@@ -64,7 +64,7 @@ void add_rows(const CaseAssessment& smaller, const CaseAssessment& larger, const
   try {
     const auto less = surface_spectra(smaller, run), more = surface_spectra(larger, run);
     for (const std::size_t k : {0u, 1u})
-      last[7 + k] = interval_text(ratio_of_members(powers(more, k), powers(less, k)));
+      last[7 + k] = mean_text(ratio_of_members(powers(more, k), powers(less, k)));
   } catch (const std::runtime_error&) {
     // The row says what is missing.
   }
@@ -112,10 +112,17 @@ std::vector<double> ratios(const std::vector<SurfaceSpectrum>& members) {
   return found;
 }
 
-Estimate mean_frequency(const std::vector<SurfaceSpectrum>& members, std::size_t peak) {
+std::string frequency_text(const std::vector<SurfaceSpectrum>& members, std::size_t peak) {
   std::vector<double> found;
   for (const SurfaceSpectrum& one : members) found.push_back(one.peak[peak].frequency);
-  return mean_of_members(found);
+  const auto missing =
+      std::count_if(found.begin(), found.end(), [](double one) { return std::isnan(one); });
+  if (missing > 0) return fmt::format("none in {} of {}", missing, found.size());
+  return interval_text(mean_of_members(found));
+}
+
+std::string mean_text(const Estimate& mean) {
+  return std::isfinite(mean.value) ? interval_text(mean) : "unknown";
 }
 
 reports::Table surface_spectrum_table(const CaseAssessment& smaller, const CaseAssessment& larger,

@@ -34,8 +34,12 @@ std::vector<SurfaceSpectrum> surface_spectra(const CaseAssessment& assessment,
 std::vector<double> powers(const std::vector<SurfaceSpectrum>& members, std::size_t peak);
 std::vector<double> ratios(const std::vector<SurfaceSpectrum>& members);
 
-// The mean frequency of a peak [Hz] (mean_of_members()).
-Estimate mean_frequency(const std::vector<SurfaceSpectrum>& members, std::size_t peak);
+// The mean frequency of a peak with its interval [Hz] (mean_of_members()), or "none in 2 of 8" where
+// members have no such peak.
+std::string frequency_text(const std::vector<SurfaceSpectrum>& members, std::size_t peak);
+
+// A mean over members with its interval, or "unknown" where a member has no such number.
+std::string mean_text(const Estimate& mean);
 
 // The spectra of every run of a solver that the two cases share, of an ensemble the means over its
 // members, and the printed numbers. Its rows link to the panel of figure 7.

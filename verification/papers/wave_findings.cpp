@@ -137,19 +137,18 @@ Finding peaks_at_multiples(const Cases& cases, const FindingRow& row) {
     const auto count = std::count_if(
         members.begin(), members.end(),
         [&](const SurfaceSpectrum& one) { return is_at_multiples(one, at_frequency); });
-    return fmt::format("{} and {} Hz ({} of {})", interval_text(mean_frequency(members, 0)),
-                       interval_text(mean_frequency(members, 1)), count, members.size());
+    return fmt::format("{} and {} ({} of {})", frequency_text(members, 0),
+                       frequency_text(members, 1), count, members.size());
   };
   const double excitation = found.smaller.front().excitation;
   const Held grown = both(compare(found.growth(0), grows), compare(found.growth(1), grows));
-  return {
-      both(placed, grown),
-      fmt::format("{}: peaks at {}, then {} are the two highest and within {:.2g} % of {:.3f} and "
-                  "{:.3f} Hz; powers grow {} and {} times (at least {})",
-                  name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
-                  text(found.smaller), text(found.larger), 100 * at_frequency.upper, excitation,
-                  2 * excitation, interval_text(found.growth(0)), interval_text(found.growth(1)),
-                  grows.upper)};
+  return {both(placed, grown),
+          fmt::format(
+              "{}: peaks [Hz] at {}, then {} are the two highest and within {:.2g} % of {:.3f} "
+              "and {:.3f}; powers grow by the factors {} and {} (at least {})",
+              name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
+              text(found.smaller), text(found.larger), 100 * at_frequency.upper, excitation,
+              2 * excitation, mean_text(found.growth(0)), mean_text(found.growth(1)), grows.upper)};
 }
 
 Finding growth_of_peak_ratio(const Cases& cases, const FindingRow& row) {
@@ -166,8 +165,8 @@ Finding growth_of_peak_ratio(const Cases& cases, const FindingRow& row) {
       fmt::format("{}: first over second from {} to {} (printed: {:.2f} to {:.3f}; met within a "
                   "factor of {})",
                   name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
-                  interval_text(over(smaller, 1)), interval_text(over(larger, 1)),
-                  row.printed.at(0), row.printed.at(1), near_printed.upper)};
+                  mean_text(over(smaller, 1)), mean_text(over(larger, 1)), row.printed.at(0),
+                  row.printed.at(1), near_printed.upper)};
 }
 
 }  // namespace evidence

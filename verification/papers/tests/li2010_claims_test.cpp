@@ -222,7 +222,12 @@ TEST(ClaimsOnTheFlow, AreJudgedOnTheMeanOfAnEnsembleWithItsInterval) {
     EXPECT_EQ(claim(n, with_repeats({near, flat})).held, Held::undecided)
         << n << ": the first member alone would confirm it";
   }
-  EXPECT_EQ(claim(3, with_repeats({near, one_peak})).held, Held::undecided);
+  const auto without = with_repeats({near, one_peak});
+  EXPECT_EQ(claim(3, without).held, Held::undecided);
+  EXPECT_NE(claim(3, without).found.find("none in 1 of 3"), std::string::npos)
+      << claim(3, without).found;
+  EXPECT_NE(claim(4, without).found.find("to unknown"), std::string::npos)
+      << claim(4, without).found;
   EXPECT_EQ(claim(2, with_repeats(std::vector<LargeRun>(300, flat))).held, Held::no);
 }
 
