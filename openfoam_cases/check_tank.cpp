@@ -63,6 +63,8 @@ void check_numbers(const SloshingTank& tank) {
   };
   require_courant_number("courant_number", tank.courant_number);
   require_courant_number("interface_courant_number", tank.interface_courant_number);
+  require(tank.outer_corrections >= 1 && tank.outer_corrections <= 10, "outer_corrections",
+          tank.outer_corrections, "between 1 and 10");
 }
 
 // Refuses what a mesh that an outline cuts cannot carry.

@@ -275,7 +275,7 @@ data template_values(const SloshingTank& tank) {
   set("first_time_step", first_time_step(tank));
   set("courant_number", tank.courant_number);
   set("interface_courant_number", tank.interface_courant_number);
-  set("outer_corrections", outer_corrections(tank));
+  set("outer_corrections", tank.outer_corrections);
   set("pressure_corrections", pressure_corrections(tank));
   set("processes", tank.processes);
   const Corner reference_place = mesh.cut() || mesh.is_graded()

@@ -29,15 +29,6 @@ double first_time_step(const SloshingTank& tank) {
   return set_off ? max_time_step(tank) / 100 : max_time_step(tank);
 }
 
-// compressibleInterFoam moves the interface with the compression that the last pressure gave. With
-// one solution per step that compression is a step old, and the volume of the liquid drifts. In
-// breaking waves (the tank of 1 m that surges by 0.125 m, 30 x 30 cells) it changes by
-//   one solution     -3.3e-4 in 8 s at a Courant number of 0.25; four pressure corrections or a
-//                    residual of 1e-11 give -5.3e-4 and -2.9e-4
-//   two solutions    +2.5e-4 in 20 s at 0.25, +9.1e-4 at 0.5
-//   three solutions  -0.6e-4 in 20 s and -1.9e-4 in 40 s at 0.5
-int outer_corrections(const SloshingTank& tank) { return is_compressible(tank) ? 3 : 1; }
-
 // There is no momentum predictor, because its first-order error damps the waves (14 % more at a
 // Reynolds number of 50). Each correction therefore takes the viscous stress of a cell's neighbours
 // from the correction before, and reduces the error by the factor d / (1 + d),

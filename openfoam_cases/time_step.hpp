@@ -10,10 +10,7 @@ namespace slosh::openfoam {
 double max_time_step(const SloshingTank& tank);
 double first_time_step(const SloshingTank& tank);
 
-// How often each time step solves the whole set of equations.
-int outer_corrections(const SloshingTank& tank);
-
-// The number of pressure corrections in each of these solutions.
+// The number of pressure corrections in each solution of the equations.
 int pressure_corrections(const SloshingTank& tank);
 
 }  // namespace slosh::openfoam

@@ -21,15 +21,6 @@ TEST(TimeStep, IsAHundredthOfTheFirstModesInverseFrequencyOrOfTheWavesOwn) {
   EXPECT_DOUBLE_EQ(max_time_step(tank), 0.01 / omega(3));
 }
 
-TEST(OuterCorrections, AreThreeOfCompressibleFluidsAndOneOtherwise) {
-  SloshingTank tank = still_tank();
-  EXPECT_EQ(outer_corrections(tank), 1);
-  tank.program = Program::inter_iso_foam;
-  EXPECT_EQ(outer_corrections(tank), 1);
-  tank.program = Program::compressible_inter_foam;
-  EXPECT_EQ(outer_corrections(tank), 3);
-}
-
 // After n corrections the error is reduced by (d / (1 + d))^n, d = 2 nu dt (1/dx^2 + 1/dz^2).
 TEST(PressureCorrections, AreTwoOfWaterAndMoreTheMoreViscousTheLiquidIs) {
   SloshingTank tank = still_tank();

@@ -92,6 +92,14 @@ TEST_F(WrittenCase, LimitsTheCourantNumberOfAllCellsAndOfTheInterface) {
   EXPECT_EQ(entry(control, "maxAlphaCo"), "0.25");
 }
 
+TEST_F(WrittenCase, SolvesTheEquationsOfAStepAsOftenAsAsked) {
+  SloshingTank tank = small_tank();
+  EXPECT_EQ(tank.outer_corrections, 1);
+  tank.outer_corrections = 3;
+  write(tank);
+  EXPECT_EQ(entry(file("system/fvSolution"), "nOuterCorrectors"), "3");
+}
+
 TEST_F(WrittenCase, GivesCompressibleFluidsTheTanksDensitiesAtOneAtmosphere) {
   SloshingTank tank = small_tank();
   tank.program = Program::compressible_inter_foam;
@@ -288,6 +296,8 @@ TEST_F(WrittenCase, RefusesATankThatCannotBe) {
   EXPECT_NE(refused([](SloshingTank& t) {
               t.interface_courant_number = NAN;
             }).find("interface_courant_number = nan"),
+            std::string::npos);
+  EXPECT_NE(refused([](SloshingTank& t) { t.outer_corrections = 0; }).find("outer_corrections = 0"),
             std::string::npos);
   EXPECT_NE(refused([](SloshingTank& t) { t.processes = 21; }).find("processes"),
             std::string::npos);

@@ -212,6 +212,7 @@ struct InterFoamRun {
   FoamProgram program = FoamProgram::inter_foam;
   double courant_number = 0.5;            // the largest of any cell
   double interface_courant_number = 0.5;  // the largest of the cells that the interface cuts
+  int outer_corrections = 1;              // solutions of all equations in a time step
   bool no_slip = false;                   // the liquid sticks to the walls
   // [m], of the cells beside the walls, from where they grow to uniform ones in the middle. Without
   // it all cells are uniform.

@@ -128,6 +128,8 @@ struct Row<InterFoamRun> : CommonRow {
     if (mesh.interface_courant_number != mesh.courant_number)
       changes.push_back(
           fmt::format("interface_courant_number = {:g}", mesh.interface_courant_number));
+    if (mesh.outer_corrections != InterFoamRun().outer_corrections)
+      changes.push_back(fmt::format("outer_corrections = {}", mesh.outer_corrections));
     if (mesh.no_slip) changes.push_back("no_slip");
     if (mesh.wall_cell) changes.push_back("graded cells");
     if (mesh.cells_y) changes.push_back("three dimensions");
@@ -137,8 +139,8 @@ struct Row<InterFoamRun> : CommonRow {
     json settings = {{"interfoam", {mesh.cells_x, mesh.cells_z, mesh.processes}}};
     if (mesh.program != FoamProgram::inter_foam) settings["program"] = program(mesh);
     if (const std::string changed = changes(mesh); !changed.empty())
-      settings["changes"] = {mesh.courant_number, mesh.interface_courant_number, mesh.no_slip,
-                             mesh.wall_cell.value_or(0)};
+      settings["changes"] = {mesh.courant_number, mesh.interface_courant_number,
+                             mesh.outer_corrections, mesh.no_slip, mesh.wall_cell.value_or(0)};
     if (mesh.cells_y) settings["cells_y"] = *mesh.cells_y;
     if (mesh.start_disorder > 0) settings["start"] = {mesh.start_disorder, mesh.start_seed};
     return settings;

@@ -379,6 +379,10 @@ const std::vector<KeyTable>& case_key_tables() {
         {"interface_courant_number", "number > 0 and <= 1", "no",
          "The largest Courant number of the cells that the interface cuts. Default: "
          "courant_number."},
+        {"outer_corrections", "integer from 1 to 10", "no",
+         "How often a time step solves all equations (nOuterCorrectors). With 3, "
+         "compressible_interfoam keeps the liquid's volume in breaking waves; the steps then damp "
+         "a wave at the rate omega^2 dt / 2. Default: 1."},
         {"no_slip", "true or false", "no",
          "Whether the liquid sticks to the walls, which cells much thinner than the Stokes layer "
          "resolve: see wall_cell_m. Default: it slips."},

@@ -105,12 +105,12 @@ std::string setting_text(const char* key, const std::optional<Value>& value) {
   return value ? fmt::format("{} = {}", key, *value) : fmt::format("no {}", key);
 }
 
-// What a [[run]] of an OpenFOAM program sets beside its program and its seed, as the case file
-// writes it. The binding names all members of InterFoamRun, so that it no longer compiles when
-// one is added.
+// What a [[run]] of an OpenFOAM program sets beside its program, its seed and its
+// outer_corrections, of which a compressible run may need more, as the case file writes it. The
+// binding names all members of InterFoamRun, so that it no longer compiles when one is added.
 std::vector<std::string> mesh_settings(const RunDefinition& run) {
   const auto& [cells_x, cells_z, processes, disorder, seed, program, courant_number,
-               interface_courant_number, no_slip, wall_cell, cells_y] =
+               interface_courant_number, outer_corrections, no_slip, wall_cell, cells_y] =
       std::get<InterFoamRun>(run.solver);
   return {fmt::format("cells_x = {}", cells_x),
           fmt::format("cells_z = {}", cells_z),
@@ -124,8 +124,8 @@ std::vector<std::string> mesh_settings(const RunDefinition& run) {
           fmt::format("vary_inputs = {}", run.varies_inputs)};
 }
 
-// Returns what the incompressible run must have and what it has instead; "" where the two differ in
-// their program and their seed alone.
+// Returns what the incompressible run must have and what it has instead; "" where the two may be
+// compared.
 std::string difference_of_pair(const RunDefinition& compressible,
                                const RunDefinition& incompressible) {
   const std::vector<std::string> expected = mesh_settings(compressible);
@@ -133,7 +133,9 @@ std::string difference_of_pair(const RunDefinition& compressible,
   const auto [one, other] = std::mismatch(expected.begin(), expected.end(), found.begin());
   if (one == expected.end()) return "";
   return fmt::format(
-      "a run that differs from {} in its program and its seed alone, with {}; it has {}",
+      "a run that differs from {} in its program, its seed and its outer_corrections alone, with "
+      "{}; "
+      "it has {}",
       compressible.name, *one, *other);
 }
 

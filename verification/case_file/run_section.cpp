@@ -181,18 +181,23 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
     run.refuse("start_disorder",
                "no such key for a mesh with [initial_wave], column_width_m or an obstacle: only "
                "a plain level can be disturbed");
-  return {.cells_x = cells_x,
-          .cells_z = cells_z,
-          .processes = processes.value_or(1),
-          .start_disorder = start.disorder,
-          .start_seed = start.seed,
-          .program = program,
-          .courant_number = courant_number,
-          .interface_courant_number =
-              run.find("interface_courant_number", a_courant_number).value_or(courant_number),
-          .no_slip = no_slip,
-          .wall_cell = wall_cell,
-          .cells_y = read_cells_y(run, definition, no_slip)};
+  return {
+      .cells_x = cells_x,
+      .cells_z = cells_z,
+      .processes = processes.value_or(1),
+      .start_disorder = start.disorder,
+      .start_seed = start.seed,
+      .program = program,
+      .courant_number = courant_number,
+      .interface_courant_number =
+          run.find("interface_courant_number", a_courant_number).value_or(courant_number),
+      .outer_corrections = run.find<int>("outer_corrections",
+                                         {"an integer from 1 to 10",
+                                          [](int count) { return count >= 1 && count <= 10; }, 1})
+                               .value_or(InterFoamRun().outer_corrections),
+      .no_slip = no_slip,
+      .wall_cell = wall_cell,
+      .cells_y = read_cells_y(run, definition, no_slip)};
 }
 
 double read_valid_elevation(const TomlTable& run) {

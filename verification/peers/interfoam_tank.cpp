@@ -70,6 +70,7 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .processes = run.processes,
       .courant_number = run.courant_number,
       .interface_courant_number = run.interface_courant_number,
+      .outer_corrections = run.outer_corrections,
       .no_slip = run.no_slip,
       .wall_cell = run.wall_cell,
       .program = program_of(run.program)};

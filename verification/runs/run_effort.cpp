@@ -52,10 +52,7 @@ RunEffort effort_of(const InterFoamRun& mesh, const CaseDefinition& definition,
       .gauges = {},
       .cells_x = mesh.cells_x,
       .cells_z = mesh.cells_z,
-      .wall_cell = mesh.wall_cell,
-      .program = mesh.program == FoamProgram::compressible_inter_foam
-                     ? openfoam::Program::compressible_inter_foam
-                     : openfoam::Program::inter_foam};
+      .wall_cell = mesh.wall_cell};
   if (mesh.cells_y) tank.gap = openfoam::Gap{definition.tank.breadth.value(), *mesh.cells_y};
   if (const auto& wave = definition.initial_wave)
     tank.initial_wave = openfoam::InitialWave{wave->mode, wave->amplitude};
@@ -63,7 +60,7 @@ RunEffort effort_of(const InterFoamRun& mesh, const CaseDefinition& definition,
   const double share = tank_area(definition.tank) / (tank.length * tank.height);
   return {.steps = steps_to_samples(definition, openfoam::max_time_step(tank)),
           .elements = share * number_of_cells(mesh),
-          .outer_corrections = openfoam::outer_corrections(tank),
+          .outer_corrections = mesh.outer_corrections,
           .pressure_corrections = openfoam::pressure_corrections(tank)};
 }
 

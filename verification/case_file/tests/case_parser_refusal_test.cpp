@@ -49,8 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OfAnotherSolver",
                 {"cells_x = 50", "cells_x = 50\nmodes = 3"},
                 "trial.toml:51: run.modes = 3: expected only these keys here: name, solver, quick, "
-                "cells_x, cells_z, processes, courant_number, interface_courant_number, no_slip, "
-                "wall_cell_m, cells_y, start_disorder, start_seed, repeats, quick_repeats, "
+                "cells_x, cells_z, processes, courant_number, interface_courant_number, "
+                "outer_corrections, no_slip, wall_cell_m, cells_y, start_disorder, start_seed, "
+                "repeats, quick_repeats, "
                 "vary_inputs; nearest known "
                 "key: "},
         Mistake{"ExpectedSpeedOfAnotherSolver",

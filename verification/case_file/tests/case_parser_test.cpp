@@ -150,6 +150,8 @@ TEST(CaseParser, ReadsTheProgramOfOpenFoamAndItsSettings) {
   const InterFoamRun plain = run_of("interfoam", "");
   EXPECT_EQ(plain.courant_number, 0.5);
   EXPECT_EQ(plain.interface_courant_number, 0.5);
+  EXPECT_EQ(plain.outer_corrections, 1);
+  EXPECT_EQ(run_of("compressible_interfoam", "outer_corrections = 3").outer_corrections, 3);
   const InterFoamRun short_steps = run_of("interfoam", "courant_number = 0.25");
   EXPECT_EQ(short_steps.courant_number, 0.25);
   EXPECT_EQ(short_steps.interface_courant_number, 0.25);

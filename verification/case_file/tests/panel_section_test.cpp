@@ -183,12 +183,13 @@ TEST(PanelSection, TakesTheShareOfTheAirFromTwoRunsThatDifferInTheirProgramAndTh
             : complaint_with_run("cells", change.from, change.of_cells, drawn_depth);
     EXPECT_TRUE(holds(said,
                       "compressibility = \"cells\": expected a run that differs from air in its "
-                      "program and its seed alone, with " +
+                      "program, its seed and its outer_corrections alone, with " +
                           change.of_air + "; it has " + change.of_cells))
         << said;
   }
   EXPECT_EQ(complaint_with_run("cells", "repeats = 3", "repeats = 4\nstart_seed = 7"), "");
   EXPECT_EQ(complaint_with_run("cells", "repeats = 3", "repeats = 3\nquick = true"), "");
+  EXPECT_EQ(complaint_with_run("cells", "repeats = 3", "repeats = 3\nouter_corrections = 2"), "");
   EXPECT_EQ(complaint_with_run("particles", "start_disorder = 0.1", "start_disorder = 0.05"), "");
 }
 
