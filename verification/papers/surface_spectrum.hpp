@@ -34,8 +34,8 @@ std::vector<SurfaceSpectrum> surface_spectra(const CaseAssessment& assessment,
 std::vector<double> powers(const std::vector<SurfaceSpectrum>& members, std::size_t peak);
 std::vector<double> ratios(const std::vector<SurfaceSpectrum>& members);
 
-// The mean frequency of a peak with its interval [Hz] (mean_of_members()), or "none in 2 of 8" where
-// members have no such peak.
+// The mean frequency of a peak with its interval [Hz] (mean_of_members()), or "none in 2 of 8"
+// where members have no such peak.
 std::string frequency_text(const std::vector<SurfaceSpectrum>& members, std::size_t peak);
 
 // A mean over members with its interval, or "unknown" where a member has no such number.

@@ -71,7 +71,7 @@ TEST_F(Tool, JudgesTheQuickFormByItsRepeatsAlone) {
   const Ended run = tool({"campaign", "./surges.toml", "--quick", "--output", "out"});
   EXPECT_EQ(run.status, 0) << run.err << run.out;
   EXPECT_TRUE(holds(run.out, "PASS: 1 of 1 gate rows hold."));
-  EXPECT_TRUE(holds(run.out, "mean over 2 repeats"));
+  EXPECT_TRUE(holds(run.out, "mean over 2 x 1 repeats"));
   EXPECT_TRUE(fs::exists(result("particles_2")));
   EXPECT_FALSE(fs::exists(result("particles_3")));
 }
