@@ -295,10 +295,9 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
       "cumulative distributions, also given in percent of the experiment's mean. Both samples are "
       "small, so even two samples of one distribution have an area metric above zero. In brackets: "
       "95 % intervals by the bootstrap. p (means) is that of equal means by Welch's test. The "
-      "other "
-      "two p are the share of random divisions of all peaks into two such samples that differ as "
-      "much or more, by Kolmogorov and Smirnov (KS) and by Anderson "
-      "and Darling (AD); below 0.05 the samples are told apart.",
+      "other two p are the share of random divisions of all peaks into two such samples that "
+      "differ as much or more, by Kolmogorov and Smirnov (KS) and by Anderson and Darling (AD); "
+      "below 0.05 the samples are told apart.",
       repeat_columns,
       {}};
   for (std::size_t impact = 0; impact < definition.impacts->times.size(); ++impact) {

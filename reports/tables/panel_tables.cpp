@@ -42,11 +42,11 @@ std::string apart_cell(const PanelRow& row) {
   if (verdict.all_agree()) return fmt::format("nobody: all agree (p {:.2g})", verdict.agree_p);
   if (const PanelSolver* odd = row.odd()) return odd_text(row, *odd);
   const std::string differ = fmt::format("they differ (p {:.2g})", verdict.agree_p);
-  if (row.judged.size() < fewest_solvers) return differ + ", and of two neither is the odd one";
+  if (row.judged.size() < fewest_solvers) return differ + ", and of two solvers neither can be named";
   if (verdict.apart.empty()) return differ + ", and none is apart from others that agree";
   std::vector<std::string> names;
   for (const std::size_t j : verdict.apart) names.push_back(row.solvers[row.judged[j]].run);
-  return fmt::format("{}; {} could each be the odd one", differ, fmt::join(names, " and "));
+  return fmt::format("{}; {} could each be the one apart", differ, fmt::join(names, " and "));
 }
 
 std::string air_cell(const PanelRow& row) {

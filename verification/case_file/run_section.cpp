@@ -162,9 +162,7 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
     refuse_breadth(run, definition);
   const int cells_x = run.get("cells_x", at_least(2));
   const int cells_z = run.get("cells_z", at_least(2));
-  const auto processes =
-      run.find<int>("processes", {fmt::format("an integer from 1 to cells_x ({})", cells_x),
-                                  [cells_x](int value) { return value >= 1 && value <= cells_x; }});
+  const auto processes = run.find("processes", integer_up_to("cells_x", cells_x));
   const auto wall_cell = run.find("wall_cell_m", a_wall_cell(definition, cells_x, cells_z));
   if (wall_cell && (!is_rectangle(definition.tank) || !definition.obstacles.empty()))
     run.refuse("wall_cell_m",
@@ -181,23 +179,20 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
     run.refuse("start_disorder",
                "no such key for a mesh with [initial_wave], column_width_m or an obstacle: only "
                "a plain level can be disturbed");
-  return {
-      .cells_x = cells_x,
-      .cells_z = cells_z,
-      .processes = processes.value_or(1),
-      .start_disorder = start.disorder,
-      .start_seed = start.seed,
-      .program = program,
-      .courant_number = courant_number,
-      .interface_courant_number =
-          run.find("interface_courant_number", a_courant_number).value_or(courant_number),
-      .outer_corrections = run.find<int>("outer_corrections",
-                                         {"an integer from 1 to 10",
-                                          [](int count) { return count >= 1 && count <= 10; }, 1})
-                               .value_or(InterFoamRun().outer_corrections),
-      .no_slip = no_slip,
-      .wall_cell = wall_cell,
-      .cells_y = read_cells_y(run, definition, no_slip)};
+  return {.cells_x = cells_x,
+          .cells_z = cells_z,
+          .processes = processes.value_or(1),
+          .start_disorder = start.disorder,
+          .start_seed = start.seed,
+          .program = program,
+          .courant_number = courant_number,
+          .interface_courant_number =
+              run.find("interface_courant_number", a_courant_number).value_or(courant_number),
+          .outer_corrections = run.find("outer_corrections", integer_between(1, 10))
+                                   .value_or(InterFoamRun().outer_corrections),
+          .no_slip = no_slip,
+          .wall_cell = wall_cell,
+          .cells_y = read_cells_y(run, definition, no_slip)};
 }
 
 double read_valid_elevation(const TomlTable& run) {
@@ -227,8 +222,7 @@ ViscousWaveRun read_viscous_wave(const TomlTable& run, const CaseDefinition& def
 PotentialRun read_potential(const TomlTable& run, const CaseDefinition& definition) {
   refuse_breadth(run, definition);
   PotentialRun potential;
-  const Rule<int> enough_nodes{"an integer from 16 to 128",
-                               [](int nodes) { return nodes >= 16 && nodes <= 128; }, 16};
+  const Rule<int> enough_nodes = integer_between(16, 128);
   potential.nodes_x = run.find("nodes_x", enough_nodes).value_or(potential.nodes_x);
   potential.nodes_z = run.find("nodes_z", enough_nodes).value_or(potential.nodes_z);
   return potential;
@@ -417,16 +411,13 @@ std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition&
                                      const std::filesystem::path& experiments) {
   const RunDefinition read = read_run(run, definition, experiments);
   refuse_shared_method(run, read, definition);
-  const auto repeats =
-      run.find<int>("repeats", {fmt::format("an integer from 2 to {}", most_repeats),
-                                [](int count) { return count >= 2 && count <= most_repeats; }, 2});
+  const auto repeats = run.find("repeats", integer_between(2, most_repeats));
   if (run.has("quick_repeats") && !(repeats && read.quick))
     run.refuse("quick_repeats",
                "no such key without repeats and quick: it says how many repeats are quick");
   if (!repeats) return {read};
-  const Rule<int> some{fmt::format("an integer from 1 to repeats ({})", *repeats),
-                       [&](int count) { return count >= 1 && count <= *repeats; }, 1};
-  return ensemble_of(read, *repeats, run.find("quick_repeats", some).value_or(*repeats));
+  const auto quick_repeats = run.find("quick_repeats", integer_up_to("repeats", *repeats));
+  return ensemble_of(read, *repeats, quick_repeats.value_or(*repeats));
 }
 
 }  // namespace slosh

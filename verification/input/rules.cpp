@@ -38,6 +38,16 @@ Rule<int> at_least(int least) {
           least};
 }
 
+Rule<int> integer_between(int least, int most) {
+  return {fmt::format("an integer from {} to {}", least, most),
+          [=](int value) { return value >= least && value <= most; }, least};
+}
+
+Rule<int> integer_up_to(std::string_view most_key, int most) {
+  return {fmt::format("an integer from 1 to {} ({})", most_key, most),
+          [most](int value) { return value >= 1 && value <= most; }};
+}
+
 Rule<int> exactly(int only) {
   return {fmt::format("{}", only), [only](int value) { return value == only; }, only};
 }

@@ -27,6 +27,9 @@ Rule<double> not_negative(std::string_view unit);
 Rule<double> end_after(std::string_view begin_key, double begin, double duration);
 Rule<double> not_zero(std::string_view unit);
 Rule<int> at_least(int least);
+Rule<int> integer_between(int least, int most);  // both included
+// From 1 to the value of the key `most_key` of the same table.
+Rule<int> integer_up_to(std::string_view most_key, int most);
 Rule<int> exactly(int only);
 Rule<std::string> any_text();
 // A relative path that stays below the directory; `directory` names it in words.

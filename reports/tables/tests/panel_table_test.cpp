@@ -40,7 +40,7 @@ TEST(PanelTable, TellsWhatIsLeftOutAndWhatNeverCame) {
   const auto& row = table.rows.at(6);  // the peak of impact 3
   EXPECT_EQ(row[5], "left out: 0 usable");
   EXPECT_TRUE(row[3].ends_with("; never in 1 of 5")) << row[3];
-  EXPECT_TRUE(row[6].ends_with("of two neither is the odd one")) << row[6];
+  EXPECT_TRUE(row[6].ends_with("of two solvers neither can be named")) << row[6];
   EXPECT_EQ(row[7], "not known");
   EXPECT_TRUE(row[8].starts_with("sharp (not selected); sharp_2 ")) << row[8];
 }

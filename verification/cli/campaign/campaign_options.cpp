@@ -35,8 +35,7 @@ void add_inconclusive_option(CLI::App& command, CampaignOptions& options) {
       .add_option("--inconclusive-exit", options.inconclusive_exit,
                   "Exit status where rows are inconclusive and nothing is worse (default: 5)")
       ->type_name("N")
-      ->check(keeps<int>(
-          {"an integer from 0 to 125", [](int status) { return status >= 0 && status <= 125; }}));
+      ->check(keeps(integer_between(0, 125)));
 }
 
 void add_pdf_option(CLI::App& command, CampaignOptions& options) {
