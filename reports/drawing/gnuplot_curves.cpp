@@ -152,6 +152,11 @@ Stroke stroke_of(const Look& look, bool dashed) {
           in_turn(dashed ? dashed_dashes : line_dashes, look.shape)};
 }
 
+const char* band_colour(const Figure& figure, std::size_t index) {
+  const std::optional<Look>& look = figure.bands[index].look;
+  return look ? stroke_of(*look).colour : in_turn(band_colours, index).light;
+}
+
 std::string curve_data(const Figure& figure, const AxisRange& vertical) {
   std::string blocks;
   for (std::size_t i = 0; i < figure.curves.size(); ++i) {
@@ -174,8 +179,7 @@ std::string plot_command(const Figure& figure) {
     elements.push_back(ribbon_entry(figure, label, strokes));
   for (std::size_t i = 0; i < figure.bands.size(); ++i)
     elements.push_back(fmt::format("keyentry with boxes {} title {}",
-                                   filled(in_turn(band_colours, i).light),
-                                   quoted(figure.bands[i].label)));
+                                   filled(band_colour(figure, i)), quoted(figure.bands[i].label)));
   for (const std::string& label : span_labels(figure))
     elements.push_back(
         fmt::format("keyentry with boxes {} title {}", filled(faint_ink.light), quoted(label)));

@@ -21,6 +21,9 @@ struct Stroke {
 // `dashed` curves have dashes of their own, with longer gaps.
 Stroke stroke_of(const Look& look, bool dashed = false);
 
+// The colour of the figure's band of this index, on white paper.
+const char* band_colour(const Figure& figure, std::size_t index);
+
 // The inline datablocks of all curves and ribbons.
 std::string curve_data(const Figure& figure, const AxisRange& vertical);
 

@@ -90,8 +90,8 @@ std::string band_objects(const Figure& figure) {
     commands += fmt::format(
         "set object rectangle from graph 0, {} to graph 1, {} behind fc rgb '{}' fs transparent "
         "solid {} noborder\n",
-        level(band.lower, "graph 0"), level(band.upper, "graph 1"),
-        band_colours[i % band_colours.size()].light, band_opacity);
+        level(band.lower, "graph 0"), level(band.upper, "graph 1"), band_colour(figure, i),
+        band_opacity);
   }
   return commands;
 }

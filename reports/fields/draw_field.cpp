@@ -7,11 +7,11 @@
 #include <cmath>
 #include <vector>
 
+#include "reports/drawing/field_range.hpp"
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/drawing/run_gnuplot.hpp"
 #include "reports/fields/field_arrows.hpp"
 #include "reports/fields/field_layout.hpp"
-#include "reports/fields/field_range.hpp"
 #include "reports/fields/field_raster.hpp"
 #include "reports/fields/tank_line.hpp"
 #include "reports/model/file_formats.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "reports/drawing/axes.hpp"
-#include "reports/fields/field_range.hpp"
+#include "reports/drawing/field_range.hpp"
 
 namespace slosh::reports {
 namespace {

@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "reports/drawing/field_range.hpp"
 #include "reports/fields/field_layout.hpp"
-#include "reports/fields/field_range.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {

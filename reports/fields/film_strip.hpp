@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "reports/drawing/field_range.hpp"
 #include "reports/fields/field_arrows.hpp"
 #include "reports/fields/field_layout.hpp"
-#include "reports/fields/field_range.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {

@@ -64,12 +64,25 @@ std::vector<std::string> shown_runs(const CaseAssessment& assessment, const std:
   return shown;
 }
 
+// The pressure of the impacts where the case has any, else the first quantity that is compared.
+std::string glance_quantity(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  if (definition.impacts)
+    for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
+      const std::string pressure =
+          "wall_pressure@" + gauge.name + (gauge.filter_cutoff ? through_filter : "");
+      if (gauge.name == definition.impacts->gauge && !finest_runs(assessment, pressure).empty())
+        return pressure;
+    }
+  return compared_quantities(definition).front();
+}
+
 }  // namespace
 
 std::optional<reports::Figure> glance_figure(const CaseAssessment& assessment,
                                              const std::string& candidate) {
   const CaseDefinition& definition = assessment.definition;
-  const std::string quantity = compared_quantities(definition).front();
+  const std::string quantity = glance_quantity(assessment);
   const std::vector<std::string> runs = shown_runs(assessment, quantity, candidate);
   if (runs.empty()) return std::nullopt;
   const ShownQuantity shown = shown_quantity(definition, quantity);

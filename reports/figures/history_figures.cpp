@@ -183,7 +183,7 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
   figure.title = "Residual against the reference";
   figure.caption = fmt::format(
       "The {}: candidate minus reference over the comparison window, for the finest run of each "
-      "scheme and solver. Bands show the rms residual that the gate allows.",
+      "scheme and solver.",
       shown.word);
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("residual [{}]", shown.unit);
@@ -199,9 +199,11 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
     for (double& value : curve.y) value *= shown.scale;
     figure.curves.push_back(std::move(curve));
     if (const double band = shown.scale * tolerated_residual(assessment, *judging); band > 0)
-      figure.bands.push_back({"tolerance, " + judging->candidate, -band, band});
+      figure.bands.push_back(
+          {"tolerance, " + judging->candidate, -band, band, figure.curves.back().look});
   }
   if (figure.curves.empty()) return {};
+  if (!figure.bands.empty()) figure.caption += " Bands show the rms residual that the gate allows.";
   return {figure};
 }
 

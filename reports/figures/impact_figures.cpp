@@ -104,7 +104,7 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   for (const reports::Marker& edge : figure.markers) highest = std::max(highest, edge.x);
   figure.x_range = {0, 1.05 * highest};
   figure.caption = fmt::format(
-      "The steps of a curve are its peaks, each divided by the published mean. The repeats of a "
+      "The steps of a curve are its peaks, each divided by the published peak. The repeats of a "
       "run differ only in their random seed, by which their starts are disturbed or their inputs "
       "are drawn. {}{} Published: {}.{}",
       figure.markers.empty()

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reports/model/is_one_of.hpp"
+#include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
@@ -68,8 +69,8 @@ void add_once(const std::string& name, std::vector<std::string>& names) {
   if (!is_one_of(name, names)) names.push_back(name);
 }
 
-// Returns how many runs of the family come before the run: those with less of the scheme changed,
-// the finer ones, and those that the case names earlier.
+// Returns how many runs of the family, an ensemble as one, come before the run: those with less of
+// the scheme changed, the finer ones, and those that the case names earlier.
 std::size_t rank_of(const CaseDefinition& definition, const RunDefinition& run) {
   const auto order = [](const RunDefinition& one) {
     return std::tuple{is_changed(one), -resolution(one)};
@@ -78,7 +79,7 @@ std::size_t rank_of(const CaseDefinition& definition, const RunDefinition& run) 
   bool is_earlier = true;
   for (const RunDefinition& other : definition.runs) {
     is_earlier = is_earlier && other.name != run.name;
-    if (is_simulation(other) && family(other) == family(run))
+    if (is_simulation(other) && !is_later_member(other) && family(other) == family(run))
       rank += order(other) < order(run) || (is_earlier && order(other) == order(run));
   }
   return rank;

@@ -68,8 +68,8 @@ Curve curve_of(const CaseDefinition& definition, const Comparison& pair,
 void add_band(const CaseDefinition& definition, const Comparison& pair, const std::string& mode,
               Metric metric, double offset, Figure& figure) {
   if (const auto allowed = tolerance_of(definition, pair, mode, metric))
-    figure.bands.push_back(
-        {"tolerance, " + pair.candidate, offset + allowed->lower, offset + allowed->upper});
+    figure.bands.push_back({"tolerance, " + pair.candidate, offset + allowed->lower,
+                            offset + allowed->upper, look_of(definition, pair.candidate)});
 }
 
 Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& tones,

@@ -53,6 +53,7 @@ struct Curve {
 struct Band {
   std::string label;
   double lower, upper;
+  std::optional<Look> look = {};  // of the curve that it belongs to; absent: a colour of bands
 };
 
 // A vertical line with a label (a predicted frequency); not drawn outside a given x_range.

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "reports/drawing/field_range.hpp"
 #include "reports/fields/field_layout.hpp"
-#include "reports/fields/field_range.hpp"
 #include "reports/model/report_model.hpp"
 #include "reports/pages/page_links.hpp"
 

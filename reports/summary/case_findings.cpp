@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <set>
+#include <variant>
 
 #include "verification/assessment/across_runs/solution_distances.hpp"
 #include "verification/assessment/observed_order.hpp"
@@ -19,8 +23,8 @@ std::optional<std::string> outlier_sentence(const CaseAssessment& assessment) {
   if (const auto odd = outlier(distances))
     return fmt::format("`{}` stands apart from the other {} solutions in {}.", runs[*odd],
                        runs.size() - 1, quantity);
-  return fmt::format("None of the {} solutions stands apart from the others in {}.", runs.size(),
-                     quantity);
+  return fmt::format("No single one of the {} solutions stands apart from all others in {}.",
+                     runs.size(), quantity);
 }
 
 // A scheme's first measure is the rms of its residual.
@@ -43,17 +47,50 @@ std::optional<std::string> coverage_finding(const CaseCoverage& coverage) {
   std::vector<std::string> missed;
   for (const RequiredDetection& one : required_detections)
     if (coverage.detections.at(one.name).coverage == Coverage::missed) missed.push_back(one.name);
-  if (missed.empty()) return "The gate rows detect every error that is made on purpose.";
-  return fmt::format("No gate row detects an error that is made on purpose in: {}.",
+  std::vector<std::string> names;
+  for (const RequiredDetection& one : required_detections) names.push_back(one.name);
+  if (missed.empty())
+    return fmt::format(
+        "Together the gate rows detect the required errors that are made on purpose: {}.",
+        fmt::join(names, ", "));
+  return fmt::format("No gate row detects the required error that is made on purpose in: {}.",
                      fmt::join(missed, ", "));
 }
 
+// For each record that no row judges against, how far the finest runs are from it.
+std::vector<std::string> record_sentences(const CaseAssessment& assessment) {
+  std::vector<std::string> sentences;
+  for (const RunDefinition& run : assessment.definition.runs) {
+    if (!std::holds_alternative<RecordRun>(run.solver) ||
+        judges_a_row(assessment.definition, run.name))
+      continue;
+    std::map<std::string, std::vector<std::string>> told;  // of each quantity
+    for (const Comparison& pair : assessment.comparisons)
+      if (pair.reference == run.name)
+        told[pair.quantity].push_back(
+            fmt::format("{:.2g} % (`{}`)", 100 * pair.normalised_rms.value, pair.candidate));
+    for (const auto& [quantity, errors] : told)
+      sentences.push_back(
+          fmt::format("No gate row judges against the record `{}`. In {} the normalised rms "
+                      "difference from it is {}.",
+                      run.name, quantity, fmt::join(errors, ", ")));
+  }
+  return sentences;
+}
+
 }  // namespace
+
+bool judges_a_row(const CaseDefinition& definition, const std::string& reference) {
+  return std::any_of(definition.gate.begin(), definition.gate.end(), [&](const GateRow& row) {
+    return row.reference == reference || is_of_impacts(row.metric);
+  });
+}
 
 std::vector<std::string> case_findings(const CaseAssessment& assessment,
                                        const CaseCoverage& coverage) {
   std::vector<std::string> findings = order_sentences(assessment);
   if (auto odd = outlier_sentence(assessment)) findings.insert(findings.begin(), std::move(*odd));
+  std::ranges::move(record_sentences(assessment), std::back_inserter(findings));
   if (auto detects = coverage_finding(coverage)) findings.push_back(std::move(*detects));
   return findings;
 }

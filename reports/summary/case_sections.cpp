@@ -68,11 +68,13 @@ Section results_section(const CaseAssessment& assessment) {
                                    ": it is shown, but never gates.");
     else if (status.state == RunState::not_supplied)
       section.paragraphs.push_back("The record `" + run + "` is not supplied: " + status.message +
-                                   ". Rows that need it neither pass nor fail.");
+                                   (judges_a_row(definition, run)
+                                        ? ". Rows that need it neither pass nor fail."
+                                        : ". No gate row needs it."));
   for (const ModelLimit& limit : model_limits(definition, assessment.runs))
     if (limit.exceeded())
-      section.paragraphs.push_back("The models are doubtful here, because they leave out " +
-                                   limit_text(limit) + ".");
+      section.paragraphs.push_back(
+          "This effect is beyond the limit of the models: " + limit_text(limit) + ".");
   for (const std::string& pair : assessment.not_comparable)
     section.paragraphs.push_back("Not comparable: " + pair + ".");
   section.figures = case_figures(assessment);

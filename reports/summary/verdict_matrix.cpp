@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
-#include <utility>
+#include <variant>
 
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/report_places.hpp"
@@ -14,11 +15,6 @@
 
 namespace slosh {
 namespace {
-
-// The cell of the higher rank is the worse one.
-std::pair<int, double> rank(const ShownRow& row) {
-  return {severity(row.verdict), row.share ? row.share->value : -1};
-}
 
 std::string found_text(const ProblemGateOutcome& outcome) {
   if (!std::isfinite(outcome.value)) return "";
@@ -29,6 +25,7 @@ std::string found_text(const ProblemGateOutcome& outcome) {
 std::string cell_text(const MatrixCell& cell) {
   std::string rest = cell.worst.found;
   if (cell.rows > 1) rest += fmt::format("{}worst of {}", rest.empty() ? "" : ", ", cell.rows);
+  if (cell.worst.regression) rest += rest.empty() ? "regression" : ", regression";
   return verdict_name(cell.worst.verdict) + (rest.empty() ? "" : ": " + rest);
 }
 
@@ -38,12 +35,28 @@ bool is_left_out(const MatrixRow& row) {
   });
 }
 
+bool is_of_mesh(const CaseDefinition& definition, const std::string& run) {
+  return std::any_of(definition.runs.begin(), definition.runs.end(), [&](const auto& one) {
+    return one.name == run && std::holds_alternative<InterFoamRun>(one.solver);
+  });
+}
+
 std::string heading(std::string metric) {
   std::replace(metric.begin(), metric.end(), '_', ' ');
   return metric;
 }
 
 }  // namespace
+
+double ShownRow::reach() const {
+  if (share) return share->value + share->half_width;
+  return verdict == Verdict::pass ? -1 : std::numeric_limits<double>::infinity();
+}
+
+bool is_worse(const ShownRow& one, const ShownRow& other) {
+  if (one.verdict != other.verdict) return severity(one.verdict) > severity(other.verdict);
+  return one.reach() > other.reach();
+}
 
 std::string value_text(double value, double half_width, const std::string& unit) {
   if (!std::isfinite(value)) return "";
@@ -60,6 +73,9 @@ std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases) {
       rows.push_back({.name = one.definition.name,
                       .candidate = row.candidate,
                       .reference = row.reference,
+                      .shown_reference = reference_text(row),
+                      .of_mesh = is_of_mesh(one.definition, row.candidate),
+                      .regression = row.kind == RowKind::regression,
                       .metric = metric_name(row.metric),
                       .metric_text = metric_text(row),
                       .verdict = outcome.verdict,
@@ -83,6 +99,7 @@ std::vector<ShownRow> shown_rows(const std::vector<ProblemAssessment>& problems)
       rows.push_back({.name = one.definition.name,
                       .candidate = outcome.row.measure,
                       .reference = "exact solution",
+                      .shown_reference = "exact solution",
                       .metric = metric_name(outcome.row.metric),
                       .metric_text = metric_name(outcome.row.metric),
                       .verdict = outcome.verdict,
@@ -104,13 +121,14 @@ VerdictMatrix verdict_matrix(const std::vector<ShownRow>& rows) {
     if (std::find(matrix.metrics.begin(), matrix.metrics.end(), one.metric) == matrix.metrics.end())
       matrix.metrics.push_back(one.metric);
     auto row = std::find_if(matrix.rows.begin(), matrix.rows.end(), [&](const MatrixRow& other) {
-      return std::tie(other.name, other.candidate, other.reference) ==
-             std::tie(one.name, one.candidate, one.reference);
+      return std::tie(other.name, other.candidate, other.shown_reference) ==
+             std::tie(one.name, one.candidate, one.shown_reference);
     });
     if (row == matrix.rows.end())
-      row = matrix.rows.insert(row, {one.name, one.candidate, one.reference, {}});
+      row = matrix.rows.insert(row,
+                               {one.name, one.candidate, one.reference, one.shown_reference, {}});
     MatrixCell& cell = row->cells[one.metric];
-    if (++cell.rows == 1 || rank(one) > rank(cell.worst)) cell.worst = one;
+    if (++cell.rows == 1 || is_worse(one, cell.worst)) cell.worst = one;
   }
   return matrix;
 }
@@ -121,7 +139,9 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
       id,
       title,
       "Each cell shows the worst gate row of that pair and metric, its value and the half "
-      "width of its 95 % interval, and links to the row.",
+      "width of its 95 % interval, and links to the row. The worst row is the one that is nearest "
+      "to its own limit or farthest beyond it. A regression row has a limit from an earlier "
+      "measurement and validates nothing.",
       {of, "candidate", "reference"},
       {}};
   for (const std::string& metric : matrix.metrics) table.header.push_back(heading(metric));
@@ -131,9 +151,7 @@ reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
       ++pairs_left_out;
       continue;
     }
-    std::vector<std::string> cells{row.name, row.candidate,
-                                   row.reference.empty() ? "none" : row.reference},
-        links(3);
+    std::vector<std::string> cells{row.name, row.candidate, row.shown_reference}, links(3);
     for (const std::string& metric : matrix.metrics) {
       const auto found = row.cells.find(metric);
       const bool is_there = found != row.cells.end();

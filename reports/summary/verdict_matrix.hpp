@@ -20,6 +20,9 @@ namespace slosh {
 struct ShownRow {
   std::string name;                  // of the case, or of the problem
   std::string candidate, reference;  // of a problem: its error measure and "exact solution"
+  std::string shown_reference;       // reference_text() of case_tables.hpp
+  bool of_mesh = false;              // whether the candidate is a run of OpenFOAM
+  bool regression = false;           // its limit comes from an earlier measurement
   std::string metric, metric_text;   // the name alone, and with the mode and the quantity
   Verdict verdict = Verdict::not_selected;
   double value = 0, half_width = 0;  // in the unit; NaN where there is none
@@ -29,7 +32,14 @@ struct ShownRow {
   std::string remedy;   // what would make an inconclusive row conclusive; else empty
   std::string row_id;   // report_places.hpp
   std::optional<ErrorOverTolerance> share = {};
+
+  // The far end of the 95 % interval as a share of the tolerance. Among rows of one verdict those
+  // without a number come first where they do not pass, and last where they do.
+  double reach() const;
 };
+
+// Whether the first row is worse: by verdict (severity()), then by reach().
+bool is_worse(const ShownRow& one, const ShownRow& other);
 
 // "-0.3 ± 0.6 %", in per cent for the unit "1"; empty for a value that is not finite.
 std::string value_text(double value, double half_width, const std::string& unit);
@@ -40,12 +50,12 @@ std::vector<ShownRow> shown_rows(const std::vector<ProblemAssessment>& problems)
 
 struct MatrixCell {
   std::size_t rows = 0;  // number of gate rows in this cell
-  ShownRow worst;        // by verdict, then by its error over the tolerance
+  ShownRow worst;        // is_worse()
 };
 
 struct MatrixRow {
-  std::string name, candidate, reference;   // as of a ShownRow
-  std::map<std::string, MatrixCell> cells;  // by metric
+  std::string name, candidate, reference, shown_reference;  // as of a ShownRow
+  std::map<std::string, MatrixCell> cells;                  // by metric
 };
 
 struct VerdictMatrix {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 #include "reports/summary/verdict_matrix.hpp"
@@ -16,18 +15,6 @@ namespace {
 
 bool counts(Verdict verdict) {
   return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
-}
-
-// Returns the far end of the interval as a share of the tolerance.
-double reach(const ShownRow& row) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (row.share) return row.share->value + row.share->half_width;
-  return row.verdict == Verdict::pass ? -1 : infinity;
-}
-
-bool is_worse(const ShownRow& one, const ShownRow& other) {
-  if (one.verdict != other.verdict) return severity(one.verdict) > severity(other.verdict);
-  return reach(one) > reach(other);
 }
 
 // Returns the judged rows, worst first.
@@ -91,8 +78,7 @@ reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
     const ShownRow& row = rows[i];
     if (row.verdict == Verdict::pass && i >= fewest) continue;
     table.rows.push_back({verdict_name(row.verdict), share_text(row.share), row.name, row.candidate,
-                          row.reference.empty() ? "none" : row.reference, row.metric_text,
-                          row.message});
+                          row.shown_reference, row.metric_text, row.message});
     table.links.push_back({"row-" + row.row_id, "", "", "", "", "", ""});
   }
   table.caption = fmt::format(
@@ -118,7 +104,11 @@ reports::Decision decision_of(const std::vector<CaseAssessment>& cases,
   }
   if (rows.empty() || exit_status_of({rows.front().verdict}) != status)
     return deciding_run(cases, problems);
-  const ShownRow& worst = rows.front();
+  // interFoam is the reference of most rows: what a code under test does wrong is told first.
+  const auto of_tested_code = std::find_if(rows.begin(), rows.end(), [&](const ShownRow& row) {
+    return row.verdict == rows.front().verdict && !row.of_mesh;
+  });
+  const ShownRow& worst = of_tested_code == rows.end() ? rows.front() : *of_tested_code;
   return {"Decided by", link_to(worst),
           worst.message + "." +
               (worst.remedy.empty() ? "" : " What would decide it: " + worst.remedy + ".")};

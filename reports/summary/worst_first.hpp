@@ -11,18 +11,17 @@
 
 namespace slosh {
 
-// Rows are sorted by verdict (severity() of error_over_tolerance.hpp), then by the far end of the
-// 95 % interval, (|value| + half width) / limit. Among rows of one verdict, those without a number
-// come first where they do not pass, and last where they do. Rows that were not judged (not
-// selected, not supplied) are left out. The table has all rows that do not pass, and at least
+// Rows are sorted by is_worse() of verdict_matrix.hpp. Rows that were not judged (not selected, not
+// supplied) are left out. The table has all rows that do not pass, and at least
 // `fewest` rows where there are as many; the caption states the number of all rows.
 reports::Table worst_first_table(const std::vector<CaseAssessment>& cases,
                                  const std::vector<ProblemAssessment>& problems,
                                  std::size_t fewest = 20);
 
-// Returns what decides the campaign, and its place in the report: the worst row with its figure and
-// its limit, and for an inconclusive one what would decide it; where a run without a row decides,
-// the run and why; where all rows pass, the row nearest to its limit.
+// Returns what decides the campaign, and its place in the report: the worst row, of those with its
+// verdict the worst that does not judge OpenFOAM, with its figure and its limit, and for an
+// inconclusive one what would decide it; where a run without a row decides, the run and why; where
+// all rows pass, the row nearest to its limit.
 reports::Decision decision_of(const std::vector<CaseAssessment>& cases,
                               const std::vector<ProblemAssessment>& problems);
 

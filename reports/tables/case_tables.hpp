@@ -17,6 +17,9 @@ namespace slosh {
 // Returns "forced amplitude error of elevation@right".
 std::string metric_text(const GateRow& row);
 
+// Returns the reference's name, "published impacts" where these are the reference, or "none".
+std::string reference_text(const GateRow& row);
+
 // The result, the verdict and the reason of each gate row; each row has its anchor
 // (report_places.hpp).
 reports::Table gate_table(const CaseAssessment& assessment);

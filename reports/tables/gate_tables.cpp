@@ -65,6 +65,11 @@ std::string metric_text(const GateRow& row) {
   return (row.mode == "whole" ? "" : row.mode + " ") + metric + " of " + row.quantity;
 }
 
+std::string reference_text(const GateRow& row) {
+  if (is_of_impacts(row.metric)) return "published impacts";
+  return row.reference.empty() ? "none" : row.reference;
+}
+
 Table gate_table(const CaseAssessment& assessment) {
   const std::string& name = assessment.definition.name;
   Table table{
@@ -79,8 +84,7 @@ Table gate_table(const CaseAssessment& assessment) {
   for (const GateOutcome& outcome : assessment.gate) {
     table.row_ids.push_back(case_row_id(name, table.rows.size()));
     table.rows.push_back({verdict_name(outcome.verdict), outcome.row.candidate,
-                          outcome.row.reference.empty() ? "none" : outcome.row.reference,
-                          metric_text(outcome.row), outcome.message});
+                          reference_text(outcome.row), metric_text(outcome.row), outcome.message});
     const bool fails = is_judged(outcome.verdict) && outcome.verdict != Verdict::pass;
     const std::string reason = limit_reason(outcome.row.reason, outcome.row.source);
     table.reasons.push_back(reason == last && !fails ? "" : reason);

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/across_runs/impact_samples.hpp"
@@ -9,6 +10,7 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/ensemble_mean.hpp"
+#include "verification/series/interval_text.hpp"
 #include "verification/series/low_pass_filter.hpp"
 
 namespace slosh {
@@ -39,10 +41,17 @@ Row published_row(const ImpactsDefinition& impacts) {
   return row;
 }
 
+// Rounds to so many decimals. Returns no negative zero.
+double rounded(double value, int decimals) {
+  const double unit = std::pow(10, decimals);
+  return 0.0 + std::round(value * unit) / unit;
+}
+
 // Returns "not available" where the series does not reach the plateau's end or is not finite there.
 std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& definition) try {
   const double error = plateau_error(pressure, definition);
-  return fmt::format("{:.0f} ({:+.0f} %)", (1 + error) * definition.impacts->plateau, 100 * error);
+  return fmt::format("{:.0f} ({:+.0f} %)", (1 + error) * definition.impacts->plateau,
+                     rounded(100 * error, 0));
 } catch (const ComparisonError&) {
   return "not available";
 }
@@ -51,7 +60,8 @@ std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& defin
 // not supplied.
 std::string time_difference(double time, std::size_t n, const TimeSeries& pressure,
                             const TimeSeries* record, const CaseDefinition& definition) try {
-  return fmt::format(" ({:+.3f})", time - expected_time(n, pressure, record, definition));
+  return fmt::format(" ({:+.3f})",
+                     rounded(time - expected_time(n, pressure, record, definition), 3));
 } catch (const NotSuppliedError&) {
   return "";
 }
@@ -62,8 +72,9 @@ std::string rise_cell(const TimeSeries& pressure, const ImpactPeak& peak, std::s
   const std::optional<double> rise = rise_time(pressure, peak);
   if (!rise) return "no rise from half the peak";
   return fmt::format("{:.4f}", *rise) +
-         (impacts.rise_times ? fmt::format(" ({:+.4f})", *rise - impacts.rise_times->values[n])
-                             : "");
+         (impacts.rise_times
+              ? fmt::format(" ({:+.4f})", rounded(*rise - impacts.rise_times->values[n], 4))
+              : "");
 }
 
 // Adds the arrival, with the difference to the published one, and the impulse, with its error, as
@@ -73,14 +84,14 @@ void add_arrival_cells(const TimeSeries& pressure, std::size_t n, const CaseDefi
   const ImpactsDefinition& impacts = definition.impacts.value();
   if (impacts.arrivals) {
     const std::optional<double> arrival = arrival_in(pressure, n, definition);
-    row.push_back(
-        arrival ? fmt::format("{:.4f} ({:+.4f})", *arrival, *arrival - impacts.arrivals->times[n])
-                : "no arrival");
+    row.push_back(arrival ? fmt::format("{:.4f} ({:+.4f})", *arrival,
+                                        rounded(*arrival - impacts.arrivals->times[n], 4))
+                          : "no arrival");
   }
   if (impacts.impulses) {
     const std::optional<double> found = impulse_in(pressure, n, definition);
     row.push_back(found ? fmt::format("{:.0f} ({:+.0f} %)", *found,
-                                      100 * (*found / impacts.impulses->values[n] - 1))
+                                      rounded(100 * (*found / impacts.impulses->values[n] - 1), 0))
                         : "no arrival");
   }
 }
@@ -160,9 +171,8 @@ std::string caption(const CaseDefinition& definition) {
 Row moments(const Distribution& peaks) {
   const std::size_t count = peaks.sorted().size();
   const Estimate mean = mean_of_members(peaks.sorted());
-  Row row{
-      fmt::format("{:.0f} ± {:.0f}", mean.value, mean.half_width),
-      count < 2 ? std::string("single run") : fmt::format("{:.0f}", peaks.standard_deviation())};
+  Row row{interval_text(mean), count < 2 ? std::string("single run")
+                                         : fmt::format("{:.0f}", peaks.standard_deviation())};
   try {
     const Interval interval = peaks.central_90_percent();
     row.push_back(fmt::format("{:.0f} to {:.0f}", interval.low, interval.high));

@@ -42,7 +42,8 @@ std::string apart_cell(const PanelRow& row) {
   if (verdict.all_agree()) return fmt::format("nobody: all agree (p {:.2g})", verdict.agree_p);
   if (const PanelSolver* odd = row.odd()) return odd_text(row, *odd);
   const std::string differ = fmt::format("they differ (p {:.2g})", verdict.agree_p);
-  if (row.judged.size() < fewest_solvers) return differ + ", and of two solvers neither can be named";
+  if (row.judged.size() < fewest_solvers)
+    return differ + ", and of two solvers neither can be named";
   if (verdict.apart.empty()) return differ + ", and none is apart from others that agree";
   std::vector<std::string> names;
   for (const std::size_t j : verdict.apart) names.push_back(row.solvers[row.judged[j]].run);
@@ -83,7 +84,7 @@ Table panel_table(const std::string& case_name, const PanelAssessment& panel) {
   Table table{case_name + "-panel-" + panel.definition.name,
               fmt::format("Panel {}: {}", panel.definition.name, panel.definition.quantity),
               caption(panel.definition),
-              {"impact", "metric"},
+              {"part", "metric"},
               {}};
   table.header.insert(table.header.end(), panel.definition.runs.begin(),
                       panel.definition.runs.end());
@@ -92,7 +93,7 @@ Table panel_table(const std::string& case_name, const PanelAssessment& panel) {
   table.header.push_back("left out (reason)");
   for (const PanelRow& row : panel.rows) {
     table.rows.push_back(
-        {row.mode == "whole" ? std::string("all") : row.mode,
+        {row.mode == "whole" ? std::string("whole") : row.mode,
          fmt::format("{} [{}]", panel_metric_entry(row.metric).description, row.unit)});
     for (const PanelSolver& solver : row.solvers) table.rows.back().push_back(solver_cell(solver));
     table.rows.back().push_back(apart_cell(row));

@@ -21,7 +21,7 @@ void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Tabl
     for (const ValueAtStep& one : path.values) values.push_back(in_unit(one.value, row.unit));
     std::vector<std::string> line{
         path.path,
-        fmt::format("{} {} of {}", row.mode, metric_name(row.metric), row.quantity),
+        fmt::format("{}, {}", row.candidate, metric_text(row)),
         fmt::format("{}", fmt::join(path.runs, ", ")),
         fmt::format("{}", fmt::join(values, ", ")),
         path.values.size() == 2 ? "two values" : behaviour_name(path.found.behaviour),
@@ -68,7 +68,7 @@ std::string remedy_text(const GateOutcome& outcome) {
   if (const std::string missing = missing_for_validation(judged.contributions); !missing.empty())
     ways.push_back(missing);
   if (ways.empty())
-    return fmt::format("a better {}: no single finer or longer run is enough",
+    return fmt::format("no single finer or longer run is enough; the largest part is the {}",
                        dominant_contribution(judged.contributions));
   return fmt::format("{}", fmt::join(ways, "; or "));
 }
@@ -115,14 +115,15 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
       "Two values have no order: the error is estimated from their difference as if it fell with "
       "the first power of the step, and the uncertainty is three times that estimate, but at least "
       "three times the difference.",
-      {"path", "metric", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
+      {"path", "row", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
       {}};
   CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
   const GateEvidence gate = evidence.gate_evidence();
   const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
   for (const GateOutcome& outcome : assessment.gate) {
-    if (!std::isfinite(outcome.value.value) || is_cost(outcome.row.metric))
-      continue;  // the cost rests on all runs of a path together
+    if (!std::isfinite(outcome.value.value) || is_cost(outcome.row.metric) ||
+        is_p_value(outcome.row.metric))
+      continue;  // the cost rests on all runs of a path together, a p-value has no discretisation
     for (const Role role : {Role::candidate, Role::reference})
       add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role, measure),
                 outcome.row, table);

@@ -14,10 +14,12 @@ std::string history_text(const SineMotion& sine, double si_per_unit, const char*
   const double degrees = sine.phase / radians_per_degree;
   const std::string phase =
       degrees == 0 ? "" : fmt::format(" {} {:.6g} deg", degrees < 0 ? '-' : '+', std::abs(degrees));
-  return fmt::format(
-      "{:.6g} {} sin({:.6g} rad/s t{}){}", sine.amplitude / si_per_unit, unit,
-      sine.angular_frequency, phase,
-      sine.ramp_periods > 0 ? fmt::format(", ramped over {} periods", sine.ramp_periods) : "");
+  return fmt::format("{:.6g} {} sin({:.6g} rad/s t{}){}", sine.amplitude / si_per_unit, unit,
+                     sine.angular_frequency, phase,
+                     sine.ramp_periods > 0
+                         ? fmt::format(", ramped over {} {}", sine.ramp_periods,
+                                       sine.ramp_periods == 1 ? "period" : "periods")
+                         : "");
 }
 
 std::string history_text(const SumOfSines& sum, double si_per_unit, const char* unit) {

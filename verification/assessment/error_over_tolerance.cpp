@@ -20,6 +20,13 @@ ErrorOverTolerance ratio_in_range(double value, std::pair<double, double> range,
   return ratio_to(value - (lower + upper) / 2, (upper - lower) / 2, half_width);
 }
 
+// Both forms meet at the level. A p-value of zero is one tolerance beyond it, as how far it lies
+// below tells how many repeats there are and not how large the difference is.
+ErrorOverTolerance ratio_of_p_value(double p, double level, double half_width) {
+  if (p >= level) return {level / p, 0};
+  return {2 - p / level, half_width / level};
+}
+
 }  // namespace
 
 double half_width_of(const GateOutcome& outcome) {
@@ -31,6 +38,8 @@ std::optional<ErrorOverTolerance> error_over_tolerance(const GateOutcome& outcom
   if (!std::isfinite(value)) return {};
   const double half_width = outcome.judgement ? outcome.judgement->uncertainty : 0;
   if (outcome.row.limit) return ratio_to(value, *outcome.row.limit, half_width);
+  if (is_p_value(outcome.row.metric))
+    return ratio_of_p_value(value, allowed_by(outcome.row).lower, half_width);
   if (outcome.row.between) return ratio_in_range(value, *outcome.row.between, half_width);
   return {};
 }

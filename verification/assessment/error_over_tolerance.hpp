@@ -1,6 +1,8 @@
 // The error of a gate row's metric over the row's tolerance: |E| / limit; for a range from a to b
-// |E - (a + b) / 2| / ((b - a) / 2); for an order that must be reached, limit / order. The bound is
-// violated above 1. The ratio orders rows whose units differ.
+// |E - (a + b) / 2| / ((b - a) / 2); for an order that must be reached, limit / order; for a
+// p-value p with the lowest accepted level a, a / p above a and 2 - p / a below. The bound is
+// violated above
+// 1. The ratio orders rows whose units differ.
 #pragma once
 
 #include <optional>

@@ -149,7 +149,8 @@ std::string movement_text(const RowMovement& movement) {
                         uncertainties);
   if (loosened)
     text +=
-        fmt::format(", tolerance loosened: {} -> {}", range(*before, unit), range(*after, unit));
+        fmt::format(", tolerance {}: {} -> {}", is_loosened(*after, *before) ? "moved" : "loosened",
+                    range(*before, unit), range(*after, unit));
   return text;
 }
 

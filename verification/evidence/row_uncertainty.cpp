@@ -25,11 +25,11 @@ Contribution as_when_measured(const char* how) {
 // The numerical uncertainty of the run in this role, from its refinement paths.
 Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                        Role role, const MeasureRow& measure) {
+  if (row.kind == RowKind::regression) return as_when_measured("with the same step");
   const std::vector<RefinedMetric> paths = refined_metrics(definition, runs, row, role, measure);
   if (!paths.empty()) {
     std::vector<std::string> names;
     for (const RefinedMetric& path : paths) names.push_back(path.path);
-    if (row.kind == RowKind::regression) return as_when_measured("with the same step");
     return {numerical_uncertainty(paths),
             fmt::format("refinement of the {}", fmt::join(names, ", "))};
   }

@@ -93,12 +93,18 @@ std::string lost_text(const GateRow& row, const GateEvidence& evidence) {
                                    : not_reached_text(evidence.cost(row), row.unit);
 }
 
-// "14 ± 4 % ≤ 20 %", "|-1 %| ≤ 2 %", "3 % is not within 1 % to 2 %".
+// The interval of a p-value that is small would reach below zero.
+std::string value_text(const GateRow& row, const ThreeWayOutcome& judged) {
+  if (is_p_value(row.metric) && judged.uncertainty >= judged.error)
+    return "at most " + in_unit(judged.error + judged.uncertainty, row.unit);
+  return with_interval({judged.error, judged.uncertainty}, row.unit);
+}
+
+// "14 ± 4 % ≤ 20 %", "|-1 %| ≤ 2 %", "3 % is not within 1 % to 2 %", "at most 0.04 % is not ≥ 5 %".
 std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                        const GateEvidence& evidence) {
-  const std::string shown = is_lost(row, judged.error)
-                                ? lost_text(row, evidence)
-                                : with_interval({judged.error, judged.uncertainty}, row.unit);
+  const std::string shown =
+      is_lost(row, judged.error) ? lost_text(row, evidence) : value_text(row, judged);
   const auto phrase = [&](const char* holds, const char* does_not) {
     switch (judged.verdict) {
       case ThreeWayVerdict::pass:
@@ -113,6 +119,9 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
   if (row.limit)
     return fmt::format("{} {} {}", judged.error < 0 ? "|" + shown + "|" : shown,
                        phrase("≤", "is not ≤"), in_unit(*row.limit, row.unit));
+  if (std::isinf(allowed_by(row).upper))
+    return fmt::format("{} {} {}", shown, phrase("≥", "is not ≥"),
+                       in_unit(row.between->first, row.unit));
   return fmt::format("{} {} {} to {}", shown, phrase("within", "is not within"),
                      in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
 }

@@ -116,7 +116,7 @@ Table li2010_errata(const RedrawnFigures& redrawn) {
        {}},
       {{{"Eqs 16-20 use an undefined A",
          "They match x_e = b sin(omega t) only with A = -b omega; A = +b omega gives -eta.",
-         fmt::format("largest |eta| {:.3f} mm; largest |eta(+b omega) + eta(-b omega)| {:.1e} mm",
+         fmt::format("largest |eta| {:.3f} mm; largest |eta(+b omega) + eta(-b omega)| {:.1g} mm",
                      1000 * highest, 1000 * opposite)},
         {"1"}},
        {{"omega_0 = 4.94488 rad/s", "g = 9.81 m/s2 gives another value.",

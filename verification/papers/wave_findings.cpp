@@ -144,8 +144,9 @@ Finding peaks_at_multiples(const Cases& cases, const FindingRow& row) {
   const Held grown = both(compare(found.growth(0), grows), compare(found.growth(1), grows));
   return {both(placed, grown),
           fmt::format(
-              "{}: peaks [Hz] at {}, then {} are the two highest and within {:.2g} % of {:.3f} "
-              "and {:.3f}; powers grow by the factors {} and {} (at least {})",
+              "{}: peaks [Hz] at {}, then at {} (in so many of the repeats these are the two "
+              "highest and within {:.2g} % of {:.3f} and {:.3f}); powers grow by the factors {} "
+              "and {} (at least {})",
               name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
               text(found.smaller), text(found.larger), 100 * at_frequency.upper, excitation,
               2 * excitation, mean_text(found.growth(0)), mean_text(found.growth(1)), grows.upper)};
@@ -158,15 +159,15 @@ Finding growth_of_peak_ratio(const Cases& cases, const FindingRow& row) {
   const auto over = [](const std::vector<double>& numbers, double printed) {
     return ratio_of_members(numbers, {printed});
   };
-  return {
-      both(compare(ratio_of_members(larger, smaller), grows),
-           both(compare(over(smaller, row.printed.at(0)), near_printed),
-                compare(over(larger, row.printed.at(1)), near_printed))),
-      fmt::format("{}: first over second from {} to {} (printed: {:.2f} to {:.3f}; met within a "
-                  "factor of {})",
-                  name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
-                  mean_text(over(smaller, 1)), mean_text(over(larger, 1)), row.printed.at(0),
-                  row.printed.at(1), near_printed.upper)};
+  return {both(compare(ratio_of_members(larger, smaller), grows),
+               both(compare(over(smaller, row.printed.at(0)), near_printed),
+                    compare(over(larger, row.printed.at(1)), near_printed))),
+          fmt::format(
+              "{}: first over second from {} to {} (printed: {:.2f} and {:.3f}; each must be met "
+              "within a factor of {})",
+              name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
+              mean_text(over(smaller, 1)), mean_text(over(larger, 1)), row.printed.at(0),
+              row.printed.at(1), near_printed.upper)};
 }
 
 }  // namespace evidence

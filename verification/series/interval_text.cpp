@@ -13,12 +13,13 @@ constexpr int most_decimals = 5;  // beyond them a power of ten stands after the
 
 int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 
-// The power of ten of the last digit that is shown.
-int last_place(double half_width) {
+// The power of ten of the last digit that is shown. A half width that exceeds the value keeps two
+// digits, as the value would be lost otherwise.
+int last_place(double value, double half_width) {
   const int first = exponent_of(half_width);
   const double digits = std::round(half_width / std::pow(10, first - 1));  // 10 to 100
   if (digits >= 100) return first;
-  return digits < 30 ? first - 1 : first;
+  return digits < 30 || half_width > std::abs(value) ? first - 1 : first;
 }
 
 // Rounds to the place. Returns no negative zero.
@@ -41,7 +42,7 @@ std::string interval_text(const Estimate& estimate) {
   const auto [value, half_width] = estimate;
   if (std::isinf(half_width)) return "not determined";
   if (!(half_width > 0) || !std::isfinite(value)) return fmt::format("{:.3g}", value);
-  int place = last_place(half_width);
+  int place = last_place(value, half_width);
   double shown_half = rounded(half_width, place);
   if (value != 0) {
     const int fourth = exponent_of(std::abs(value)) - most_digits + 1;

@@ -7,11 +7,11 @@
 
 namespace slosh {
 
-// Returns "-0.29 ± 0.19", "0.0 ± 0.3", "(6.42 ± 0.15)e-05". The half width has one digit, or two
-// where its first is 1 or 2, and the value ends at the same place. Where the value would then have
-// more than four digits, the half width is rounded up to the fourth; a half width below a tenth of
-// that is not shown. A value without an interval, or with one that is not shown, has three digits.
-// "not determined" stands for an infinite half width.
+// Returns "-0.29 ± 0.19", "6 ± 47", "(6.42 ± 0.15)e-05". The half width has one digit, or two where
+// its first is 1 or 2 or where it exceeds the value, which ends at the same place. Where the value
+// would then have more than four digits, the half width is rounded up to the fourth; a half width
+// below a tenth of that is not shown. A value without an interval, or with one that is not shown,
+// has three digits. "not determined" stands for an infinite half width.
 std::string interval_text(const Estimate& estimate);
 
 // Returns the value and its interval in per cent.

@@ -32,14 +32,15 @@ double widest_interval(const std::vector<double>& time) {
 }
 
 void require_resolved(const TimeSeries& series, double cutoff) {
-  const double nyquist = 0.5 / widest_interval(series.time);
+  const double widest = widest_interval(series.time);
+  const double nyquist = 0.5 / widest;
   // The factor only allows for the rounding of sample times.
   const double largest = largest_cutoff_of_nyquist * nyquist * (1 + 1e-6);
   if (!(cutoff > 0) || !(cutoff <= largest)) {
     throw ComparisonError(
         fmt::format("{}: cutoff = {} Hz: expected a number > 0 and at most {:.4g} Hz, a third of "
-                    "the Nyquist frequency of its widest interval",
-                    series.name, cutoff, largest));
+                    "the Nyquist frequency: its samples are up to {:.3g} s apart",
+                    series.name, cutoff, largest, widest));
   }
   const double length = 2 * reach_of_width * gaussian_width(cutoff);
   const double span = series.time.back() - series.time.front();

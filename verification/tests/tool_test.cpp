@@ -428,8 +428,8 @@ TEST_F(Tool, TellsOfARecordThatIsNotSuppliedAndTakesItWhereItIs) {
                     "made for a test"));
   EXPECT_TRUE(holds(without.out, "not supplied   small particles whole normalised_rms"));
   EXPECT_TRUE(holds(without.out,
-                    "PASS: 1 of 1 gate rows hold, 1 records not supplied, 1 gate rows "
-                    "without their record."));
+                    "PASS: 1 of 1 gate rows hold, 1 record not supplied, 1 gate row "
+                    "without its record."));
   const Ended refused = tool({"run", "./small.toml", "probe"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_TRUE(holds(refused.err, "run probe: expected SLOSH_EXPERIMENTS/tests/probe.csv"));
@@ -457,7 +457,7 @@ TEST_F(Tool, TellsOfARecordThatIsNotSuppliedAndTakesItWhereItIs) {
                 "'");
   const Ended again = campaign();
   EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_TRUE(holds(again.out, "1 records not supplied")) << "a record of earlier was taken";
+  EXPECT_TRUE(holds(again.out, "1 record not supplied")) << "a record of earlier was taken";
 }
 
 TEST_F(Tool, RefusesADirectoryOfRecordsOrARecordThatIsNotWhatItShouldBe) {

@@ -63,6 +63,15 @@ TEST(Look, OfAReferenceIsBlackOrGreyAndHasNoMarkersOnItsLine) {
   EXPECT_EQ(element(figure, "theory").find(" pt "), std::string::npos);
 }
 
+TEST(Look, OfABandIsTheColourOfItsCurve) {
+  Figure figure = figure_of({curve_named("run", 1)});
+  figure.bands = {{"of the run", -1, 1, Look{false, 4, 0}}, {"of none", -2, 2}};
+  const std::string script = gnuplot_script(figure), run = stroke_of({false, 4, 0}).colour;
+  const std::size_t rectangle = script.find("set object rectangle");
+  EXPECT_EQ(script.find("fc rgb '" + run, rectangle), script.find("fc rgb '", rectangle));
+  EXPECT_NE(band_colour(figure, 1), run);
+}
+
 TEST(Look, HasNoMarkersOnALevelWhereTheyWouldLookLikeData) {
   Curve level{"level", {0, 1}, {1, 1}, {}, Curve::Style::line};
   level.look = Look{false, 0, 0};

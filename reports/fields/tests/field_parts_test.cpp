@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/drawing/field_range.hpp"
 #include "reports/fields/field_arrows.hpp"
 #include "reports/fields/field_layout.hpp"
-#include "reports/fields/field_range.hpp"
 #include "reports/fields/field_raster.hpp"
 #include "reports/tests/sample_report.hpp"
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "reports/drawing/field_range.hpp"
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "verification/case/case_definition.hpp"
@@ -33,13 +34,17 @@ std::vector<std::vector<Value>> in_parts(const std::vector<Value>& values, std::
   return cut;
 }
 
+std::string times_text(const std::vector<double>& times) {
+  if (times.size() == 1) return fmt::format("at {:g} s", times.front());
+  return fmt::format(times.size() == 2 ? "at {:g} and {:g} s" : "from {:g} to {:g} s",
+                     times.front(), times.back());
+}
+
 FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<double>& times,
                          const std::vector<std::string>& runs) {
   const CaseDefinition& definition = assessment.definition;
   FieldFigure figure;
-  figure.title = times.size() == 1 ? fmt::format("Pressure and velocity at {:g} s", times.front())
-                                   : fmt::format("Pressure and velocity from {:g} to {:g} s",
-                                                 times.front(), times.back());
+  figure.title = "Pressure and velocity " + times_text(times);
   figure.caption = "Each row is a time, each column a run: the finest of each scheme and solver. " +
                    field_caption(definition, runs);
   figure.value_label = field_quantity;
@@ -47,6 +52,20 @@ FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<dou
   for (const double time : times)
     for (const std::string& run : runs) figure.panels.push_back(panel_of(assessment, run, time));
   return figure;
+}
+
+// Numbers the pictures and gives them one scale of colours, so that they can be compared.
+void set_side_by_side(std::vector<FieldFigure>& figures) {
+  if (figures.size() < 2) return;
+  FieldFigure all;
+  for (const FieldFigure& one : figures)
+    all.panels.insert(all.panels.end(), one.panels.begin(), one.panels.end());
+  const reports::ColourRange range = reports::colour_range(all);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    figures[i].title += fmt::format(" ({} of {})", i + 1, figures.size());
+    figures[i].caption += " All pictures have the same scale of colours.";
+    figures[i].value_range = {range.lower, range.upper};
+  }
 }
 
 }  // namespace
@@ -117,6 +136,7 @@ std::vector<FieldFigure> case_fields(const CaseAssessment& assessment) {
       figures.push_back(field_figure(assessment, times_shown, columns));
       figures.back().id = fmt::format("{}-fields-{}", definition.name, figures.size());
     }
+  set_side_by_side(figures);
   if (std::optional<FieldFigure> film = case_film(assessment)) figures.push_back(std::move(*film));
   return figures;
 }

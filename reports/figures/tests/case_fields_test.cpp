@@ -45,7 +45,7 @@ TEST(CaseFields, HaveARowForAMomentAndAColumnForASolver) {
   const auto fields = case_fields(assess(rolling_case(), runs));
   ASSERT_EQ(fields.size(), 1u);
   EXPECT_EQ(fields[0].id, "small_surge-fields-1");
-  EXPECT_EQ(fields[0].title, "Pressure and velocity from 1 to 2 s");
+  EXPECT_EQ(fields[0].title, "Pressure and velocity at 1 and 2 s");
   EXPECT_EQ(fields[0].columns, 2);
   EXPECT_EQ(panel_labels(fields[0]),
             (Names{"particles, t = 1 s, roll 5.73°", "fine_mesh, t = 1 s, roll 5.73°",
@@ -130,7 +130,7 @@ TEST(CaseFields, AreCutWhereTheyHaveTooManyMoments) {
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_EQ(fields[0].panels.size(), 6u);
   EXPECT_EQ(fields[1].panels.size(), 6u);
-  EXPECT_EQ(fields[1].title, "Pressure and velocity from 4 to 6 s");
+  EXPECT_EQ(fields[1].title, "Pressure and velocity from 4 to 6 s (2 of 2)");
   EXPECT_EQ(fields[1].id, "small_surge-fields-2");
 }
 
@@ -143,8 +143,12 @@ TEST(CaseFields, AreCutWhereTheyHaveTooManyColumns) {
     runs.results[scheme] = runs.results.at("particles");
     runs.status[scheme] = {RunState::finished, ""};
   }
+  for (FieldSnapshot& one : runs.results.at("delta_sph").snapshots)
+    for (double& pressure : one.pressure) pressure *= 10;
   const auto fields = case_fields(assess(definition, runs));
   ASSERT_EQ(fields.size(), 2u);
+  EXPECT_EQ(fields[0].value_range, fields[1].value_range);
+  EXPECT_EQ(fields[0].value_range.second, 1000);  // of delta_sph, which stands in the second
   EXPECT_EQ(fields[0].columns, 2);
   EXPECT_EQ(fields[0].panels.at(1).label, "li2010, t = 1 s, roll 5.73°");
   EXPECT_EQ(fields[1].columns, 3);

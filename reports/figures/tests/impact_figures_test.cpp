@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reports/figures/case_figures.hpp"
+#include "reports/figures/glance_figure.hpp"
 #include "verification/tests/impact_runs.hpp"
 
 namespace slosh::impact_figures_test {
@@ -37,6 +38,12 @@ TEST(ImpactFigures, DrawTheRepeatsOfEachImpactBesideThoseOfTheExperiment) {
   EXPECT_EQ(runs.y.front(), 0);
   EXPECT_EQ(runs.y.back(), 1);
   EXPECT_TRUE(figure.markers.empty());
+}
+
+TEST(GlanceFigure, OfACaseWithImpactsShowsTheirPressure) {
+  const CaseAssessment assessment = repeats(impact_case(), 3);
+  EXPECT_EQ(glance_figure(assessment, "repeat_0").value().caption.find("Pressure"), 0U)
+      << glance_figure(assessment, "repeat_0").value().caption;
 }
 
 // Put together, an impact that is too high and one that is too low would look like the

@@ -44,6 +44,17 @@ TEST(RunLook, DiffersWithinAFamilyInMarkerAndDashTheFinestFirst) {
   EXPECT_EQ(look_of_family(definition, "recommended"), look_of(definition, "fine"));
 }
 
+TEST(RunLook, CountsTheRepeatsOfARunAsOne) {
+  CaseDefinition definition = assess_scaled({{"fine", scheme("recommended", 0.01), 1, {}},
+                                             {"fine_2", scheme("recommended", 0.01), 1, {}},
+                                             {"fine_3", scheme("recommended", 0.01), 1, {}},
+                                             {"coarse", scheme("recommended", 0.02), 1, {}}})
+                                  .definition;
+  for (RunDefinition& run : definition.runs)
+    if (run.name.starts_with("fine")) run.ensemble = "fine";
+  EXPECT_EQ(look_of(definition, "coarse").shape, look_of(definition, "fine").shape + 1);
+}
+
 TEST(RunLook, OfAProgramOfTheUsersTakesAHueThatNoSchemeOfTheCaseHas) {
   const auto mine = [](const std::string& method) {
     return ExternalRun{{"my_sph"}, {}, {}, {}, {}, method, 0.01};

@@ -10,9 +10,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "reports/figures/run_looks.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/sensitivity/sensitivity_cache.hpp"
+#include "verification/tests/figure_results.hpp"
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -69,15 +71,15 @@ TEST(VerdictSentence, NamesEveryKindOfTrouble) {
   const auto without = [](RunState why) {
     return std::vector{assess(surge_case(), surge_runs_without("particles", why, "x"))};
   };
-  EXPECT_EQ(verdict_sentence(without(RunState::failed)), "0 of 3 gate rows hold, 1 runs failed.");
+  EXPECT_EQ(verdict_sentence(without(RunState::failed)), "0 of 3 gate rows hold, 1 run failed.");
   EXPECT_EQ(verdict_sentence(without(RunState::missing)),
-            "0 of 3 gate rows hold, 3 not compared, 1 runs without a result.");
+            "0 of 3 gate rows hold, 3 not compared, 1 run without a result.");
   EXPECT_EQ(verdict_sentence(without(RunState::not_selected)),
             "0 of 0 gate rows hold, 3 not selected.");
   EXPECT_EQ(verdict_sentence(
                 {assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "x")),
                  good()}),
-            "3 of 3 gate rows hold, 1 records not supplied, 3 gate rows without their record.");
+            "3 of 3 gate rows hold, 1 record not supplied, 3 gate rows without their record.");
 }
 
 std::vector<std::string> section_ids(const reports::Report& report) {
@@ -302,7 +304,7 @@ TEST(CampaignReport, SaysInTheSummaryOfACaseWhatItsTablesFind) {
       section_of(report_of(surge_campaign(), {good()}), "small_surge-summary").paragraphs;
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0],
-            "None of the 4 solutions stands apart from the others in elevation@right.");
+            "No single one of the 4 solutions stands apart from all others in elevation@right.");
   TimeSeries high = elevation_of({});
   for (double& value : high.value) value *= 3;
   EXPECT_EQ(section_of(report_of(surge_campaign(),
@@ -310,6 +312,38 @@ TEST(CampaignReport, SaysInTheSummaryOfACaseWhatItsTablesFind) {
                        "small_surge-summary")
                 .paragraphs.at(0),
             "`particles` stands apart from the other 3 solutions in elevation@right.");
+}
+
+TEST(CampaignReport, TellsHowFarTheRunsAreFromARecordThatNoGateRowJudgesAgainst) {
+  const auto tells = [](const CaseDefinition& definition) {
+    const std::vector<std::string> findings =
+        section_of(report_of(surge_campaign(), {assess(definition, gauged_runs())}),
+                   "small_surge-summary")
+            .paragraphs;
+    return std::any_of(findings.begin(), findings.end(), [](const std::string& one) {
+      return one.starts_with(
+                 "No gate row judges against the record `measured`. In wall_pressure@B "
+                 "the normalised rms difference from it is ") &&
+             one.find("% (`particles`)") != std::string::npos;
+    });
+  };
+  CaseDefinition definition = gauged_surge();
+  EXPECT_TRUE(tells(definition));
+  definition.gate.push_back(surge_row("whole", Metric::normalised_rms, "1", 0.1));
+  definition.gate.back().reference = "measured";
+  definition.gate.back().quantity = "wall_pressure@B";
+  EXPECT_FALSE(tells(definition));
+}
+
+TEST(CampaignReport, TellsOfARecordThatNoGateRowNeeds) {
+  CaseDefinition definition = gauged_surge();
+  CaseRuns runs = gauged_runs();
+  runs.results.erase("measured");
+  runs.status["measured"] = {RunState::not_supplied, "expected SLOSH_EXPERIMENTS/b.csv"};
+  EXPECT_EQ(section_of(report_of(surge_campaign(), {assess(definition, runs)}), "small_surge")
+                .paragraphs.at(1),
+            "The record `measured` is not supplied: expected SLOSH_EXPERIMENTS/b.csv. No gate row "
+            "needs it.");
 }
 
 TEST(CampaignReport, DrawsAReferenceOutOfItsRangeAndSaysSo) {
@@ -339,14 +373,17 @@ TEST(CampaignReport, DrawsTheToleratedResidualOfTheQuantityThatTheRowNames) {
   definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.1)};
   TimeSeries high = elevation_of({});
   for (double& value : high.value) value *= 1.05;
-  const auto bands = [&] {
+  const auto residuals = [&] {
     const reports::Report report =
         report_of(surge_campaign(), {assess(definition, surge_runs_with("particles", high))});
-    return section_of(report, "small_surge").figures[1].bands.size();
+    return section_of(report, "small_surge").figures[1];
   };
-  EXPECT_EQ(bands(), 1u);
+  ASSERT_EQ(residuals().bands.size(), 1u);
+  EXPECT_EQ(residuals().bands[0].look, look_of(definition, "particles"));
+  EXPECT_NE(residuals().caption.find("Bands show"), std::string::npos);
   definition.gate[0].quantity = "elevation@left";
-  EXPECT_EQ(bands(), 0u);
+  EXPECT_EQ(residuals().bands.size(), 0u);
+  EXPECT_EQ(residuals().caption.find("Bands show"), std::string::npos);
 }
 
 nlohmann::json json_of(const std::vector<CaseAssessment>& cases) {
@@ -398,7 +435,7 @@ TEST(CampaignReport, DoubtsTheModelsByTheMachNumberThatARunRecorded) {
   CaseAssessment assessment = good();
   assessment.runs.results.at("particles").diagnostics["largest_mach_number"] = 0.28;
   EXPECT_EQ(section_of(report_of(surge_campaign(), {assessment}), "small_surge").paragraphs.at(1),
-            "The models are doubtful here, because they leave out the compressibility of the "
+            "This effect is beyond the limit of the models: the compressibility of the "
             "liquid at the largest Mach number recorded, 0.28 of particles: 7.8 % of the density, "
             "limit 1 % (Monaghan 1994, J. Comput. Phys. 110:399).");
 }

@@ -51,6 +51,18 @@ TEST(ErrorOverTolerance, OfARangeIsTheDistanceFromItsMiddle) {
   EXPECT_NEAR(error_over_tolerance(ranged)->value, 0, 1e-12);
 }
 
+TEST(ErrorOverTolerance, OfAPValueIsOneAtItsLevelAndAtMostTwoBelow) {
+  GateOutcome equal = outcome(Verdict::pass, 0.05);
+  equal.row.metric = Metric::peak_ks_p_value;
+  equal.row.limit.reset();
+  equal.row.between = {0.05, 1.0};
+  EXPECT_NEAR(error_over_tolerance(equal)->value, 1, 1e-12);
+  equal.value.value = 1;
+  EXPECT_NEAR(error_over_tolerance(equal)->value, 0.05, 1e-12);
+  equal.value.value = 1e-12;
+  EXPECT_NEAR(error_over_tolerance(equal)->value, 2, 1e-9);
+}
+
 TEST(ErrorOverTolerance, IsNotThereWithoutANumberOrWithoutABound) {
   EXPECT_FALSE(error_over_tolerance(outcome(Verdict::not_compared, nan)));
   GateOutcome improving = outcome(Verdict::pass, 0.01);
@@ -91,6 +103,33 @@ TEST(VerdictMatrix, ShowsTheWorstVerdictOfEachCellAndOfAlikeVerdictsTheOneNeares
   const MatrixCell& worst_lag = matrix.rows[0].cells.at("phase_lag");
   EXPECT_EQ(worst_lag.worst.verdict, Verdict::violated);
   EXPECT_EQ(worst_lag.worst.row_id, "small_surge-4");
+}
+
+TEST(VerdictMatrix, CallsTheRowWorstWhoseIntervalReachesFarthestAsTheListOfAllRowsDoes) {
+  GateOutcome wide = outcome(Verdict::inconclusive, 0.01, 0.09);
+  wide.row.mode = "natural_1";
+  const std::vector<CaseAssessment> cases{
+      with_gate({outcome(Verdict::inconclusive, 0.045, 0.01), wide})};
+  EXPECT_EQ(verdict_matrix(shown_rows(cases)).rows[0].cells.at("amplitude_error").worst.row_id,
+            "small_surge-2");
+  EXPECT_EQ(worst_first_table(cases, {}).links.at(0).at(0), "row-small_surge-2");
+}
+
+TEST(VerdictMatrix, TellsARegressionAndThatImpactsAreJudgedAgainstPublishedOnes) {
+  GateOutcome known = outcome(Verdict::pass, 0.0123, 0.004);
+  known.row.kind = RowKind::regression;
+  GateOutcome impact = outcome(Verdict::violated, 0.4);
+  impact.row.metric = Metric::impact_peak_error;
+  impact.row.reference.clear();
+  GateOutcome own = outcome(Verdict::pass, 0.001);
+  own.row.metric = Metric::initial_value;
+  own.row.reference.clear();
+  const reports::Table table =
+      matrix_table(verdict_matrix(shown_rows({with_gate({known, impact, own})})), "m", "M", "case");
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.rows[0][3], "pass: 1.2 ± 0.4 %, regression");
+  EXPECT_EQ(table.rows[1][2], "published impacts");
+  EXPECT_EQ(table.rows[2][2], "none");
 }
 
 TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
@@ -146,6 +185,17 @@ TEST(WorstFirst, PutsAViolatedRowBeforeOneThatWasNotCompared) {
   EXPECT_EQ(shares, (std::vector<std::string>{"400 ± 20", "120", "", "20"}));
   EXPECT_EQ(links, (std::vector<std::string>{"row-small_surge-2", "row-small_surge-4",
                                              "row-small_surge-3", "row-small_surge-1"}));
+}
+
+TEST(DecisionOf, NamesTheWorstRowOfACodeUnderTestBeforeOneOfOpenFoam) {
+  GateOutcome mesh = outcome(Verdict::violated, 0.9);
+  mesh.row.candidate = "fine_mesh";
+  ASSERT_TRUE(std::holds_alternative<InterFoamRun>(run_named(surge_case(), "fine_mesh").solver));
+  const auto decided_by = [](const std::vector<GateOutcome>& gate) {
+    return decision_of({with_gate(gate)}, {}).row.anchor;
+  };
+  EXPECT_EQ(decided_by({mesh, outcome(Verdict::violated, 0.06)}), "row-small_surge-2");
+  EXPECT_EQ(decided_by({mesh, outcome(Verdict::inconclusive, 0.04, 0.02)}), "row-small_surge-1");
 }
 
 TEST(WorstFirst, LeavesOutOnlyRowsThatPassAndSaysHowManyThereAre) {

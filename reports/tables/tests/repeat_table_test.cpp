@@ -77,7 +77,7 @@ TEST(RepeatTable, GivesTheDistributionBesideTheExperiments) {
   EXPECT_EQ(experiment.at(0), "experiment");
   EXPECT_EQ(runs.at(0), "repeat_0 to repeat_39");
   EXPECT_EQ(runs.at(3), "40 of 40");
-  EXPECT_EQ(experiment.at(4), "3710 ± 356") << "t s / sqrt(40), s = 1112 Pa";
+  EXPECT_EQ(experiment.at(4), "3700 ± 400") << "t s / sqrt(40), s = 1112 Pa: 3710 +- 356";
   for (const std::size_t column : {4u, 5u, 6u}) EXPECT_EQ(runs.at(column), experiment.at(column));
   EXPECT_EQ(runs.at(7), "0");
   EXPECT_TRUE(runs.at(8).starts_with("0 (0 to ")) << runs.at(8);

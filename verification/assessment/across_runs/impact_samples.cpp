@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "verification/gate/distributions/permutation_test.hpp"
 #include "verification/gate/impact_metrics.hpp"
 
 namespace slosh {
@@ -94,12 +95,18 @@ std::string area_text(const PeakComparison& comparison) {
                      100 * interval.high);
 }
 
+// No division of the peaks can have a smaller share than one of those that were drawn.
+std::string p_text(double p) {
+  constexpr double smallest = 1.0 / (permutations.count + 1);
+  return p <= smallest ? fmt::format("at most {:.2g}", smallest) : fmt::format("{:.2g}", p);
+}
+
 std::string comparison_text(const PeakComparison& comparison) {
   return fmt::format(
-      "median {} times the experiment's, area {} % of its mean, p {:.2g} of equal means by Welch, "
-      "{:.2g} by Kolmogorov and Smirnov and {:.2g} by Anderson and Darling",
-      median_ratio_text(comparison), area_text(comparison), comparison.mean_p.value,
-      comparison.ks_p.value, comparison.ad_p.value);
+      "median {} times the experiment's, area {} % of its mean, p {} of equal means by Welch, "
+      "{} by Kolmogorov and Smirnov and {} by Anderson and Darling",
+      median_ratio_text(comparison), area_text(comparison), p_text(comparison.mean_p.value),
+      p_text(comparison.ks_p.value), p_text(comparison.ad_p.value));
 }
 
 }  // namespace slosh

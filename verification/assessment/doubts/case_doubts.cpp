@@ -163,7 +163,7 @@ void doubt_references(const CaseDefinition& definition, const CaseRuns& theories
 
 void doubt_models(const CaseDefinition& definition, Doubts& doubts) {
   for (const ModelLimit& limit : model_limits(definition))
-    if (limit.exceeded()) doubts.push_back("the models leave out " + limit_text(limit));
+    if (limit.exceeded()) doubts.push_back("beyond the limit of the models: " + limit_text(limit));
 }
 
 }  // namespace

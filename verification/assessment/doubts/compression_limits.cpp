@@ -44,8 +44,8 @@ std::optional<Impact> recorded_impact(const CaseDefinition& definition, const Ca
       const auto& values = result.at(quantity).value;
       const double peak = *std::max_element(values.begin(), values.end());
       if (!highest || peak > highest->pressure)
-        highest = Impact{
-            peak, fmt::format("the highest {} recorded, {:.0f} Pa of {}", quantity, peak, run)};
+        highest = Impact{peak, fmt::format("the highest {} recorded, {:.3g} kPa of {}", quantity,
+                                           1e-3 * peak, run)};
     }
   }
   return highest;

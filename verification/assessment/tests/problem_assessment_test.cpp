@@ -111,7 +111,7 @@ TEST(ProblemAssessment, CountsInTheExitStatusAndTheVerdictSentence) {
   EXPECT_EQ(verdict_sentence({}, {good}), "4 of 4 gate rows hold.");
   EXPECT_EQ(verdict_sentence({}, {bad}), "2 of 4 gate rows hold, 2 violated.");
   EXPECT_EQ(verdict_sentence({}, {missing}),
-            "0 of 4 gate rows hold, 4 not compared, 1 runs without a result.");
+            "0 of 4 gate rows hold, 4 not compared, 1 run without a result.");
 }
 
 // All measures of the problem, as a run leaves them.

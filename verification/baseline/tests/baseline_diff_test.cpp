@@ -84,6 +84,15 @@ TEST(BaselineDiff, TellsALoosenedToleranceEvenWhereNothingMoved) {
 
 using Range = std::pair<double, double>;
 
+TEST(BaselineDiff, CallsARangeThatIsNarrowerAtOneEndAndWiderAtTheOtherMoved) {
+  GateOutcome shifted = outcome(0.05, 0, 0);
+  shifted.row.limit = std::nullopt;
+  shifted.row.between = Range{0.02, 0.12};
+  const Baseline before{{amplitude_row, {0.05, 0, 0.0, 0.1}}};
+  EXPECT_EQ(movement_text(movements(before, campaign(shifted)).at(0)),
+            "unmoved, tolerance moved: +0 % .. +10 % -> +2 % .. +12 %");
+}
+
 bool is_loosened(Range before, std::optional<Range> after) {
   GateOutcome moved = outcome(0, 0, 0);
   moved.row.limit = std::nullopt;

@@ -492,7 +492,8 @@ TEST_F(GateOnEnsemble, JudgesTheMeanByTheSpreadOfTheRepeatsAlone) {
   EXPECT_NEAR(outcome.value.value, 0.03, 1e-12);
   EXPECT_NEAR(outcome.value.half_width, 4.30265 * std::sqrt(7e-4 / 3), 1e-6);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
-  EXPECT_EQ(outcome.message, "3 ± 7 % cannot be distinguished from 5 %; mean over 3 x 1 repeats");
+  EXPECT_EQ(outcome.message,
+            "3.0 ± 6.6 % cannot be distinguished from 5 %; mean over 3 x 1 repeats");
   row.limit = 0.1;
   EXPECT_EQ(judged(scattered, finished()).verdict, Verdict::pass);
   row.limit = 0.005;

@@ -10,16 +10,18 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(IntervalText, EndsTheValueWhereItsIntervalEnds) {
-  EXPECT_EQ(interval_text({0.00179, 0.34}), "0.0 ± 0.3");
+  EXPECT_EQ(interval_text({0.00179, 0.34}), "0.00 ± 0.34");
   EXPECT_EQ(interval_text({-0.287, 0.19}), "-0.29 ± 0.19");
   EXPECT_EQ(interval_text({12.345, 0.0951}), "12.35 ± 0.10");
   EXPECT_EQ(interval_text({5.8412, 0.24}), "5.84 ± 0.24");
   EXPECT_EQ(interval_text({1234.5, 78}), "1230 ± 80");
-  EXPECT_EQ(interval_text({3, 6.57}), "3 ± 7");
-  EXPECT_EQ(interval_text({0, 0.5}), "0.0 ± 0.5");
+  EXPECT_EQ(interval_text({3, 6.57}), "3.0 ± 6.6");
+  EXPECT_EQ(interval_text({0, 0.5}), "0.00 ± 0.50");
+  EXPECT_EQ(interval_text({5.62, 47.3}), "6 ± 47");
+  EXPECT_EQ(interval_text({5.62, 4.73}), "6 ± 5");
 }
 
-TEST(IntervalText, HasNoNegativeZero) { EXPECT_EQ(interval_text({-0.00179, 0.34}), "0.0 ± 0.3"); }
+TEST(IntervalText, HasNoNegativeZero) { EXPECT_EQ(interval_text({-0.00179, 0.34}), "0.00 ± 0.34"); }
 
 TEST(IntervalText, RoundsAnIntervalUpToTheFourthDigitOfTheValue) {
   EXPECT_EQ(interval_text({10.937, 0.0031}), "10.94 ± 0.01");
@@ -33,7 +35,7 @@ TEST(IntervalText, LeavesOutAnIntervalThatNoShownDigitFeels) {
 
 TEST(IntervalText, PutsASmallValueBeforeAPowerOfTen) {
   EXPECT_EQ(interval_text({-6.42e-5, 1.5e-6}), "(-6.42 ± 0.15)e-05");
-  EXPECT_EQ(interval_text({1e-9, 4e-7}), "(0 ± 4)e-07");
+  EXPECT_EQ(interval_text({1e-9, 4e-7}), "(0.0 ± 4.0)e-07");
 }
 
 TEST(IntervalText, GivesAValueWithoutAnIntervalThreeDigits) {

@@ -1,4 +1,4 @@
-#include "reports/fields/field_range.hpp"
+#include "reports/drawing/field_range.hpp"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 namespace slosh::reports {
 namespace {
 
-constexpr double largest_magnitude = 1e300;
+constexpr double largest_drawn_value = 1e300;
 constexpr double robust_fraction = 0.01;  // of the values, left out at either end
-constexpr double smallest_width = 1e-9;   // of the values: more uniform fields get a wider range
+constexpr double narrowest_range = 1e-9;  // of the values: more uniform fields get a wider range
 constexpr int fewest_steps = 5;           // between the ticks of a bar
 constexpr double letter_width = 7.6;      // [px], of gnuplot's 'sans,12'
 constexpr double label_gap = 10;          // [px], between the labels of two ticks
@@ -34,18 +34,18 @@ ColourRange automatic_range(std::vector<double>& samples) {
                upper = percentile(samples, 1 - robust_fraction);
   if (is_range(lower, upper)) return rounded(lower, upper);
   const double size = std::max(std::abs(lower), std::abs(upper));
-  const double half = size > 1 / largest_magnitude ? size / 2 : 0.5;
+  const double half = size > 1 / largest_drawn_value ? size / 2 : 0.5;
   return rounded(lower - half, upper + half);
 }
 
 }  // namespace
 
-bool is_drawn(double value) { return std::abs(value) < largest_magnitude; }
+bool is_drawn(double value) { return std::abs(value) < largest_drawn_value; }
 
 bool is_range(double lower, double upper) {
   const double size = std::max(std::abs(lower), std::abs(upper));
   return is_drawn(lower) && is_drawn(upper) &&
-         upper - lower > std::max(smallest_width * size, 1 / largest_magnitude);
+         upper - lower > std::max(narrowest_range * size, 1 / largest_drawn_value);
 }
 
 double percentile(std::vector<double>& samples, double fraction) {
