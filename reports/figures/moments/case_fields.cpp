@@ -35,9 +35,14 @@ std::vector<std::vector<Value>> in_parts(const std::vector<Value>& values, std::
 }
 
 std::string times_text(const std::vector<double>& times) {
-  if (times.size() == 1) return fmt::format("at {:g} s", times.front());
-  return fmt::format(times.size() == 2 ? "at {:g} and {:g} s" : "from {:g} to {:g} s",
-                     times.front(), times.back());
+  switch (times.size()) {
+    case 1:
+      return fmt::format("at {:g} s", times.front());
+    case 2:
+      return fmt::format("at {:g} and {:g} s", times.front(), times.back());
+    default:
+      return fmt::format("from {:g} to {:g} s", times.front(), times.back());
+  }
 }
 
 FieldFigure field_figure(const CaseAssessment& assessment, const std::vector<double>& times,

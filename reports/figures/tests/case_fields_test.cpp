@@ -148,7 +148,7 @@ TEST(CaseFields, AreCutWhereTheyHaveTooManyColumns) {
   const auto fields = case_fields(assess(definition, runs));
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_EQ(fields[0].value_range, fields[1].value_range);
-  EXPECT_EQ(fields[0].value_range.second, 1000);  // of delta_sph, which stands in the second
+  EXPECT_EQ(fields[0].value_range.second, 2000);  // of delta_sph, which stands in the second
   EXPECT_EQ(fields[0].columns, 2);
   EXPECT_EQ(fields[0].panels.at(1).label, "li2010, t = 1 s, roll 5.73°");
   EXPECT_EQ(fields[1].columns, 3);

@@ -42,7 +42,7 @@ TEST(ImpactFigures, DrawTheRepeatsOfEachImpactBesideThoseOfTheExperiment) {
 
 TEST(GlanceFigure, OfACaseWithImpactsShowsTheirPressure) {
   const CaseAssessment assessment = repeats(impact_case(), 3);
-  EXPECT_EQ(glance_figure(assessment, "repeat_0").value().caption.find("Pressure"), 0U)
+  EXPECT_EQ(glance_figure(assessment, "repeat_0").value().caption.find("pressure"), 0U)
       << glance_figure(assessment, "repeat_0").value().caption;
 }
 

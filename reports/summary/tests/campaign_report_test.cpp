@@ -455,12 +455,12 @@ TEST(CampaignReport, TellsHowTheTankMoves) {
   EXPECT_EQ(motion({surge, {}}), "surge X = 0.02 m sin(1.5 rad/s t)");
   EXPECT_EQ(motion({surge, roll}),
             "surge X = 0.02 m sin(1.5 rad/s t) and roll = 4 deg sin(2 rad/s t), ramped over 1 "
-            "periods about the point 0.5 m from the left wall and 0.1 m above the bottom");
+            "period about the point 0.5 m from the left wall and 0.1 m above the bottom");
   EXPECT_EQ(motion({SumOfSines{{SineMotion{0.02, 1.5, 0, 3.14159265358979 / 2},
                                 SineMotion{0.01, 2, 1, -3.14159265358979 / 6}}},
                     {}}),
             "surge X = 0.02 m sin(1.5 rad/s t + 90 deg) + 0.01 m sin(2 rad/s t - 30 deg), ramped "
-            "over 1 periods");
+            "over 1 period");
   EXPECT_EQ(motion({TableMotion{"tables/a.csv", {}, {}}, {}}), "surge X = the table a.csv");
 }
 

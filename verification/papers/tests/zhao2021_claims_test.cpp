@@ -58,8 +58,8 @@ CaseAssessment mild_roll(const MildRun& moving = {}, const MildRun& fixed = {}) 
   const TimeSeries record = mild_series(mild_quantity, "Pa", {.scale = 1.14}, 3224, 323, 0.4);
   add_run(assessment, "akyildiz",
           RecordRun{"a.csv", mild_quantity, "Pa", record.time, record.value, {}}, {record});
-  add_run(assessment, "moving_5mm", SphRun{"moving", 0.005, 0.005}, mild_results(moving));
-  add_run(assessment, "fixed_5mm", SphRun{"fixed", 0.005, 0.005}, mild_results(fixed));
+  add_run(assessment, "moving_7p5mm", SphRun{"moving", 0.0075, 0.0075}, mild_results(moving));
+  add_run(assessment, "fixed_7p5mm", SphRun{"fixed", 0.0075, 0.0075}, mild_results(fixed));
   return assessment;
 }
 
@@ -153,8 +153,8 @@ TEST(ClaimOnTheMildRoll, IsNotDecidableWithoutRecordRunOrNumbers) {
   CaseAssessment unsupplied = mild_roll(), failed = mild_roll(), poisoned = mild_roll();
   unsupplied.runs.results.erase("akyildiz");
   unsupplied.runs.status["akyildiz"] = {RunState::not_supplied, "expected a.csv"};
-  fail(failed, "fixed_5mm");
-  for (TimeSeries& series : poisoned.runs.results["moving_5mm"].series) series.value[300] = nan;
+  fail(failed, "fixed_7p5mm");
+  for (TimeSeries& series : poisoned.runs.results["moving_7p5mm"].series) series.value[300] = nan;
   EXPECT_EQ(claim(1, {unsupplied}).why,
             "akyildiz of zhao2021_mild_roll: not supplied (expected a.csv)");
   for (const CaseAssessment& one : {unsupplied, failed, poisoned})
@@ -166,16 +166,16 @@ TEST(ClaimOnBothWays, IsRefutedByADifferenceInAnyLoad) {
   EXPECT_EQ(claim(2, {mild_roll({}, {.late = 0.08})}).held, Held::no);
   for (const std::size_t series : {1u, 2u, 3u}) {
     CaseAssessment assessment = mild_roll();
-    for (double& value : assessment.runs.results["moving_5mm"].series[series].value) value *= 1.3;
+    for (double& value : assessment.runs.results["moving_7p5mm"].series[series].value) value *= 1.3;
     EXPECT_EQ(claim(2, {assessment}).held, Held::no) << series;
   }
 }
 
 TEST(ClaimOnBothWays, IsNotDecidableWithoutARunASeriesOrNumbers) {
   CaseAssessment failed = mild_roll(), without = mild_roll(), poisoned = mild_roll();
-  fail(failed, "moving_5mm");
-  without.runs.results["fixed_5mm"].series.pop_back();
-  poisoned.runs.results["fixed_5mm"].series[2].value[300] = nan;
+  fail(failed, "moving_7p5mm");
+  without.runs.results["fixed_7p5mm"].series.pop_back();
+  poisoned.runs.results["fixed_7p5mm"].series[2].value[300] = nan;
   for (const CaseAssessment& one : {failed, without, poisoned})
     EXPECT_EQ(claim(2, {one}).held, Held::undecided);
 }
