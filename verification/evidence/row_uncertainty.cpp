@@ -29,7 +29,8 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
   const std::vector<RefinedMetric> paths = refined_metrics(definition, runs, row, role, measure);
   if (!paths.empty()) {
     std::vector<std::string> names;
-    for (const RefinedMetric& path : paths) names.push_back(path.path);
+    for (const RefinedMetric& path : paths)
+      names.push_back(path.path + (path.values.size() == 2 ? " (two values only)" : ""));
     return {numerical_uncertainty(paths),
             fmt::format("refinement of the {}", fmt::join(names, ", "))};
   }

@@ -237,6 +237,7 @@ struct OfARecord {
 TEST(RowUncertainty, AgainstAnExperimentCountsTheCandidatesDiscretisation) {
   OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
   EXPECT_NEAR(row.contributions().discretisation.half_width.value(), 0.03, 1e-6);  // 2 h and h
+  EXPECT_TRUE(row.contributions().discretisation.basis.ends_with("(two values only)"));
   EXPECT_EQ(row.judged().verdict, Verdict::pass);
   row.definition.refinements.clear();
   EXPECT_FALSE(row.contributions().discretisation.half_width.has_value());
