@@ -60,7 +60,7 @@ TEST(CompressionLimits, TakeTheHighestRecordedPressureInPlaceOfTheEstimate) {
   const auto limit = found_limit(definition, air, runs);
   ASSERT_TRUE(limit);
   EXPECT_NEAR(limit->value, 70000 / 101325.0, 1e-12);
-  EXPECT_NE(limit->effect.find("the highest wall_pressure@R recorded, 70000 Pa of violent"),
+  EXPECT_NE(limit->effect.find("the highest wall_pressure@R recorded, 70 kPa of violent"),
             std::string::npos)
       << limit->effect;
   definition.impacts.emplace();
