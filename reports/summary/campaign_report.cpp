@@ -228,18 +228,18 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
   const int judged = passed + rows(Verdict::violated) + rows(Verdict::inconclusive) +
                      rows(Verdict::solver_failed) + rows(Verdict::not_compared);
   std::string text = fmt::format("{} of {} gate rows hold", passed, judged);
-  const auto add = [&](int n, const char* one, const char* several) {
-    if (n > 0) text += fmt::format(", {} {}", n, n == 1 ? one : several);
+  const auto add = [&](int n, const char* one, const char* several = nullptr) {
+    if (n > 0) text += fmt::format(", {} {}", n, n == 1 || !several ? one : several);
   };
-  add(rows(Verdict::violated), "violated", "violated");
-  add(rows(Verdict::inconclusive), "inconclusive", "inconclusive");
-  add(rows(Verdict::not_compared), "not compared", "not compared");
+  add(rows(Verdict::violated), "violated");
+  add(rows(Verdict::inconclusive), "inconclusive");
+  add(rows(Verdict::not_compared), "not compared");
   add(pairs_not_comparable(cases), "pair not comparable", "pairs not comparable");
   add(runs(RunState::failed), "run failed", "runs failed");
   add(runs(RunState::missing), "run without a result", "runs without a result");
   add(runs(RunState::not_supplied), "record not supplied", "records not supplied");
   add(rows(Verdict::not_supplied), "gate row without its record", "gate rows without their record");
-  add(rows(Verdict::not_selected), "not selected", "not selected");
+  add(rows(Verdict::not_selected), "not selected");
   return text + ".";
 }
 

@@ -47,14 +47,14 @@ std::optional<std::string> coverage_finding(const CaseCoverage& coverage) {
   std::vector<std::string> missed;
   for (const RequiredDetection& one : required_detections)
     if (coverage.detections.at(one.name).coverage == Coverage::missed) missed.push_back(one.name);
+  if (!missed.empty())
+    return fmt::format("No gate row detects the required error that is made on purpose in: {}.",
+                       fmt::join(missed, ", "));
   std::vector<std::string> names;
   for (const RequiredDetection& one : required_detections) names.push_back(one.name);
-  if (missed.empty())
-    return fmt::format(
-        "Together the gate rows detect the required errors that are made on purpose: {}.",
-        fmt::join(names, ", "));
-  return fmt::format("No gate row detects the required error that is made on purpose in: {}.",
-                     fmt::join(missed, ", "));
+  return fmt::format(
+      "Together the gate rows detect the required errors that are made on purpose: {}.",
+      fmt::join(names, ", "));
 }
 
 // For each record that no row judges against, how far the finest runs are from it.
@@ -62,7 +62,7 @@ std::vector<std::string> record_sentences(const CaseAssessment& assessment) {
   std::vector<std::string> sentences;
   for (const RunDefinition& run : assessment.definition.runs) {
     if (!std::holds_alternative<RecordRun>(run.solver) ||
-        judges_a_row(assessment.definition, run.name))
+        is_judged_against(assessment.definition, run.name))
       continue;
     std::map<std::string, std::vector<std::string>> told;  // of each quantity
     for (const Comparison& pair : assessment.comparisons)
@@ -80,7 +80,7 @@ std::vector<std::string> record_sentences(const CaseAssessment& assessment) {
 
 }  // namespace
 
-bool judges_a_row(const CaseDefinition& definition, const std::string& reference) {
+bool is_judged_against(const CaseDefinition& definition, const std::string& reference) {
   return std::any_of(definition.gate.begin(), definition.gate.end(), [&](const GateRow& row) {
     return row.reference == reference || is_of_impacts(row.metric);
   });

@@ -10,7 +10,7 @@
 namespace slosh {
 
 // Whether a gate row judges against this reference, or against the impacts that a record publishes.
-bool judges_a_row(const CaseDefinition& definition, const std::string& reference);
+bool is_judged_against(const CaseDefinition& definition, const std::string& reference);
 
 // Says which solution stands apart from the others; how the error of each scheme falls with its
 // spacing; how far the runs are from a record that no gate row judges against; and which of the

@@ -68,7 +68,7 @@ Section results_section(const CaseAssessment& assessment) {
                                    ": it is shown, but never gates.");
     else if (status.state == RunState::not_supplied)
       section.paragraphs.push_back("The record `" + run + "` is not supplied: " + status.message +
-                                   (judges_a_row(definition, run)
+                                   (is_judged_against(definition, run)
                                         ? ". Rows that need it neither pass nor fail."
                                         : ". No gate row needs it."));
   for (const ModelLimit& limit : model_limits(definition, assessment.runs))

@@ -95,7 +95,8 @@ std::string area_text(const PeakComparison& comparison) {
                      100 * interval.high);
 }
 
-// No division of the peaks can have a smaller share than one of those that were drawn.
+// The tests by random divisions of the peaks tell no smaller p than that of one division in all
+// that were drawn. Welch's test could, but is told alike.
 std::string p_text(double p) {
   constexpr double smallest = 1.0 / (permutations.count + 1);
   return p <= smallest ? fmt::format("at most {:.2g}", smallest) : fmt::format("{:.2g}", p);
