@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/across_runs/impact_samples.hpp"
@@ -41,17 +40,11 @@ Row published_row(const ImpactsDefinition& impacts) {
   return row;
 }
 
-// Rounds to so many decimals. Returns no negative zero.
-double rounded(double value, int decimals) {
-  const double unit = std::pow(10, decimals);
-  return 0.0 + std::round(value * unit) / unit;
-}
-
 // Returns "not available" where the series does not reach the plateau's end or is not finite there.
 std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& definition) try {
   const double error = plateau_error(pressure, definition);
   return fmt::format("{:.0f} ({:+.0f} %)", (1 + error) * definition.impacts->plateau,
-                     rounded(100 * error, 0));
+                     round_to_place(100 * error, 0));
 } catch (const ComparisonError&) {
   return "not available";
 }
@@ -61,7 +54,7 @@ std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& defin
 std::string time_difference(double time, std::size_t n, const TimeSeries& pressure,
                             const TimeSeries* record, const CaseDefinition& definition) try {
   return fmt::format(" ({:+.3f})",
-                     rounded(time - expected_time(n, pressure, record, definition), 3));
+                     round_to_place(time - expected_time(n, pressure, record, definition), -3));
 } catch (const NotSuppliedError&) {
   return "";
 }
@@ -73,7 +66,7 @@ std::string rise_cell(const TimeSeries& pressure, const ImpactPeak& peak, std::s
   if (!rise) return "no rise from half the peak";
   return fmt::format("{:.4f}", *rise) +
          (impacts.rise_times
-              ? fmt::format(" ({:+.4f})", rounded(*rise - impacts.rise_times->values[n], 4))
+              ? fmt::format(" ({:+.4f})", round_to_place(*rise - impacts.rise_times->values[n], -4))
               : "");
 }
 
@@ -85,14 +78,15 @@ void add_arrival_cells(const TimeSeries& pressure, std::size_t n, const CaseDefi
   if (impacts.arrivals) {
     const std::optional<double> arrival = arrival_in(pressure, n, definition);
     row.push_back(arrival ? fmt::format("{:.4f} ({:+.4f})", *arrival,
-                                        rounded(*arrival - impacts.arrivals->times[n], 4))
+                                        round_to_place(*arrival - impacts.arrivals->times[n], -4))
                           : "no arrival");
   }
   if (impacts.impulses) {
     const std::optional<double> found = impulse_in(pressure, n, definition);
-    row.push_back(found ? fmt::format("{:.0f} ({:+.0f} %)", *found,
-                                      rounded(100 * (*found / impacts.impulses->values[n] - 1), 0))
-                        : "no arrival");
+    row.push_back(
+        found ? fmt::format("{:.0f} ({:+.0f} %)", *found,
+                            round_to_place(100 * (*found / impacts.impulses->values[n] - 1), 0))
+              : "no arrival");
   }
 }
 

@@ -22,12 +22,6 @@ int last_place(double value, double half_width) {
   return digits < 30 || half_width > std::abs(value) ? first - 1 : first;
 }
 
-// Rounds to the place. Returns no negative zero.
-double rounded(double value, int place) {
-  const double unit = std::pow(10, std::abs(place));
-  return 0.0 + (place < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit);
-}
-
 std::string in_brackets(double value, double half_width, int place) {
   const int power = exponent_of(std::max(std::abs(value), half_width));
   const double scale = std::pow(10, power);
@@ -38,21 +32,26 @@ std::string in_brackets(double value, double half_width, int place) {
 
 }  // namespace
 
+double round_to_place(double value, int place) {
+  const double unit = std::pow(10, std::abs(place));
+  return 0.0 + (place < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit);
+}
+
 std::string interval_text(const Estimate& estimate) {
   const auto [value, half_width] = estimate;
   if (std::isinf(half_width)) return "not determined";
   if (!(half_width > 0) || !std::isfinite(value)) return fmt::format("{:.3g}", value);
   int place = last_place(value, half_width);
-  double shown_half = rounded(half_width, place);
+  double shown_half = round_to_place(half_width, place);
   if (value != 0) {
     const int fourth = exponent_of(std::abs(value)) - most_digits + 1;
     if (half_width < std::pow(10, fourth - 1)) return fmt::format("{:.3g}", value);
     if (fourth > place) {
       place = fourth;
-      shown_half = std::max(rounded(half_width, place), std::pow(10, place));
+      shown_half = std::max(round_to_place(half_width, place), std::pow(10, place));
     }
   }
-  const double shown = rounded(value, place);
+  const double shown = round_to_place(value, place);
   if (-place > most_decimals) return in_brackets(shown, shown_half, place);
   const int decimals = std::max(0, -place);
   return fmt::format("{:.{}f} ± {:.{}f}", shown, decimals, shown_half, decimals);

@@ -14,6 +14,9 @@ namespace slosh {
 // has three digits. "not determined" stands for an infinite half width.
 std::string interval_text(const Estimate& estimate);
 
+// Rounds to the power of ten: to hundredths for -2. Returns no negative zero.
+double round_to_place(double value, int place);
+
 // Returns the value and its interval in per cent.
 std::string percent_interval_text(const Estimate& estimate);
 
