@@ -67,13 +67,10 @@ std::vector<std::string> shown_runs(const CaseAssessment& assessment, const std:
 // The pressure of the impacts where the case has any, else the first quantity that is compared.
 std::string glance_quantity(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  if (definition.impacts)
-    for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
-      const std::string pressure =
-          "wall_pressure@" + gauge.name + (gauge.filter_cutoff ? through_filter : "");
-      if (gauge.name == definition.impacts->gauge && !finest_runs(assessment, pressure).empty())
-        return pressure;
-    }
+  if (definition.impacts) {
+    const std::string smoothest = impact_pressures(definition).back();
+    if (!finest_runs(assessment, smoothest).empty()) return smoothest;
+  }
   return compared_quantities(definition).front();
 }
 

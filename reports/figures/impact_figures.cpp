@@ -64,14 +64,14 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   const CaseDefinition& definition = assessment.definition;
   const ImpactsDefinition& impacts = definition.impacts.value();
   const double published = impacts.peak_means.at(impact);
-  const bool is_filtered = pressure.ends_with(through_filter);
+  const bool of_filtered = is_filtered(pressure);
   const bool is_only = impacts.times.size() == 1;
   Figure figure;
-  figure.id = fmt::format("{}{}-peaks{}", definition.name, is_filtered ? "-filtered" : "",
+  figure.id = fmt::format("{}{}-peaks{}", definition.name, of_filtered ? "-filtered" : "",
                           is_only ? "" : fmt::format("-{}", impact + 1));
   figure.title = fmt::format("Distribution of the peaks{}{}",
                              is_only ? "" : fmt::format(" of impact {}", impact + 1),
-                             is_filtered ? ", filtered" : "");
+                             of_filtered ? ", filtered" : "");
   figure.x_label = "peak over the published one [1]";
   figure.y_label = "share of the peaks up to it [1]";
   std::vector<std::string> runs;
@@ -108,7 +108,7 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
       "run differ only in their random seed, by which their starts are disturbed or their inputs "
       "are drawn. {}{} Published: {}.{}",
       figure.markers.empty()
-          ? is_filtered ? "The runs are filtered and the published peaks are not. " : ""
+          ? of_filtered ? "The runs are filtered and the published peaks are not. " : ""
           : "Vertical lines: the peaks of the edges of the record's band. ",
       who_is_who(definition, runs), impacts.source, comparisons);
   return figure;

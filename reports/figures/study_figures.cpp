@@ -25,9 +25,7 @@ using reports::Figure;
 // Returns the filtered pressure where the case has one, else its first quantity.
 std::string studied_quantity(const CaseDefinition& definition) {
   const std::vector<std::string> quantities = compared_quantities(definition);
-  const auto filtered =
-      std::find_if(quantities.begin(), quantities.end(),
-                   [](const std::string& one) { return one.ends_with("/filtered"); });
+  const auto filtered = std::find_if(quantities.begin(), quantities.end(), is_filtered);
   return filtered == quantities.end() ? quantities.front() : *filtered;
 }
 

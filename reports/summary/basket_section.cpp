@@ -18,8 +18,7 @@ std::string number_text(double value) {
 
 std::string cell_text(const BasketValue& one, const GateRow& row) {
   if (std::isnan(one.ratio)) return not_available;
-  return fmt::format("{}, {} of the goal",
-                     value_text(one.value.value, one.value.half_width, row.unit),
+  return fmt::format("{}, {} of the goal", with_interval(one.value, row.unit),
                      number_text(one.ratio));
 }
 

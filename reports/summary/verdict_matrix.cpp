@@ -58,11 +58,6 @@ bool is_worse(const ShownRow& one, const ShownRow& other) {
   return one.reach() > other.reach();
 }
 
-std::string value_text(double value, double half_width, const std::string& unit) {
-  if (!std::isfinite(value)) return "";
-  return with_interval({value, half_width}, unit);
-}
-
 std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases) {
   std::vector<ShownRow> rows;
   for (const CaseAssessment& one : cases)
@@ -82,7 +77,9 @@ std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases) {
                       .value = outcome.value.value,
                       .half_width = half_width,
                       .unit = row.unit,
-                      .found = value_text(outcome.value.value, half_width, row.unit),
+                      .found = std::isfinite(outcome.value.value)
+                                   ? value_text(row, {outcome.value.value, half_width})
+                                   : "",
                       .message = outcome.message,
                       .remedy = remedy_text(outcome),
                       .row_id = case_row_id(one.definition.name, i),

@@ -27,7 +27,7 @@ struct ShownRow {
   Verdict verdict = Verdict::not_selected;
   double value = 0, half_width = 0;  // in the unit; NaN where there is none
   std::string unit;
-  std::string found;    // the value as text, "1.2 ± 0.3 %"; empty without one
+  std::string found;    // the value as text, "1.2 ± 0.3 %"; empty for one that is not finite
   std::string message;  // of the gate
   std::string remedy;   // what would make an inconclusive row conclusive; else empty
   std::string row_id;   // report_places.hpp
@@ -40,9 +40,6 @@ struct ShownRow {
 
 // Whether the first row is worse: by verdict (severity()), then by reach().
 bool is_worse(const ShownRow& one, const ShownRow& other);
-
-// "-0.3 ± 0.6 %", in per cent for the unit "1"; empty for a value that is not finite.
-std::string value_text(double value, double half_width, const std::string& unit);
 
 // All rows, in the order of the cases or problems.
 std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases);

@@ -20,7 +20,7 @@ using Row = std::vector<std::string>;
 using Repeats = std::vector<const RunDefinition*>;
 
 std::string pressure_word(const std::string& quantity) {
-  return quantity.ends_with("/filtered") ? "filtered" : "unfiltered";
+  return is_filtered(quantity) ? "filtered" : "unfiltered";
 }
 
 Row published_row(const ImpactsDefinition& impacts) {

@@ -14,7 +14,7 @@
 namespace slosh {
 namespace {
 
-constexpr std::string_view filtered = "/filtered";
+constexpr std::string_view filtered = through_filter;
 
 template <class Gauge>
 const Gauge& gauge_named(const std::vector<Gauge>& gauges, const std::string& name) {
@@ -55,9 +55,9 @@ void add_probe_place(const ProbeDefinition& probe, ShownQuantity& shown) {
       fmt::format(" {:.3g} m from the left wall, {:.3g} m above the bottom", probe.x, probe.z);
 }
 
-void add_sensor(const PressureGaugeDefinition& gauge, bool is_filtered, ShownQuantity& shown) {
+void add_sensor(const PressureGaugeDefinition& gauge, bool of_filtered, ShownQuantity& shown) {
   shown.title += " " + wall_text(gauge);
-  if (gauge.filter_cutoff) shown.title += is_filtered ? ", filtered" : ", unfiltered";
+  if (gauge.filter_cutoff) shown.title += of_filtered ? ", filtered" : ", unfiltered";
   shown.what += sensor_text(gauge);
 }
 
@@ -80,17 +80,17 @@ ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string
                       .sph = known->sph,
                       .interfoam = known->interfoam,
                       .theory = known->theory};
-  const bool is_filtered = quantity.ends_with(filtered);
+  const bool of_filtered = is_filtered(quantity);
   const PressureGaugeDefinition* sensor = nullptr;
   if (known->at != MeasuredAt::tank) {
     std::string gauge = quantity.substr(quantity.find('@') + 1);
-    if (is_filtered) gauge.resize(gauge.size() - filtered.size());
+    if (of_filtered) gauge.resize(gauge.size() - filtered.size());
     switch (known->at) {
       case MeasuredAt::tank:
         break;
       case MeasuredAt::pressure_gauge:
         sensor = &gauge_named(definition.pressure_gauges, gauge);
-        add_sensor(*sensor, is_filtered, shown);
+        add_sensor(*sensor, of_filtered, shown);
         break;
       case MeasuredAt::surface_gauge:
         add_surface_place(gauge_named(definition.gauges, gauge), shown);
@@ -105,7 +105,7 @@ ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string
     }
   }
   if (known->tells_sampling)
-    shown.recorded = recorded_text(definition, is_filtered ? sensor : nullptr);
+    shown.recorded = recorded_text(definition, of_filtered ? sensor : nullptr);
   return shown;
 }
 
@@ -130,7 +130,7 @@ std::string measured_how(const ShownQuantity& shown, const CaseDefinition& defin
 
 std::string id_of(const std::string& quantity) {
   std::string id = quantity;
-  if (id.ends_with(filtered)) id = "filtered_" + id.substr(0, id.size() - filtered.size());
+  if (is_filtered(id)) id = "filtered_" + id.substr(0, id.size() - filtered.size());
   std::replace(id.begin(), id.end(), '@', '-');
   return id;
 }

@@ -23,8 +23,7 @@ constexpr double coverage = 1.96;
 // amplitude is not predicted.
 std::string amplitude_kind(const std::string& quantity) {
   const Quantity* known = find_quantity(quantity);
-  const bool is_filtered = quantity.find("/filtered") != quantity.npos;
-  return known && !is_filtered ? known->amplitude : "";
+  return known && !is_filtered(quantity) ? known->amplitude : "";
 }
 
 // For each model and quantity the comparison of the finest run with its first theory or record.

@@ -90,7 +90,7 @@ const char* placeholder(MeasuredAt at) {
 void add_series(const Quantity& quantity, const PressureGaugeDefinition& gauge,
                 std::vector<std::string>& series) {
   series.push_back(series_name(quantity, gauge.name));
-  if (gauge.filter_cutoff) series.push_back(series_name(quantity, gauge.name) + "/filtered");
+  if (gauge.filter_cutoff) series.push_back(series_name(quantity, gauge.name) + through_filter);
 }
 
 }  // namespace
@@ -250,6 +250,14 @@ std::vector<std::string> compared_quantities(const CaseDefinition& definition) {
           series.push_back(series_name(quantity, wall_name(wall)));
   }
   return series;
+}
+
+bool is_filtered(const std::string& series) { return series.ends_with(through_filter); }
+
+std::string wall_pressure(const std::string& gauge) { return "wall_pressure@" + gauge; }
+
+std::string smoothest_pressure(const PressureGaugeDefinition& gauge) {
+  return wall_pressure(gauge.name) + (gauge.filter_cutoff ? through_filter : "");
 }
 
 std::vector<std::string> impact_pressures(const CaseDefinition& definition) {

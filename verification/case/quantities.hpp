@@ -52,6 +52,17 @@ const Quantity* find_quantity(const std::string& series);
 // gauge with a filter has a second series, NAME@GAUGE/filtered.
 std::vector<std::string> compared_quantities(const CaseDefinition& definition);
 
+// The suffix of a pressure through a gauge's filter.
+inline constexpr const char* through_filter = "/filtered";
+
+bool is_filtered(const std::string& series);
+
+// Returns "wall_pressure@B" for the gauge B.
+std::string wall_pressure(const std::string& gauge);
+
+// Returns "wall_pressure@B/filtered" where the gauge has a filter, else "wall_pressure@B".
+std::string smoothest_pressure(const PressureGaugeDefinition& gauge);
+
 // Returns the pressure at the gauge of [impacts] and, if the gauge has a filter, the filtered
 // pressure. Throws std::bad_optional_access for a case without [impacts].
 std::vector<std::string> impact_pressures(const CaseDefinition& definition);
@@ -69,9 +80,8 @@ bool is_gauged(const std::string& series);
 
 // The suffix of the series of potential flow from a run with fewer nodes.
 inline constexpr const char* coarser = "/coarser";
-// The suffixes of the edges of a record's band, and of a pressure through a gauge's filter.
+// The suffixes of the edges of a record's band.
 inline constexpr const char *lower_edge = "/lower", *upper_edge = "/upper";
-inline constexpr const char* through_filter = "/filtered";
 
 // Returns the numbers of the first `count` natural modes that linear theory excites, lowest first:
 // those that the tank's motion excites, which are the odd ones of a symmetric tank, and that of the

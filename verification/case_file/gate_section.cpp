@@ -208,7 +208,7 @@ void require_band(const TomlTable& row, const MetricEntry& metric, const RecordR
 // The quantity of the record, and the filtered one beside it where its gauge has a filter.
 std::vector<std::string> quantities_of(const RecordRun& record, const CaseDefinition& definition) {
   std::vector<std::string> quantities{record.quantity};
-  const std::string filtered = record.quantity + "/filtered";
+  const std::string filtered = record.quantity + through_filter;
   for (const std::string& one : compared_quantities(definition))
     if (one == filtered) quantities.push_back(one);
   return quantities;

@@ -93,18 +93,12 @@ std::string lost_text(const GateRow& row, const GateEvidence& evidence) {
                                    : not_reached_text(evidence.cost(row), row.unit);
 }
 
-// The interval of a p-value that is small would reach below zero.
-std::string value_text(const GateRow& row, const ThreeWayOutcome& judged) {
-  if (is_p_value(row.metric) && judged.uncertainty >= judged.error)
-    return "at most " + in_unit(judged.error + judged.uncertainty, row.unit);
-  return with_interval({judged.error, judged.uncertainty}, row.unit);
-}
-
 // "14 ± 4 % ≤ 20 %", "|-1 %| ≤ 2 %", "3 % is not within 1 % to 2 %", "at most 0.04 % is not ≥ 5 %".
 std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                        const GateEvidence& evidence) {
-  const std::string shown =
-      is_lost(row, judged.error) ? lost_text(row, evidence) : value_text(row, judged);
+  const std::string shown = is_lost(row, judged.error)
+                                ? lost_text(row, evidence)
+                                : value_text(row, {judged.error, judged.uncertainty});
   const auto phrase = [&](const char* holds, const char* does_not) {
     switch (judged.verdict) {
       case ThreeWayVerdict::pass:
@@ -205,6 +199,13 @@ AllowedRange allowed_by(const GateRow& row) {
   const bool unbounded = is_p_value(row.metric) && row.between->second >= 1;
   return {row.between->first,
           unbounded ? std::numeric_limits<double>::infinity() : row.between->second};
+}
+
+// The interval of a p-value that is small would reach below zero.
+std::string value_text(const GateRow& row, const Estimate& value) {
+  if (is_p_value(row.metric) && value.half_width >= value.value)
+    return "at most " + in_unit(value.value + value.half_width, row.unit);
+  return with_interval(value, row.unit);
 }
 
 std::optional<AllowedRange> tolerance_of(const CaseDefinition& definition,

@@ -97,6 +97,10 @@ struct GateOutcome {
 // p-value cannot exceed 1, so that an upper bound of 1 is infinite: no interval reaches across it.
 AllowedRange allowed_by(const GateRow& row);
 
+// "14 ± 4 %": the value of the row's metric with the half width on which the verdict rests. Of a
+// p-value below its half width "at most 0.04 %".
+std::string value_text(const GateRow& row, const Estimate& value);
+
 // The range that the case's first row with a limit or a range on this metric allows, for the
 // compared runs, their quantity and the mode, in the row's unit. Returns nullopt where the case has
 // no such row.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "verification/case/quantities.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -62,7 +63,7 @@ Distribution repeated_peaks(const CaseDefinition& definition, std::size_t n) {
 
 double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries* record,
                      const CaseDefinition& definition) {
-  if (!pressure.name.ends_with("/filtered")) return published(definition).times[n];
+  if (!is_filtered(pressure.name)) return published(definition).times[n];
   if (!record)
     throw NotSuppliedError(
         "the published times are those of the unfiltered pressure, and the record, which would be "

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "verification/case/ensemble.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/fits/dense_algebra.hpp"
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
@@ -105,8 +106,7 @@ TimeWindow comparison_window(const CaseDefinition& definition) {
 
 std::pair<std::string, double> filtered_gauge(const CaseDefinition& definition) {
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    if (gauge.filter_cutoff)
-      return {"wall_pressure@" + gauge.name + "/filtered", *gauge.filter_cutoff};
+    if (gauge.filter_cutoff) return {smoothest_pressure(gauge), *gauge.filter_cutoff};
   throw std::runtime_error("the case " + definition.name + " filters no pressure");
 }
 

@@ -11,6 +11,7 @@
 #include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/assessment/pressure_noise.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/papers/claim_evidence.hpp"
 #include "verification/papers/findings.hpp"
@@ -25,7 +26,7 @@ using Cases = std::vector<CaseAssessment>;
 // is smooth.
 const TimeSeries& like_the_record(const RunResult& result, const std::string& quantity) {
   for (const TimeSeries& series : result.series)
-    if (series.name == quantity + "/filtered") return series;
+    if (series.name == quantity + through_filter) return series;
   return result.at(quantity);
 }
 
@@ -52,8 +53,7 @@ RecordedPressure recorded_pressure(const Cases& cases, const FindingRow& row) {
 
 // Returns any series of the run, through the filter of the case's pressure gauge.
 TimeSeries filtered(const RunResult& result, const std::string& quantity, double cutoff) {
-  return quantity.ends_with("/filtered") ? result.at(quantity)
-                                         : low_pass(result.at(quantity), cutoff);
+  return is_filtered(quantity) ? result.at(quantity) : low_pass(result.at(quantity), cutoff);
 }
 
 const TimeSeries& impact_pressure(const Cases& cases, const FindingRow& row,
@@ -62,7 +62,7 @@ const TimeSeries& impact_pressure(const Cases& cases, const FindingRow& row,
   const RunResult& result = standing_result(assessment, run);
   if (!assessment.definition.impacts)
     throw std::runtime_error("the case " + row.cases.at(0) + " has no [impacts]");
-  return result.at("wall_pressure@" + assessment.definition.impacts->gauge);
+  return result.at(wall_pressure(assessment.definition.impacts->gauge));
 }
 
 bool is_among_repeats(const CaseDefinition& definition, std::size_t impact, double peak,
@@ -178,7 +178,7 @@ Finding difference_of_runs(const Cases& cases, const FindingRow& row) {
       difference(filtered(one, quantity, cutoff), filtered(other, quantity, cutoff),
                  comparison_window(assessment.definition));
   return within({fmt::format("{} against {}: rms difference of {}", row.runs.at(0), row.runs.at(1),
-                             of_pressure ? quantity : quantity + "/filtered"),
+                             of_pressure ? quantity : quantity + through_filter),
                  100, "%"},
                 {apart.with_means, 0}, row.thresholds.at(0));
 }

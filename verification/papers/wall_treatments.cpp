@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "verification/assessment/pressure_noise.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/papers/claim_evidence.hpp"
 #include "verification/papers/paper_sections.hpp"
 #include "verification/series/impact_peaks.hpp"
@@ -37,7 +38,7 @@ double late_mean(const CaseAssessment& assessment, const std::string& run,
 double noise_of(const CaseAssessment& assessment, const std::string& run) {
   const CaseDefinition& definition = assessment.definition;
   if (definition.pressure_gauges.empty()) return not_a_number;
-  const std::string pressure = "wall_pressure@" + definition.pressure_gauges.front().name;
+  const std::string pressure = wall_pressure(definition.pressure_gauges.front().name);
   if (!has_series(assessment.runs, run, pressure)) return not_a_number;
   try {
     return pressure_noise(assessment.runs.results.at(run).at(pressure),

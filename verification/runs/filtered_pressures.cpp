@@ -27,7 +27,7 @@ std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition
   std::vector<std::string> failures;
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
     if (!gauge.filter_cutoff) continue;
-    const std::string quantity = "wall_pressure@" + gauge.name;
+    const std::string quantity = wall_pressure(gauge.name);
     for (const std::string edge : {"", lower_edge, upper_edge}) {
       const std::optional<TimeSeries> series = find_series(result, quantity + edge);
       if (!series) continue;

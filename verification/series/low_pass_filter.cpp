@@ -81,7 +81,6 @@ TimeSeries low_pass(const TimeSeries& series, double cutoff) {
     }
     filtered.value[i] = sum / weight;
   }
-  filtered.name += "/filtered";
   return filtered;
 }
 

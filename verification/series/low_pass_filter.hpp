@@ -20,7 +20,7 @@
 
 namespace slosh {
 
-// The filtered series at the same times, its name with "/filtered" appended; cutoff [Hz]. Throws
+// The filtered series at the same times, of the same name; cutoff [Hz]. Throws
 // ComparisonError as cut_to_window() does, when the cutoff is not a positive number, when it lies
 // above a third of the Nyquist frequency of the widest interval between samples (above it the
 // sampled Gaussian misses its gain at the cutoff; at a third the gain is right to 2e-4), and when

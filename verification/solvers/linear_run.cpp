@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "verification/case/motion.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case/shape/sensor_place.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/solvers/reference_tank.hpp"
@@ -69,7 +70,7 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
     add("elevation@" + gauge.name, "m", flow->elevation(gauge.x));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     if (is_under_still_water(definition, gauge))
-      add("wall_pressure@" + gauge.name, "Pa", pressure_on_sensor(*flow, definition.tank, gauge));
+      add(wall_pressure(gauge.name), "Pa", pressure_on_sensor(*flow, definition.tank, gauge));
   for (const ProbeDefinition& probe : definition.probes) {
     if (!(probe.z < definition.liquid.fill_depth)) continue;
     const Corner place{probe.x, probe.z};

@@ -86,7 +86,7 @@ void add_series(const NonlinearRecord& record, const CaseDefinition& definition,
   for (std::size_t k = 0; k < definition.gauges.size(); ++k)
     add("elevation@" + definition.gauges[k].name, "m", record.elevation[k]);
   for (std::size_t k = 0; k < definition.pressure_gauges.size(); ++k)
-    add("wall_pressure@" + definition.pressure_gauges[k].name, "Pa", record.pressure[k]);
+    add(wall_pressure(definition.pressure_gauges[k].name), "Pa", record.pressure[k]);
   for (std::size_t k = 0; k < definition.probes.size(); ++k) {
     const std::string& name = definition.probes[k].name;
     const std::size_t place = definition.pressure_gauges.size() + k;

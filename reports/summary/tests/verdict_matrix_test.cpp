@@ -132,6 +132,15 @@ TEST(VerdictMatrix, TellsARegressionAndThatImpactsAreJudgedAgainstPublishedOnes)
   EXPECT_EQ(table.rows[2][2], "none");
 }
 
+TEST(VerdictMatrix, ShowsASmallPValueAsTheMessageOfItsRowDoes) {
+  GateOutcome unequal = outcome(Verdict::violated, 1e-4, 2.84e-4);
+  unequal.row.metric = Metric::peak_ks_p_value;
+  unequal.row.limit.reset();
+  unequal.row.between = {0.05, 1.0};
+  const std::vector<ShownRow> rows = shown_rows({with_gate({unequal})});
+  EXPECT_EQ(rows[0].found, "at most 0.0384 %");
+}
+
 TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
   GateOutcome mesh = outcome(Verdict::inconclusive, 0.04, 0.02);
   mesh.row.candidate = "fine_mesh";

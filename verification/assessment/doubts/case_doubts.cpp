@@ -10,6 +10,7 @@
 #include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case/shape/sensor_place.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -92,7 +93,7 @@ void doubt_gauges(const CaseDefinition& definition, Doubts& doubts) {
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     if (!is_under_still_water(definition, gauge))
       for (const GateRow& row : definition.gate)
-        if (!row.reference.empty() && row.quantity.starts_with("wall_pressure@" + gauge.name) &&
+        if (!row.reference.empty() && row.quantity.starts_with(wall_pressure(gauge.name)) &&
             std::holds_alternative<LinearRun>(run_named(definition, row.reference).solver))
           doubts.push_back(fmt::format(
               "gate row of line {}: {} has no pressure at the gauge {}, which is not wholly below "

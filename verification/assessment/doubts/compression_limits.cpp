@@ -37,8 +37,7 @@ std::optional<Impact> recorded_impact(const CaseDefinition& definition, const Ca
   std::optional<Impact> highest;
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
     if (is_under_still_water(definition, gauge)) continue;
-    const std::string quantity =
-        "wall_pressure@" + gauge.name + (gauge.filter_cutoff ? through_filter : "");
+    const std::string quantity = smoothest_pressure(gauge);
     for (const auto& [run, result] : runs.results) {
       if (!has_series(runs, run, quantity) || result.at(quantity).value.empty()) continue;
       const auto& values = result.at(quantity).value;

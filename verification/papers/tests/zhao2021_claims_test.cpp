@@ -94,6 +94,7 @@ CaseAssessment violent_roll(const Way& moving = {.spread = 2, .noise = 20, .cros
   CaseAssessment assessment = no_runs_of(definition);
   for (const auto& [way, name] : {std::pair{moving, "moving_"}, {fixed, "fixed_"}})
     for (const auto& [study, error] : {std::pair{"8mm", 160.0},
+                                       {"6mm", 120.0},
                                        {"4mm", 80.0},
                                        {"2mm", 40.0},
                                        {"4mm_cfl01", 60.0},

