@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "reports/drawing/axes.hpp"
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/text_lines.hpp"
 
 namespace slosh::reports {
 namespace {

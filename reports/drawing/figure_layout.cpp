@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/text_lines.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -24,7 +25,9 @@ constexpr double plot_width = 440;  // px, the canvas less its margins at their 
 constexpr double key_width =
     420;  // px, on the safe side: gnuplot uses fewer columns where it finds no room
 constexpr double key_sample_width =
-    55;  // px, the line before a legend entry and the space after it
+    55;                               // px, the line before a legend entry and the space after it
+constexpr double longest_line = 510;  // px, of a legend entry: 60 characters, of which the canvas
+                                      // has room for 65 of usual width
 
 template <class Part, class TextOf>
 std::vector<std::string> each_once(const std::vector<Part>& parts, TextOf text_of) {
@@ -36,13 +39,17 @@ std::vector<std::string> each_once(const std::vector<Part>& parts, TextOf text_o
   return labels;
 }
 
+// The lines of all entries.
 std::vector<std::string> legend_texts(const Figure& figure) {
-  std::vector<std::string> texts = ribbon_labels(figure);
+  std::vector<std::string> entries = ribbon_labels(figure);
   for (const Curve& curve : figure.curves)
-    if (!curve.label.empty()) texts.push_back(curve.label);
-  for (const Band& band : figure.bands) texts.push_back(band.label);
-  for (const std::string& label : span_labels(figure)) texts.push_back(label);
-  return texts;
+    if (!curve.label.empty()) entries.push_back(curve.label);
+  for (const Band& band : figure.bands) entries.push_back(band.label);
+  for (const std::string& label : span_labels(figure)) entries.push_back(label);
+  std::vector<std::string> lines;
+  for (const std::string& entry : entries)
+    for (std::string& line : legend_lines(entry)) lines.push_back(std::move(line));
+  return lines;
 }
 
 }  // namespace
@@ -59,6 +66,10 @@ std::vector<std::string> span_labels(const Figure& figure) {
 std::vector<std::string> ribbon_labels(const Figure& figure) {
   return each_once(figure.curves,
                    [](const Curve& curve) -> const std::string& { return curve.ribbon; });
+}
+
+std::vector<std::string> legend_lines(const std::string& label) {
+  return wrapped(label, longest_line, character_width);
 }
 
 KeyLayout key_layout(const Figure& figure) {

@@ -26,6 +26,9 @@ Canvas canvas_of(const Figure& figure);
 std::vector<std::string> span_labels(const Figure& figure);
 std::vector<std::string> ribbon_labels(const Figure& figure);
 
+// The lines of one entry of the legend. A legend with an entry of several has one column.
+std::vector<std::string> legend_lines(const std::string& label);
+
 struct KeyLayout {
   int columns, rows;
   double narrower;  // characters to take off each entry: gnuplot assumes wide ones, 0.7 of the font

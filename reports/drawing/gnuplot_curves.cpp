@@ -121,6 +121,14 @@ std::string style_text(const Figure& figure, const Curve& curve, const Stroke& s
                      stroke.dash);
 }
 
+// Returns the title of a plot element, and an element without a symbol for each further line.
+std::string titled(const std::string& label) {
+  if (label.empty()) return "notitle";
+  std::vector<std::string> titles;
+  for (const std::string& line : legend_lines(label)) titles.push_back("title " + quoted(line));
+  return fmt::format("{}", fmt::join(titles, ", \\\n  keyentry with lines lt nodraw "));
+}
+
 std::string curve_element(const Figure& figure, std::size_t number, const Stroke& stroke) {
   const Curve& curve = figure.curves[number];
   const std::string bars = bar_directions(curve);
@@ -128,8 +136,7 @@ std::string curve_element(const Figure& figure, std::size_t number, const Stroke
                      bars.empty()   ? ""
                      : bars == "xy" ? ":3:4"
                                     : ":3",
-                     style_text(figure, curve, stroke), stroke.colour,
-                     curve.label.empty() ? "notitle" : "title " + quoted(curve.label));
+                     style_text(figure, curve, stroke), stroke.colour, titled(curve.label));
 }
 
 // The legend's entry of a ribbon has the colour of the first curve that has one.
@@ -138,9 +145,9 @@ std::string ribbon_entry(const Figure& figure, const std::string& label,
   const auto first = std::find_if(figure.curves.begin(), figure.curves.end(),
                                   [&](const Curve& curve) { return curve.ribbon == label; });
   return fmt::format(
-      "keyentry with boxes {} title {}",
+      "keyentry with boxes {} {}",
       filled(strokes[static_cast<std::size_t>(first - figure.curves.begin())].colour),
-      quoted(label));
+      titled(label));
 }
 
 }  // namespace
@@ -178,11 +185,11 @@ std::string plot_command(const Figure& figure) {
   for (const std::string& label : ribbon_labels(figure))
     elements.push_back(ribbon_entry(figure, label, strokes));
   for (std::size_t i = 0; i < figure.bands.size(); ++i)
-    elements.push_back(fmt::format("keyentry with boxes {} title {}",
-                                   filled(band_colour(figure, i)), quoted(figure.bands[i].label)));
+    elements.push_back(fmt::format("keyentry with boxes {} {}", filled(band_colour(figure, i)),
+                                   titled(figure.bands[i].label)));
   for (const std::string& label : span_labels(figure))
     elements.push_back(
-        fmt::format("keyentry with boxes {} title {}", filled(faint_ink.light), quoted(label)));
+        fmt::format("keyentry with boxes {} {}", filled(faint_ink.light), titled(label)));
   if (elements.empty()) elements.push_back("NaN notitle");
   return fmt::format("plot {}\n", fmt::join(elements, ", \\\n  "));
 }

@@ -84,19 +84,14 @@ std::string broken_output(const std::string& figure_id, const std::string& what,
 }
 
 std::string quoted(const std::string& text) {
-  std::string literal = "'";
-  for (const char c : text) {
+  // gnuplot 5.4 takes the apostrophe at the start of a literal '''a' for the literal's end.
+  const std::size_t apostrophes = std::min(text.find_first_not_of('\''), text.size());
+  std::string literal = apostrophes == 0 ? "'" : "\"" + text.substr(0, apostrophes) + "\".'";
+  for (const char c : text.substr(apostrophes)) {
     if (c == '\'') literal += '\'';
     literal += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
   }
   return literal + "'";
-}
-
-double text_width(const std::string& text, double character_width) {
-  const auto characters = std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  });
-  return character_width * static_cast<double>(characters);
 }
 
 }  // namespace slosh::reports

@@ -34,8 +34,4 @@ std::string broken_output(const std::string& figure_id, const std::string& what,
 // script's lines and make an SVG invalid, become blanks.
 std::string quoted(const std::string& text);
 
-// The approximate width [px] of a text as drawn, to lay labels out; each UTF-8 character counts
-// once.
-double text_width(const std::string& text, double character_width);
-
 }  // namespace slosh::reports

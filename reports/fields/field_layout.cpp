@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "reports/drawing/axes.hpp"
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/text_lines.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -40,29 +40,6 @@ Extent rolled_tanks(const FieldFigure& figure) {
     }
   }
   return extent;
-}
-
-// Breaks a text into lines of at most this width [px], as gnuplot does not. A line ends at the last
-// comma within the width or, where there is none, at the last blank within it. A word that is wider
-// has a line of its own.
-std::vector<std::string> wrapped(std::string rest, double width) {
-  std::vector<std::string> lines;
-  while (text_width(rest, label_character) > width) {
-    std::size_t end = std::string::npos;
-    for (const std::string_view gap : {", ", " "}) {
-      for (auto at = rest.find(gap); at != std::string::npos; at = rest.find(gap, at + 1)) {
-        const std::size_t blank = at + gap.size() - 1;
-        if (text_width(rest.substr(0, blank), label_character) <= width) end = blank;
-      }
-      if (end != std::string::npos) break;
-    }
-    if (end == std::string::npos) end = rest.find(' ');
-    if (end == std::string::npos) break;
-    lines.push_back(rest.substr(0, end));
-    rest.erase(0, end + 1);
-  }
-  lines.push_back(rest);
-  return lines;
 }
 
 }  // namespace
@@ -123,7 +100,7 @@ FieldLayout field_layout(const FieldFigure& figure) {
   layout.column_gap = layout.width / layout.columns - layout.cell_width;
   layout.left = layout.column_gap / 2;
   for (const FieldPanel& panel : figure.panels) {
-    layout.labels.push_back(wrapped(panel.label, layout.cell_width));
+    layout.labels.push_back(wrapped(panel.label, layout.cell_width, label_character));
     layout.label_lines =
         std::max(layout.label_lines, static_cast<int>(layout.labels.back().size()));
   }

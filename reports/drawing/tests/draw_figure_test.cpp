@@ -140,6 +140,16 @@ TEST(DrawnFigure, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
   expect_well_formed(svg);
 }
 
+TEST(DrawnFigure, ShowsALabelThatBeginsWithAnApostrophe) {
+  Figure figure = simple_figure("apostrophe", {1, 2, 3});
+  figure.curves[0].label = "''s' is a label";
+  figure.x_label = "'s axis";
+  figure.markers = {{"'s mark", 1}};
+  const std::string markup = drawn_markup(figure);
+  for (const char* text : {"''s' is a label", "'s axis", "'s mark"})
+    EXPECT_NE(markup.find(text), std::string::npos) << text;
+}
+
 TEST(DrawnFigure, LabelsBothEndsOfALogarithmicAxis) {
   for (const double lower : {0.001, 0.01, 0.1, 1.0, 10.0, 1000.0}) {
     Figure figure = simple_figure("ends", {1, 2});
@@ -251,6 +261,20 @@ TEST(DrawnFigure, NamesSpansOfOneLabelOnceAndLeavesOutThoseBesideTheAxis) {
       svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
   EXPECT_NE(svg.find("start from 3 to 9 (shaded)"), std::string::npos);
   expect_well_formed(svg);
+}
+
+TEST(DrawnFigure, BreaksALongEntryOfTheLegendAtACommaAndShowsAllOfIt) {
+  Figure figure = simple_figure("legend", {1, 2, 3});
+  const int of_one_line = canvas_height(figure);
+  figure.curves[0].label =
+      "recommended, quintic_spline, initial_state = settled, smoothing_length_ratio = 1.42, "
+      "start_disorder = 0.2";
+  EXPECT_EQ(canvas_height(figure), of_one_line + legend_row_height);
+  const std::string markup = drawn_markup(figure);
+  EXPECT_NE(markup.find(">recommended, quintic_spline, initial_state = settled,<"),
+            std::string::npos);
+  EXPECT_NE(markup.find(">smoothing_length_ratio = 1.42, start_disorder = 0.2<"),
+            std::string::npos);
 }
 
 TEST(DrawnFigure, OfEqualAxesIsASquareOfOneScale) {
