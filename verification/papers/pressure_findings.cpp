@@ -128,6 +128,13 @@ Held clearly_smaller(double ours, double others, const Threshold& ratio) {
   return others <= ratio.upper * ours && others < ours ? Held::no : Held::undecided;
 }
 
+// Counts also scatter: the standard deviation of the difference of two Poisson counts is the root
+// of their sum.
+Held clearly_fewer(double ours, double others, const Threshold& ratio) {
+  const bool is_scatter = std::abs(ours - others) <= 1.96 * std::sqrt(ours + others);
+  return is_scatter ? Held::undecided : clearly_smaller(ours, others, ratio);
+}
+
 // Returns the mean rms difference of the coarser runs made in one way to the last, finest one.
 double spread(const CaseAssessment& assessment, const std::string& way, const FindingRow& row) {
   const std::string quantity = filtered_gauge(assessment.definition).first;
@@ -238,13 +245,14 @@ Finding fixed_more_stable(const Cases& cases, const FindingRow& row) {
       : failed(1) > failed(0) ? Held::no
                               : Held::undecided,
       clearly_smaller(noise, 1, row.thresholds.at(0)),
-      clearly_smaller(found.crossings[1], found.crossings[0], row.thresholds.at(0))};
+      clearly_fewer(found.crossings[1], found.crossings[0], row.thresholds.at(0))};
   const bool better = std::count(parts.begin(), parts.end(), Held::yes) > 0;
   const bool worse = std::count(parts.begin(), parts.end(), Held::no) > 0;
   std::string text = fmt::format(
       "of {} runs each {} of the fixed and {} of the moving finished; over the {} that both "
       "finished the fixed have {:.3g} times the noise of the moving on the plateaus and {:.0f} "
-      "wall crossings against {:.0f} (better in one, worse in none; a fifth counts)",
+      "wall crossings against {:.0f} (better in one, worse in none; a fifth counts, of crossings "
+      "where it is beyond the scatter of such counts)",
       row.runs.size(), found.finished[1], found.finished[0], found.pairs, noise, found.crossings[1],
       found.crossings[0]);
   if (better && worse) text += ": they contradict one another";
