@@ -17,6 +17,7 @@
 #include "reports/summary/worst_first.hpp"
 #include "reports/wording/report_places.hpp"
 #include "sph/threads.hpp"
+#include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/case/case_definition.hpp"
@@ -256,10 +257,10 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   report.decision = decision_of(cases, problems);
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
-  report.sections =
-      summary_sections(cases, problems,
-                       fmt::format("{} Repeat this campaign with `{}`. {}.",
-                                   kinds_sentence(cases, problems), command, campaign.source));
+  report.sections = summary_sections(
+      cases, problems,
+      fmt::format("{} {} Repeat this campaign with `{}`. {}.", kinds_sentence(cases, problems),
+                  cost_sentence(cases, problems), command, campaign.source));
   // The cores that the cases leave free evaluate a case's gate rows in parallel.
   const auto selected = std::count_if(cases.begin(), cases.end(), has_selected_runs);
   const int cores = sph::usable_cores(),

@@ -107,11 +107,11 @@ std::vector<reports::Figure> error_figures(const Problem& problem, const Problem
 
 std::string cost_text(const ProblemResult& result) {
   const auto command = result.provenance.find("command");
-  return fmt::format(
-      "The problem took {:.1f} s of CPU time and {:.0f} MiB.{}",
-      result.cost.user_time + result.cost.system_time, result.cost.peak_memory / 1048576,
-      command == result.provenance.end() ? ""
-                                         : fmt::format(" Repeat it with `{}`.", command->second));
+  return fmt::format("The problem took {:.1f} s of CPU time and {:.0f} MiB.{}",
+                     result.cost.core_seconds(), result.cost.peak_memory / 1048576,
+                     command == result.provenance.end()
+                         ? ""
+                         : fmt::format(" Repeat it with `{}`.", command->second));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/summary/verdict_matrix.hpp"
+#include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/error_over_tolerance.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/case/campaign_definition.hpp"
@@ -328,6 +329,7 @@ std::string results_json(const std::string& campaign, bool quick,
                 {"campaign", campaign},
                 {"quick", quick},
                 {"exit_status", exit_status(cases, problems)},
+                {"core_seconds_s", campaign_cost(cases, problems).core_seconds},
                 {"verdict_matrix", matrix_entry(verdict_matrix(shown_rows(cases)), "case")},
                 {"problem_matrix", matrix_entry(verdict_matrix(shown_rows(problems)), "problem")},
                 {"model_bias", Json::array()},

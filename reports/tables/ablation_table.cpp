@@ -32,10 +32,6 @@ std::vector<AblationRun> ablation_runs(const CaseAssessment& assessment) {
   return runs;
 }
 
-double processor_time(const RunResult& result) {
-  return result.cost.user_time + result.cost.system_time;
-}
-
 // Returns the unchanged run of the same scheme and spacing, null where the case has none.
 const AblationRun* unchanged(const std::vector<AblationRun>& runs, const SphRun& sph) {
   const auto found = std::find_if(runs.begin(), runs.end(), [&](const AblationRun& other) {
@@ -133,9 +129,9 @@ std::vector<std::string> cost_cells(const AblationRun& one, const AblationRun* p
                                     double duration) {
   if (!one.result) return {"", "", "", "", ""};
   const RunCost& cost = one.result->cost;
-  const double time = processor_time(*one.result);
+  const double time = one.result->cost.core_seconds();
   return {fmt::format("{:.2f}", time),
-          plain && plain->result ? ratio(time, processor_time(*plain->result)) : "",
+          plain && plain->result ? ratio(time, plain->result->cost.core_seconds()) : "",
           fmt::format("{}", cost.steps),
           fmt::format("{:.4g}", 1e6 * time / (cost.elements * duration)),
           fmt::format("{:.0f}", cost.peak_memory / cost.elements)};

@@ -90,7 +90,7 @@ void time_run(const ResultStore& store, const std::string& key, double longest,
     return;
   }
   const RunResult kept = read_result(store.file(key, ".h5"));
-  if (kept.cost.user_time + kept.cost.system_time > longest) {
+  if (kept.cost.core_seconds() > longest) {
     std::cout << fmt::format("not repeated: it takes more than {} s\n", longest);
     return;
   }

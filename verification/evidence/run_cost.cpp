@@ -15,8 +15,6 @@
 namespace slosh {
 namespace {
 
-double core_seconds(const RunCost& cost) { return cost.user_time + cost.system_time; }
-
 Estimate mean_with_interval(const std::vector<double>& values) {
   const double n = static_cast<double>(values.size());
   if (values.size() < 2) return {mean(values), not_a_number};
@@ -83,10 +81,10 @@ std::string left_cores(const RunDefinition& run, const RunCost& cost) {
   constexpr double allowance = 1.05;
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (!external || !external->cores ||
-      core_seconds(cost) <= allowance * cost.wall_time * *external->cores)
+      cost.core_seconds() <= allowance * cost.wall_time * *external->cores)
     return "";
   return fmt::format("{:.3g} core-seconds in {:.3g} s: more than its cores = {} have",
-                     core_seconds(cost), cost.wall_time, *external->cores);
+                     cost.core_seconds(), cost.wall_time, *external->cores);
 }
 
 }  // namespace
@@ -95,14 +93,14 @@ MeasuredCost cost_of(const CaseRuns& runs, const std::string& run) {
   const auto timed = runs.timings.find(run);
   if (timed == runs.timings.end() || timed->second.empty()) {
     const RunResult& result = runs.results.at(run);
-    return {.core_seconds = {core_seconds(result.cost), not_a_number},
+    return {.core_seconds = {result.cost.core_seconds(), not_a_number},
             .memory = {result.cost.peak_memory, not_a_number},
             .timings = 0,
             .elsewhere = result.provenance.contains("stored_software")};
   }
   std::vector<double> times, memories;
   for (const RunCost& one : timed->second) {
-    times.push_back(core_seconds(one));
+    times.push_back(one.core_seconds());
     memories.push_back(one.peak_memory);
   }
   return {mean_with_interval(times), mean_with_interval(memories), times.size()};

@@ -36,6 +36,8 @@ struct RunCost {
   // 0 where they are not counted.
   double steps = 0;
   double elements = 0;  // particles (walls apart) or cells
+
+  double core_seconds() const { return user_time + system_time; }  // [s]
 };
 
 struct RunResult {

@@ -62,7 +62,7 @@ ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition
   if (!earlier) return cost;
   try {
     const RunCost taken = read_result(*earlier).cost;
-    cost.processor_time = taken.user_time + taken.system_time;
+    cost.processor_time = taken.core_seconds();
     cost.wall_time = taken.wall_time;
     cost.memory = taken.peak_memory;
     cost.measured = true;
@@ -78,7 +78,7 @@ void learn_cost(const RunResult& result, const CaseDefinition& definition, const
   if (ended_early || !can_be_modelled(run)) return;
   record_cost({.solver = solver_name(run),
                .modelled = modelled_time(definition, run),
-               .taken = result.cost.user_time + result.cost.system_time},
+               .taken = result.cost.core_seconds()},
               store);
 }
 

@@ -153,8 +153,7 @@ void add_external_facts(const fs::path& file, const RunCost& taken, RunResult& r
       apart += *value;
     };
     if (fact.name == compile_wall) count_apart(taken.wall_time, result.cost.wall_time);
-    if (fact.name == compile_processor)
-      count_apart(taken.user_time + taken.system_time, result.cost.user_time);
+    if (fact.name == compile_processor) count_apart(taken.core_seconds(), result.cost.user_time);
   }
 }
 

@@ -38,8 +38,7 @@ std::string run_text(const std::string& run, const CaseRuns& runs) {
   std::string text = fmt::format("  {:<28} {}", run, state_name(status.state));
   if (!status.message.empty()) text += ": " + status.message;
   if (const auto result = runs.results.find(run); result != runs.results.end())
-    text += fmt::format(", {:.3g} core-seconds",
-                        result->second.cost.user_time + result->second.cost.system_time);
+    text += fmt::format(", {:.3g} core-seconds", result->second.cost.core_seconds());
   return text + "\n";
 }
 

@@ -37,9 +37,8 @@ std::string gauge_text(const TimeSeries& series) {
 std::string cost_text(const RunResult& result) {
   constexpr double mebibyte = 1024 * 1024;
   const RunCost& cost = result.cost;
-  std::string text =
-      fmt::format("cost: {:.3g} core-seconds in {:.3g} s of wall time, {:.0f} MiB",
-                  cost.user_time + cost.system_time, cost.wall_time, cost.peak_memory / mebibyte);
+  std::string text = fmt::format("cost: {:.3g} core-seconds in {:.3g} s of wall time, {:.0f} MiB",
+                                 cost.core_seconds(), cost.wall_time, cost.peak_memory / mebibyte);
   const SolverKind* kind = find_solver_kind(result.solver);
   if (cost.elements > 0)
     text += fmt::format("; {:.0f} {}", cost.elements, kind ? kind->elements : "nodes");

@@ -2,14 +2,18 @@
 // the report; or the same from the results that are there.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "reports/pages/print_pdf.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/summary/campaign_report.hpp"
 #include "sph/threads.hpp"
+#include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
@@ -134,10 +138,14 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   leave_table(assessed, movements(baseline_of(read_ledger(ledger)), assessed.cases), options,
               installation.source);
   const int status = exit_status(assessed.cases, assessed.problems);
-  const std::string verdict = fmt::format(
-      "{}: {}{}\n{}\n{}", headline_word(status),
-      verdict_sentence(assessed.cases, assessed.problems), coverage_sentence(assessed.cases),
-      kinds_sentence(assessed.cases, assessed.problems), report_lines(place, options));
+  std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
+                                             verdict_sentence(assessed.cases, assessed.problems),
+                                             coverage_sentence(assessed.cases)),
+                                 kinds_sentence(assessed.cases, assessed.problems),
+                                 cost_sentence(assessed.cases, assessed.problems),
+                                 report_lines(place, options)};
+  std::erase(lines, "");
+  const std::string verdict = fmt::format("{}", fmt::join(lines, "\n"));
   print_lines(verdict);
   if (const auto now = fingerprint(); now && is_settled(assessed))
     write_cached_verdict({*now, status, rows + verdict}, place);

@@ -1,0 +1,27 @@
+// What the runs and problems of a campaign cost together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/assessment/case_assessment.hpp"
+#include "verification/assessment/problem_assessment.hpp"
+
+namespace slosh {
+
+struct CampaignCost {
+  std::size_t results = 0;  // of runs and problems; stored results do not count
+  double core_seconds = 0;  // [s] user and system time of all processes
+};
+
+// The cost of each run is that of the campaign's own run, measured when it was made. Timings of it
+// do not count.
+CampaignCost campaign_cost(const std::vector<CaseAssessment>& cases,
+                           const std::vector<ProblemAssessment>& problems);
+
+// "The campaign cost 10481 core-seconds (2.9 hours): the sum over 149 results, each measured when
+// it was made.", or "" where nothing left a result.
+std::string cost_sentence(const std::vector<CaseAssessment>& cases,
+                          const std::vector<ProblemAssessment>& problems);
+
+}  // namespace slosh
