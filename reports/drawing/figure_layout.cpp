@@ -25,9 +25,9 @@ constexpr double plot_width = 440;  // px, the canvas less its margins at their 
 constexpr double key_width =
     420;  // px, on the safe side: gnuplot uses fewer columns where it finds no room
 constexpr double key_sample_width =
-    55;                               // px, the line before a legend entry and the space after it
-constexpr double longest_line = 510;  // px, of a legend entry: 60 characters, of which the canvas
-                                      // has room for 65 of usual width
+    55;  // px, the line before a legend entry and the space after it
+// px, of a line of a legend entry: 54 characters. The canvas has room for 65 of usual width.
+constexpr double longest_line = 460;
 
 template <class Part, class TextOf>
 std::vector<std::string> each_once(const std::vector<Part>& parts, TextOf text_of) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "reports/drawing/axes.hpp"
 #include "reports/drawing/text_lines.hpp"

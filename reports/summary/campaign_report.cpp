@@ -257,10 +257,11 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   report.decision = decision_of(cases, problems);
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
-  report.sections = summary_sections(
-      cases, problems,
-      fmt::format("{} {} Repeat this campaign with `{}`. {}.", kinds_sentence(cases, problems),
-                  cost_sentence(cases, problems), command, campaign.source));
+  std::vector<std::string> sentences{
+      kinds_sentence(cases, problems), cost_sentence(cases, problems),
+      fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)};
+  std::erase(sentences, "");
+  report.sections = summary_sections(cases, problems, fmt::format("{}", fmt::join(sentences, " ")));
   // The cores that the cases leave free evaluate a case's gate rows in parallel.
   const auto selected = std::count_if(cases.begin(), cases.end(), has_selected_runs);
   const int cores = sph::usable_cores(),

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "verification/evidence/run_cost.hpp"
+#include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
 namespace {
@@ -21,9 +21,15 @@ CampaignCost campaign_cost(const std::vector<CaseAssessment>& cases,
     ++all.results;
     all.core_seconds += cost.core_seconds();
   };
-  for (const CaseAssessment& one : cases)
-    for (const auto& [run, result] : one.runs.results)
-      if (!cost_of(one.runs, run).elsewhere) add(result.cost);
+  for (const CaseAssessment& one : cases) {
+    for (const RunDefinition& run : one.definition.runs)
+      if (const auto result = one.runs.results.find(run.name);
+          result != one.runs.results.end() && !is_stored(run))
+        add(result->second.cost);
+    for (const auto& [input, bounds] : one.runs.input_bounds)
+      for (const RunResult* bound : {&bounds.lower, &bounds.upper})
+        if (!bound->key.empty()) add(bound->cost);  // a run's, and not the prediction of a theory
+  }
   for (const ProblemAssessment& one : problems)
     if (one.run.result) add(one.run.result->cost);
   return all;
@@ -34,10 +40,9 @@ std::string cost_sentence(const std::vector<CaseAssessment>& cases,
   const CampaignCost all = campaign_cost(cases, problems);
   if (all.results == 0) return "";
   return fmt::format(
-      "The campaign cost {:.{}f} core-seconds ({}): the sum over {} {}, each measured when it was "
-      "made.",
-      all.core_seconds, all.core_seconds < 100 ? 1 : 0, duration_text(all.core_seconds),
-      all.results, all.results == 1 ? "result" : "results");
+      "The campaign cost {:.{}f} core-seconds ({}), the sum of {} {}.", all.core_seconds,
+      all.core_seconds < 100 ? 1 : 0, duration_text(all.core_seconds), all.results,
+      all.results == 1 ? "run as it was measured then" : "runs as they were measured then");
 }
 
 }  // namespace slosh

@@ -10,17 +10,18 @@
 namespace slosh {
 
 struct CampaignCost {
-  std::size_t results = 0;  // of runs and problems; stored results do not count
+  std::size_t results =
+      0;  // of runs and problems; those of other codes that are stored do not count
   double core_seconds = 0;  // [s] user and system time of all processes
 };
 
-// The cost of each run is that of the campaign's own run, measured when it was made. Timings of it
-// do not count.
+// The cost of each run is that of the campaign's own run, measured when it was made. The runs at
+// the bounds of the inputs count, timings do not.
 CampaignCost campaign_cost(const std::vector<CaseAssessment>& cases,
                            const std::vector<ProblemAssessment>& problems);
 
-// "The campaign cost 10481 core-seconds (2.9 hours): the sum over 149 results, each measured when
-// it was made.", or "" where nothing left a result.
+// "The campaign cost 10603 core-seconds (2.9 hours), the sum of 153 runs as they were measured
+// then.", or "" where nothing left a result.
 std::string cost_sentence(const std::vector<CaseAssessment>& cases,
                           const std::vector<ProblemAssessment>& problems);
 

@@ -11,6 +11,7 @@
 #include "verification/case/metric_table.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/repeat_spread.hpp"
+#include "verification/evidence/row_uncertainty.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
@@ -57,7 +58,14 @@ const std::string& ensemble_name(const RunDefinition& run) {
 }
 
 // Returns whether the row's value, bounds or uncertainty (row_uncertainty.hpp) depend on the run.
+// Whether the uncertainty of the inputs counts in the row's verdict.
+bool rests_on_inputs(const CaseDefinition& definition, const GateRow& row) {
+  return row.kind == RowKind::validation && rests_on_experiment(definition, row) &&
+         !is_of_repeats(row.metric) && !run_named(definition, row.candidate).varies_inputs;
+}
+
 bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDefinition& run) {
+  if (run.at_input) return rests_on_inputs(definition, row);
   const std::string& name = ensemble_name(run);
   if (row.candidate == name || row.reference == name || row.improves_on == name) return true;
   if (is_cost(row.metric))
@@ -105,7 +113,8 @@ bool names_problem(const RunSelection& selection, const std::string& problem) {
 bool is_selected(const RunSelection& selection, const CaseDefinition& definition,
                  const RunDefinition& run) {
   if (selection.quick && !run.quick) return false;
-  if (names_run(selection, definition, run)) return true;
+  const bool is_asked_for = !run.at_input || !selection.only.empty();
+  if (is_asked_for && names_run(selection, definition, run)) return true;
   return std::any_of(definition.gate.begin(), definition.gate.end(), [&](const GateRow& row) {
     const RunDefinition& candidate = run_named(definition, row.candidate);
     return (candidate.quick || !selection.quick) && names_run(selection, definition, candidate) &&

@@ -28,7 +28,8 @@ bool names_run(const RunSelection& selection, const CaseDefinition& definition,
 bool names_problem(const RunSelection& selection, const std::string& problem);
 
 // Returns whether the run is to be executed and judged: it is named, or the gate rows of a named
-// run need it. In the quick form it must also be marked as quick.
+// run need it. In the quick form it must also be marked as quick. A repeat at the bound of an input
+// is of use to such gate rows alone.
 bool is_selected(const RunSelection& selection, const CaseDefinition& definition,
                  const RunDefinition& run);
 

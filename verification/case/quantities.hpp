@@ -55,6 +55,7 @@ std::vector<std::string> compared_quantities(const CaseDefinition& definition);
 // The suffix of a pressure through a gauge's filter.
 inline constexpr const char* through_filter = "/filtered";
 
+// Whether it is a filtered pressure; the edges of its band are not.
 bool is_filtered(const std::string& series);
 
 // Returns "wall_pressure@B" for the gauge B.

@@ -74,7 +74,8 @@ Finding peaks_among_repeats(const std::vector<CaseAssessment>& cases, const Find
 // Fixed against moving boundary particles, each run of a study made with both: runs are the names
 // after "fixed_" and "moving_". The runs that finish, the noise on the plateau and the wall
 // crossings; the rms difference of the filtered pressure to the last, finest run. Threshold:
-// largest ratio of fixed to moving that counts as smaller.
+// largest ratio of fixed to moving that counts as smaller. A difference of the crossings must also
+// exceed the scatter of such counts.
 Finding fixed_more_stable(const std::vector<CaseAssessment>& cases, const FindingRow& row);
 Finding fixed_converges_better(const std::vector<CaseAssessment>& cases, const FindingRow& row);
 

@@ -53,7 +53,7 @@ const Threshold near_mean_of_repeats = within_range(-1.645, 1.645);
 // 66 % of all cases, at least three in 95 %.
 const Threshold peaks_outside = at_most(1);
 // "More stable", "converges better": smaller by a fifth at least; a fifth to the other side speaks
-// against it, and in between the two are alike.
+// against it, and in between the two are alike. Counts must also differ by more than they scatter.
 const Threshold smaller_by_a_fifth = at_most(0.8);
 
 }  // namespace

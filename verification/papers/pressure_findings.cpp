@@ -128,10 +128,11 @@ Held clearly_smaller(double ours, double others, const Threshold& ratio) {
   return others <= ratio.upper * ours && others < ours ? Held::no : Held::undecided;
 }
 
-// Counts also scatter: the standard deviation of the difference of two Poisson counts is the root
-// of their sum.
+// Counts also scatter, at least as those of independent events do: the standard deviation of the
+// difference of two Poisson counts is the root of their sum. With the correction for whole numbers
+// the rule agrees with the exact binomial test for few events: 5 against 0 is chance, 6 is not.
 Held clearly_fewer(double ours, double others, const Threshold& ratio) {
-  const bool is_scatter = std::abs(ours - others) <= 1.96 * std::sqrt(ours + others);
+  const bool is_scatter = std::abs(ours - others) - 1 <= 1.96 * std::sqrt(ours + others);
   return is_scatter ? Held::undecided : clearly_smaller(ours, others, ratio);
 }
 
@@ -251,8 +252,9 @@ Finding fixed_more_stable(const Cases& cases, const FindingRow& row) {
   std::string text = fmt::format(
       "of {} runs each {} of the fixed and {} of the moving finished; over the {} that both "
       "finished the fixed have {:.3g} times the noise of the moving on the plateaus and {:.0f} "
-      "wall crossings against {:.0f} (better in one, worse in none; a fifth counts, of crossings "
-      "where it is beyond the scatter of such counts)",
+      "wall crossings against {:.0f} (better in one, worse in none; a difference counts from a "
+      "fifth "
+      "on, and that of the crossings must also exceed their scatter)",
       row.runs.size(), found.finished[1], found.finished[0], found.pairs, noise, found.crossings[1],
       found.crossings[0]);
   if (better && worse) text += ": they contradict one another";

@@ -13,6 +13,7 @@
 #include "reports/figures/run_looks.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/results_json.hpp"
+#include "verification/assessment/campaign_cost.hpp"
 #include "verification/sensitivity/sensitivity_cache.hpp"
 #include "verification/tests/figure_results.hpp"
 #include "verification/tests/surge_results.hpp"
@@ -174,6 +175,7 @@ TEST(CampaignReport, TellsTheVerdictAndTheCommandThatRepeatsIt) {
   EXPECT_EQ(report.outcome, reports::Outcome::pass);
   EXPECT_EQ(report.verdict, "3 of 3 gate rows hold.");
   EXPECT_NE(report.sections[0].paragraphs[0].find("`./slosh campaign surges`"), std::string::npos);
+  EXPECT_NE(report.sections[0].paragraphs[0].find(" The campaign cost "), std::string::npos);
   EXPECT_EQ(report_of(surge_campaign(), {not_comparable()}).outcome,
             reports::Outcome::not_compared);
 }
@@ -397,6 +399,8 @@ TEST(ResultsJson, HasTheFieldsOfItsSchema) {
   EXPECT_EQ(document.at("campaign"), "surges");
   EXPECT_EQ(document.at("quick"), true);
   EXPECT_EQ(document.at("exit_status"), 0);
+  EXPECT_EQ(document.at("core_seconds_s"), campaign_cost({good()}, {}).core_seconds);
+  EXPECT_GT(document.at("core_seconds_s"), 0);
   const nlohmann::json& one = document.at("cases").at(0);
   EXPECT_EQ(one.at("name"), "small_surge");
   EXPECT_EQ(one.at("runs").size(), 5u);

@@ -8,12 +8,22 @@
 namespace slosh::campaign_cost_test {
 namespace {
 
+RunResult taking(double user_time, double system_time) {
+  RunResult result;
+  result.key = "1b2c";
+  result.cost = {.wall_time = 9, .user_time = user_time, .system_time = system_time};
+  return result;
+}
+
+// Two runs of this cost each.
 CaseAssessment with_runs(double user_time, double system_time) {
   CaseAssessment assessment{surge_case(), {}, {}, {}, {}};
-  for (const char* run : {"coarse", "fine"}) {
-    RunResult result;
-    result.cost = {.wall_time = 9, .user_time = user_time, .system_time = system_time};
-    assessment.runs.results[run] = result;
+  assessment.definition.runs.resize(2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    RunDefinition& run = assessment.definition.runs[i];
+    run.name = i == 0 ? "coarse" : "fine";
+    run.solver = SphRun{"recommended", 0.02, 0.02};
+    assessment.runs.results[run.name] = taking(user_time, system_time);
   }
   return assessment;
 }
@@ -22,24 +32,32 @@ TEST(CampaignCost, CountsUserAndSystemTimeOfAllRunsAndProblems) {
   ProblemRun run{{RunState::finished, ""}, ProblemResult{}};
   run.result->cost = {.user_time = 500, .system_time = 100};
   const ProblemAssessment made{{}, run, {}}, missing{{}, {{RunState::missing, ""}, {}}, {}};
-  const CampaignCost cost =
-      campaign_cost({with_runs(4000, 200), with_runs(30, 1)}, {made, missing});
+  const std::vector<CaseAssessment> cases{with_runs(4000, 200), with_runs(30, 1)};
+  const CampaignCost cost = campaign_cost(cases, {made, missing});
   EXPECT_EQ(cost.results, 5u);
   EXPECT_DOUBLE_EQ(cost.core_seconds, 2 * 4200 + 2 * 31 + 600);
-  EXPECT_EQ(
-      cost_sentence({with_runs(4000, 200), with_runs(30, 1)}, {made, missing}),
-      "The campaign cost 9062 core-seconds (2.5 hours): the sum over 5 results, each measured "
-      "when it was made.");
+  EXPECT_EQ(cost_sentence(cases, {made, missing}),
+            "The campaign cost 9062 core-seconds (2.5 hours), the sum of 5 runs as they were "
+            "measured then.");
+}
+
+TEST(CampaignCost, CountsRunsAtTheBoundsOfAnInputAndNoPredictionsOfATheory) {
+  CaseAssessment assessment = with_runs(30, 1);
+  RunResult theory = taking(50, 0);
+  theory.key = "";
+  assessment.runs.input_bounds[Input::density] = {taking(7, 1), taking(8, 1)};
+  assessment.runs.input_bounds[Input::amplitude] = {theory, theory};
+  EXPECT_DOUBLE_EQ(campaign_cost({assessment}, {}).core_seconds, 2 * 31 + 8 + 9);
 }
 
 TEST(CampaignCost, DoesNotCountStoredResultsAndTimings) {
   CaseAssessment assessment = with_runs(30, 1);
-  assessment.runs.results["fine"].provenance["stored_software"] = "another code";
-  assessment.runs.timings["coarse"] = {{.user_time = 7}, {.user_time = 8}};
-  EXPECT_EQ(
-      cost_sentence({assessment}, {}),
-      "The campaign cost 31.0 core-seconds (0.5 minutes): the sum over 1 result, each measured "
-      "when it was made.");
+  assessment.definition.runs[1].solver = StoredRun{};
+  for (const char* run : {"coarse", "fine"})
+    assessment.runs.timings[run] = {{.user_time = 7}, {.user_time = 8}};
+  EXPECT_EQ(cost_sentence({assessment}, {}),
+            "The campaign cost 31.0 core-seconds (0.5 minutes), the sum of 1 run as it was "
+            "measured then.");
 }
 
 TEST(CampaignCost, IsNotToldWhereNothingHasRun) {

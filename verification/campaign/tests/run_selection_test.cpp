@@ -86,6 +86,31 @@ TEST(RunSelection, TakesTheRepeatsOfACandidate) {
             (Names{"theory", "fine", "repeat_1", "repeat_2"}));
 }
 
+TEST(RunSelection, TakesTheRepeatsAtTheBoundsOfAnInputWhereARowRestsOnAnExperiment) {
+  CaseDefinition definition = tank();
+  RunDefinition bound = run_of("coarse_density_lower", particles(0.02), true);
+  bound.at_input = InputEnd{Input::density, -1, "coarse"};
+  definition.runs.push_back(bound);
+  const auto takes = [&](const RunSelection& selection) {
+    return is_selected(selection, definition, bound);
+  };
+  EXPECT_FALSE(takes({}));
+  EXPECT_TRUE(takes({.only = {"tank/coarse_density_lower"}}));
+  definition.gate[0].metric = Metric::impact_arrival;
+  definition.gate[0].reference = "";
+  EXPECT_TRUE(takes({}));
+  EXPECT_TRUE(takes({.only = {"tank/fine"}}));
+  EXPECT_FALSE(takes({.only = {"tank/coarse"}}));
+  EXPECT_FALSE(takes({.quick = true}));  // the row's candidate is not quick
+  definition.gate[0].candidate = "coarse";
+  EXPECT_TRUE(takes({.quick = true}));
+  definition.gate[0].kind = RowKind::regression;
+  EXPECT_FALSE(takes({.quick = true}));
+  definition.gate[0].kind = RowKind::validation;
+  definition.gate[0].metric = Metric::peak_ks_p_value;
+  EXPECT_FALSE(takes({.quick = true}));
+}
+
 TEST(RunSelection, TakesAReferenceAloneWithoutTheCandidatesThatItJudges) {
   EXPECT_EQ(selected({.only = {"tank/theory"}}, tank()), Names{"theory"});
 }

@@ -133,7 +133,7 @@ TEST(LowPass, TakesUnevenSampling) {
   EXPECT_LT(bend(ragged_times()), 1e-4);  // 1 % of what it changes by in a mean interval
 }
 
-TEST(LowPass, KeepsTimesAndUnitAndNamesWhatItDid) {
+TEST(LowPass, KeepsTimesUnitAndNameAndNamesTheFilter) {
   const TimeSeries series = at_times(ragged_times(), [](double t) { return t; });
   const TimeSeries filtered = low_pass(series, cutoff);
   EXPECT_EQ(filtered.time, series.time);
