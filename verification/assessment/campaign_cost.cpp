@@ -40,9 +40,11 @@ std::string cost_sentence(const std::vector<CaseAssessment>& cases,
   const CampaignCost all = campaign_cost(cases, problems);
   if (all.results == 0) return "";
   return fmt::format(
-      "The campaign cost {:.{}f} core-seconds ({}), the sum of {} {}.", all.core_seconds,
-      all.core_seconds < 100 ? 1 : 0, duration_text(all.core_seconds), all.results,
-      all.results == 1 ? "run as it was measured then" : "runs as they were measured then");
+      "The campaign cost {:.{}f} core-seconds ({}). This is the sum over its runs and problems, {} "
+      "in "
+      "all, each measured when it was made.",
+      all.core_seconds, all.core_seconds < 100 ? 1 : 0, duration_text(all.core_seconds),
+      all.results);
 }
 
 }  // namespace slosh

@@ -20,8 +20,8 @@ struct CampaignCost {
 CampaignCost campaign_cost(const std::vector<CaseAssessment>& cases,
                            const std::vector<ProblemAssessment>& problems);
 
-// "The campaign cost 10603 core-seconds (2.9 hours), the sum of 153 runs as they were measured
-// then.", or "" where nothing left a result.
+// "The campaign cost 10608 core-seconds (2.9 hours). This is the sum over its runs and problems,
+// 153 in all, each measured when it was made.", or "" where nothing left a result.
 std::string cost_sentence(const std::vector<CaseAssessment>& cases,
                           const std::vector<ProblemAssessment>& problems);
 

@@ -58,14 +58,8 @@ const std::string& ensemble_name(const RunDefinition& run) {
 }
 
 // Returns whether the row's value, bounds or uncertainty (row_uncertainty.hpp) depend on the run.
-// Whether the uncertainty of the inputs counts in the row's verdict.
-bool rests_on_inputs(const CaseDefinition& definition, const GateRow& row) {
-  return row.kind == RowKind::validation && rests_on_experiment(definition, row) &&
-         !is_of_repeats(row.metric) && !run_named(definition, row.candidate).varies_inputs;
-}
-
 bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDefinition& run) {
-  if (run.at_input) return rests_on_inputs(definition, row);
+  if (run.at_input) return rests_on_input_bounds(definition, row);
   const std::string& name = ensemble_name(run);
   if (row.candidate == name || row.reference == name || row.improves_on == name) return true;
   if (is_cost(row.metric))

@@ -150,6 +150,11 @@ bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row) {
   return is_record(run_named(definition, row.reference));
 }
 
+bool rests_on_input_bounds(const CaseDefinition& definition, const GateRow& row) {
+  return row.kind == RowKind::validation && rests_on_experiment(definition, row) &&
+         !is_of_repeats(row.metric) && !run_named(definition, row.candidate).varies_inputs;
+}
+
 UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
                                          const GateRow& row, const RowMeasures& measures) {
   UncertaintyContributions found;

@@ -31,6 +31,10 @@ namespace slosh {
 // Whether the row compares with measurements of a real tank: a record, or published impacts.
 bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row);
 
+// Whether the verdict counts what the inputs' intervals do to the candidate, measured at their
+// bounds. A regression row has the same inputs as before, and some ensembles draw their inputs.
+bool rests_on_input_bounds(const CaseDefinition& definition, const GateRow& row);
+
 // The functions that measure a row's uncertainties. They throw ComparisonError or ResultError where
 // there is nothing to measure.
 struct RowMeasures {

@@ -253,8 +253,7 @@ Finding fixed_more_stable(const Cases& cases, const FindingRow& row) {
       "of {} runs each {} of the fixed and {} of the moving finished; over the {} that both "
       "finished the fixed have {:.3g} times the noise of the moving on the plateaus and {:.0f} "
       "wall crossings against {:.0f} (better in one, worse in none; a difference counts from a "
-      "fifth "
-      "on, and that of the crossings must also exceed their scatter)",
+      "fifth on, and that of the crossings must also exceed their scatter)",
       row.runs.size(), found.finished[1], found.finished[0], found.pairs, noise, found.crossings[1],
       found.crossings[0]);
   if (better && worse) text += ": they contradict one another";

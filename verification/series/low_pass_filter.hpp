@@ -20,11 +20,11 @@
 
 namespace slosh {
 
-// The filtered series at the same times, of the same name; cutoff [Hz]. Throws
-// ComparisonError as cut_to_window() does, when the cutoff is not a positive number, when it lies
-// above a third of the Nyquist frequency of the widest interval between samples (above it the
-// sampled Gaussian misses its gain at the cutoff; at a third the gain is right to 2e-4), and when
-// the series is shorter than the filter's 10 sigma, 1.33 / cutoff.
+// The filtered series has the same times and the same name; cutoff [Hz]. Throws ComparisonError as
+// cut_to_window() does, when the cutoff is not a positive number, when it lies above a third of the
+// Nyquist frequency of the widest interval between samples (above it the sampled Gaussian misses
+// its gain at the cutoff; at a third the gain is right to 2e-4), and when the series is shorter
+// than the filter's 10 sigma, 1.33 / cutoff.
 TimeSeries low_pass(const TimeSeries& series, double cutoff);
 
 // The filter's name in reports: "Gaussian, zero phase, -3 dB at 50 Hz".

@@ -37,8 +37,8 @@ TEST(CampaignCost, CountsUserAndSystemTimeOfAllRunsAndProblems) {
   EXPECT_EQ(cost.results, 5u);
   EXPECT_DOUBLE_EQ(cost.core_seconds, 2 * 4200 + 2 * 31 + 600);
   EXPECT_EQ(cost_sentence(cases, {made, missing}),
-            "The campaign cost 9062 core-seconds (2.5 hours), the sum of 5 runs as they were "
-            "measured then.");
+            "The campaign cost 9062 core-seconds (2.5 hours). This is the sum over its runs and "
+            "problems, 5 in all, each measured when it was made.");
 }
 
 TEST(CampaignCost, CountsRunsAtTheBoundsOfAnInputAndNoPredictionsOfATheory) {
@@ -56,8 +56,8 @@ TEST(CampaignCost, DoesNotCountStoredResultsAndTimings) {
   for (const char* run : {"coarse", "fine"})
     assessment.runs.timings[run] = {{.user_time = 7}, {.user_time = 8}};
   EXPECT_EQ(cost_sentence({assessment}, {}),
-            "The campaign cost 31.0 core-seconds (0.5 minutes), the sum of 1 run as it was "
-            "measured then.");
+            "The campaign cost 31.0 core-seconds (0.5 minutes). This is the sum over its runs and "
+            "problems, 1 in all, each measured when it was made.");
 }
 
 TEST(CampaignCost, IsNotToldWhereNothingHasRun) {

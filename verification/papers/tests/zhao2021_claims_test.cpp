@@ -213,7 +213,7 @@ TEST(ClaimOnStability, IsRefutedWhereTheFixedAreNoisierCrossMoreOrFail) {
   EXPECT_EQ(claim(4, {failed}).held, Held::no);
 }
 
-// Two equal rates often give such counts.
+// Two equal rates give such counts by chance in more than one of twenty cases.
 TEST(ClaimOnStability, IsNotDecidedByCountsThatDifferByChance) {
   for (const auto& [moving, fixed] : {std::pair{6.0, 4.0}, {5.0, 0.0}, {4.0, 6.0}}) {
     CaseAssessment counted = violent_roll({}, {});
