@@ -83,13 +83,6 @@ Section results_section(const CaseAssessment& assessment) {
   return section;
 }
 
-Section panels_section(const CaseAssessment& assessment) {
-  const std::string& name = assessment.definition.name;
-  Section section = section_on(page_of_case(name), name + "-panels", "Panels of solvers");
-  section.tables = panel_tables(assessment);
-  return section;
-}
-
 Section tables_section(const CaseAssessment& assessment,
                        const std::vector<RowSensitivity>& sensitivity,
                        const CaseCoverage& coverage) {
@@ -132,7 +125,6 @@ std::vector<Section> case_sections(const CaseAssessment& assessment,
   if (!summary.paragraphs.empty()) sections.push_back(std::move(summary));
   sections.push_back(gate_section(assessment));
   sections.push_back(results_section(assessment));
-  if (!assessment.definition.panels.empty()) sections.push_back(panels_section(assessment));
   Section further = section_on(appendix_of_case(name), name + "-figures", "Further figures");
   further.figures = appendix_figures(assessment);
   if (!further.figures.empty()) sections.push_back(std::move(further));

@@ -352,7 +352,6 @@ std::string results_json(const std::string& campaign, bool quick,
       for (const FieldComparison& pair : one.fields)
         entry["fields"].push_back(field_entry(pair, one.definition));
     }
-    if (!one.definition.panels.empty()) entry["panels"] = panels_json(one);
     entry["work_precision"] = work_precision_json(one);
     document["cases"].push_back(std::move(entry));
   }

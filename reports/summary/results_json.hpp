@@ -30,9 +30,6 @@ nlohmann::ordered_json timings_json(const CaseRuns& runs, const std::string& run
 // Error against cost: work_precision[] of a case.
 nlohmann::ordered_json work_precision_json(const CaseAssessment& assessment);
 
-// The panels of solvers: panels[] of a case.
-nlohmann::ordered_json panels_json(const CaseAssessment& assessment);
-
 // One entry of model_bias[].
 nlohmann::ordered_json bias_json(const PredictionSet& set);
 

@@ -89,12 +89,6 @@ std::optional<reports::Table> impact_table(const CaseAssessment& assessment);
 // metric to the experiment's repeats (distribution.hpp). Needs [impacts] and repeated runs.
 std::optional<reports::Table> repeat_table(const CaseAssessment& assessment);
 
-// panel_tables.cpp
-
-// For each panel: the means of its solvers with their intervals, which of them is apart, and what
-// the air's compressibility changes (panels.hpp). None where the case has no panel.
-std::vector<reports::Table> panel_tables(const CaseAssessment& assessment);
-
 // run_tables.cpp: what the runs recorded of themselves.
 
 // The series that an SPH run of a still tank records beside its elevations

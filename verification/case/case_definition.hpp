@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "verification/case/metric_table.hpp"
-#include "verification/case/panel/panel_definition.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/enum_names.hpp"
 
@@ -497,7 +496,6 @@ struct CaseDefinition {
   std::vector<RefinementDefinition> refinements = {};
   std::vector<InputUncertainty> inputs = {};  // each input at most once
   std::vector<GateRow> gate;
-  std::vector<PanelDefinition> panels = {};
   std::string text;  // the file as read
   std::filesystem::path file;
 };

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "verification/case/panel/panel_definition.hpp"
 #include "verification/case/usual_values.hpp"
 #include "verification/case_file/key_table.hpp"
 
@@ -39,7 +38,6 @@ const std::vector<KeyTable>& case_key_tables() {
         {"run", "the table [[run]]", "at least one", ""},
         {"refinement", "the table [[refinement]]", "no", ""},
         {"input", "the table [[input]]", "no", ""},
-        {"panel", "the table [[panel]]", "no", ""},
         {"gate", "the table [[gate]]", "no", ""}}},
       {"tank",
        "[tank]",
@@ -576,31 +574,6 @@ const std::vector<KeyTable>& case_key_tables() {
         {"coarse_run", "name of an SPH or OpenFOAM run", "no",
          "Where no theory of the case holds, this run is repeated at both ends of the interval. "
          "Without it the input's share of such a row's uncertainty is unknown."}}},
-      {"panel",
-       "[[panel]]",
-       "no",
-       "Ensembles of several solvers that are compared with one another, where none of them is the "
-       "reference: their means with 95 % intervals, which of them is apart from the others, and "
-       "what the air's compressibility changes. A panel judges no gate row. See "
-       "[Panels of solvers](gating.md#panels-of-solvers).",
-       {{"name", "name", "yes", ""},
-        {"runs", "list of run names", "yes",
-         "Two or more ensembles, each with repeats = 3 or more. With three or more one of them can "
-         "be named as apart."},
-        {"quantity", "quantity", "no",
-         "A compared quantity, below; of the metrics of impacts the pressure at their gauge, "
-         "filtered or not. Default: the case's first."},
-        {"metrics", "list of texts", "yes",
-         fmt::format("Of each member by itself: {}. The first three have a value for each of "
-                     "[impacts].",
-                     fmt::join(panel_metric_names(), ", "))},
-        {"impulse_duration_s", "number > 0, s", "with the metric impulse, where [impacts] has none",
-         "The time from the arrival on over which the pressure is integrated. Default: that of "
-         "[impacts]."},
-        {"compressibility", "list of two run names", "no",
-         "A run of compressibleInterFoam and one of interFoam among `runs`: the first less the "
-         "second, over the second, is the share of the air's compressibility."},
-        {"reason", "text", "yes", "Why the panel is there."}}},
       {"gate",
        "[[gate]]",
        "no",

@@ -297,9 +297,6 @@ class CaseReader {
                  }));
                });
     }
-    if (runs_ && comparison_ && (impacts_ || !root_.has("impacts")) && refused_gauges_.empty())
-      each_named("panel", definition_.panels,
-                 [&](const TomlTable& panel) { return read_panel(panel, definition_); });
     each("gate", [&](const TomlTable& group) {
       if (can_judge_group(group))
         for (const TomlTable& row : gate_rows(group, definition_)) read_row(row);

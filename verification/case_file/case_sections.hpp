@@ -127,9 +127,6 @@ RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefi
 // Reads [[input]]. The definition's motion, comparison and earlier inputs must have been read.
 InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition);
 
-// Reads [[panel]]. The definition's gauges, impacts, comparison and runs must have been read.
-PanelDefinition read_panel(const TomlTable& panel, const CaseDefinition& definition);
-
 // Returns the rows of a [[gate]] (row_group.hpp). The definition's runs must have been read.
 std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& definition);
 

@@ -127,7 +127,6 @@ std::string spacing_study_text(const CaseDefinition& definition, const SpacingSt
                                                               {"number", "particle_spacing"},
                                                               {"runs", std::move(names)}}});
   root.erase("gate");
-  root.erase("panel");
   root.erase("input");    // it serves gate rows only, and may name a run that the study lacks
   root.erase("impacts");  // they are compared with an experiment, which a study does not do
   for (const char* part : {"surge", "roll"})

@@ -174,24 +174,6 @@ std::string limits_text(const CaseDefinition& definition) {
   return text;
 }
 
-std::string panels_text(const CaseDefinition& definition) {
-  std::string text;
-  for (const PanelDefinition& panel : definition.panels) {
-    std::vector<std::string> metrics;
-    for (const PanelMetric metric : panel.metrics)
-      metrics.push_back(panel_metric_entry(metric).description);
-    text += wrapped(fmt::format("{}: {} of {} of {}.", panel.name, fmt::join(metrics, ", "),
-                                panel.quantity, fmt::join(panel.runs, ", ")),
-                    2);
-    if (panel.air)
-      text += wrapped(fmt::format("compressibility of the air: {} against {}",
-                                  panel.air->compressible, panel.air->incompressible),
-                      6);
-    text += wrapped(panel.reason, 6);
-  }
-  return text.empty() ? "" : "Panels of solvers, which judge nothing\n" + text + "\n";
-}
-
 std::string bound_text(const GateRow& row) {
   if (row.improves_on) return "must be nearer to zero than that of " + *row.improves_on;
   if (row.between)
@@ -226,7 +208,7 @@ std::string explanation(const CaseDefinition& definition,
   if (!definition.tags.empty())
     text += wrapped(fmt::format("Tags: {}", fmt::join(definition.tags, ", ")), 0);
   return text + "\n" + flow_text(definition) + "\n" + runs_text(definition, known) + "\n" +
-         limits_text(definition) + "\n" + panels_text(definition) + gates_text(definition);
+         limits_text(definition) + "\n" + gates_text(definition);
 }
 
 }  // namespace slosh

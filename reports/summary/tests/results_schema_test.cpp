@@ -13,7 +13,6 @@
 #include "reports/summary/results_json.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/problems/problem_list.hpp"
-#include "verification/tests/panel_runs.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::results_schema_test {
@@ -41,17 +40,6 @@ std::string complaints(const json& document) {
     told += ": " + error.description + "\n";
   }
   return told;
-}
-
-// Panels of which one solver is apart and others are left out.
-CaseAssessment panels() {
-  CaseAssessment assessment = panel_runs();
-  assessment.runs.results.at("cells_2") = result_with("cells_2", {pressure_of({.impacts = 2})});
-  for (const char* run : {"sharp", "sharp_2"}) {
-    assessment.runs.results.erase(run);
-    assessment.runs.status[run] = {RunState::not_selected, ""};
-  }
-  return assessment;
 }
 
 // A campaign of everything that a row and a run can come to.
@@ -88,8 +76,7 @@ json whole_document() {
       "surges", true,
       {assess(surge_case(), surge_runs()), assess(bounded, surge_runs()),
        assess(surge_case(), surge_runs_with("particles", broken)), assess(surge_case(), diverged),
-       assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "nowhere")),
-       panels()},
+       assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "nowhere"))},
       {assess(ProblemDefinition{"manufactured_operators", {order}}, run),
        assess(ProblemDefinition{"taylor_green", {order}}, failed)},
       {{rms, {"another", "another", height}}, {good, unusable}}));
@@ -103,28 +90,14 @@ TEST(ResultsSchema, IsKeptToByACampaignOfNothing) {
 
 TEST(ResultsSchema, RefusesADocumentWithoutAnyOneOfItsKeys) {
   const json whole = whole_document();
-  for (const char* place : {"/schema",
-                            "/schema_version",
-                            "/campaign",
-                            "/exit_status",
-                            "/verdict_matrix/0/verdict",
-                            "/problem_matrix/0/metric",
-                            "/model_bias/0/bias",
-                            "/model_bias/0/comparisons/0/predicted",
-                            "/cases/0/name",
-                            "/cases/0/runs/0/state",
-                            "/cases/0/gate/0/value",
-                            "/cases/0/gate/0/uncertainty_95/all",
-                            "/cases/0/comparisons/0/modes/0/phase_lag_deg/value",
-                            "/problems/0/measures/0/errors/0/step",
-                            "/problems/0/gate/0/verdict",
-                            "/basket/measures",
-                            "/basket/measures/0/goal",
-                            "/basket/choices/0/worst_ratio",
-                            "/cases/5/panels/0/rows/0/finding",
-                            "/cases/5/panels/0/rows/0/solvers/0/mean",
-                            "/cases/5/panels/0/rows/0/solvers/0/apart/p",
-                            "/basket/choices/1/values/0/message"}) {
+  for (const char* place :
+       {"/schema", "/schema_version", "/campaign", "/exit_status", "/verdict_matrix/0/verdict",
+        "/problem_matrix/0/metric", "/model_bias/0/bias", "/model_bias/0/comparisons/0/predicted",
+        "/cases/0/name", "/cases/0/runs/0/state", "/cases/0/gate/0/value",
+        "/cases/0/gate/0/uncertainty_95/all", "/cases/0/comparisons/0/modes/0/phase_lag_deg/value",
+        "/problems/0/measures/0/errors/0/step", "/problems/0/gate/0/verdict", "/basket/measures",
+        "/basket/measures/0/goal", "/basket/choices/0/worst_ratio",
+        "/basket/choices/1/values/0/message"}) {
     const json::json_pointer pointer(place);
     json cut = whole;
     ASSERT_TRUE(cut.contains(pointer)) << place;
@@ -153,8 +126,6 @@ TEST(ResultsSchema, RefusesAValueOfAnotherTypeAndAKeyThatItDoesNotKnow) {
   EXPECT_NE(with("/basket/measures/0/goal", 0), "");
   EXPECT_NE(with("/basket/choices/0/values/0/ratio", "1"), "");
   EXPECT_NE(with("/basket/choices/0/verdict", "pass"), "");
-  EXPECT_NE(with("/cases/5/panels/0/rows/0/finding", "perhaps"), "");
-  EXPECT_NE(with("/cases/5/panels/0/rows/0/odd", 1), "");
   EXPECT_EQ(with("/cases/0/gate/0/value", nullptr), "");
 }
 

@@ -125,7 +125,7 @@ std::string limited_metric(const std::string& line) {
 }
 
 bool stays(const Block& block, const Kept& kept) {
-  const std::set<std::string> left_out{"[[refinement]]", "[[input]]", "[[panel]]", "[animation]"};
+  const std::set<std::string> left_out{"[[refinement]]", "[[input]]", "[animation]"};
   if (left_out.contains(block.head)) return false;
   const bool is_chosen = block.head == "[[run]]" || block.head == "[[gate]]";
   return !is_chosen || kept.lines.contains(block.line) ||

@@ -49,23 +49,6 @@ TEST(CaseExplanation, TellsWhatWasMeasuredApartFromWhatIsExpected) {
   EXPECT_TRUE(holds(measured, " terms: a kernel; a state "));
 }
 
-TEST(CaseExplanation, ListsThePanelsOfSolvers) {
-  CaseDefinition definition = tank();
-  EXPECT_FALSE(holds(explanation(definition, {}), "Panels"));
-  definition.panels = {{.name = "solvers",
-                        .runs = {"fine", "cells"},
-                        .quantity = "elevation@right",
-                        .metrics = {PanelMetric::rms, PanelMetric::lag},
-                        .air = AirPair{"air", "cells"},
-                        .reason = "No reference."}};
-  const std::string told = explanation(definition, {});
-  EXPECT_TRUE(holds(told,
-                    "Panels of solvers, which judge nothing solvers: rms about the mean, lag "
-                    "behind the mean of the solvers of elevation@right of fine, cells. "
-                    "compressibility of the air: air against cells No reference."))
-      << told;
-}
-
 TEST(CaseExplanation, TellsHowMuchTheSamplesShortenTheSteps) {
   KnownRun known;
   known.step = SphStep{.stable = 0.001, .between_samples = 0.0008};
