@@ -1,5 +1,5 @@
 // A gate's outcome as plain data, and its documents: JUnit XML for continuous integration, Markdown
-// for a pull request, SARIF for annotations of the changed files, CSV for spreadsheets.
+// for a pull request.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,6 @@
 namespace slosh::reports {
 
 enum class GateOutcomeKind { pass, inconclusive, violated, not_compared, solver_failed, skipped };
-
-// "solver failed", "violated", "not compared", "inconclusive", "pass", "skipped"
-std::string outcome_word(GateOutcomeKind outcome);
 
 struct GateEntry {
   GateOutcomeKind outcome;
@@ -31,7 +28,6 @@ struct GateEntry {
 
 struct GateDocument {
   std::string title, verdict;
-  std::string tool_version;
   std::vector<GateEntry> entries;
   std::string basis = {};  // what the rows are based on; may be empty
 };
@@ -47,14 +43,5 @@ std::string junit_xml(const GateDocument& document);
 
 // Returns a table, worst first, of all rows except those that pass unchanged, which are counted.
 std::string gate_markdown(const GateDocument& document);
-
-// Returns SARIF 2.1.0: an error for each row that is violated, was not compared, or whose solver
-// failed, and a warning for each row that is inconclusive or has a loosened tolerance. Each result
-// is located at the row in its case file.
-std::string gate_sarif(const GateDocument& document);
-
-// Returns all rows in the given order as comma-separated values under a header line. Numbers are in
-// the row's unit, and empty where they are NaN.
-std::string gate_csv(const GateDocument& document);
 
 }  // namespace slosh::reports

@@ -104,20 +104,6 @@ TEST_F(ToolExport, RefusesReferencesOfAnotherFormOrOfACaseWithoutAny) {
   EXPECT_FALSE(fs::exists(directory() / "truth.csv"));
 }
 
-TEST_F(ToolExport, LeavesTheVerdictsAsATableWhereOneIsAskedFor) {
-  ASSERT_EQ(campaign().status, 0);
-  for (const char* command : {"campaign", "report", "gate"}) {
-    const Ended ended = tool({command, "./surges.toml", "-o", "out", "--csv", "verdicts.csv"});
-    ASSERT_EQ(ended.status, 0) << command << ended.err;
-    const std::vector<std::string> lines = lines_of(read("verdicts.csv"));
-    ASSERT_EQ(lines.size(), 2u) << command;
-    EXPECT_TRUE(lines[0].starts_with("verdict,kind,case,row,value,"));
-    EXPECT_TRUE(lines[1].starts_with("pass,validation,small,"));
-    EXPECT_TRUE(holds(lines[1], ",-0.3,0.3,1,"));
-    fs::remove(directory() / "verdicts.csv");
-  }
-}
-
 TEST_F(ToolExport, ShowsTheHistoriesThatAreThereAndTellsHowToComputeTheOthers) {
   ASSERT_EQ(run("theory").status, 0);
   const Ended shown = tool({"show", "./small.toml"}, browser());

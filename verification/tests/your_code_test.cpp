@@ -130,7 +130,7 @@ TEST_F(YourCode, IsMarkedInItsOwnRepositoryByThePullRequest) {
               0);
   const Ended ended = shell(lines[0], "../my_sph");
   EXPECT_EQ(ended.status, 1) << ended.out << ended.err;
-  EXPECT_TRUE(holds(read("../my_sph/gate/gate/gate.sarif"), "\"uri\": \"wave.toml\""));
+  EXPECT_TRUE(holds(read("../my_sph/gate/gate/junit.xml"), "file=\"wave.toml\""));
   EXPECT_TRUE(holds(read("../my_sph/gate/gate/gate.md"), "| **violated** |"));
 }
 

@@ -15,13 +15,11 @@
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/row_kinds.hpp"
-#include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/cached_verdict.hpp"
 #include "verification/cli/campaign/campaign_history.hpp"
-#include "verification/cli/campaign/gate_files.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
@@ -118,9 +116,8 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                             judges = judges_of(campaign.settings, ledger)] {
     return fingerprint_of(definition, cases, settings, judges);
   };
-  if (const auto cached = read_cached_verdict(place); options.csv.empty() && cached &&
-                                                      report_stands(place, options) &&
-                                                      cached->fingerprint == fingerprint()) {
+  if (const auto cached = read_cached_verdict(place);
+      cached && report_stands(place, options) && cached->fingerprint == fingerprint()) {
     print_lines(cached->out);
     return requested_exit(cached->status, options);
   }
@@ -135,8 +132,6 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   if (options.solve && !options.selection.is_partial()) keep_state(assessed, past);
   leave_report(assessed, options,
                {past, name_or_path(assessed.definition.file, installation.campaigns), judge});
-  leave_table(assessed, movements(baseline_of(read_ledger(ledger)), assessed.cases), options,
-              installation.source);
   const int status = exit_status(assessed.cases, assessed.problems);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),
@@ -159,7 +154,7 @@ void add_all_option(CLI::App& report, CampaignOptions& options) {
       "One page over all campaigns that have a report in DIR/NAME/report (default of DIR: "
       "build/campaigns): their verdicts, and bias and scatter of each model over all of them");
   report.get_option("name")->required(false);
-  for (const char* other : {"name", "--quick", "--only", "--tag", "--csv"})
+  for (const char* other : {"name", "--quick", "--only", "--tag"})
     all->excludes(report.get_option(other));
 }
 
@@ -188,7 +183,6 @@ void add_campaign_command(const CommandTree& tree) {
   add_selection_options(*campaign, campaign_options->selection);
   add_inconclusive_option(*campaign, *campaign_options);
   add_pdf_option(*campaign, *campaign_options);
-  add_csv_option(*campaign, *campaign_options);
   add_launch_options(*campaign, *campaign_options);
   add_start_options(*campaign, *campaign_options);
   const auto [report, report_options] = add_command_on_campaign(
@@ -208,7 +202,6 @@ void add_campaign_command(const CommandTree& tree) {
   add_selection_options(*report, report_options->selection);
   add_inconclusive_option(*report, *report_options);
   add_pdf_option(*report, *report_options);
-  add_csv_option(*report, *report_options);
   add_all_option(*report, *report_options);
 }
 

@@ -43,13 +43,6 @@ void add_pdf_option(CLI::App& command, CampaignOptions& options) {
                    "Also write the whole report as report.pdf; needs chromium");
 }
 
-void add_csv_option(CLI::App& command, CampaignOptions& options) {
-  command
-      .add_option("--csv", options.csv,
-                  "Also write the verdict of each row to this file, as comma-separated values")
-      ->type_name(file_type);
-}
-
 void add_ledger_option(CLI::App& command, CampaignOptions& options) {
   command
       .add_option("--ledger", options.ledger,

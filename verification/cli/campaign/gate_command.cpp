@@ -1,5 +1,5 @@
 // The subcommand gate: runs what a campaign still needs, prints each gate row and what has moved
-// since the baseline, and leaves gate/junit.xml, gate.md and gate.sarif.
+// since the baseline, and leaves gate/junit.xml and gate.md.
 
 #include <fmt/format.h>
 
@@ -37,9 +37,8 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
       print_lines(fmt::format("moved          {}: {}\n", movement.row, movement_text(movement)));
   const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, moved, installation.source), directory);
-  leave_table(assessed, moved, options, installation.source);
   print_lines(fmt::format(
-      "{}: {}{}\n{}\ngate: {}, junit.xml, gate.sarif\n",
+      "{}: {}{}\n{}\ngate: {}, junit.xml\n",
       headline_word(exit_status(assessed.cases, assessed.problems)),
       verdict_sentence(assessed.cases, assessed.problems), coverage_sentence(assessed.cases),
       kinds_sentence(assessed.cases, assessed.problems), (directory / "gate.md").string()));
@@ -53,7 +52,7 @@ void add_gate_command(const CommandTree& tree) {
       tree,
       {"gate",
        "Runs what a campaign still needs, prints what has changed since its baseline, and writes "
-       "junit.xml, gate.md and gate.sarif",
+       "junit.xml and gate.md",
        {"./slosh gate " + std::string(example_run) + " --inconclusive-exit 0"}},
       [tree](const CampaignOptions& options) {
         tree.stop_on_signals();
@@ -61,7 +60,6 @@ void add_gate_command(const CommandTree& tree) {
       });
   add_selection_options(*gate, gate_options->selection);
   add_inconclusive_option(*gate, *gate_options);
-  add_csv_option(*gate, *gate_options);
   add_launch_options(*gate, *gate_options);
   add_ledger_option(*gate, *gate_options);
 }

@@ -9,7 +9,6 @@
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/results/provenance.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
@@ -105,7 +104,6 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
       .verdict = headline_word(exit_status(assessed.cases, assessed.problems)) + ": " +
                  verdict_sentence(assessed.cases, assessed.problems) +
                  coverage_sentence(assessed.cases),
-      .tool_version = provenance("").at("slosh_version"),
       .entries = {},
       .basis = kinds_sentence(assessed.cases, assessed.problems)};
   for (const CaseAssessment& one : assessed.cases)
@@ -117,20 +115,12 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
   return document;
 }
 
-void leave_table(const AssessedCampaign& assessed, const std::vector<RowMovement>& moved,
-                 const CampaignOptions& options, const fs::path& source) {
-  if (options.csv.empty()) return;
-  replace_file(options.csv, reports::gate_csv(gate_document(assessed, moved, source)),
-               Durability::process_crash);
-}
-
 void write_gate_files(const reports::GateDocument& document, const fs::path& directory) {
   const auto write = [&](const char* name, const std::string& text) {
     replace_file(directory / name, text, Durability::process_crash);
   };
   write("junit.xml", reports::junit_xml(document));
   write("gate.md", reports::gate_markdown(document));
-  write("gate.sarif", reports::gate_sarif(document));
 }
 
 }  // namespace slosh

@@ -17,11 +17,7 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
                                     const std::vector<RowMovement>& movements,
                                     const std::filesystem::path& source);
 
-// Writes the verdicts as a table to the file of --csv, if the options name one.
-void leave_table(const AssessedCampaign& assessed, const std::vector<RowMovement>& moved,
-                 const CampaignOptions& options, const std::filesystem::path& source);
-
-// Writes <directory>/junit.xml, gate.md and gate.sarif, each atomically. Throws
+// Writes <directory>/junit.xml and gate.md, each atomically. Throws
 // std::filesystem::filesystem_error.
 void write_gate_files(const reports::GateDocument& document,
                       const std::filesystem::path& directory);
