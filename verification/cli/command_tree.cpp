@@ -136,7 +136,6 @@ void add_all_commands(const CommandTree& tree) {
   add_list_command(tree);
   add_explain_command(tree);
   add_converge_command(tree);
-  add_completion_commands(tree);
   tree.app.footer(launcher_text() + "\n" + exit_status_text() +
                   "\nExamples:\n"
                   "  ./slosh list 'li2010_*'\n"

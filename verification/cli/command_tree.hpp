@@ -48,7 +48,6 @@ void add_check_command(const CommandTree& tree);
 void add_list_command(const CommandTree& tree);
 void add_explain_command(const CommandTree& tree);
 void add_converge_command(const CommandTree& tree);
-void add_completion_commands(const CommandTree& tree);  // completion, complete
 
 // Adds all of them, and the end of --help.
 void add_all_commands(const CommandTree& tree);
@@ -63,7 +62,7 @@ struct CommandText {
 CLI::App& add_command(const CommandTree& tree, const CommandText& text, Action action);
 void give_examples(CLI::App& command, const std::vector<std::string>& examples);
 
-// Options that several commands have. The type of a value says what it names, for completion.
+// Options that several commands have. The type of a value says what it names.
 inline constexpr const char *campaign_type = "CAMPAIGN", *case_type = "CASE", *run_type = "RUN",
                             *problem_type = "PROBLEM", *pattern_type = "PATTERN", *tag_type = "TAG",
                             *file_type = "FILE", *directory_type = "DIR";
@@ -91,10 +90,6 @@ void add_jobs_option(CLI::App& command, int& at_once, const char* what);
 
 // The option --store of run and problem, which keep their result there under its key.
 CLI::Option* add_result_store_option(CLI::App& command, std::filesystem::path& store);
-
-// Returns the names of one kind, sorted: of campaigns, cases, runs (as CASE/RUN), problems or tags.
-// Throws CaseFileError for a file that cannot be read.
-std::vector<std::string> known_names(const std::string& kind, const Installation& installation);
 
 // The commands of the launcher ./slosh itself.
 struct LauncherCommand {

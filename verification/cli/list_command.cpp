@@ -148,10 +148,6 @@ int list(const ListOptions& options, const Installation& installation) {
 
 }  // namespace
 
-std::vector<std::string> known_names(const std::string& kind, const Installation& installation) {
-  return names_in(selected({}, installation), kind);
-}
-
 void add_list_command(const CommandTree& tree) {
   auto options = std::make_shared<ListOptions>();
   CLI::App& command = add_command(

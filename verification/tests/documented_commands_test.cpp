@@ -113,8 +113,6 @@ const std::vector<CommandRun> runs{
     {"list", {{"list"}}},
     {"list [PATTERN...] [--tag TAG] [--json] [--names KIND]",
      {{"list", "li2010*", "--json"}, {"list", "--tag", "surge"}, {"list", "--names", "cases"}}},
-    {"completion bash\\|zsh\\|fish",
-     {{"completion", "bash"}, {"completion", "zsh"}, {"completion", "fish"}}},
     {"explain --keys", {{"explain", "--keys"}}},
     {"explain --keys > docs/case_file.md", {{"explain", "--keys"}}},
     {"explain --schema case\\|campaign",
