@@ -13,15 +13,13 @@ namespace slosh {
 
 // Each of these is defined in the file of its code.
 using Writer = void(const HandedCase&, const std::filesystem::path&);
-Writer write_csv_case, write_dualsphysics_case, write_openfoam_case, write_pysph_case,
-    write_sphinxsys_case;
+Writer write_csv_case, write_dualsphysics_case, write_openfoam_case, write_pysph_case;
 
 const std::vector<PeerCode>& peer_codes() {
   static const std::vector<PeerCode> codes{
       {"dualsphysics", "DualSPHysics 5.4", write_dualsphysics_case},
       {"pysph", "PySPH", write_pysph_case},
       {"openfoam", "interFoam (OpenFOAM v1912)", write_openfoam_case},
-      {"sphinxsys", "SPHinXsys", write_sphinxsys_case},
       {"csv", "any code, as tables", write_csv_case, true}};
   return codes;
 }

@@ -84,11 +84,7 @@ TEST(RefusedCase, TellsWhatDualSphysicsCannotBeTold) {
   EXPECT_EQ(refusal(replaced(off, "\"earth\"", "\"tank\""), "dualsphysics"), "");
 }
 
-TEST(RefusedCase, TellsWhatSphinxsysAndInterFoamCannotBeTold) {
-  EXPECT_NE(refusal(plain_case + wave, "sphinxsys").find("initial_wave: expected"),
-            std::string::npos);
-  EXPECT_NE(refusal(moving(rolls), "sphinxsys").find("time.start = \"earth\": expected"),
-            std::string::npos);
+TEST(RefusedCase, TellsWhatInterFoamCannotBeTold) {
   // Its edge at 0.62 m is not on a face of 20 cells.
   EXPECT_NE(refusal(plain_case + baffle, "openfoam").find("obstacle"), std::string::npos);
   for (const std::string& sayable : {plain_case + wave, moving(rolls), plain_case + baffle})

@@ -1,9 +1,7 @@
-// The cases for other codes that are tables, a header of C++ or the file of a driver, read again.
+// The cases for other codes that are tables or the file of a driver, read again.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -146,58 +144,6 @@ TEST(PySphCase, HoldsTheDriverItsFileAndItsRun) {
             read_bytes(SLOSH_SOURCE_DIR "/verification/peers/pysph_tank.py"));
   const auto executable = fs::status(handed.directory() / "run.sh").permissions();
   EXPECT_NE(executable & fs::perms::owner_exec, fs::perms::none);
-}
-
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  std::string text;
-  std::array<char, 4096> part{};
-  while (const std::size_t got = fread(part.data(), 1, part.size(), pipe.get()))
-    text.append(part.data(), got);
-  return text;
-}
-
-// The header is compiled and its numbers are printed.
-std::string printed_by_header(Handed& handed, const std::string& numbers) {
-  const fs::path source = handed.directory() / "print.cpp";
-  std::ofstream(source) << "#include \"tank_case.h\"\n#include <cstdio>\n"
-                           "using namespace tank_case;\nint main() {\n" +
-                               numbers + "}\n";
-  const std::string program = (handed.directory() / "print").string();
-  return output_of("c++ -std=c++17 -Wall -Wextra -Werror " + source.string() + " -o " + program +
-                   " 2>&1 && " + program);
-}
-
-TEST(SphinxsysCase, HoldsAHeaderThatCompilesAndHoldsTheCase) {
-  Handed handed(moving(surges) + all_kinds);
-  handed.to("sphinxsys");
-  EXPECT_EQ(printed_by_header(
-                handed,
-                "std::printf(\"%g %g %g %g %g %g\\n\", DL, DH, particle_spacing_ref, rho0_f, "
-                "initial_velocity_x, end_time);\n"
-                "std::printf(\"%g %g %s %g\\n\", water_block.right, water_block.top, "
-                "obstacles[0].name, obstacles[0].top);\n"
-                "std::printf(\"%s %g\\n\", wave_gauges[0].name, wave_gauges[0].x);\n"),
-            "1 0.6 0.05 1000 -0.034 2\n1 0.35 baffle 0.1\nright 0.95\n");
-  Handed plain(plain_case);
-  plain.to("sphinxsys");
-  EXPECT_EQ(printed_by_header(plain, "std::printf(\"%zu\\n\", obstacles.size());\n"), "0\n");
-}
-
-TEST(SphinxsysCase, HoldsGravityInTheTanksFrameAndARun) {
-  Handed handed(moving(surges));
-  handed.to("sphinxsys");
-  const auto time = handed.numbers("gravity.csv", "time_s"),
-             x = handed.numbers("gravity.csv", "gravity_x_m_s2"),
-             y = handed.numbers("gravity.csv", "gravity_y_m_s2");
-  ASSERT_EQ(time.size(), 1001u);
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    EXPECT_NEAR(x[i], 0.02 * 1.7 * 1.7 * std::sin(1.7 * time[i]), 1e-14);
-    EXPECT_EQ(y[i], -9.81);
-  }
-  const ExternalRun run = handed.run();
-  EXPECT_EQ(run.series.front().format, "sphinxsys");
-  EXPECT_TRUE(run.series.front().first_is_zero);
 }
 
 }  // namespace
