@@ -6,6 +6,7 @@
 
 #include "reports/drawing/draw_figure.hpp"
 #include "reports/drawing/gnuplot_curves.hpp"
+#include "reports/pages/page_links.hpp"
 #include "reports/pages/text_markup.hpp"
 
 namespace slosh::reports {
@@ -52,10 +53,10 @@ mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
   return data;
 }
 
-mustache::data entry_data(const Page& page, const PageLinks& links, const DrawnFigure* glance) {
+mustache::data entry_data(const Page& page, const DrawnFigure* glance) {
   mustache::data data;
   data.set("title", page.title);
-  data.set("address", links.to_page(page.id));
+  data.set("address", page_file(page.id));
   if (!page.verdict.empty()) data.set("outcome", outcome_data(page.outcome, page.verdict));
   if (!glance) return data;
   if (!page.remark.empty()) data.set("remark", html_text(page.remark));
@@ -66,12 +67,11 @@ mustache::data entry_data(const Page& page, const PageLinks& links, const DrawnF
   return data;
 }
 
-mustache::data glances_data(const Report& report, const Drawings& drawings,
-                            const PageLinks& links) {
+mustache::data glances_data(const Report& report, const Drawings& drawings) {
   mustache::data entries(mustache::data::type::list);
   for (std::size_t i = 0; i < report.pages.size(); ++i)
     if (report.pages[i].continues.empty())
-      entries << entry_data(report.pages[i], links, &drawings.glances[i]);
+      entries << entry_data(report.pages[i], &drawings.glances[i]);
   mustache::data data{"entries", entries};
   data.set("legend", legend_data(report));
   data.set("has_legend", std::any_of(report.pages.begin(), report.pages.end(),

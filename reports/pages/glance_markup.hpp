@@ -5,19 +5,16 @@
 #include <kainjow/mustache.hpp>
 
 #include "reports/model/report_model.hpp"
-#include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 
 namespace slosh::reports {
 
 // The entry of a page, in the list of pages and in the links of its neighbours. `glance` may be
 // null.
-kainjow::mustache::data entry_data(const Page& page, const PageLinks& links,
-                                   const DrawnFigure* glance = nullptr);
+kainjow::mustache::data entry_data(const Page& page, const DrawnFigure* glance = nullptr);
 
 // All entries with their figures, and the one legend of these figures.
-kainjow::mustache::data glances_data(const Report& report, const Drawings& drawings,
-                                     const PageLinks& links);
+kainjow::mustache::data glances_data(const Report& report, const Drawings& drawings);
 
 // A verdict as a class, a sign, a word and a sentence.
 kainjow::mustache::data outcome_data(Outcome outcome, const std::string& sentence);

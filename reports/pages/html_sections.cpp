@@ -3,6 +3,7 @@
 
 #include "reports/fields/film_markup.hpp"
 #include "reports/model/file_formats.hpp"
+#include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
 #include "reports/pages/trend_markup.hpp"
@@ -66,9 +67,8 @@ constexpr std::size_t most_rows = 100;
 
 class SectionWriter {
  public:
-  SectionWriter(const Report& report, const Drawings& drawings, Layout layout)
-      : links_(report, layout),
-        is_printed_(layout == Layout::whole),
+  SectionWriter(const Report& report, const Drawings& drawings)
+      : links_(report),
         drawn_figure_(drawings.figures.begin()),
         drawn_field_(drawings.fields.begin()),
         drawn_film_(drawings.films.begin()) {}
@@ -84,7 +84,6 @@ class SectionWriter {
     for (const FieldFigure& figure : section.fields) figures << field_data(figure, section.page);
     mustache::data data;
     data.set("id", section.id);
-    data.set("level", is_printed_ ? "3" : "2");
     data.set("title", section.title);
     data.set("paragraphs", paragraphs);
     data.set("tables", tables);
@@ -110,7 +109,6 @@ class SectionWriter {
       const bool has_reason = i + 1 == cells.size() && !reason.empty();
       other.set("has_reason", has_reason);
       if (has_reason) other.set("reason", html_text(reason));
-      other.set("is_open", is_printed_);
       others << other;
     }
     mustache::data line;
@@ -141,7 +139,6 @@ class SectionWriter {
       cut.set("shown", std::to_string(shown));
       cut.set("all", std::to_string(table.rows.size()));
       cut.set("address", table_file(table));
-      cut.set("is_linked", !is_printed_);
       data.set("cut", cut);
     } else {
       data.set("cut", mustache::data(mustache::data::type::bool_false));
@@ -169,7 +166,6 @@ class SectionWriter {
     picture.set("description", description(figure));
     picture.set("address", data_address(drawn.png));
     picture.set("file", "figures/" + figure.id + ".png");
-    picture.set("is_linked", !is_printed_);
     return picture;
   }
 
@@ -195,7 +191,6 @@ class SectionWriter {
   }
 
   PageLinks links_;
-  bool is_printed_;
   std::vector<DrawnFigure>::const_iterator drawn_figure_;
   std::vector<DrawnField>::const_iterator drawn_field_;
   std::vector<DrawnFilm>::const_iterator drawn_film_;
@@ -216,9 +211,8 @@ std::string csv_of(const Table& table) {
   return text;
 }
 
-std::vector<mustache::data> sections_data(const Report& report, const Drawings& drawings,
-                                          Layout layout) {
-  SectionWriter write(report, drawings, layout);
+std::vector<mustache::data> sections_data(const Report& report, const Drawings& drawings) {
+  SectionWriter write(report, drawings);
   std::vector<mustache::data> sections;
   for (const Section& section : report.sections) sections.push_back(write(section));
   return sections;

@@ -22,12 +22,7 @@ std::map<std::string, std::string> anchors_of(const Report& report) {
 
 std::string PageLinks::to_anchor(const std::string& anchor, const std::string& from_page) const {
   const std::string& page = pages_.at(anchor);
-  return (layout_ == Layout::whole || page == from_page ? "" : page_file(page)) + "#" + anchor;
-}
-
-std::string PageLinks::to_page(const std::string& page_id) const {
-  if (layout_ == Layout::pages) return page_file(page_id);
-  return page_id.empty() ? "#content" : "#page-" + page_id;
+  return (page == from_page ? "" : page_file(page)) + "#" + anchor;
 }
 
 }  // namespace slosh::reports

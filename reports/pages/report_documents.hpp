@@ -1,24 +1,19 @@
-// The documents of a report: an HTML file for each page, one HTML document of all pages for
-// printing, Markdown, and a page of figures alone.
+// The documents of a report: an HTML file for each page, Markdown, and a page of figures alone.
 #pragma once
 
 #include <filesystem>
 #include <kainjow/mustache.hpp>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "reports/model/report_model.hpp"
 #include "reports/pages/draw_report.hpp"
-#include "reports/pages/page_links.hpp"
 
 namespace slosh::reports {
 
 // The sections as data of the HTML templates, in the report's order. The numbers of tables and
-// figures begin at 1 on each page. A section's heading has level 2, or 3 where the whole report is
-// one document.
-std::vector<kainjow::mustache::data> sections_data(const Report& report, const Drawings& drawings,
-                                                   Layout layout);
+// figures begin at 1 on each page.
+std::vector<kainjow::mustache::data> sections_data(const Report& report, const Drawings& drawings);
 
 // The numbers of a page's last table and figure.
 struct Numbers {
@@ -42,11 +37,6 @@ inline constexpr const char* page_mark = "<meta name=\"generator\" content=\"Slo
 
 // Returns index.html, then the others, each a self-contained file that links to the rest.
 std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings);
-
-// Returns all pages one after the other in one document. Its contents name the printed page of each
-// anchor (pdf_places.hpp), and keep room for those that are not known.
-std::string whole_document(const Report& report, const Drawings& drawings,
-                           const std::map<std::string, int>& places = {});
 
 // Returns the report as GitHub-flavoured Markdown. Its figures are linked as figures/<id>.svg, its
 // fields as figures/<id>.png.

@@ -6,6 +6,7 @@
 #include "reports/drawing/figure_palette.hpp"
 #include "reports/fields/film_markup.hpp"
 #include "reports/pages/glance_markup.hpp"
+#include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
 #include "reports/templates.hpp"
@@ -61,22 +62,20 @@ std::vector<Page> continuing(const Report& report, const std::string& id) {
   return found;
 }
 
-mustache::data list_of(const std::vector<Page>& pages, const PageLinks& links) {
+mustache::data list_of(const std::vector<Page>& pages) {
   mustache::data list(mustache::data::type::list);
-  for (const Page& page : pages) list << entry_data(page, links);
+  for (const Page& page : pages) list << entry_data(page);
   return list;
 }
 
 mustache::data page_data(const Report& report, const Page& page, const PageLinks& links,
                          const std::vector<mustache::data>& written) {
   mustache::data data;
-  data.set("id", page.id);
   data.set("title", page.title);
   if (page.id.empty() && !report.coverage.empty()) data.set("coverage", html_text(report.coverage));
-  data.set("is_appendix", !page.continues.empty());
   if (!page.verdict.empty()) data.set("outcome", banner_data(report, page, links));
   data.set("sections", sections_of(report, page.id, written));
-  if (!page.id.empty()) data.set("appendices", list_of(continuing(report, page.id), links));
+  if (!page.id.empty()) data.set("appendices", list_of(continuing(report, page.id)));
   return data;
 }
 
@@ -108,8 +107,8 @@ std::string figure_page_style() {
 }  // namespace
 
 std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings) {
-  const PageLinks links(report, Layout::pages);
-  const std::vector<mustache::data> written = sections_data(report, drawings, Layout::pages);
+  const PageLinks links(report);
+  const std::vector<mustache::data> written = sections_data(report, drawings);
   std::vector<Page> pages{first_page(report)};
   pages.insert(pages.end(), report.pages.begin(), report.pages.end());
   std::vector<HtmlFile> files;
@@ -120,34 +119,13 @@ std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings)
     data.set("is_first", i == 0);
     data.set("has_pages", i == 0 && pages.size() > 1);
     data.set("has_neighbours", pages.size() > 1);
-    if (i == 0) data.set("glances", glances_data(report, drawings, links));
-    if (i > 0) data.set("previous", entry_data(pages[i - 1], links));
-    if (i + 1 < pages.size()) data.set("next", entry_data(pages[i + 1], links));
+    if (i == 0) data.set("glances", glances_data(report, drawings));
+    if (i > 0) data.set("previous", entry_data(pages[i - 1]));
+    if (i + 1 < pages.size()) data.set("next", entry_data(pages[i + 1]));
     mustache::mustache page(page_template);
     files.push_back({page_file(pages[i].id), page.render(data)});
   }
   return files;
-}
-
-std::string whole_document(const Report& report, const Drawings& drawings,
-                           const std::map<std::string, int>& places) {
-  const PageLinks links(report, Layout::whole);
-  const std::vector<mustache::data> written = sections_data(report, drawings, Layout::whole);
-  mustache::data data = document_data(report), pages(mustache::data::type::list),
-                 contents(mustache::data::type::list);
-  for (const Page& page : report.pages) {
-    pages << page_data(report, page, links, written);
-    mustache::data entry = entry_data(page, links);
-    const auto place = places.find("page-" + page.id);
-    entry.set("place", place == places.end() ? "" : std::to_string(place->second));
-    contents << entry;
-  }
-  data.set("first", page_data(report, first_page(report), links, written));
-  data.set("glances", glances_data(report, drawings, links));
-  data.set("contents", contents);
-  data.set("pages", pages);
-  mustache::mustache document(whole_template);
-  return document.render(data);
 }
 
 std::string figure_page(const std::string& title, const std::vector<Figure>& figures,

@@ -8,15 +8,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "reports/model/report_files.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/pages/draw_report.hpp"
-#include "reports/pages/pdf_places.hpp"
-#include "reports/pages/print_pdf.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/templates.hpp"
 
@@ -25,9 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 8> report_entries{
-    "index.html", "report.md",      "results.json", "results.schema.json",
-    "report.pdf", "report.pdf.log", "figures",      "tables"};
+// The PDF is one that earlier versions wrote.
+constexpr std::array<std::string_view, 7> report_entries{
+    "index.html", "report.md", "results.json", "results.schema.json",
+    "figures",    "tables",    "report.pdf"};
 
 void write_files(const Report& report, const Drawings& drawings, const fs::path& directory) {
   for (const HtmlFile& file : html_pages(report, drawings))
@@ -41,18 +39,6 @@ void write_files(const Report& report, const Drawings& drawings, const fs::path&
   write_text(directory / "report.md", markdown_page(report));
   write_text(directory / "results.json", report.results_json);
   write_text(directory / "results.schema.json", results_schema);
-}
-
-// Returns the error if the PDF could not be printed.
-std::optional<ReportError> write_pdf(const Report& report, const Drawings& drawings,
-                                     const fs::path& scratch, const fs::path& directory) try {
-  // Only a printed document tells on which page its parts stand: the second one says so.
-  const fs::path pdf = directory / "report.pdf";
-  print_pdf(whole_document(report, drawings), scratch, pdf);
-  print_pdf(whole_document(report, drawings, pdf_places(read_text(pdf))), scratch, pdf);
-  return {};
-} catch (const ReportError& error) {
-  return error;
 }
 
 bool is_of_a_report(const fs::path& file) {
@@ -114,12 +100,7 @@ void write_report(const Report& given, const fs::path& directory, const WriteOpt
   const Drawings drawings =
       draw_report(report, options.threads, options.gnuplot, scratch, complete / "figures");
   write_files(report, drawings, complete);
-  std::optional<ReportError> no_pdf;
-  if (options.pdf) no_pdf = write_pdf(report, drawings, scratch, complete);
   swap_in(complete, target, temporary.path() / "old");
-  if (!no_pdf) return;
-  const fs::path log = target / "report.pdf.log";
-  throw ReportError(no_pdf->what() + (fs::exists(log) ? " (see " + log.string() + ")" : ""));
 } catch (const fs::filesystem_error& error) {
   throw ReportError(
       fmt::format("cannot write the report {}: {}", directory.string(), error.what()));

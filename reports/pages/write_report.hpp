@@ -1,8 +1,7 @@
 // Writes a report: <directory>/index.html and a file for each other page (self-contained, figures
-// inline as SVG and PNG), report.md, results.json with its schema, figures/*.svg and figures/*.png,
-// and on request report.pdf with all pages. The files are written to a temporary directory beside
-// the target, which replaces the target when it is complete. So there is always one whole report
-// under the name.
+// inline as SVG and PNG), report.md, results.json with its schema, figures/*.svg and figures/*.png.
+// The files are written to a temporary directory beside the target, which replaces the target when
+// it is complete. So there is always one whole report under the name.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +12,12 @@
 namespace slosh::reports {
 
 struct WriteOptions {
-  bool pdf = false;
   int threads = 1;  // for drawing, each with a gnuplot process of its own
   Gnuplot gnuplot = run_gnuplot;
 };
 
 // Replaces an earlier report under the same name. Throws ReportError rather than replace a
-// directory that holds anything else. After an error the earlier report is unchanged; only if
-// nothing but the PDF failed is the new report there without it.
+// directory that holds anything else. After an error the earlier report is unchanged.
 void write_report(const Report& report, const std::filesystem::path& directory,
                   const WriteOptions& options = {});
 

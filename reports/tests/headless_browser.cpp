@@ -149,35 +149,21 @@ std::string file_url(const fs::path& file) {
   return url;
 }
 
-}  // namespace
-
-bool browser_is_installed() { return !process::search_path("chromium").empty(); }
-
-MeasuredPage measure_in_browser(const fs::path& directory, const std::string& document, bool dark) {
-  write_text(directory / "measure.html", document);
-  const auto output = directory / "dom.html", log = directory / "browser.log";
-  const std::vector<std::string> arguments{
-      "--headless",
-      "--no-sandbox",
-      "--disable-gpu",
-      "--disable-background-networking",
-      "--no-first-run",
-      "--disable-component-update",
-      "--disable-sync",
-      "--enable-logging=stderr",
-      "--allow-file-access-from-files",
-      "--window-size=1800,900",
-      "--hide-scrollbars",
-      dark ? "--blink-settings=preferredColorScheme=0" : "--blink-settings=preferredColorScheme=1",
-      "--virtual-time-budget=5000",
-      "--run-all-compositor-stages-before-draw",
-      "--user-data-dir=" + (directory / "profile").string(),
-      "--dump-dom",
-      file_url(directory / "measure.html")};
+// Throws std::runtime_error if the browser does not end within a minute.
+void run_browser(const fs::path& directory, std::vector<std::string> arguments,
+                 const fs::path& page) {
+  const fs::path log = directory / "browser.log";
+  for (const char* argument :
+       {"--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
+        "--no-first-run", "--disable-component-update", "--disable-sync"})
+    arguments.push_back(argument);
+  arguments.push_back("--user-data-dir=" + (directory / "profile").string());
+  arguments.push_back(file_url(page));
   process::group group;
-  process::child browser(process::search_path("chromium"), process::args(arguments),
-                         process::std_in<process::null, process::std_out> output.string(),
-                         process::std_err > log.string(), group);
+  process::child browser(
+      process::search_path("chromium"), process::args(arguments),
+      process::std_in<process::null, process::std_out>(directory / "dom.html").string(),
+      process::std_err > log.string(), group);
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (browser.running()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -185,7 +171,22 @@ MeasuredPage measure_in_browser(const fs::path& directory, const std::string& do
     group.terminate();
     throw std::runtime_error("chromium did not answer within 60 s: " + read_text(log));
   }
-  const std::string dom = read_text(output), opening = "<pre id=\"measures\">";
+}
+
+}  // namespace
+
+bool browser_is_installed() { return !process::search_path("chromium").empty(); }
+
+MeasuredPage measure_in_browser(const fs::path& directory, const std::string& document, bool dark) {
+  write_text(directory / "measure.html", document);
+  run_browser(
+      directory,
+      {"--enable-logging=stderr", "--allow-file-access-from-files", "--window-size=1800,900",
+       "--hide-scrollbars", "--virtual-time-budget=5000", "--run-all-compositor-stages-before-draw",
+       dark ? "--blink-settings=preferredColorScheme=0" : "--blink-settings=preferredColorScheme=1",
+       "--dump-dom"},
+      directory / "measure.html");
+  const std::string dom = read_text(directory / "dom.html"), opening = "<pre id=\"measures\">";
   const auto start = dom.find(opening), end = dom.find("</pre>");
   if (start == std::string::npos || end == std::string::npos)
     throw std::runtime_error("no measures in: " + dom);
@@ -193,7 +194,7 @@ MeasuredPage measure_in_browser(const fs::path& directory, const std::string& do
   const std::vector<std::pair<std::string, std::string>> entities{
       {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}};
   for (const auto& [entity, sign] : entities) boost::replace_all(measures, entity, sign);
-  return {nlohmann::json::parse(measures), read_text(log)};
+  return {nlohmann::json::parse(measures), read_text(directory / "browser.log")};
 }
 
 BrowserRun open_in_browser(const fs::path& directory, const std::string& page, bool dark) {
@@ -202,6 +203,13 @@ BrowserRun open_in_browser(const fs::path& directory, const std::string& page, b
     document.replace(at, 4, page);
   const MeasuredPage run = measure_in_browser(directory, document, dark);
   return {run.measures.at(0), run.measures.at(1), run.log};
+}
+
+std::string print_in_browser(const fs::path& directory, const std::string& page) {
+  const fs::path pdf = directory / "printed.pdf";
+  run_browser(directory, {"--no-pdf-header-footer", "--print-to-pdf=" + pdf.string()},
+              directory / page);
+  return read_text(pdf);
 }
 
 }  // namespace slosh::reports

@@ -37,7 +37,7 @@ struct ExitMeaning {
 inline constexpr ExitMeaning exit_meanings[] = {
     {exit_pass, "all gate rows hold"},
     {exit_violated, "a tolerance is violated"},
-    {exit_usage, "usage or case-file error; a required package is missing, with --pdf chromium"},
+    {exit_usage, "usage or case-file error; a required package is missing"},
     {exit_solver_failed, "a solver failed"},
     {exit_not_compared,
      "a reference is missing or out of its range, a result is unusable, or nothing was compared"},

@@ -211,25 +211,5 @@ TEST_F(CampaignInBrowser, OfAllCampaignsIsNoneWithoutAReport) {
   EXPECT_EQ(tool({"report", "./surges.toml", "--all"}).status, 2);
 }
 
-TEST_F(CampaignInBrowser, IsPrintedToAPdfWhereThatIsAskedFor) {
-  if (!reports::browser_is_installed()) GTEST_SKIP() << "chromium is not installed";
-  write_campaign(particles_case);
-  const Ended printed = tool({"campaign", "./surges.toml", "--output", "out", "--pdf"});
-  EXPECT_EQ(printed.status, 0) << printed.err;
-  EXPECT_NE(printed.out.find("PDF: " + (report() / "report.pdf").string()), std::string::npos);
-  EXPECT_EQ(read(report() / "report.pdf").substr(0, 5), "%PDF-");
-}
-
-TEST_F(CampaignInBrowser, IsNotBegunWhereAPdfIsAskedForAndNothingCanPrintIt) {
-  write_campaign(particles_case);
-  const Ended refused =
-      tool({"campaign", "./surges.toml", "--output", "out", "--pdf"}, {{"PATH", "/nowhere"}});
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("--pdf: chromium, which prints the report to PDF, is not on the PATH"),
-            std::string::npos)
-      << refused.err;
-  EXPECT_FALSE(std::filesystem::exists(result("theory")));
-}
-
 }  // namespace
 }  // namespace slosh::campaign_browser_test

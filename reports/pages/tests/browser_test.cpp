@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 
 #include "reports/model/report_files.hpp"
-#include "reports/pages/print_pdf.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/headless_browser.hpp"
 #include "reports/tests/sample_report.hpp"
@@ -223,30 +221,6 @@ TEST_F(Browser, SeesCardsThatOverlapAndTextThatIsCutOff) {
   EXPECT_TRUE(overlap(page.at("glances")[0].at("card"), page.at("glances")[1].at("card")));
 }
 
-// Returns the number of pages that Chromium's PDF states.
-int pages_of_pdf(const std::string& pdf) {
-  const std::regex page(R"(/Type /Page[^s])");
-  return static_cast<int>(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page), {}));
-}
-
-TEST_F(Browser, PrintsTheWholeReportToOnePdf) {
-  write_report(paged_report(), scratch_ / "report", {.pdf = true});
-  const std::string pdf = read_text(scratch_ / "report/report.pdf");
-  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
-  EXPECT_GE(pages_of_pdf(pdf), 4);  // each page starts anew, and five figures do not go on three
-  EXPECT_FALSE(std::filesystem::exists(scratch_ / "report/report.pdf.log"));
-}
-
-TEST_F(Browser, ThatDoesNotPrintInTimeIsEndedAndTold) {
-  try {
-    print_pdf("<p>Never.", scratch_.path(), scratch_ / "a.pdf", std::chrono::seconds(0));
-    FAIL() << "printed in no time";
-  } catch (const ReportError& error) {
-    EXPECT_NE(std::string(error.what()).find("within 0 s"), std::string::npos) << error.what();
-  }
-  EXPECT_TRUE(std::filesystem::exists(scratch_ / "a.pdf.log"));
-}
-
 TEST_F(Browser, SeesAPageThatIsBroken) {
   write_text(
       scratch_ / "broken.html",
@@ -274,7 +248,6 @@ TEST_F(Browser, SeesAPageThatIsBroken) {
   EXPECT_FALSE(in_order({1, 2, 1}));
   EXPECT_FALSE(leads_somewhere(scratch_.path(), "broken.html#nowhere"));
   EXPECT_FALSE(leads_somewhere(scratch_.path(), "missing.html"));
-  EXPECT_EQ(pages_of_pdf("/Type /Pages"), 0);
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 
 #include "reports/model/report_files.hpp"
 #include "reports/pages/check_report.hpp"
-#include "reports/pages/print_pdf.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/tests/sample_report.hpp"
 #include "reports/tests/test_environment.hpp"
@@ -200,29 +199,6 @@ TEST(PagedReport, IsOneFileOfMarkdownWithTheSameAnchors) {
     EXPECT_NE(markdown.find(part), std::string::npos) << part;
 }
 
-TEST(PagedReport, IsOneDocumentForPrintingWithNoLinkOutOfIt) {
-  const Report report = paged_report();
-  const ScratchDirectory scratch;
-  Drawings drawings;
-  for (const Section& section : report.sections) {
-    for (const Figure& figure : section.figures)
-      drawings.figures.push_back(draw_figure(figure, scratch.path()));
-    for (const FieldFigure& field : section.fields)
-      drawings.fields.push_back(draw_field(field, scratch.path()));
-  }
-  const std::string page = whole_document(report, drawings);
-  EXPECT_EQ(occurrences(page, "<figure"), 5u);
-  EXPECT_EQ(occurrences(page, "<article"), 2u);
-  const std::regex target(R"( href="([^"]*)\")");
-  std::size_t links = 0;
-  for (std::sregex_iterator match(page.begin(), page.end(), target), end; match != end; ++match) {
-    const std::string address = (*match)[1];
-    EXPECT_NE(page.find(" id=\"" + address.substr(1) + "\""), std::string::npos) << address;
-    ++links;
-  }
-  EXPECT_GE(links, 4u);  // two pages and two cells
-}
-
 TEST(PagedReport, LosesThePagesThatANewerOneHasNot) {
   const ScratchDirectory scratch;
   write_report(paged_report(), scratch / "report");
@@ -230,17 +206,6 @@ TEST(PagedReport, LosesThePagesThatANewerOneHasNot) {
   EXPECT_FALSE(fs::exists(scratch / "report/waves.html"));
   write_text(scratch / "report/waves.html", "<p>somebody's own");
   EXPECT_THROW(write_report(sample_report(), scratch / "report"), ReportError);
-}
-
-TEST(PagedReport, StandsWithoutItsPdfWhereThereIsNoBrowser) {
-  const ScratchDirectory scratch;
-  fs::create_directory(scratch / "bin");
-  fs::create_symlink(boost::process::search_path("gnuplot").string(), scratch / "bin/gnuplot");
-  const PathVariable path((scratch / "bin").string());
-  EXPECT_FALSE(can_print_pdf());
-  EXPECT_THROW(write_report(paged_report(), scratch / "report", {.pdf = true}), ReportError);
-  EXPECT_TRUE(fs::exists(scratch / "report/waves.html"));
-  EXPECT_FALSE(fs::exists(scratch / "report/report.pdf"));
 }
 
 TEST(WrittenReport, ReplacesTheOldOneWhole) {

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "reports/pages/print_pdf.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/summary/campaign_report.hpp"
 #include "sph/threads.hpp"
@@ -34,18 +33,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require_printer(const CampaignOptions& options) {
-  if (options.pdf && !reports::can_print_pdf())
-    throw CaseFileError("--pdf: " + reports::no_browser_message());
-}
-
-// Refuses --resume without an earlier start, so that a mistyped name starts nothing, and --pdf
-// without a browser, so that no campaign runs for hours in vain.
+// Refuses --resume without an earlier start, so that a mistyped name starts nothing.
 void require_possible(const CampaignOptions& options, const CampaignSettings& settings) {
   if (options.resume && !fs::exists(settings.output / "jobs"))
     throw CaseFileError(fmt::format("--resume: expected an earlier start of this campaign in {}",
                                     settings.output.string()));
-  require_printer(options);
 }
 
 // Returns whether another start would find nothing to run.
@@ -61,16 +53,6 @@ bool is_settled(const AssessedCampaign& assessed) {
 }
 
 fs::path page_in(const fs::path& place) { return place / "report/index.html"; }
-fs::path pdf_in(const fs::path& place) { return place / "report/report.pdf"; }
-
-bool report_stands(const fs::path& place, const CampaignOptions& options) {
-  return fs::exists(page_in(place)) && (!options.pdf || fs::exists(pdf_in(place)));
-}
-
-std::string report_lines(const fs::path& place, const CampaignOptions& options) {
-  return "report: " + page_in(place).string() + "\n" +
-         (options.pdf ? "PDF: " + pdf_in(place).string() + "\n" : "");
-}
 
 // What a report needs beside the assessment.
 struct ReportSources {
@@ -91,16 +73,14 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
   add_past(assessed, sources.past, report);
   KnownDrawings drawings(assessed.output / "drawings");
   reports::write_report(report, assessed.output / "report",
-                        {.pdf = options.pdf,
-                         .threads = sph::usable_cores(),
+                        {.threads = sph::usable_cores(),
                          .gnuplot = [&](const auto& script, const auto& id, const auto& scratch) {
                            return drawings.draw(script, id, scratch);
                          }});
   drawings.write();
 }
 
-// Prints each row and leaves the report. Throws CaseFileError, before anything runs, if a PDF is
-// requested and there is no browser to print it.
+// Prints each row and leaves the report.
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
   RequestedCampaign campaign = requested(options, installation);
@@ -117,7 +97,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     return fingerprint_of(definition, cases, settings, judges);
   };
   if (const auto cached = read_cached_verdict(place);
-      cached && report_stands(place, options) && cached->fingerprint == fingerprint()) {
+      cached && fs::exists(page_in(place)) && cached->fingerprint == fingerprint()) {
     print_lines(cached->out);
     return requested_exit(cached->status, options);
   }
@@ -138,7 +118,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                                              coverage_sentence(assessed.cases)),
                                  kinds_sentence(assessed.cases, assessed.problems),
                                  cost_sentence(assessed.cases, assessed.problems),
-                                 report_lines(place, options)};
+                                 fmt::format("report: {}\n", page_in(place).string())};
   std::erase(lines, "");
   const std::string verdict = fmt::format("{}", fmt::join(lines, "\n"));
   print_lines(verdict);
@@ -182,7 +162,6 @@ void add_campaign_command(const CommandTree& tree) {
       [judge](const CampaignOptions& options) { return judge(options, true); });
   add_selection_options(*campaign, campaign_options->selection);
   add_inconclusive_option(*campaign, *campaign_options);
-  add_pdf_option(*campaign, *campaign_options);
   add_launch_options(*campaign, *campaign_options);
   add_start_options(*campaign, *campaign_options);
   const auto [report, report_options] = add_command_on_campaign(
@@ -191,17 +170,13 @@ void add_campaign_command(const CommandTree& tree) {
        "Does the same with the existing results; starts no solver",
        {"./slosh report " + std::string(example_run)}},
       [judge, tree](const CampaignOptions& options) {
-        if (options.all) {
-          require_printer(options);
-          return report_of_all(options, tree.installation);
-        }
+        if (options.all) return report_of_all(options, tree.installation);
         if (options.campaign.empty())
           throw CaseFileError("name: expected a campaign, or --all for all that have a report");
         return judge(options, false);
       });
   add_selection_options(*report, report_options->selection);
   add_inconclusive_option(*report, *report_options);
-  add_pdf_option(*report, *report_options);
   add_all_option(*report, *report_options);
 }
 

@@ -38,11 +38,6 @@ void add_inconclusive_option(CLI::App& command, CampaignOptions& options) {
       ->check(keeps(integer_between(0, 125)));
 }
 
-void add_pdf_option(CLI::App& command, CampaignOptions& options) {
-  command.add_flag("--pdf", options.pdf,
-                   "Also write the whole report as report.pdf; needs chromium");
-}
-
 void add_ledger_option(CLI::App& command, CampaignOptions& options) {
   command
       .add_option("--ledger", options.ledger,

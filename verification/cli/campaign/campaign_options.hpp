@@ -25,7 +25,6 @@ struct CampaignOptions {
   std::filesystem::path store = {};  // of results; empty: <build>/store
   // The exit status if nothing is worse than inconclusive.
   int inconclusive_exit = exit_inconclusive;
-  bool pdf = false;                   // print the report to PDF too
   bool all = false;                   // one report over all campaigns of the output directory
   std::filesystem::path experiments;  // empty: none is named
   // Empty: <build>/campaigns/<name>, with "-quick" for the quick form.
@@ -39,7 +38,6 @@ struct CampaignOptions {
 void add_campaign_options(CLI::App& command, CampaignOptions& options);
 void add_selection_options(CLI::App& command, RunSelection& selection);
 void add_inconclusive_option(CLI::App& command, CampaignOptions& options);
-void add_pdf_option(CLI::App& command, CampaignOptions& options);
 void add_ledger_option(CLI::App& command, CampaignOptions& options);
 void add_new_ledger_option(CLI::App& command, CampaignOptions& options);
 void add_launch_options(CLI::App& command, CampaignOptions& options);

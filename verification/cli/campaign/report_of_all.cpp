@@ -52,8 +52,7 @@ int report_of_all(const CampaignOptions& options, const Installation& installati
         "NAME` leaves one",
         directory.string()));
   const reports::Report report = report_of_campaigns(campaigns, left_out);
-  reports::write_report(report, directory / "report",
-                        {.pdf = options.pdf, .threads = sph::usable_cores()});
+  reports::write_report(report, directory / "report", {.threads = sph::usable_cores()});
   const int status = exit_status(campaigns);
   print_lines(fmt::format("{}: {}\nreport: {}\n", headline_word(status), report.verdict,
                           (directory / "report/index.html").string()));
