@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes anew what the documents take from the product: the case-file reference and schemas, the tutorial's picture, the gallery's
-# figures, the sample report. It takes about half an hour on two cores.
+# figures. It takes about half an hour on two cores.
 # Usage: docs/refresh.sh
 set -eu
 cd "$(dirname -- "$0")/.."
@@ -15,11 +15,4 @@ done
 ./slosh campaign small_amplitude
 for figure in docs/gallery/*.svg; do
   cp "build/campaigns/small_amplitude/report/figures/$(basename "$figure")" docs/gallery/
-done
-./slosh campaign small_amplitude --quick
-rm -rf docs/sample_report
-mkdir -p docs/sample_report/figures
-cp build/campaigns/small_amplitude-quick/report/report.md docs/sample_report/README.md
-grep -oE 'figures/[A-Za-z0-9_.-]+' docs/sample_report/README.md | sort -u | while read -r figure; do
-  cp "build/campaigns/small_amplitude-quick/report/$figure" docs/sample_report/figures/
 done

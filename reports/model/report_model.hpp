@@ -158,7 +158,7 @@ struct Table {
   // for none. There are as many as cells, or none at all.
   std::vector<std::vector<std::string>> links = {};
   // The reason behind each row, empty for none; as many as rows, or none at all. Pages fold it in
-  // the row's last cell until it is asked for; what is printed, and Markdown, show it.
+  // the row's last cell until it is asked for; what is printed shows it.
   std::vector<std::string> reasons = {};
   // As many as rows, or none at all. Pages and Markdown show them before the last column.
   std::vector<Trend> trends = {};
@@ -182,8 +182,8 @@ struct Link {
 
 // A page other than the first.
 struct Page {
-  std::string id;                   // as sections' ids, and not "index": the file is "<id>.html"
-  std::string title;                // the anchor in documents that hold all pages is "page-<id>"
+  std::string id;  // as sections' ids, and not "index": the file is "<id>.html"
+  std::string title;
   std::string verdict;              // one sentence; empty for none
   Outcome outcome = Outcome::fail;  // where there is a verdict
   std::string continues = {};       // the id of the page whose appendix it is; empty: its own page

@@ -65,6 +65,11 @@ mustache::data trend_data(const Trend& trend) {
 
 constexpr std::size_t most_rows = 100;
 
+// The numbers of a page's last table and figure.
+struct Numbers {
+  int table = 0, figure = 0;
+};
+
 class SectionWriter {
  public:
   SectionWriter(const Report& report, const Drawings& drawings)

@@ -1,4 +1,4 @@
-// The documents of a report: an HTML file for each page, Markdown, and a page of figures alone.
+// The documents of a report: an HTML file for each page, and a page of figures alone.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,6 @@ namespace slosh::reports {
 // The sections as data of the HTML templates, in the report's order. The numbers of tables and
 // figures begin at 1 on each page.
 std::vector<kainjow::mustache::data> sections_data(const Report& report, const Drawings& drawings);
-
-// The numbers of a page's last table and figure.
-struct Numbers {
-  int table = 0, figure = 0;
-};
 
 // The rows that a page shows of a table: all where they have anchors, else at most 100.
 std::size_t rows_on_page(const Table& table);
@@ -37,10 +32,6 @@ inline constexpr const char* page_mark = "<meta name=\"generator\" content=\"Slo
 
 // Returns index.html, then the others, each a self-contained file that links to the rest.
 std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings);
-
-// Returns the report as GitHub-flavoured Markdown. Its figures are linked as figures/<id>.svg, its
-// fields as figures/<id>.png.
-std::string markdown_page(const Report& report);
 
 // Returns an HTML file that needs no network: a title, the figures with their titles and captions,
 // and remarks below them. Throws ReportError as draw_figure() does.

@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The PDF is one that earlier versions wrote.
+// The last two are of earlier versions.
 constexpr std::array<std::string_view, 7> report_entries{
-    "index.html", "report.md", "results.json", "results.schema.json",
-    "figures",    "tables",    "report.pdf"};
+    "index.html", "results.json", "results.schema.json", "figures",
+    "tables",     "report.md",    "report.pdf"};
 
 void write_files(const Report& report, const Drawings& drawings, const fs::path& directory) {
   for (const HtmlFile& file : html_pages(report, drawings))
@@ -36,7 +36,6 @@ void write_files(const Report& report, const Drawings& drawings, const fs::path&
         fs::create_directories(directory / "tables");
         write_text(directory / table_file(table), csv_of(table));
       }
-  write_text(directory / "report.md", markdown_page(report));
   write_text(directory / "results.json", report.results_json);
   write_text(directory / "results.schema.json", results_schema);
 }

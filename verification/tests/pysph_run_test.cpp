@@ -58,9 +58,9 @@ TEST_F(PysphRun, IsJudgedAndTellsItsVersionItsCountsAndItsCompilation) {
   EXPECT_EQ(run.at("provenance").at("external_version").get<std::string>().substr(0, 6), "PySPH ");
   const auto& facts = run.at("diagnostics");
   EXPECT_GT(facts.at("compile_processor_time_s"), 0);
-  const std::string report = read("out/report/report.md");
-  EXPECT_TRUE(holds(report, "Cost of a particle's step"));
-  EXPECT_TRUE(holds(report, "external program pysph\\_tank.py, method pysph\\_edac"));
+  const std::string words = report_words();
+  EXPECT_TRUE(holds(words, "Cost of a particle's step"));
+  EXPECT_TRUE(holds(words, "external program pysph_tank.py, method pysph_edac"));
   // What the run cost is without the compilation, but with the start of Python.
   const double cost = run.at("user_time_s").get<double>() + run.at("system_time_s").get<double>();
   EXPECT_GT(cost, facts.at("loop_processor_time_s").get<double>());

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/process.hpp>
 #include <filesystem>
 #include <fstream>
@@ -136,6 +138,26 @@ class SmallCampaign : public ::testing::Test {
   std::string read(const std::filesystem::path& file) const {
     std::ifstream stream(directory() / file, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  // The words of all pages of the report, with one bar in place of the tags between two of them.
+  std::string report_words() const {
+    std::string words;
+    for (const auto& page : std::filesystem::directory_iterator(report())) {
+      if (page.path().extension() != ".html") continue;
+      std::string text = read(page.path());
+      boost::erase_all(text, "<wbr>");
+      bool in_tag = false;
+      for (const char c : text) {
+        in_tag = c == '<' || (in_tag && c != '>');
+        const bool after_bar = words.ends_with('|');
+        if (c == '>' && !after_bar) words += '|';
+        if (c != '>' && !in_tag && !(after_bar && (c == ' ' || c == '\n'))) words += c;
+      }
+    }
+    for (const auto& [entity, sign] : {std::pair{"&apos;", "'"}, {"&gt;", ">"}, {"&lt;", "<"}})
+      boost::replace_all(words, entity, sign);
+    return words;
   }
 
   // Starts a program in the directory, its output in files there.

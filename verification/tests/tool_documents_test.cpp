@@ -64,16 +64,6 @@ TEST(Documents, LinkToWhatIsThere) {
   EXPECT_GE(links, 60);
 }
 
-TEST(Documents, HaveASampleReportWithItsFigures) {
-  const fs::path report = source / "docs/sample_report/README.md";
-  const std::string text = read_text(report);
-  EXPECT_TRUE(holds(text, "PASS"));
-  const std::vector<std::string> figures = all_matches(text, R"(\]\((figures/[^)\s]+)\))");
-  EXPECT_GE(figures.size(), 100u);
-  for (const std::string& figure : figures)
-    EXPECT_TRUE(fs::exists(report.parent_path() / figure)) << figure;
-}
-
 TEST(Documents, AreReachedFromTheirIndex) {
   const std::string index = read_text(source / "docs/README.md");
   for (const fs::path& document : documents::files(source)) {

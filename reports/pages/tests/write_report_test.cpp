@@ -36,12 +36,12 @@ TEST(WrittenReport, HasAllItsFilesAndLeavesNothingBeside) {
   const ScratchDirectory scratch;
   write_report(sample_report(), scratch / "campaign/report/");
   for (const char* name :
-       {"index.html", "report.md", "results.json", "figures/time-history.svg",
-        "results.schema.json", "figures/cost.svg", "figures/pressure-field.png"}) {
+       {"index.html", "results.json", "figures/time-history.svg", "results.schema.json",
+        "figures/cost.svg", "figures/pressure-field.png"}) {
     EXPECT_TRUE(fs::is_regular_file(scratch / "campaign/report" / name)) << name;
   }
   EXPECT_EQ(entries(scratch / "campaign"), 1u);
-  EXPECT_EQ(entries(scratch / "campaign/report"), 5u);
+  EXPECT_EQ(entries(scratch / "campaign/report"), 4u);
   EXPECT_EQ(read_text(scratch / "campaign/report/results.json"), sample_report().results_json);
 }
 
@@ -69,23 +69,20 @@ TEST(WrittenReport, AsksNothingOfTheNetwork) {
   EXPECT_EQ(occurrences(page, "@import"), 0u);
 }
 
-TEST(WrittenReport, SaysItsVerdictFirstInBothForms) {
+TEST(WrittenReport, SaysItsVerdictFirst) {
   const ScratchDirectory scratch;
   Report report = sample_report();
-  const std::tuple<Outcome, const char*, const char*> outcomes[] = {
-      {Outcome::pass, "</span> Pass</strong>", "✓ PASS"},
-      {Outcome::inconclusive, "</span> Inconclusive</strong>", "? INCONCLUSIVE"},
-      {Outcome::not_compared, "</span> Not compared</strong>", "✗ NOT COMPARED"},
-      {Outcome::fail, "</span> Fail</strong>", "✗ FAIL"}};
-  for (const auto& [outcome, on_page, in_markdown] : outcomes) {
+  const std::pair<Outcome, const char*> outcomes[] = {
+      {Outcome::pass, "</span> Pass</strong>"},
+      {Outcome::inconclusive, "</span> Inconclusive</strong>"},
+      {Outcome::not_compared, "</span> Not compared</strong>"},
+      {Outcome::fail, "</span> Fail</strong>"}};
+  for (const auto& [outcome, on_page] : outcomes) {
     report.outcome = outcome;
     write_report(report, scratch / "report");
-    const std::string page = read_text(scratch / "report/index.html"),
-                      markdown = read_text(scratch / "report/report.md");
+    const std::string page = read_text(scratch / "report/index.html");
     EXPECT_LT(page.find("class=\"verdict"), page.find("<nav"));
     EXPECT_NE(page.find(on_page), std::string::npos);
-    EXPECT_LT(markdown.find("1 of 5 checks"), markdown.find("## Contents"));
-    EXPECT_NE(markdown.find(in_markdown), std::string::npos);
   }
 }
 
@@ -97,47 +94,21 @@ TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
       "Decided by", {"surge: 10 mm <coarse>", "section-" + section.id}, "7 % > 5 %."};
   report.coverage = "4 of 5 rows are judged.";
   write_report(report, scratch / "report");
-  const std::string page = read_text(scratch / "report/index.html"),
-                    markdown = read_text(scratch / "report/report.md");
+  const std::string page = read_text(scratch / "report/index.html");
   EXPECT_NE(page.find("Decided by <a href=\"#section-" + section.id +
                       "\">surge: 10 mm &lt;coarse&gt;</a>: 7 % &gt; 5 %."),
             std::string::npos);
-  EXPECT_NE(markdown.find("Decided by [surge: 10 mm &lt;coarse&gt;](#section-" + section.id +
-                          "): 7 % &gt; 5 %."),
-            std::string::npos);
-  for (const std::string& text : {page, markdown})
-    EXPECT_LT(text.find("4 of 5 rows are judged."), text.find(report.subtitle));
+  EXPECT_LT(page.find("4 of 5 rows are judged."), page.find(report.subtitle));
   report.decision.row.anchor = "row-nowhere";
   EXPECT_THROW(check_report(report), ReportError);
 }
 
-TEST(WrittenReport, HasTablesOfEqualRowsAndLinkedFiguresInItsMarkdown) {
+TEST(WrittenReport, NumbersFieldsAfterTheFiguresOfTheirSection) {
   const ScratchDirectory scratch;
   write_report(sample_report(), scratch / "report");
-  const std::string markdown = read_text(scratch / "report/report.md");
-  EXPECT_NE(markdown.find("](figures/time-history.svg)"), std::string::npos);
-  EXPECT_NE(markdown.find("](figures/pressure-field.png)"), std::string::npos);
-  EXPECT_EQ(markdown.find("<script>"), std::string::npos);
-  const std::regex row(R"((?:^|\n)(\|[^\n]*\|)(?=\n))"), bar(R"([^\\]\|)");
-  std::size_t rows = 0;
-  for (std::sregex_iterator match(markdown.begin(), markdown.end(), row), end; match != end;
-       ++match, ++rows) {
-    const std::string line = (*match)[1];
-    const auto bars =
-        std::distance(std::sregex_iterator(line.begin(), line.end(), bar), std::sregex_iterator());
-    EXPECT_TRUE(bars == 6 || bars == 4) << line;
-  }
-  EXPECT_EQ(rows, 7u + 4u);  // header, rule and rows of both tables
-}
-
-TEST(WrittenReport, NumbersFieldsAfterTheFiguresOfTheirSectionInBothForms) {
-  const ScratchDirectory scratch;
-  write_report(sample_report(), scratch / "report");
-  for (const char* file : {"report/index.html", "report/report.md"}) {
-    const std::string text = read_text(scratch / file);
-    EXPECT_NE(text.find("Figure 4. Pressure in the rolling tank"), std::string::npos) << file;
-    EXPECT_NE(text.find("Figure 5. Error against run time"), std::string::npos) << file;
-  }
+  const std::string page = read_text(scratch / "report/index.html");
+  EXPECT_NE(page.find("Figure 4. Pressure in the rolling tank"), std::string::npos);
+  EXPECT_NE(page.find("Figure 5. Error against run time"), std::string::npos);
 }
 
 TEST(WrittenReport, TellsWhatAPictureShowsToThoseWhoDoNotSeeIt) {
@@ -151,7 +122,7 @@ TEST(WrittenReport, TellsWhatAPictureShowsToThoseWhoDoNotSeeIt) {
 TEST(PagedReport, HasAFileForEachPageWithItsOwnSectionsAndVerdict) {
   const ScratchDirectory scratch;
   write_report(paged_report(), scratch / "report");
-  EXPECT_EQ(entries(scratch / "report"), 7u);
+  EXPECT_EQ(entries(scratch / "report"), 6u);
   const std::string first = read_text(scratch / "report/index.html"),
                     waves = read_text(scratch / "report/waves.html"),
                     cost = read_text(scratch / "report/cost.html");
@@ -175,28 +146,6 @@ TEST(PagedReport, LeadsFromAPageToItsAppendixAndNotFromTheFirst) {
   EXPECT_NE(first.find("<li><a class=\"glance-title\" href=\"waves.html\">"), std::string::npos);
   EXPECT_NE(read_text(scratch / "report/waves.html").find("<li><a href=\"cost.html\""),
             std::string::npos);
-}
-
-TEST(WrittenReport, TellsTheReasonsOfARowInItsMarkdown) {
-  Report report = sample_report();
-  Table& gate = report.sections[0].tables[0];
-  gate.reasons.assign(gate.rows.size(), "");
-  gate.reasons[1] = "Peers reach it.";
-  const ScratchDirectory scratch;
-  write_report(report, scratch / "report");
-  const std::string text = read_text(scratch / "report/report.md");
-  EXPECT_NE(text.find(" Verdict | reason |\n"), std::string::npos);
-  EXPECT_NE(text.find(" pass | Peers reach it. |\n"), std::string::npos);
-}
-
-TEST(PagedReport, IsOneFileOfMarkdownWithTheSameAnchors) {
-  const ScratchDirectory scratch;
-  write_report(paged_report(), scratch / "report");
-  const std::string markdown = read_text(scratch / "report/report.md");
-  for (const char* part :
-       {"- [Waves &amp; wind](#page-waves) **✓ PASS** 5 of 5", "<a id=\"page-waves\"></a>",
-        "\n### Waves at the gauge", "[✗ FAIL](#row-runs-2)", "|<a id=\"row-runs-2\"></a> li2010"})
-    EXPECT_NE(markdown.find(part), std::string::npos) << part;
 }
 
 TEST(PagedReport, LosesThePagesThatANewerOneHasNot) {
