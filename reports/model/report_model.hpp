@@ -133,18 +133,6 @@ struct FieldFigure {
   std::optional<Film> film = {};                // absent: a still picture
 };
 
-// What a row's value was before and is now. It is drawn beside the row, without axes.
-struct Trend {
-  struct Point {
-    double value, half_width;  // half_width: 0 if unknown
-    double lower, upper;       // the tolerance at that time; infinite where it has no end
-    bool is_approved;          // whether somebody approved the value
-  };
-  std::vector<Point> points;  // in the order of time, at least two; none: the row has no trend
-  std::string text = {};      // the same in words
-  bool has_changed = false;   // the words are shown, otherwise they only describe the picture
-};
-
 // The cells "pass", "confirmed", "FAIL", "violated", "refuted", "inconclusive", "solver failed",
 // "not compared", "no result", "not selected", "not supplied", "not decidable", "out of range",
 // "skipped" (in upper or lower case) get a sign and a colour, and so does a cell that begins with
@@ -160,8 +148,6 @@ struct Table {
   // The reason behind each row, empty for none; as many as rows, or none at all. Pages fold it in
   // the row's last cell until it is asked for; what is printed shows it.
   std::vector<std::string> reasons = {};
-  // As many as rows, or none at all. Pages and Markdown show them before the last column.
-  std::vector<Trend> trends = {};
 };
 
 struct Section {

@@ -50,24 +50,6 @@ void check_reasons(const Table& table) {
                                   table.id, table.reasons.size(), table.rows.size()));
 }
 
-void check_trends(const Table& table) {
-  if (!table.trends.empty() && table.trends.size() != table.rows.size())
-    throw ReportError(fmt::format("table '{}': {} trends, expected {} as the rows, or none",
-                                  table.id, table.trends.size(), table.rows.size()));
-  for (std::size_t i = 0; i < table.trends.size(); ++i) {
-    const std::vector<Trend::Point>& points = table.trends[i].points;
-    if (points.size() == 1)
-      throw ReportError(fmt::format(
-          "table '{}': the trend of row {} has one value, expected none or two and more", table.id,
-          i + 1));
-    for (const Trend::Point& point : points)
-      if (!std::isfinite(point.value) || !std::isfinite(point.half_width))
-        throw ReportError(fmt::format(
-            "table '{}': the trend of row {} has a value or an interval that is not finite",
-            table.id, i + 1));
-  }
-}
-
 void check_links(const Table& table, const std::map<std::string, std::string>& anchors) {
   if (table.links.empty()) return;
   const auto width = [](const auto& row) { return row.size(); };
@@ -243,7 +225,6 @@ void check_report(const Report& report) {
       check_table(table);
       check_row_anchors(table, rows);
       check_reasons(table);
-      check_trends(table);
     }
     for (const Figure& figure : section.figures) {
       check_id("figure", figure.id, figures);

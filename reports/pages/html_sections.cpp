@@ -6,7 +6,6 @@
 #include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
-#include "reports/pages/trend_markup.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -57,12 +56,6 @@ mustache::data cell_data(const std::string& cell, bool numeric, const std::strin
   return data;
 }
 
-mustache::data trend_data(const Trend& trend) {
-  mustache::data data = cell_data("", false, "");
-  data.set("text", trend_markup(trend));
-  return data;
-}
-
 constexpr std::size_t most_rows = 100;
 
 // The numbers of a page's last table and figure.
@@ -109,7 +102,6 @@ class SectionWriter {
     };
     mustache::data others(mustache::data::type::list);
     for (std::size_t i = 1; i < cells.size(); ++i) {
-      if (i + 1 == cells.size() && !table.trends.empty()) others << trend_data(table.trends[row]);
       mustache::data other = cell(i);
       const bool has_reason = i + 1 == cells.size() && !reason.empty();
       other.set("has_reason", has_reason);
@@ -127,14 +119,10 @@ class SectionWriter {
   mustache::data table_data(const Table& table, const std::string& page) {
     const std::vector<bool> numeric = numeric_columns(table);
     mustache::data header(mustache::data::type::list), rows(mustache::data::type::list);
-    const auto add_heading = [&](const std::string& text, bool is_numeric) {
-      mustache::data heading{"text", html_text(text)};
-      heading.set("class", is_numeric ? "number" : "text");
-      header << heading;
-    };
     for (std::size_t i = 0; i < table.header.size(); ++i) {
-      if (i + 1 == table.header.size() && !table.trends.empty()) add_heading("trend", false);
-      add_heading(table.header[i], numeric[i]);
+      mustache::data heading{"text", html_text(table.header[i])};
+      heading.set("class", numeric[i] ? "number" : "text");
+      header << heading;
     }
     const std::size_t shown = rows_on_page(table);
     for (std::size_t row = 0; row < shown; ++row) rows << row_data(table, row, numeric, page);

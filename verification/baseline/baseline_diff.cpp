@@ -64,6 +64,19 @@ bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
          after.upper.value_or(unbounded) > before.upper.value_or(unbounded);
 }
 
+RowMovement movement_of(const std::string& case_name, const GateOutcome& outcome,
+                        const std::optional<BaselineValue>& before) {
+  RowMovement movement{.row = row_name(case_name, outcome.row),
+                       .unit = outcome.row.unit,
+                       .before = before,
+                       .after = baseline_value(outcome)};
+  if (before && movement.after) {
+    movement.uncertainties = uncertainties_between(*before, *movement.after);
+    movement.loosened = is_loosened(*before, *movement.after);
+  }
+  return movement;
+}
+
 }  // namespace
 
 bool RowMovement::has_changed() const {
@@ -89,19 +102,6 @@ std::optional<BaselineValue> baseline_value(const GateOutcome& outcome) {
     value.upper = between->second;
   }
   return value;
-}
-
-RowMovement movement_of(const std::string& case_name, const GateOutcome& outcome,
-                        const std::optional<BaselineValue>& before) {
-  RowMovement movement{.row = row_name(case_name, outcome.row),
-                       .unit = outcome.row.unit,
-                       .before = before,
-                       .after = baseline_value(outcome)};
-  if (before && movement.after) {
-    movement.uncertainties = uncertainties_between(*before, *movement.after);
-    movement.loosened = is_loosened(*before, *movement.after);
-  }
-  return movement;
 }
 
 std::vector<RowMovement> movements(const Baseline& baseline,

@@ -33,10 +33,6 @@ std::string row_name(const std::string& case_name, const GateRow& row);
 // The row's metric and tolerance. Returns nullopt where the metric was not measured.
 std::optional<BaselineValue> baseline_value(const GateOutcome& outcome);
 
-// The movement of one row of the case since an earlier value.
-RowMovement movement_of(const std::string& case_name, const GateOutcome& outcome,
-                        const std::optional<BaselineValue>& before);
-
 // Every row of the campaign, in its order, then those of the baseline that it no longer has. A row
 // that this form of the campaign leaves out, or whose record is not supplied, keeps its baseline
 // and is not among them.

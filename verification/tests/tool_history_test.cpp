@@ -1,5 +1,5 @@
-// What a campaign's report tells of the campaign's earlier runs: a trend beside each gate row, and
-// the earlier result over the present one where a row does not hold.
+// What a campaign's report tells of the campaign's earlier runs: the earlier result over the
+// present one where a row does not hold.
 #include <gtest/gtest.h>
 
 #include "verification/files/content_hash.hpp"
@@ -39,7 +39,6 @@ TEST_F(ToolHistory, HasALineForEachStateOfTheCampaign) {
   EXPECT_TRUE(holds(once, "\"small: particles against theory, forced amplitude_error of "));
   ASSERT_EQ(tool({"campaign", "./surges.toml", "--output", "elsewhere"}).status, 0);
   EXPECT_EQ(read_bytes(history()), once) << "the same state was entered twice";
-  EXPECT_FALSE(holds(report_words(), "|trend|")) << "there is nothing before it";
 }
 
 TEST_F(ToolHistory, ShowsTheEarlierResultWhereARowDoesNotHoldAnyMore) {
@@ -47,11 +46,8 @@ TEST_F(ToolHistory, ShowsTheEarlierResultWhereARowDoesNotHoldAnyMore) {
   let_another_build_have_made_it_and_scale(1.8);
   const Ended judged = report_again();
   EXPECT_EQ(judged.status, 1) << judged.out << judged.err;
-  const std::string words = report_words();
-  EXPECT_TRUE(holds(words, "|trend|"));
-  EXPECT_TRUE(holds(words, " uncertainties)"));
   EXPECT_TRUE(fs::exists(report() / "figures/small-earlier-particles-elevation-right.svg"));
-  EXPECT_TRUE(holds(words, "it held."));
+  EXPECT_TRUE(holds(report_words(), "it held."));
 }
 
 TEST_F(ToolHistory, ShowsNoEarlierResultThatTheStoreHasLost) {

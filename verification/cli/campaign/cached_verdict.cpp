@@ -25,20 +25,15 @@ json content_of(const fs::path& file) try {
 
 }  // namespace
 
-std::string judges_of(const CampaignSettings& settings, const fs::path& ledger) {
-  return json{content_of(settings.executable), content_of(ledger)}.dump(
-      -1, ' ', false, json::error_handler_t::replace);
-}
-
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
                                           const CampaignSettings& settings,
-                                          const std::string& judges) {
+                                          const std::string& judge) {
   json all{{"campaign", campaign.text},
            {"selection", selection_options(settings.selection)},
            {"experiments", settings.experiments.string()},
            {"place", settings.output.string()},
-           {"judges", judges},
+           {"judge", judge},
            {"cases", json::array()},
            {"results", json::array()}};
   for (const CaseDefinition& one : cases) {

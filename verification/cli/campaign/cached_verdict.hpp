@@ -17,17 +17,14 @@ struct CachedVerdict {
   std::string out;          // what was printed
 };
 
-// Returns the hashes of the tool and of the ledger of baselines, which determine the verdict beside
-// the results. Called before a campaign, during whose hours either may be replaced.
-std::string judges_of(const CampaignSettings& settings, const std::filesystem::path& ledger);
-
-// Returns a hash of the campaign's and the cases' files, the judges, and the whole content of each
-// result, of its timings and of the cases' tables of peaks; sizes and time stamps do not identify a
-// content. Returns nullopt if a result is missing, so that there is something to do.
+// Returns a hash of the campaign's and the cases' files, of `judge`, which is that of the tool
+// before the campaign began, and of the whole content of each result, of its timings and of the
+// cases' tables of peaks; sizes and time stamps do not identify a content. Returns nullopt if a
+// result is missing, so that there is something to do.
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const std::vector<CaseDefinition>& cases,
                                           const CampaignSettings& settings,
-                                          const std::string& judges);
+                                          const std::string& judge);
 
 // Reads <output>/standing.json. Returns nullopt if it is absent or, with a message, unusable.
 std::optional<CachedVerdict> read_cached_verdict(const std::filesystem::path& output);

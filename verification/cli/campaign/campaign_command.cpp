@@ -14,7 +14,6 @@
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/row_kinds.hpp"
-#include "verification/baseline/baseline_ledger.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/cached_verdict.hpp"
@@ -89,21 +88,17 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     std::cout << plan_text(campaign.cases, campaign.definition.problems, campaign.settings);
     return exit_pass;
   }
-  const fs::path place = campaign.place,
-                 ledger = ledger_of(options, campaign.definition, installation);
+  const fs::path place = campaign.place;
+  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   const auto fingerprint = [cases = campaign.cases, settings = campaign.settings,
                             definition = campaign.definition,
-                            judges = judges_of(campaign.settings, ledger)] {
-    return fingerprint_of(definition, cases, settings, judges);
-  };
+                            judge] { return fingerprint_of(definition, cases, settings, judge); };
   if (const auto cached = read_cached_verdict(place);
       cached && fs::exists(page_in(place)) && cached->fingerprint == fingerprint()) {
     print_lines(cached->out);
     return requested_exit(cached->status, options);
   }
-  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
-  const CampaignPast past{ledger, campaign.settings.store,
-                          campaign.definition.name + form_of(options)};
+  const CampaignPast past{campaign.settings.store, campaign.definition.name + form_of(options)};
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   const std::string rows = gate_lines(assessed.cases, assessed.problems);

@@ -8,9 +8,7 @@
 
 #include "reports/figures/earlier_figure.hpp"
 #include "verification/baseline/baseline_diff.hpp"
-#include "verification/baseline/baseline_ledger.hpp"
 #include "verification/baseline/gate_history.hpp"
-#include "verification/baseline/gate_trends.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/runs/run_key.hpp"
@@ -28,8 +26,8 @@ std::vector<CampaignState> readable_history(const CampaignPast& past) try {
   return read_history(history_file(past));
 } catch (const ResultError& error) {
   std::cerr << error.what()
-            << "\nThe trends of the report leave out the campaign's earlier runs. Remove the file "
-               "to begin a new history.\n";
+            << "\nThe report leaves out the campaign's earlier results. Remove the file to begin a "
+               "new history.\n";
   return {};
 }
 
@@ -98,7 +96,6 @@ void keep_state(const AssessedCampaign& assessed, const CampaignPast& past) try 
 
 void add_past(const AssessedCampaign& assessed, const CampaignPast& past, reports::Report& report) {
   const std::vector<CampaignState> history = readable_history(past);
-  add_gate_trends(read_ledger(past.ledger), history, assessed.cases, report);
   for (const CaseAssessment& one : assessed.cases) {
     const auto section =
         std::find_if(report.sections.begin(), report.sections.end(),
