@@ -15,10 +15,6 @@ constexpr Canvas whole_canvas{560, 300, 56, 13, 1.8}, square_canvas{560, 440, 56
 
 constexpr int foot = 8;  // px, below the legend: its descenders
 
-// Around the frame of a figure with a cursor, px: the labels of its ticks and its axis on the left,
-// half of a tick's label on the right.
-constexpr double cursor_left = 84, cursor_right = 24, cursor_top = 12;
-
 constexpr double character_width =
     8.5;  // px, of a 13 px sans-serif font, names with digits and underscores
 constexpr double plot_width = 440;  // px, the canvas less its margins at their widest
@@ -115,14 +111,6 @@ int marker_rows(const std::vector<PlacedMarker>& placed) {
 
 int legend_height(const Figure& figure) {
   return figure.is_small ? 0 : legend_row_height * key_layout(figure).rows + foot;
-}
-
-CursorFrame cursor_frame(const Figure& figure) {
-  const Canvas canvas = canvas_of(figure);
-  return {.left = cursor_left,
-          .right = canvas.width - cursor_right,
-          .top = cursor_top,
-          .bottom = canvas_height(figure) - canvas.below_frame - 1.0 * legend_height(figure)};
 }
 
 int canvas_height(const Figure& figure) {

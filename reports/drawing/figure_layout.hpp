@@ -54,16 +54,4 @@ int legend_height(const Figure& figure);
 // labels.
 int canvas_height(const Figure& figure);
 
-// The frame of a figure with a cursor [px], from the left and from the top of its canvas.
-struct CursorFrame {
-  double left, right, top, bottom;
-
-  // The place of a moment of the horizontal axis.
-  double place(double time, const AxisRange& axis) const {
-    return left + (time - axis.lower) / (axis.upper - axis.lower) * (right - left);
-  }
-};
-
-CursorFrame cursor_frame(const Figure& figure);
-
 }  // namespace slosh::reports

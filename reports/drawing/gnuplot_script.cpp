@@ -51,16 +51,6 @@ std::string canvas_commands(const Figure& figure, Terminal terminal) {
          (figure.equal_axes ? "set size square\n" : "");
 }
 
-// The sides and the top of a frame that the page knows; the others are as wide as their labels.
-std::string known_margins(const Figure& figure) {
-  if (!figure.has_cursor) return "";
-  const CursorFrame frame = cursor_frame(figure);
-  const double width = canvas_of(figure).width, height = canvas_height(figure);
-  return fmt::format(
-      "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n",
-      frame.left / width, frame.right / width, 1 - frame.top / height);
-}
-
 std::string axis(char name, const std::string& label, const AxisRange& range, bool logarithmic) {
   // gnuplot's own logarithm may put a tick at the end of a logarithmic axis beyond it.
   const double slack = logarithmic ? 1e-9 : 0;
@@ -138,7 +128,7 @@ std::string gnuplot_script(const Figure& figure, Terminal terminal) {
   script += axis('x', figure.x_label, horizontal, figure.log_x) + named_ticks(figure);
   script += axis('y', figure.y_label, vertical, figure.log_y);
   script += span_objects(figure, horizontal) + band_objects(figure);
-  script += marker_lines(placed_markers(figure, horizontal)) + known_margins(figure);
+  script += marker_lines(placed_markers(figure, horizontal));
   return script + curve_data(figure, vertical) + plot_command(figure);
 }
 

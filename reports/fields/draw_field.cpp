@@ -36,18 +36,16 @@ std::string canvas(const FieldLayout& layout) {
       layout.left + layout.columns * (layout.cell_width + layout.column_gap) - layout.column_gap;
   const int label_height = layout.label_lines * label_line;
   return fmt::format(
-      "set encoding utf8\nset minussign\n"
-      "set terminal pngcairo size {},{} font 'sans,12' noenhanced background rgb '{}'\n"
       "unset border\nunset tics\nunset key\nset xrange [0:{}]\nset yrange [0:{}]\n"
       "set style arrow 1 head size screen {:.6f},22 nofilled lw 2.2 lc rgb '{}'\n"
       "set style arrow 2 head size screen {:.6f},22 nofilled lw 1.2 lc rgb '{}'\n"
       "set style arrow 3 heads size screen {:.6f},90 lw 1.6 lc rgb '{}'\n"
       "set multiplot layout {},{} margins screen {:.7f},{:.7f},{:.7f},{:.7f} "
       "spacing screen {:.7f},{:.7f}\n",
-      layout.width, layout.height, paper.light, layout.cell_width, layout.cell_height, across(6),
-      paper.light, across(6), ink.light, across(5), ink.light, layout.rows, layout.columns,
-      across(layout.left), across(right), down(row_gap), 1 - down(key_height + label_height),
-      across(layout.column_gap), down(row_gap + label_height));
+      layout.cell_width, layout.cell_height, across(6), paper.light, across(6), ink.light,
+      across(5), ink.light, layout.rows, layout.columns, across(layout.left), across(right),
+      down(row_gap), 1 - down(key_height + label_height), across(layout.column_gap),
+      down(row_gap + label_height));
 }
 
 std::string colour_bar(const FieldFigure& figure, const FieldLayout& layout,
@@ -118,13 +116,39 @@ std::string plot_command(const ColourRange& range, bool has_arrows) {
   return command + "\n";
 }
 
-// The gnuplot program, whose multiplot places the panels. All data is in inline datablocks.
-std::string field_script(const FieldFigure& figure, const FieldLayout& layout) {
-  const ColourRange range = colour_range(figure);
-  const FieldArrows arrows = field_arrows(figure, layout);
+// What the panels of a figure share.
+struct FieldDrawing {
+  const FieldFigure& figure;
+  FieldLayout layout;  // of the whole picture, or of each frame of an animation
+  ColourRange range;
+  FieldArrows arrows;
+};
+
+FieldDrawing drawing_of(const FieldFigure& figure) {
+  FieldDrawing drawing{figure, field_layout(figure), colour_range(figure), {}};
+  drawing.arrows = field_arrows(figure, drawing.layout);
+  if (!figure.is_animation) return drawing;
+  drawing.layout.rows = 1;
+  drawing.layout.height = drawing.layout.row_top(1);
+  return drawing;
+}
+
+std::string terminal(const FieldDrawing& drawing) {
+  constexpr int frame_delay = 15;  // hundredths of a second
+  return fmt::format(
+      "set encoding utf8\nset minussign\n"
+      "set terminal {} size {},{} font 'sans,12' noenhanced background rgb '{}'\n",
+      drawing.figure.is_animation ? fmt::format("gif animate delay {} loop 0 optimize", frame_delay)
+                                  : "pngcairo",
+      drawing.layout.width, drawing.layout.height, paper.light);
+}
+
+// One multiplot, which places these panels. All data is in inline datablocks.
+std::string multiplot(const FieldDrawing& drawing, std::size_t first, std::size_t count) {
+  const auto& [figure, layout, range, arrows] = drawing;
   std::string script = canvas(layout) + colour_bar(figure, layout, range) + scale_bar(layout) +
                        arrow_legend(layout, arrows);
-  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+  for (std::size_t i = first; i < first + count; ++i) {
     std::vector<std::string> lines;
     for (const std::string& line : layout.labels[i]) lines.push_back(quoted(line));
     script += fmt::format("set title {} offset 0,-0.7 textcolor rgb '{}'\n",
@@ -132,33 +156,57 @@ std::string field_script(const FieldFigure& figure, const FieldLayout& layout) {
     script += data_blocks(figure.panels[i], layout, field_raster(figure.panels[i], layout, range),
                           arrows.panels[i]);
     script += plot_command(range, !arrows.panels[i].empty());
-    if (i == 0) script += "unset arrow\nunset label\nunset colorbox\n";  // the key is drawn once
+    if (i == first)
+      script += "unset arrow\nunset label\nunset colorbox\n";  // the key is drawn once
   }
   return script + "unset multiplot\n";
+}
+
+// An animation has a frame for each row.
+std::string field_script(const FieldDrawing& drawing) {
+  const std::size_t panels = drawing.figure.panels.size(),
+                    in_frame = drawing.figure.is_animation
+                                   ? static_cast<std::size_t>(drawing.layout.columns)
+                                   : panels;
+  std::string script = terminal(drawing);
+  for (std::size_t first = 0; first < panels; first += in_frame)
+    script += multiplot(drawing, first, in_frame);
+  return script;
 }
 
 }  // namespace
 
 DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& scratch_directory,
                       const Gnuplot& gnuplot) {
-  const FieldLayout layout = field_layout(figure);
-  std::string png = gnuplot(field_script(figure, layout), figure.id, scratch_directory);
-  if (!is_whole_png(png))
-    throw ReportError(broken_output(figure.id, "PNG file", scratch_directory));
-  return {std::move(png), layout.width, layout.height};
+  const FieldDrawing drawing = drawing_of(figure);
+  std::string picture = gnuplot(field_script(drawing), figure.id, scratch_directory);
+  if (figure.is_animation ? !is_whole_gif(picture) : !is_whole_png(picture))
+    throw ReportError(
+        broken_output(figure.id, figure.is_animation ? "GIF file" : "PNG file", scratch_directory));
+  return {std::move(picture), drawing.layout.width, drawing.layout.height};
 }
 
 std::string description(const FieldFigure& figure) {
+  const auto shown =
+      figure.is_animation ? static_cast<std::size_t>(figure.columns) : figure.panels.size();
   std::vector<std::string> labels;
-  for (const FieldPanel& panel : figure.panels) labels.push_back(panel.label);
+  for (std::size_t i = 0; i < shown; ++i) labels.push_back(figure.panels[i].label);
   const ColourRange range = colour_range(figure);
   const bool has_arrows = std::any_of(figure.panels.begin(), figure.panels.end(),
                                       [](const auto& panel) { return !panel.arrow_x.empty(); });
-  return fmt::format("{}. Panels: {}. Colour: {} from {} to {}.{}", figure.title,
+  return fmt::format("{}. {}: {}. Colour: {} from {} to {}.{}", figure.title,
+                     figure.is_animation ? "Panels of the first moment" : "Panels",
                      fmt::join(labels, "; "), figure.value_label, range.lower_label,
                      range.upper_label, has_arrows ? " Arrows: velocity." : "");
 }
 
-std::string data_address(const std::string& png) { return "data:image/png;base64," + base64(png); }
+std::string picture_file(const FieldFigure& figure) {
+  return figure.id + (figure.is_animation ? ".gif" : ".png");
+}
+
+std::string data_address(const FieldFigure& figure, const DrawnField& drawn) {
+  return fmt::format("data:image/{};base64,{}", figure.is_animation ? "gif" : "png",
+                     base64(drawn.picture));
+}
 
 }  // namespace slosh::reports

@@ -1,4 +1,5 @@
-// Draws a picture of flow fields with gnuplot, as PNG.
+// Draws a picture of flow fields with gnuplot, as PNG; an animation as GIF, which is the animated
+// format of gnuplot 5.4 and 6.0 alike.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +11,8 @@
 namespace slosh::reports {
 
 struct DrawnField {
-  std::string png;    // the whole file
-  int width, height;  // [px]
+  std::string picture;  // the whole file
+  int width, height;    // [px]
 };
 
 // Throws ReportError as draw_figure() does.
@@ -22,7 +23,10 @@ DrawnField draw_field(const FieldFigure& figure, const std::filesystem::path& sc
 // and the arrows show.
 std::string description(const FieldFigure& figure);
 
+// Returns "<id>.png", or "<id>.gif" of an animation.
+std::string picture_file(const FieldFigure& figure);
+
 // The data URL (RFC 2397) for an <img> of a page that holds its pictures itself.
-std::string data_address(const std::string& png);
+std::string data_address(const FieldFigure& figure, const DrawnField& drawn);
 
 }  // namespace slosh::reports

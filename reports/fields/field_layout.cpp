@@ -15,6 +15,7 @@ namespace {
 constexpr int widest_canvas = 1200;      // [px]: a page's column has 1112
 constexpr int narrowest_canvas = 1000;   // [px]: the key's parts stand side by side
 constexpr int tallest_cell = 560;        // [px]: two rows of the tallest tanks fit one screen
+constexpr int widest_frame = 340;        // [px], a cell of an animation: dozens of them are drawn
 constexpr int smallest_gap = 28;         // [px], between two columns; half of it at the sides
 constexpr double wall = 3;               // [px], between a tank and its cell's edge
 constexpr double round_off = 1e-9;       // [px]
@@ -92,8 +93,10 @@ FieldLayout grid_of_cells(const FieldFigure& figure, double highest_tank, double
 
 FieldLayout field_layout(const FieldFigure& figure) {
   const int columns = std::min(figure.columns, static_cast<int>(figure.panels.size()));
-  FieldLayout layout = grid_of_cells(figure, tallest_cell - 2 * wall,
-                                     widest_canvas / columns - smallest_gap - 2 * wall);
+  const int widest = widest_canvas / columns - smallest_gap;
+  FieldLayout layout =
+      grid_of_cells(figure, tallest_cell - 2 * wall,
+                    (figure.is_animation ? std::min(widest, widest_frame) : widest) - 2 * wall);
   layout.width = std::clamp(layout.columns * (layout.cell_width + smallest_gap), narrowest_canvas,
                             widest_canvas);
   layout.column_gap = layout.width / layout.columns - layout.cell_width;
@@ -104,13 +107,6 @@ FieldLayout field_layout(const FieldFigure& figure) {
         std::max(layout.label_lines, static_cast<int>(layout.labels.back().size()));
   }
   layout.height = layout.row_top(layout.rows);
-  return layout;
-}
-
-FieldLayout bare_layout(const FieldFigure& figure, int highest_cell, int widest_cell) {
-  FieldLayout layout = grid_of_cells(figure, highest_cell - 2 * wall, widest_cell - 2 * wall);
-  layout.width = layout.columns * layout.cell_width;
-  layout.height = layout.rows * layout.cell_height;
   return layout;
 }
 

@@ -1,5 +1,5 @@
-// The grid of panels in a picture of flow fields. In a still picture gnuplot's multiplot places the
-// panels; this computes the sizes that it is given and that the arrows and the raster depend on.
+// The grid of panels in a picture of flow fields. gnuplot's multiplot places the panels; this
+// computes the sizes that it is given and that the arrows and the raster depend on.
 //
 // All panels have one scale and cells of one size, which hold every tank as it is rolled. The
 // tank's axis stands at the same place of each cell, so that a roll shows from panel to panel.
@@ -49,9 +49,5 @@ int most_columns();
 
 // The figure has at most that many panels in a row.
 FieldLayout field_layout(const FieldFigure& figure);
-
-// Cells alone, side by side without key, labels and gaps. Each is at most this high and this wide
-// [px].
-FieldLayout bare_layout(const FieldFigure& figure, int highest_cell, int widest_cell);
 
 }  // namespace slosh::reports

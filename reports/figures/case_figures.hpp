@@ -25,7 +25,8 @@ std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment);
 std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs);
 
 // Returns pressure and velocity at the case's snapshot times, one row for each time and one column
-// for each solver or scheme, and last the case's animation (case_fields.hpp).
+// for each solver or scheme, and last the case's animation, if two or more of its
+// moments were recorded.
 std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);
 
 // The kinds of figures that these combine. Each omits figures for which no run has data.

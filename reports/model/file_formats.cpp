@@ -43,4 +43,8 @@ bool is_whole_png(const std::string& bytes) {
   return bytes.starts_with(signature) && bytes.ends_with(end);
 }
 
+bool is_whole_gif(const std::string& bytes) {
+  return bytes.starts_with("GIF89a") && bytes.ends_with('\x3b');
+}
+
 }  // namespace slosh::reports

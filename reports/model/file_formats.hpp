@@ -1,4 +1,4 @@
-// Comma-separated values, Base64, and what a complete PNG file looks like.
+// Comma-separated values, Base64, and what complete PNG and GIF files look like.
 #pragma once
 
 #include <string>
@@ -19,5 +19,9 @@ std::string base64(const std::string& bytes);
 // Whether the bytes have the signature and the last chunk of every PNG file (PNG specification,
 // 5.2 and 11.2.5).
 bool is_whole_png(const std::string& bytes);
+
+// Whether the bytes have the signature and the trailer of every GIF file (GIF89a specification, 17
+// and 27).
+bool is_whole_gif(const std::string& bytes);
 
 }  // namespace slosh::reports

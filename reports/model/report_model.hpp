@@ -83,9 +83,6 @@ struct Figure {
   std::vector<std::pair<double, std::string>> x_ticks = {};  // place and label; empty: automatic
   std::pair<double, double> y_range{0, 0};  // of several figures with one scale; else automatic
   bool is_small = false;  // one of small multiples: its page draws one legend for them all
-  // A page moves a vertical line along it, so that its frame stands at places that the page knows
-  // (cursor_frame() in figure_layout.hpp). It has no markers, no named ticks and linear axes.
-  bool has_cursor = false;
 };
 
 // A corner of a tank's outline [m], in the tank's own frame.
@@ -110,16 +107,6 @@ struct FieldPanel {
   std::vector<double> arrow_u, arrow_w;      // [m/s], the velocity in the tank's own directions
 };
 
-// What makes a field figure an animation. Its rows are moments, its columns runs; a page shows one
-// moment of all runs at a time, and where it is in their history.
-struct Film {
-  std::vector<double> times;        // [s], of the rows, increasing
-  std::vector<std::string> labels;  // of the rows: "t = 3.45 s"
-  std::vector<std::string> names;   // of the columns
-  std::size_t poster = 0;           // the row that is shown until the film is played
-  Figure history = {};              // over the time [s]; has_cursor is set
-};
-
 // Panels in rows, with one scale, one colour bar and one scale of the arrows. A panel without
 // places was not recorded.
 struct FieldFigure {
@@ -130,7 +117,7 @@ struct FieldFigure {
   double arrow_scale = 0;                       // m of the tank per m/s; 0: automatic
   int columns = 1;                              // panels in a row
   std::vector<FieldPanel> panels;               // row by row
-  std::optional<Film> film = {};                // absent: a still picture
+  bool is_animation = false;                    // its rows are shown one after the other
 };
 
 // The cells "pass", "confirmed", "FAIL", "violated", "refuted", "inconclusive", "solver failed",

@@ -162,28 +162,6 @@ void check_panel(const FieldFigure& figure, const FieldPanel& panel) {
   }
 }
 
-void check_film(const FieldFigure& figure, const Film& film) {
-  const std::size_t moments = film.times.size();
-  const auto columns = static_cast<std::size_t>(figure.columns);
-  if (film.labels.size() != moments || film.names.size() != columns ||
-      moments * columns != figure.panels.size())
-    throw ReportError(fmt::format(
-        "figure '{}': an animation of {} times, {} labels, {} names of {} columns and {} panels, "
-        "expected a label for each time, a name for each column and a panel for each of both",
-        figure.id, moments, film.labels.size(), film.names.size(), columns, figure.panels.size()));
-  if (film.poster >= moments)
-    throw ReportError(fmt::format("figure '{}': poster {}, expected one of the {} moments",
-                                  figure.id, film.poster, moments));
-  const Figure& history = film.history;
-  check_figure(history);
-  if (!history.has_cursor || history.is_small || history.equal_axes || history.log_x ||
-      !history.markers.empty())
-    throw ReportError(fmt::format(
-        "figure '{}': an animation's history, expected a figure of its own size with a cursor, a "
-        "linear time axis and no markers",
-        history.id));
-}
-
 void check_field(const FieldFigure& figure) {
   if (figure.panels.empty()) throw ReportError(fmt::format("figure '{}': no panels", figure.id));
   if (figure.columns < 1) {
@@ -196,7 +174,11 @@ void check_field(const FieldFigure& figure) {
     throw ReportError(fmt::format("figure '{}': {} panels in a row, expected at most {}", figure.id,
                                   in_a_row, most_columns()));
   }
-  if (figure.film) check_film(figure, *figure.film);
+  if (figure.is_animation && figure.panels.size() % static_cast<std::size_t>(figure.columns) != 0)
+    throw ReportError(
+        fmt::format("figure '{}': an animation of {} panels in rows of {}, expected "
+                    "whole rows",
+                    figure.id, figure.panels.size(), figure.columns));
   if (!(figure.arrow_scale >= 0) || !std::isfinite(figure.arrow_scale)) {
     throw ReportError(
         fmt::format("figure '{}': arrow_scale {}, expected 0 (automatic) or metres "
@@ -233,7 +215,6 @@ void check_report(const Report& report) {
     for (const FieldFigure& figure : section.fields) {
       check_id("figure", figure.id, figures);
       check_field(figure);
-      if (figure.film) check_id("figure", figure.film->history.id, figures);
     }
   }
   for (const Page& page : report.pages) {

@@ -28,28 +28,17 @@ Report with_legible_figures(Report report) {
 Drawings draw_report(const Report& report, int threads, const Gnuplot& gnuplot,
                      const fs::path& scratch, const fs::path& directory) {
   std::vector<const Figure*> figures;
-  std::vector<const FieldFigure*> fields, films;
+  std::vector<const FieldFigure*> fields;
   for (const Section& section : report.sections) {
     for (const Figure& figure : section.figures) figures.push_back(&figure);
-    for (const FieldFigure& figure : section.fields) {
-      fields.push_back(&figure);
-      if (figure.film) films.push_back(&figure);
-    }
+    for (const FieldFigure& figure : section.fields) fields.push_back(&figure);
   }
   Drawings drawings;
   drawings.fields.resize(fields.size());
-  drawings.films.resize(films.size());
   drawings.figures.resize(figures.size());
   const auto draw_one_field = [&](std::size_t i) {
-    const FieldFigure& figure = *fields[i];
-    drawings.fields[i] = draw_field(figure.film ? poster_of(figure) : figure, scratch, gnuplot);
-    write_text(directory / (fields[i]->id + ".png"), drawings.fields[i].png);
-  };
-  const auto draw_one_film = [&](std::size_t i) {
-    const Figure& history = films[i]->film->history;
-    drawings.films[i] = draw_film(*films[i], scratch, gnuplot);
-    write_text(directory / (history.id + ".svg"),
-               svg_element(history, drawings.films[i].history, SvgPlace::own_file));
+    drawings.fields[i] = draw_field(*fields[i], scratch, gnuplot);
+    write_text(directory / picture_file(*fields[i]), drawings.fields[i].picture);
   };
   const auto draw_one = [&](const Figure& figure) {
     DrawnFigure drawn = draw_figure(figure, scratch, gnuplot);
@@ -57,9 +46,8 @@ Drawings draw_report(const Report& report, int threads, const Gnuplot& gnuplot,
     return drawn;
   };
   const auto draw_one_figure = [&](std::size_t i) { drawings.figures[i] = draw_one(*figures[i]); };
-  // A film or a field takes seconds, a figure a tenth of a second: the long ones are drawn first.
+  // A field takes seconds, a figure a tenth of a second: the long ones are drawn first.
   std::vector<std::function<void()>> drawn;
-  for (std::size_t i = 0; i < films.size(); ++i) drawn.emplace_back([&, i] { draw_one_film(i); });
   for (std::size_t i = 0; i < fields.size(); ++i) drawn.emplace_back([&, i] { draw_one_field(i); });
   for (std::size_t i = 0; i < figures.size(); ++i)
     drawn.emplace_back([&, i] { draw_one_figure(i); });

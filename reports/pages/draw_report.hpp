@@ -6,18 +6,15 @@
 
 #include "reports/drawing/draw_figure.hpp"
 #include "reports/fields/draw_field.hpp"
-#include "reports/fields/draw_film.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
 
-// The drawings of a report: one for each figure, for each field, for each animation among the
-// fields and for each page, in the report's order. The field of an animation is its poster. The
-// glance of a page that has none is empty.
+// The drawings of a report: one for each figure, for each field and for each page, in the report's
+// order. The glance of a page that has none is empty.
 struct Drawings {
   std::vector<DrawnFigure> figures;
   std::vector<DrawnField> fields;
-  std::vector<DrawnFilm> films = {};
   std::vector<DrawnFigure> glances = {};
 };
 
@@ -28,8 +25,7 @@ inline constexpr std::size_t most_curves = 24;
 Report with_legible_figures(Report report);
 
 // Draws each figure once, on so many threads, and writes it to `figures` as <id>.svg, or as
-// <id>.png for a field. An animation has its poster there, and its history as that figure's
-// <id>.svg. Throws ReportError as draw_figure() does.
+// <id>.png for a field and <id>.gif for an animation. Throws ReportError as draw_figure() does.
 Drawings draw_report(const Report& report, int threads, const Gnuplot& gnuplot,
                      const std::filesystem::path& scratch, const std::filesystem::path& figures);
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <map>
 
-#include "reports/fields/film_markup.hpp"
 #include "reports/model/file_formats.hpp"
 #include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
@@ -68,8 +67,7 @@ class SectionWriter {
   SectionWriter(const Report& report, const Drawings& drawings)
       : links_(report),
         drawn_figure_(drawings.figures.begin()),
-        drawn_field_(drawings.fields.begin()),
-        drawn_film_(drawings.films.begin()) {}
+        drawn_field_(drawings.fields.begin()) {}
 
   // Must be called once for each section, in the report's order.
   mustache::data operator()(const Section& section) {
@@ -157,36 +155,27 @@ class SectionWriter {
     picture.set("width", std::to_string(drawn.width));
     picture.set("height", std::to_string(drawn.height));
     picture.set("description", description(figure));
-    picture.set("address", data_address(drawn.png));
-    picture.set("file", "figures/" + figure.id + ".png");
+    picture.set("address", data_address(figure, drawn));
+    picture.set("file", "figures/" + picture_file(figure));
+    picture.set("is_animation", figure.is_animation);
     return picture;
   }
 
   mustache::data figure_data(const Figure& figure, const std::string& page) {
     mustache::data data = caption_data(figure, ++numbers_[page].figure);
     data.set("svg", svg_element(figure, *drawn_figure_++, SvgPlace::in_page));
-    data.set("film", mustache::data(mustache::data::type::bool_false));
     return data;
   }
 
   mustache::data field_data(const FieldFigure& figure, const std::string& page) {
-    const DrawnField& drawn = *drawn_field_++;
     mustache::data data = caption_data(figure, ++numbers_[page].figure);
-    if (figure.film) {
-      const DrawnFilm& film = *drawn_film_++;
-      data.set("film", film_element(figure, film));
-      data.set("caption", html_text(film_caption(figure, film)));
-    } else {
-      data.set("picture", picture_data(figure, drawn));
-      data.set("film", mustache::data(mustache::data::type::bool_false));
-    }
+    data.set("picture", picture_data(figure, *drawn_field_++));
     return data;
   }
 
   PageLinks links_;
   std::vector<DrawnFigure>::const_iterator drawn_figure_;
   std::vector<DrawnField>::const_iterator drawn_field_;
-  std::vector<DrawnFilm>::const_iterator drawn_film_;
   std::map<std::string, Numbers> numbers_;  // of each page
 };
 

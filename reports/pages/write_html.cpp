@@ -4,7 +4,6 @@
 #include <kainjow/mustache.hpp>
 
 #include "reports/drawing/figure_palette.hpp"
-#include "reports/fields/film_markup.hpp"
 #include "reports/pages/glance_markup.hpp"
 #include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
@@ -79,23 +78,6 @@ mustache::data page_data(const Report& report, const Page& page, const PageLinks
   return data;
 }
 
-bool has_film(const Report& report, const std::string& page) {
-  return std::any_of(report.sections.begin(), report.sections.end(), [&](const Section& section) {
-    return section.page == page &&
-           std::any_of(section.fields.begin(), section.fields.end(),
-                       [](const FieldFigure& figure) { return figure.film.has_value(); });
-  });
-}
-
-// The script that plays animations and the policy that allows it; empty for a page without one.
-mustache::data film_data(const Report& report, const std::string& page) {
-  if (!has_film(report, page)) return mustache::data(mustache::data::type::bool_false);
-  mustache::data data;
-  data.set("policy", film_script_policy());
-  data.set("script", film_script_element());
-  return data;
-}
-
 std::string figure_page_style() {
   return fmt::format(
       "body{{font-family:system-ui,sans-serif;max-width:800px;margin:2rem auto;padding:0 1rem;"
@@ -115,7 +97,6 @@ std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings)
   for (std::size_t i = 0; i < pages.size(); ++i) {
     mustache::data data = document_data(report);
     data.set("page", page_data(report, pages[i], links, written));
-    data.set("film", film_data(report, pages[i].id));
     data.set("is_first", i == 0);
     data.set("has_pages", i == 0 && pages.size() > 1);
     data.set("has_neighbours", pages.size() > 1);

@@ -1,5 +1,5 @@
 // Writes a report: <directory>/index.html and a file for each other page (self-contained, figures
-// inline as SVG and PNG), results.json with its schema, figures/*.svg and figures/*.png.
+// inline as SVG, PNG and GIF), results.json with its schema, and the figures as files of figures/.
 // The files are written to a temporary directory beside the target, which replaces the target when
 // it is complete. So there is always one whole report under the name.
 #pragma once

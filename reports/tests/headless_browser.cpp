@@ -125,7 +125,7 @@ const measure = frame => {
     words: words(page),
     wide_boxes: all('.scroll').filter(box => box.scrollWidth > box.clientWidth).length,
     unhinted_boxes: all('.scroll').filter(box => (box.scrollWidth > box.clientWidth) != (box.querySelector('.hint').getBoundingClientRect().height > 10)).length,
-    cut_figures: all('figure svg, figure img, .film, .film-panel').filter(part => part.getBoundingClientRect().left < 0 || part.getBoundingClientRect().right > page.documentElement.clientWidth).length,
+    cut_figures: all('figure svg, figure img').filter(part => part.getBoundingClientRect().left < 0 || part.getBoundingClientRect().right > page.documentElement.clientWidth).length,
     lowest_label: lowest(all('figure svg text').map(text => text.getBoundingClientRect().height)),
     figure_numbers: all('figcaption b').map(text => +text.textContent.match(/^Figure (\d+)\./)[1]),
     table_numbers: all('caption b').map(text => +text.textContent.match(/^Table (\d+)\./)[1]),
@@ -203,13 +203,6 @@ BrowserRun open_in_browser(const fs::path& directory, const std::string& page, b
     document.replace(at, 4, page);
   const MeasuredPage run = measure_in_browser(directory, document, dark);
   return {run.measures.at(0), run.measures.at(1), run.log};
-}
-
-std::string print_in_browser(const fs::path& directory, const std::string& page) {
-  const fs::path pdf = directory / "printed.pdf";
-  run_browser(directory, {"--no-pdf-header-footer", "--print-to-pdf=" + pdf.string()},
-              directory / page);
-  return read_text(pdf);
 }
 
 }  // namespace slosh::reports

@@ -30,7 +30,4 @@ MeasuredPage measure_in_browser(const std::filesystem::path& directory, const st
 BrowserRun open_in_browser(const std::filesystem::path& directory, const std::string& page,
                            bool dark);
 
-// Returns the PDF to which the browser prints the page, whose path is relative to the directory.
-std::string print_in_browser(const std::filesystem::path& directory, const std::string& page);
-
 }  // namespace slosh::reports

@@ -196,40 +196,23 @@ FieldFigure sloshing_field(const std::string& id, int moments, double spacing) {
   return figure;
 }
 
-FieldFigure sloshing_film(const std::string& id, int moments, int runs, double spacing) {
-  const char* names[] = {"SPH <recommended>", "li2010_20mm", "interfoam_30x30", "delta_sph"};
+FieldFigure sloshing_animation(const std::string& id, int moments, int runs, double spacing) {
   FieldFigure figure{.id = id,
                      .title = "The flow in the rolling tank",
                      .caption = "Animation.",
                      .value_label = "pressure (Pa)",
                      .columns = runs,
                      .panels = {},
-                     .film = Film{.times = {}, .labels = {}, .names = {}, .poster = 2}};
-  Film& film = *figure.film;
-  film.names.assign(names, names + runs);
-  for (int moment = 0; moment < moments; ++moment) {
-    film.times.push_back(2 + 0.25 * moment);
-    film.labels.push_back("t = " + std::to_string(200 + 25 * moment) + " cs");
+                     .is_animation = true};
+  for (int moment = 0; moment < moments; ++moment)
     for (int run = 0; run < runs; ++run)
-      figure.panels.push_back(
-          sloshing_panel(film.names[static_cast<std::size_t>(run)] + ", " + film.labels.back(),
-                         spacing, 0.6 + 0.4 * moment + 0.2 * run, run != 2));
-  }
-  if (runs > 1) {
+      figure.panels.push_back(sloshing_panel(
+          "run " + std::to_string(run) + ", t = " + std::to_string(200 + 25 * moment) + " cs",
+          spacing, 0.6 + 0.4 * moment + 0.2 * run, run != 2));
+  if (moments > 1 && runs > 1) {
     FieldPanel& missing = figure.panels[static_cast<std::size_t>(runs + 1)];
     missing.x = missing.z = missing.value = {};
   }
-  film.history = {.id = id + "-history",
-                  .title = "Elevation during the animation",
-                  .caption = "",
-                  .x_label = "time (s)",
-                  .y_label = "elevation (mm)",
-                  .x_range = {film.times.front(), film.times.back()},
-                  .curves = {elevation_curve("li2010_20mm", 1.0, 0.0, 2001, Curve::Style::line),
-                             elevation_curve("linear", 0.9, 0.0, 2001, Curve::Style::line)},
-                  .bands = {},
-                  .markers = {},
-                  .has_cursor = true};
   return figure;
 }
 

@@ -17,8 +17,7 @@ Figure heavy_figure(const std::string& id);
 // [m].
 FieldFigure sloshing_field(const std::string& id, int moments, double spacing);
 
-// An animation of that water by so many runs, 0.25 s apart from 2 s on, with its history. The
-// poster is the third moment; the second run did not record the second.
-FieldFigure sloshing_film(const std::string& id, int moments, int runs, double spacing);
+// An animation of that water by so many runs; the second run did not record the second moment.
+FieldFigure sloshing_animation(const std::string& id, int moments, int runs, double spacing);
 
 }  // namespace slosh::reports

@@ -79,7 +79,7 @@ Patch patch(const PicturePixels& picture, const Colour& colour) {
 std::pair<double, double> lowest_to_highest(const FieldFigure& figure) {
   const ScratchDirectory scratch;
   const PicturePixels picture =
-      picture_pixels(draw_field(figure, scratch.path()).png, scratch.path());
+      picture_pixels(draw_field(figure, scratch.path()).picture, scratch.path());
   const Patch from = patch(picture, lowest), to = patch(picture, highest);
   return {to.x - from.x, to.y - from.y};
 }
@@ -87,7 +87,7 @@ std::pair<double, double> lowest_to_highest(const FieldFigure& figure) {
 TEST(DrawnFieldPicture, HasTheSizeThatItStates) {
   const ScratchDirectory scratch;
   const DrawnField field = draw_field(sloshing_field("size", 1, 0.01), scratch.path());
-  const PicturePixels picture = picture_pixels(field.png, scratch.path());
+  const PicturePixels picture = picture_pixels(field.picture, scratch.path());
   EXPECT_EQ(picture.width, field.width);
   EXPECT_EQ(picture.height, field.height);
   EXPECT_GE(field.width, 1000);
@@ -120,7 +120,7 @@ TEST(DrawnFieldPicture, GivesEachPlaceItsRectangle) {
     figure.panels[0].point_width = 0.16;
     const ScratchDirectory scratch;
     const PicturePixels picture =
-        picture_pixels(draw_field(figure, scratch.path()).png, scratch.path());
+        picture_pixels(draw_field(figure, scratch.path()).picture, scratch.path());
     const double area = 0.16 * 0.08 * pixels_per_metre * pixels_per_metre;
     EXPECT_NEAR(patch(picture, highest).pixels, area, 0.05 * area);
     EXPECT_NEAR(patch(picture, lowest).pixels, area, 0.05 * area);
@@ -145,7 +145,7 @@ TEST(DrawnFieldPicture, HasEachPanelInItsRowAndColumn) {
     const FieldLayout layout = field_layout(figure);
     const ScratchDirectory scratch;
     const Patch found =
-        patch(picture_pixels(draw_field(figure, scratch.path()).png, scratch.path()), highest);
+        patch(picture_pixels(draw_field(figure, scratch.path()).picture, scratch.path()), highest);
     const Pixel place = layout.in_cell(filled, 0.4, 0.1);
     const int row = panel / 2, column = panel % 2;
     EXPECT_NEAR(found.x, layout.left + column * (layout.cell_width + layout.column_gap) + place.x,
@@ -159,15 +159,15 @@ TEST(DrawnFieldPicture, HasEachPanelInItsRowAndColumn) {
 
 TEST(DrawnFieldPicture, ChangesWithItsValues) {
   FieldFigure figure = two_places(0.1, false);
-  const std::string before = drawn(figure).png;
+  const std::string before = drawn(figure).picture;
   figure.panels[0].value = {0, 2};  // beyond the range's end: the bar says so
-  EXPECT_NE(drawn(figure).png, before);
+  EXPECT_NE(drawn(figure).picture, before);
   figure.panels[0].value = {0, 0.5};
-  EXPECT_NE(drawn(figure).png, before);
+  EXPECT_NE(drawn(figure).picture, before);
 }
 
 TEST(DrawnFieldPicture, LeavesOutWhatIsNotFinite) {
-  const std::string before = drawn(two_places(0.1, false)).png;
+  const std::string before = drawn(two_places(0.1, false)).picture;
   for (const double value : {std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity(), -1e301}) {
     FieldFigure figure = two_places(0.1, false);
@@ -179,7 +179,7 @@ TEST(DrawnFieldPicture, LeavesOutWhatIsNotFinite) {
     panel.arrow_z = {0.1, 0.1, value, 0.1};
     panel.arrow_u = {value, 1, 1, 1};
     panel.arrow_w = {1, 1, 1, value};
-    EXPECT_EQ(drawn(figure).png, before) << value;
+    EXPECT_EQ(drawn(figure).picture, before) << value;
   }
 }
 
@@ -189,7 +189,7 @@ TEST(DrawnFieldPicture, WithNothingToDrawIsAnEmptyTank) {
   for (std::vector<double>* samples :
        {&figure.panels[0].x, &figure.panels[0].z, &figure.panels[0].value})
     samples->clear();
-  EXPECT_GT(drawn(figure).png.size(), 1000u);
+  EXPECT_GT(drawn(figure).picture.size(), 1000u);
 }
 
 TEST(DrawnFieldPicture, ShowsArrowsInTheTanksDirections) {
@@ -203,8 +203,9 @@ TEST(DrawnFieldPicture, ShowsArrowsInTheTanksDirections) {
   moving.panels[0].arrow_w = {0};
   const ScratchDirectory scratch;
   const PicturePixels without =
-                          picture_pixels(draw_field(still, scratch.path()).png, scratch.path()),
-                      with = picture_pixels(draw_field(moving, scratch.path()).png, scratch.path());
+                          picture_pixels(draw_field(still, scratch.path()).picture, scratch.path()),
+                      with = picture_pixels(draw_field(moving, scratch.path()).picture,
+                                            scratch.path());
   int leftmost = with.width, rightmost = 0, lowest_row = with.height, highest_row = 0;
   for (int y = 0; y < with.height - 100; ++y) {
     for (int x = 0; x < with.width; ++x) {
@@ -229,7 +230,7 @@ TEST(DrawnFieldPicture, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
   FieldFigure figure = two_places(0, false);
   figure.value_label = figure.panels[0].label =
       "it's `touch " + trap.string() + "` @x \"black\" {a}_b^c\n\x01";
-  EXPECT_GT(draw_field(figure, scratch.path()).png.size(), 1000u);
+  EXPECT_GT(draw_field(figure, scratch.path()).picture.size(), 1000u);
   EXPECT_FALSE(std::filesystem::exists(trap));
 }
 
@@ -253,13 +254,32 @@ TEST(FieldDescription, NamesThePanelsTheQuantityAndItsRange) {
             "title. Panels: panel; panel; panel; panel. Colour: speed (m/s) from ≤ 0 to 1.");
 }
 
-TEST(DataAddress, IsBase64AsTheStandardsExamplesAre) {
-  // RFC 4648, 10.
-  for (const auto& [bytes, base64] : {std::pair{"", ""}, std::pair{"f", "Zg=="},
-                                      std::pair{"fo", "Zm8="}, std::pair{"foobar", "Zm9vYmFy"}}) {
-    EXPECT_EQ(data_address(bytes), std::string("data:image/png;base64,") + base64);
-  }
-  EXPECT_EQ(data_address("\xff\xfe\x80"), "data:image/png;base64,//6A");
+TEST(DataAddress, IsBase64OfThePictureOfItsKind) {
+  FieldFigure figure = two_places(0, false);
+  EXPECT_EQ(data_address(figure, {"foobar", 1, 1}), "data:image/png;base64,Zm9vYmFy");
+  figure.is_animation = true;
+  EXPECT_EQ(data_address(figure, {"\xff\xfe\x80", 1, 1}), "data:image/gif;base64,//6A");
+}
+
+std::size_t frames_of(const std::string& gif) {  // each has a graphic control extension
+  std::size_t count = 0;
+  const std::string control = "\x21\xf9\x04";
+  for (auto at = gif.find(control); at != gif.npos; at = gif.find(control, at + 1)) ++count;
+  return count;
+}
+
+TEST(DrawnAnimation, HasAFrameForEachRowInOneFile) {
+  const FieldFigure animation = sloshing_animation("flow", 5, 2, 0.02);
+  const DrawnField picture = drawn(animation);
+  EXPECT_EQ(frames_of(picture.picture), 5u);
+  const auto size = [&](std::size_t place) {  // little-endian, of the logical screen
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(picture.picture[i]); };
+    return byte(place) + 256 * byte(place + 1);
+  };
+  EXPECT_EQ(size(6), picture.width);
+  EXPECT_EQ(size(8), picture.height);
+  EXPECT_EQ(picture_file(animation), "flow.gif");
+  EXPECT_EQ(description(animation).find("225 cs"), std::string::npos);
 }
 
 TEST(IncompletePicture, IsAnErrorThatNamesTheFigure) {
@@ -267,12 +287,16 @@ TEST(IncompletePicture, IsAnErrorThatNamesTheFigure) {
   std::ofstream(scratch / "gnuplot") << "#!/bin/sh\nprintf '\\211PNG\\r\\n\\032\\n'\n";
   std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
   const PathVariable path(scratch.path().string());
-  try {
-    draw_field(two_places(0, false), scratch.path());
-    FAIL() << "no error";
-  } catch (const ReportError& error) {
-    EXPECT_NE(std::string(error.what()).find("'two-places'"), std::string::npos) << error.what();
-  }
+  for (const bool is_animation : {false, true}) try {
+      FieldFigure figure = two_places(0, false);
+      figure.is_animation = is_animation;
+      draw_field(figure, scratch.path());
+      FAIL() << "no error";
+    } catch (const ReportError& error) {
+      const std::string kind = is_animation ? "complete GIF file" : "complete PNG file";
+      EXPECT_NE(std::string(error.what()).find("'two-places'"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(kind), std::string::npos) << error.what();
+    }
 }
 
 }  // namespace

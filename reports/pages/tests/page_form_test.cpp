@@ -1,5 +1,4 @@
-// The form of pages as a browser shows and prints them: what is folded, what is left out, what
-// fits.
+// The form of pages as a browser shows them: what is folded, what is left out, what fits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/headless_browser.hpp"
-#include "reports/tests/pdf_sheets.hpp"
 #include "reports/tests/sample_report.hpp"
 #include "reports/tests/test_environment.hpp"
 
@@ -122,38 +120,6 @@ TEST_F(PageForm, SaysHowManyCurvesOfAFigureAreDrawn) {
   EXPECT_EQ(legible.sections[1].figures[0].caption, "The first 24 of 400 curves are drawn.");
   EXPECT_EQ(with_legible_figures(sample_report()).sections[1].figures[0].caption,
             sample_report().sections[1].figures[0].caption);
-}
-
-class PrintedPages : public PageForm {
- protected:
-  std::vector<PdfSheet> printed(const std::string& page) {
-    return pdf_sheets(print_in_browser(scratch_.path(), page));
-  }
-};
-
-TEST_F(PrintedPages, HaveNumbersAndNoLargeGapBeforeTheyEnd) {
-  Report report = paged_report();
-  Section& waves = report.sections[1];
-  for (int i = 0; i < 6; ++i) waves.figures.push_back(heavy_figure("more-" + std::to_string(i)));
-  write_report(report, scratch_ / "report");
-  const std::vector<PdfSheet> sheets = printed("report/waves.html");
-  ASSERT_GE(sheets.size(), 4u);
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    EXPECT_TRUE(sheets[i].is_marked) << "sheet " << i + 1 << " has no number";
-    if (i + 1 < sheets.size()) EXPECT_GT(sheets[i].filled, 0.55) << "sheet " << i + 1;
-  }
-}
-
-TEST_F(PrintedPages, AreSeenWhereTheyHaveNoNumbersOrStandEmpty) {
-  write_text(scratch_ / "bare.html",
-             "<style>@page{size:A4;margin:14mm} h2{break-before:page}</style><p>One<h2>Two</h2>");
-  const std::vector<PdfSheet> sheets = printed("bare.html");
-  ASSERT_EQ(sheets.size(), 2u);
-  for (const PdfSheet& sheet : sheets) {
-    EXPECT_FALSE(sheet.is_marked);
-    EXPECT_GT(sheet.filled, 0.02);
-    EXPECT_LT(sheet.filled, 0.15);
-  }
 }
 
 }  // namespace

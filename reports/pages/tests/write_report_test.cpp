@@ -119,6 +119,20 @@ TEST(WrittenReport, TellsWhatAPictureShowsToThoseWhoDoNotSeeIt) {
             std::string::npos);
 }
 
+TEST(WrittenReport, PlaysAnAnimationOnlyWhereItIsAskedFor) {
+  const ScratchDirectory scratch;
+  Report report = sample_report();
+  report.sections[1].fields.push_back(sloshing_animation("flow", 2, 2, 0.03));
+  write_report(report, scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  const std::size_t at = page.find("<details><summary>Play</summary><a href=\"figures/flow.gif\">");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_LT(page.find("data:image/gif;base64,", at), page.find("</details>", at));
+  EXPECT_TRUE(fs::is_regular_file(scratch / "report/figures/flow.gif"));
+  report.sections[1].fields.back().panels.pop_back();
+  EXPECT_THROW(check_report(report), ReportError) << "a row that is not whole";
+}
+
 TEST(PagedReport, HasAFileForEachPageWithItsOwnSectionsAndVerdict) {
   const ScratchDirectory scratch;
   write_report(paged_report(), scratch / "report");
