@@ -1,12 +1,13 @@
 // This file sums the modes, with p_n' = eta_n''/(lambda_n T_n), eta_n'' = zeta_n'' - c_n theta'',
-// k_n = c_n (z0 lambda_n T_n + 1 - 2/cosh(lambda_n h)) and L = length. Integrated over the walls
+// k_n = lambda_n T_n S_n - c_n and L = length. Integrated over the walls
 // and the bottom up to the still surface, the pressure of linear_roll.hpp gives
 //   F_x = -rho [L h g theta + L h (z0 + h/2) theta'' + sum 2 (-1)^n eta_n''/lambda_n^2],
 //   F_z = -rho L h (g - X0 theta''),
 //   M   = rho [g X0 L h + g theta (L^3/12 - L h (z0 + h/2)) + J theta''
 //              - sum a k_n eta_n''/(lambda_n T_n)],
-// where J is StokesJoukowski::wall_moment. The coupling k_n is the same in both directions: it
-// gives the moment of a mode on the tank and the forcing of the mode by the tank's rotation.
+// where J is StokesJoukowski::wall_moment. Without a gas k_n is the coupling: it gives the moment
+// of a mode on the tank and the forcing of the mode by the tank's rotation. The moment of the
+// liquid's pressure on its walls depends on the gas through eta_n'' alone.
 //
 // Convergence is that of a surge (linear_surge.cpp), since the walls' mean motion is a surge by
 // z0 theta; the rest of the forcing is one power of n smoother. In the tank of Zhao et al. 2021
@@ -176,8 +177,10 @@ double LinearRoll::moment(double t) const {
   double wave_part = 0;
   for (std::size_t n = 0; n < modes_->modes.size(); ++n) {
     const TankMode& mode = modes_->modes[n];
-    wave_part += length / 2 * mode.coupling * modes_->wave_acceleration(n, now) /
-                 (mode.wave_number * mode.depth_factor);
+    const double lift = mode.wave_number * mode.depth_factor;  // lambda_n T_n
+    const double arm =
+        mode.line * (modes_->axis_z * lift + 1 - 2 / std::cosh(mode.wave_number * depth));
+    wave_part += length / 2 * arm * modes_->wave_acceleration(n, now) / lift;
   }
   const double stiffness = length * length * length / 12 -  // of the free surface
                            length * depth * (modes_->axis_z + depth / 2);

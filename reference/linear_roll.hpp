@@ -11,11 +11,12 @@
 //   zeta_n'' + omega_n^2 zeta_n = -(lambda_n T_n S_n - c_n) theta'',
 //   lambda_n T_n S_n - c_n = c_n (z0 lambda_n T_n + 1 - 2/cosh(lambda_n h)),
 //   eta(x,t) = -x theta + sum zeta_n sin(lambda_n x).
-// The tilt of gravity thus needs no series, and in a slow roll every term leaves the surface
-// horizontal. An axis off the centre line also heaves the tank, which changes the pressure and not
-// the elevation. The equations are derived here; Faltinsen & Timokha, Sloshing (2009), chapter 5,
-// give the general linear theory. They are valid for small theta and for waves that are small as
-// in linear_surge.hpp.
+// With a gas above the liquid the kinematics are the same, and tank_mode.hpp gives omega_n and what
+// stands before theta''. The tilt of gravity thus needs no series, and in a slow roll every term
+// leaves the surface horizontal. An axis off the centre line also heaves the tank, which changes
+// the pressure and not the elevation. The equations are derived here; Faltinsen & Timokha, Sloshing
+// (2009), chapter 5, give the general linear theory. They are valid for small theta and for waves
+// that are small as in linear_surge.hpp.
 #pragma once
 
 #include <functional>
@@ -41,7 +42,7 @@ struct RollMotion {
 class LinearRoll {
  public:
   LinearRoll(const Tank& tank, Start start, const RollMotion& motion, int modes);
-  // The frequencies are those of two-layer theory; the couplings stay those of one layer.
+  // The same with a gas, by two-layer theory. All results remain the liquid's.
   LinearRoll(const Tank& tank, const Gas& gas, Start start, const RollMotion& motion, int modes);
   ~LinearRoll();
   LinearRoll(LinearRoll&&) noexcept;
@@ -51,7 +52,8 @@ class LinearRoll {
   double elevation(double x, double t) const;
   std::vector<double> elevation(double x, std::span<const double> times) const;
 
-  // Returns the pressure [Pa] above the gas's at a place fixed in the tank, -h <= z <= 0:
+  // Returns the pressure [Pa] above the gas's at the middle of the still surface, at a place fixed
+  // in the tank, -h <= z <= 0:
   //   -rho (g z + g theta x + theta'' Psi(x,z) + sum p_n' sin(lambda_n x) C_n(z)),
   //   C_n = cosh(lambda_n(z+h))/cosh(lambda_n h).
   // The terms are the hydrostatic part, the tilt of gravity about the tank's centre (the centre's

@@ -5,7 +5,8 @@
 //   lambda_n = (2n+1) pi / length,  omega_n^2 = g lambda_n tanh(lambda_n h),
 //   c_n = 2 (-1)^n / (a lambda_n^2),
 //   eta(x,t) = sum_n eta_n(t) sin(lambda_n x),
-//   eta_n'' + omega_n^2 eta_n = -c_n lambda_n tanh(lambda_n h) X''(t).
+//   eta_n'' + omega_n^2 eta_n = -(c_n omega_n^2 / g) X''(t).
+// With a gas above the liquid omega_n is that of two-layer theory (tank_mode.hpp).
 // The theory is valid for waves that are small against the depth and the wave length, and for
 // forcing that is not too close to resonance.
 #pragma once
@@ -28,8 +29,8 @@ class LinearSurge {
  public:
   LinearSurge(const Tank& tank, Start start, const SineSurge& motion, int modes);
   LinearSurge(const Tank& tank, Start start, const AnySurge& motion, int modes);
-  // With a gas, the frequencies are those of two-layer theory; the couplings stay those of one
-  // layer.
+  // The same with a gas, by two-layer theory. Velocity, pressure and force remain the liquid's; the
+  // pressure is that above the gas's at the middle of the still surface.
   LinearSurge(const Tank& tank, const Gas& gas, Start start, const SineSurge& motion, int modes);
   LinearSurge(const Tank& tank, const Gas& gas, Start start, const AnySurge& motion, int modes);
   ~LinearSurge();

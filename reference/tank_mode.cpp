@@ -41,7 +41,7 @@ std::vector<TankMode> surge_modes(const Tank& tank, const std::optional<Gas>& ga
           "a finite velocity, m/s");
   auto modes = still_modes(tank, gas, count, where);
   for (TankMode& mode : modes) {
-    mode.coupling = mode.line * mode.wave_number * mode.depth_factor;
+    mode.coupling = mode.line * mode.natural_frequency * mode.natural_frequency / tank.gravity;
     mode.initial_rate = -mode.coupling * initial_velocity;
   }
   return modes;
@@ -53,9 +53,16 @@ std::vector<TankMode> roll_modes(const Tank& tank, const std::optional<Gas>& gas
   require(std::isfinite(roll.axis_z), where, "axis_z", roll.axis_z, "a finite height, m");
   require(std::isfinite(roll.rate), where, "initial rate", roll.rate, "a finite rate, rad/s");
   auto modes = still_modes(tank, gas, count, where);
+  const double gas_density = gas ? gas->density : 0, gas_height = gas ? gas->height : 0;
+  const double weight = tank.gravity * (tank.density - gas_density);
   for (TankMode& mode : modes) {
-    mode.coupling = mode.line * (roll.axis_z * mode.wave_number * mode.depth_factor + 1 -
-                                 2 / std::cosh(mode.wave_number * tank.fill_depth));
+    const auto below_lid = [&](double height) {  // of the surface
+      return 2 * std::tanh(mode.wave_number * height / 2) / mode.wave_number;
+    };
+    const double rigid = tank.density * (roll.axis_z + below_lid(tank.fill_depth)) -
+                         gas_density * (roll.axis_z - below_lid(gas_height));
+    const double mobility = mode.natural_frequency * mode.natural_frequency / weight;  // 1/D_n
+    mode.coupling = mode.line * (rigid * mobility - 1);
     mode.initial_rate = (roll.start == Start::earth ? -mode.coupling : mode.line) * roll.rate;
   }
   return modes;

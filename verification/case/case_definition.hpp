@@ -231,7 +231,7 @@ inline double number_of_cells(const InterFoamRun& run) {
 // highest elevation that it predicts stays below valid_elevation_over_depth times the fill depth.
 struct LinearRun {
   int modes;               // that the tank's motion excites; 0 of a still tank
-  bool two_layer = false;  // count the gas in the dispersion relation
+  bool two_layer = false;  // of liquid and gas, else of the liquid alone
   double valid_elevation_over_depth;
 };
 

@@ -157,7 +157,7 @@ struct Row<LinearRun> : CommonRow {
   }
   static std::string text(const LinearRun& linear) {
     return fmt::format("linear potential flow{}{}, up to an elevation of {:g} fill depths",
-                       modes(linear), linear.two_layer ? ", gas in the dispersion relation" : "",
+                       modes(linear), linear.two_layer ? ", two layers, liquid and gas" : "",
                        linear.valid_elevation_over_depth);
   }
   static std::string caption(const LinearRun& linear) {

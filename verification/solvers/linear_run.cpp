@@ -98,7 +98,7 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
                                       : fmt::format("closed form of {} sine surges", closed));
   }
   if (definition.initial_wave) result.active_terms.push_back("closed form of the standing wave");
-  if (linear.two_layer) result.active_terms.push_back("gas in the dispersion relation");
+  if (linear.two_layer) result.active_terms.push_back("two layers, liquid and gas");
   return result;
 }
 
