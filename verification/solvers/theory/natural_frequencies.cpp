@@ -46,6 +46,14 @@ std::vector<double> natural_frequencies(const CaseDefinition& definition, int co
   return frequencies;
 }
 
+double share_lost_to_gas(const CaseDefinition& definition) {
+  reference::Tank tank = tank_of(definition);
+  tank.length = still_surface(definition).length();
+  const reference::Gas gas{definition.gas.density,
+                           definition.tank.height - definition.liquid.fill_depth};
+  return 1 - reference::natural_frequency(tank, gas, 1) / reference::natural_frequency(tank, 1);
+}
+
 std::vector<double> excited_frequencies(const CaseDefinition& definition, int count) {
   const std::vector<int> modes = natural_modes(definition, count);
   const std::vector<double> all = natural_frequencies(definition, modes.empty() ? 0 : modes.back());

@@ -13,6 +13,10 @@ namespace slosh {
 // are none without gravity, nor where no theory of the tank's shape is known.
 std::vector<double> natural_frequencies(const CaseDefinition& definition, int count);
 
+// Returns the share by which the gas above the liquid lowers the first of these frequencies, by
+// two-layer theory of a rectangle as long as the still surface. Valid with gravity.
+double share_lost_to_gas(const CaseDefinition& definition);
+
 // Returns those of the modes that natural_modes() of quantities.hpp names.
 std::vector<double> excited_frequencies(const CaseDefinition& definition, int count);
 
