@@ -2,8 +2,8 @@
 // - Friction at walls: (pi / 2) delta / h, with a Stokes layer delta on the bottom of a liquid of
 //   depth h (Keulegan 1959). It is half of sqrt(nu omega / 2) rho U^2 / 2 per area over
 //   rho h U^2 / 2.
-// - Artificial viscosity: 2 nu k^2 times the period, of the first mode with nu = alpha h c0 / 8
-//   (Lamb, article 348; Monaghan 2005, section 8.5).
+// - Artificial viscosity: 2 nu k^2 times the period, of the first mode with the nu of
+//   solvers/particles/artificial_viscosity.hpp (Lamb, article 348; Monaghan 2005, section 8.5).
 #pragma once
 
 #include <vector>
