@@ -9,6 +9,7 @@
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/definition_file.hpp"
+#include "verification/input/series_files.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {
@@ -20,6 +21,14 @@ constexpr const char* work_directory = "the run's work directory";
 
 fs::path beside_case(const CaseDefinition& definition, const std::string& path) {
   return plain_path(fs::absolute(definition.file).parent_path() / path);
+}
+
+// A file that must be there, or time folders with it, relative to the case file.
+fs::path stored_series(const TomlTable& table, const char* key, const CaseDefinition& definition) {
+  const fs::path file = beside_case(definition, table.get(key, any_text()));
+  if (series_files(file).empty())
+    table.refuse(key, "a file relative to the case file; there is no " + file.string());
+  return file;
 }
 
 // A file that must be there, relative to the case file.
@@ -40,7 +49,7 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
       series.choice("quantity", "a compared quantity", compared_quantities(definition));
   const std::string unit = unit_of(source.quantity);
   source.file = files == Files::beside_case_file
-                    ? stored_file(series, "file", definition)
+                    ? stored_series(series, "file", definition)
                     : fs::path(series.get("file", path_below("a file's", work_directory)));
   source.format = series.get("format", any_text());
   source.column = series.get("column", any_text());

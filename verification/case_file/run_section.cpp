@@ -281,8 +281,9 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
   const std::string unit =
       run.choice("unit", "a unit of " + quantity, unit_names(unit_of(quantity)));
   const double si = si_value(unit, unit_of(quantity));
-  const TimeColumns columns{run.get("time_column", any_text()), run.get("value_column", any_text()),
-                            unit};
+  const TimeColumns columns{run.get("time_column", any_text()),
+                            run.get("value_column", any_text()),
+                            {"unit", unit, quantity, unit_of(quantity)}};
   const double factor = si * run.find("scale", positive("1")).value_or(1);
   const auto edges = band_columns(run);
   const bool named = !experiments.empty();

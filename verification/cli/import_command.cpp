@@ -16,14 +16,17 @@
 #include "verification/import/import_series.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
+#include "verification/input/series_files.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/results/result_file.hpp"
+#include "verification/solvers/external_facts.hpp"
 
 namespace slosh {
 namespace {
 
 struct ImportOptions {
-  std::filesystem::path file, output;
+  std::vector<std::filesystem::path> files;  // each goes on from the last
+  std::filesystem::path output;
   std::string format;
   std::vector<std::string> series;  // "QUANTITY=COLUMN" each
   std::string unit, time_column, time_unit;
@@ -49,7 +52,7 @@ SeriesSource source_of(const std::string& series, const ImportOptions& options) 
   if (equals == series.npos || equals + 1 == series.size())
     refuse_series(series, "QUANTITY=COLUMN");
   SeriesSource source{.quantity = series.substr(0, equals),
-                      .file = options.file,
+                      .file = options.files.front(),
                       .format = options.format,
                       .column = series.substr(equals + 1),
                       .unit = options.unit,
@@ -77,8 +80,10 @@ std::vector<SeriesSource> sources_of(const ImportOptions& options) {
 }
 
 std::string command_of(const ImportOptions& options) {
-  std::string command = fmt::format("./slosh import {} --format {}",
-                                    shell_word(options.file.string()), options.format);
+  std::string command = "./slosh import";
+  for (const std::filesystem::path& file : options.files)
+    command += " " + shell_word(file.string());
+  command += " --format " + options.format;
   for (const std::string& series : options.series) command += " --series " + shell_word(series);
   for (const auto& [name, value] :
        {std::pair{"--unit", &options.unit}, std::pair{"--time", &options.time_column},
@@ -91,26 +96,52 @@ std::string command_of(const ImportOptions& options) {
   return command + " -o " + shell_word(options.output.string());
 }
 
-int import_file(const ImportOptions& options) {
-  RunResult result;
-  for (const SeriesSource& source : sources_of(options))
-    result.series.push_back(import_series(source));
-  result.case_name = "imported";
-  result.run_name = options.file.stem().string();
-  result.solver = "imported";
-  result.active_terms = {"imported from " + options.format};
+std::vector<std::filesystem::path> all_files(const ImportOptions& options) {
+  std::vector<std::filesystem::path> all;
+  for (const std::filesystem::path& file : options.files) {
+    const std::vector<std::filesystem::path> parts = series_files(file);
+    if (parts.empty())
+      throw CaseFileError(fmt::format("file = {}: expected a file; there is none", file.string()));
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  return all;
+}
+
+void add_origin(const ImportOptions& options, const std::vector<std::filesystem::path>& files,
+                RunResult& result) {
   const std::string command = command_of(options);
-  const std::string content = content_hash(read_bytes(options.file));
+  std::string paths, contents;
+  for (const std::filesystem::path& file : files) {
+    paths += (paths.empty() ? "" : "; ") + std::filesystem::absolute(file).string();
+    contents += read_bytes(file);
+  }
+  const std::string content = content_hash(contents);
   result.key = content_hash(content + command);
   result.provenance = provenance(command);
-  result.provenance["source_file"] = std::filesystem::absolute(options.file).string();
+  result.provenance["source_file"] = paths;
   result.provenance["source_hash"] = content;
   result.provenance["source_format"] = options.format;
+}
+
+int import_files(const ImportOptions& options) {
+  const std::vector<SeriesSource> sources = sources_of(options);
+  const std::vector<std::filesystem::path> files = all_files(options);
+  RunResult result;
+  add_origin(options, files, result);
+  for (const SeriesSource& source : sources) add_imported(import_series(source, files), result);
+  result.case_name = "imported";
+  result.run_name = options.files.front().stem().string();
+  result.solver = "imported";
+  result.active_terms = {"imported from " + options.format};
   write_result(result, options.output);
-  for (const TimeSeries& series : result.series)
+  for (const TimeSeries& series : result.series) {
     std::cout << fmt::format("{}: {} samples from {} to {} s [{}], the first value is {:.4g}\n",
                              series.name, series.time.size(), series.time.front(),
                              series.time.back(), series.unit, series.value.front());
+    if (const auto seams = result.provenance.find(seams_of + series.name);
+        seams != result.provenance.end())
+      std::cout << "  " << seams->second << "\n";
+  }
   std::cout << "result: " << options.output.string() << "\n";
   return exit_pass;
 }
@@ -132,7 +163,11 @@ std::string formats_text() {
 }
 
 void add_import_options(CLI::App& command, ImportOptions& options) {
-  command.add_option("file", options.file, "A file that another program wrote")
+  command
+      .add_option(
+          "file", options.files,
+          "A file that another program wrote, or files each of which goes on from the last; "
+          "a directory with the time folders of OpenFOAM")
       ->type_name(file_type)
       ->required();
   command.add_option("--format", options.format, "What wrote it")
@@ -177,7 +212,7 @@ void add_import_command(const CommandTree& tree) {
                    {"./slosh run li2010_small_amplitude linear",
                     "./slosh import linear.h5 --format hdf5 --time /series/elevation@right/time "
                     "--series elevation@right=/series/elevation@right/value -o imported.h5"}},
-                  [imported] { return import_file(*imported); });
+                  [imported] { return import_files(*imported); });
   add_import_options(command, *imported);
   command.footer(formats_text() + "\n" + command.get_footer());
 }

@@ -119,11 +119,15 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
 Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
                                   const std::string& quantity, const std::string& ending) {
   const TimeWindow window = compared_window(definition_, reference);
+  const RecordRun* record = record_named(definition_, reference);
+  if (record && !(window.end > window.begin))
+    throw ComparisonError(fmt::format(
+        "{}: the record covers {:.6g} s to {:.6g} s; expected a part of {:g} s to {:g} s",
+        reference, record->time.front(), record->time.back(), definition_.window_begin,
+        definition_.window_end));
   std::vector<ToneRequest> modes;
   if (has_modes(quantity)) modes = modes_;
-  if (record_named(definition_, reference) &&
-      !resolves(modes, series_of(runs_, reference, quantity), window))
-    modes.clear();
+  if (record && !resolves(modes, series_of(runs_, reference, quantity), window)) modes.clear();
   Comparison comparison =
       compare(prepared("candidate", candidate, quantity, window, modes),
               prepared("reference", reference, quantity + ending, window, modes), needed_.names);

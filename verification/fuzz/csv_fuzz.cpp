@@ -38,7 +38,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   file.replace(bytes, count);
   const auto path = file.path();
   read_or_refuse([&] { slosh::read_time_table(path, {"displacement_m", "elevation_m"}); });
-  read_or_refuse([&] { slosh::read_time_columns(path, {"t_s", "p_Pa", "Pa"}); });
+  read_or_refuse([&] {
+    slosh::read_time_columns(path, {"t_s", "p_Pa", {"unit", "Pa", "pressure", "Pa"}});
+  });
   read_or_refuse([&] { slosh::read_surge_table(path, 1.0); });
   read_or_refuse([&] { slosh::read_roll_table(path, 1.0); });
   read_or_refuse([&] { slosh::read_peak_table(path); });

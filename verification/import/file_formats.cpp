@@ -5,15 +5,25 @@ namespace slosh {
 // Each of these readers is defined in the file that knows its format.
 using HeadReader = TableHead(TableReader&, const SeriesSource&);
 using SeriesReader = RawSeries(const SeriesSource&);
-HeadReader read_csv_head;
 HeadReader read_dualsphysics_gauge_head, read_dualsphysics_points_head, read_sphinxsys_head;
 HeadReader read_openfoam_probes_head, read_openfoam_interface_height_head, read_openfoam_table_head;
+HeadReader read_openfoam_forces_head;
 SeriesReader read_hdf5_series;
+
+namespace {
+
+TableHead read_csv_head(TableReader& reader, const SeriesSource& source) {
+  TableHead head = find_head(reader, {source.time_column, source.column});
+  head.time = column_place(reader, head, "time_column", source.time_column);
+  return head;
+}
+
+}  // namespace
 
 const std::vector<FileFormat>& file_formats() {
   static const std::vector<FileFormat> formats{
       {.name = "csv",
-       .files = "first line with names, then rows; separated by semicolons, commas, tabs or blanks",
+       .files = "a line with names, then rows; separated by semicolons, commas, tabs or blanks",
        .columns = "any names; --time or time_column names the column of times",
        .example = "",
        .time_column = TimeColumn::must_be_named,
@@ -39,10 +49,10 @@ const std::vector<FileFormat>& file_formats() {
        .example = "hB_0",
        .read_head = read_openfoam_interface_height_head},
       {.name = "openfoam_forces",
-       .files = "force.dat, moment.dat",
-       .columns = "total_x, pressure_x, ...",
+       .files = "force.dat, moment.dat; forces.dat of OpenFOAM.org",
+       .columns = "total_x, pressure_x, ...; force_total_x, moment_pressure_y, ...",
        .example = "total_x",
-       .read_head = read_openfoam_table_head},
+       .read_head = read_openfoam_forces_head},
       {.name = "openfoam_field_value",
        .files = "volFieldValue.dat, surfaceFieldValue.dat",
        .columns = "volAverage(alpha.water), weightedVolIntegrate(U).x, ...",
@@ -54,7 +64,7 @@ const std::vector<FileFormat>& file_formats() {
        .example = "Position[0][1]",
        .read_head = read_sphinxsys_head},
       {.name = "hdf5",
-       .files = "one-dimensional data sets; groups with time and value",
+       .files = "data sets of one row or column; groups with time and value",
        .columns = "paths; for a data set --time or time_column names that of the times",
        .example = "",
        .time_column = TimeColumn::may_be_named,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
-#include "verification/import/table_head.hpp"
+#include "verification/input/table_head.hpp"
 
 namespace slosh {
 

@@ -1,15 +1,18 @@
-// Series in HDF5 files: one-dimensional data sets, named by their paths, with the unit in an
+// Series in HDF5 files: data sets of one row or column, named by their paths, with the unit in an
 // attribute "unit" or "units"; or a group with the data sets "time" and "value", as in a result
 // file of this project.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "verification/files/hdf5_handles.hpp"
 #include "verification/import/file_formats.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
+#include "verification/input/table_reader.hpp"
+#include "verification/input/units.hpp"
 
 namespace slosh {
 namespace {
@@ -34,18 +37,39 @@ std::vector<std::string> data_sets_in(hid_t file) {
       fmt::format("{}: {} = {}: expected {}", source.file.string(), key, value, expected));
 }
 
-std::string unit_of_data_set(hid_t data_set) {
+// A text of fixed length fills its length with blanks or null characters.
+std::string read_fixed_text(hid_t attribute, hid_t type) {
+  std::string text(H5Tget_size(type), '\0');
+  hdf5::checked(H5Aread(attribute, type, text.data()), "read a unit");
+  return std::string(trimmed(text.substr(0, text.find('\0'))));
+}
+
+std::string unit_of_data_set(hid_t data_set, const SeriesSource& source, std::string_view path) {
   for (const char* name : {"unit", "units"}) {
     if (H5Aexists(data_set, name) <= 0) continue;
-    try {
-      return hdf5::read_text_attribute(data_set, name);
-    } catch (const hdf5::Hdf5Error&) {  // a text of fixed length counts as absent
-    }
+    const Handle attribute(H5Aopen(data_set, name, H5P_DEFAULT), H5Aclose, "open a unit");
+    const Handle type(H5Aget_type(attribute), H5Tclose, "get the type of a unit");
+    const Handle space(H5Aget_space(attribute), H5Sclose, "get the shape of a unit");
+    if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
+      refuse(source, fmt::format("{}, attribute {}", path, name), "no single text", "a unit");
+    return H5Tis_variable_str(type) > 0 ? hdf5::read_text_attribute(data_set, name)
+                                        : read_fixed_text(attribute, type);
   }
   return "";
 }
 
-// Reads the numbers and the unit of a one-dimensional data set.
+// Whether one dimension at most has more than one value.
+bool is_row_or_column(hid_t data_set, std::string& shape) {
+  const Handle space(H5Dget_space(data_set), H5Sclose, "get a data set's shape");
+  std::vector<hsize_t> sizes(static_cast<std::size_t>(
+      hdf5::checked(H5Sget_simple_extent_ndims(space), "get a data set's shape")));
+  H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  shape = fmt::format("{}", fmt::join(sizes, " x "));
+  return !sizes.empty() &&
+         std::count_if(sizes.begin(), sizes.end(), [](hsize_t size) { return size != 1; }) <= 1;
+}
+
+// Reads the numbers and the unit of a data set of one row or column.
 void read_data_set(hid_t file, const SeriesSource& source, std::string_view key,
                    const std::string& path, std::vector<double>& values, std::string& unit) {
   const hid_t found = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
@@ -54,12 +78,13 @@ void read_data_set(hid_t file, const SeriesSource& source, std::string_view key,
            fmt::format("a data set of the file; nearest: {}",
                        fmt::join(nearest_names(path, data_sets_in(file), 3), ", ")));
   const Handle data_set(found, H5Dclose, "open a data set");
-  const Handle space(H5Dget_space(data_set), H5Sclose, "get a data set's shape");
-  const int dimensions = H5Sget_simple_extent_ndims(space);
-  if (dimensions != 1)
-    refuse(source, key, path, fmt::format("a data set of one dimension, not {}", dimensions));
+  std::string shape;
+  if (!is_row_or_column(data_set, shape))
+    refuse(source, key, path,
+           fmt::format("a data set of one row or column, not of {}",
+                       shape.empty() ? "one value" : shape));
   values = hdf5::read_numbers(file, path);
-  unit = unit_of_data_set(data_set);
+  unit = unit_spelt(unit_of_data_set(data_set, source, path));
 }
 
 }  // namespace

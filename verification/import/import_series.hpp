@@ -4,6 +4,10 @@
 // without it ("swlz").
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "verification/case/case_definition.hpp"
 #include "verification/series/time_series.hpp"
 
@@ -13,13 +17,23 @@ namespace slosh {
 // needs a time column that is not named, and where it fixes one that is named.
 void require_known_form(const SeriesSource& source);
 
-// The series in its quantity's unit over times in s. Throws CaseFileError (file:line: what is
-// wrong, what was expected) where the file does not have the format or has no such column, and
-// where a unit is missing or contradicts the file's (except a force in N that is declared as one
-// per metre of width, "N/m"). Throws ResultError (the same text) where the numbers cannot be used:
-// a number that is not finite or stands for "none" (beyond 1e30), a row of another length or
-// without the end of its line, times that do not increase (as after a restart), fewer than four
-// rows.
+struct ImportedSeries {
+  TimeSeries series;
+  std::vector<std::string> seams;  // where a part of it goes on or takes over, one sentence each
+};
+
+// The series in its quantity's unit over times in s, from files each of which goes on from the last
+// or takes its place from an earlier time on. In a table too a part may follow where its head
+// stands again. Throws CaseFileError (file:line: what is wrong, what was expected) where a file
+// does not have the format or has no such column, and where a unit is missing or contradicts the
+// file's (except a force in N that is declared as one per metre of width, "N/m"). Throws
+// ResultError (the same text) where the numbers cannot be used: a number that is not finite or
+// stands for "none" (table_rows.hpp), a row of another length or without the end of its line, times
+// that do not increase, fewer than four rows.
+ImportedSeries import_series(const SeriesSource& source,
+                             const std::vector<std::filesystem::path>& files);
+// The same from the files of source.file (series_files.hpp).
+ImportedSeries import_with_seams(const SeriesSource& source);
 TimeSeries import_series(const SeriesSource& source);
 
 }  // namespace slosh

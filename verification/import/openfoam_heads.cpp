@@ -1,12 +1,16 @@
-// The output of OpenFOAM's function objects, of v1912 and later and of those versions of the
-// Foundation with the same output: comment lines, the last of which names the columns, then rows
-// with vectors in parentheses.
+// The output of the function objects of OpenFOAM, of v1912 and later of OpenFOAM.com and of
+// OpenFOAM.org: comment lines, the last of which names the columns, then rows with vectors in
+// parentheses.
 //   # Probe 1 (0.95 0.5 0.2)          # Location 0 : (0.05 0.5 0)
 //   #  Probe     0        1           # Time   hB    hL
 //   #   Time
+// The forces of OpenFOAM.org, and of OpenFOAM.com before v1606, have vectors in vectors:
+//   # Time    forces(pressure viscous) moment(pressure viscous)
+//   0.1       ((1 2 3) (4 5 6)) ((1 2 3) (4 5 6))
 #include <fmt/format.h>
 
-#include "verification/import/table_head.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/input/table_head.hpp"
 
 namespace slosh {
 namespace {
@@ -43,10 +47,32 @@ std::vector<std::size_t> value_sizes(const std::string& row) {
   return sizes;
 }
 
+// The comments at the beginning of a file.
+struct Comments {
+  std::vector<std::string> all = {};  // without their marks
+  std::string last_line = {};
+};
+
+// Reads the comments and advances to the first row.
+Comments read_comments(TableReader& reader) {
+  Comments comments;
+  while (reader.line().starts_with('#')) {
+    comments.last_line = reader.line();
+    comments.all.emplace_back(without_comment_mark(reader.line()));
+    if (!reader.next()) break;
+  }
+  return comments;
+}
+
+TableHead head_of_times(const TableReader& reader, const Comments& comments) {
+  return {.columns = {{"Time", "s"}}, .line = reader.line_number() - 1, .text = comments.last_line};
+}
+
 // The head with the values' names, extended by the components for vectors. There must be one name
 // for each value of the first row, or one for each of its numbers.
-TableHead head_of(TableReader& reader, const std::vector<std::string>& names) {
-  TableHead head{{{"Time", "s"}}, reader.line_number() - 1, 0, ' '};
+TableHead head_of(const TableReader& reader, const Comments& comments,
+                  const std::vector<std::string>& names) {
+  TableHead head = head_of_times(reader, comments);
   const std::vector<std::size_t> sizes = value_sizes(reader.line());
   const bool of_values = sizes.size() == names.size() + 1;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -62,54 +88,89 @@ TableHead head_of(TableReader& reader, const std::vector<std::string>& names) {
   return head;
 }
 
-// Advances to the first row and passes each comment to `look`.
-template <class Look>
-void read_comments(TableReader& reader, Look look) {
-  while (reader.line().starts_with('#')) {
-    look(trimmed(std::string_view(reader.line()).substr(1)));
-    if (!reader.next()) return;
-  }
+// What follows "Time" in the last comment that begins with it; empty without such a comment.
+std::string after_time(const Comments& comments) {
+  std::string rest;
+  for (const std::string& comment : comments.all)
+    if (comment.starts_with("Time")) rest = comment.substr(4);
+  return rest;
 }
 
-// The names after "Time" in the last comment that begins with it; empty without such a comment.
-std::vector<std::string> names_after_time(TableReader& reader) {
-  std::vector<std::string> names;
-  read_comments(reader, [&](std::string_view comment) {
-    if (comment.starts_with("Time")) names = names_in(comment.substr(4));
-  });
-  return names;
+// The words within the parentheses after a name: "pressure" and "viscous" of "forces(pressure
+// viscous)". Commas count as blanks.
+std::vector<std::string_view> words_within(std::string_view text, std::string_view name) {
+  const std::size_t begin = text.find(name);
+  if (begin == text.npos) return {};
+  text.remove_prefix(begin + name.size());
+  return fields_of(text.substr(0, text.find(')')), text.find(',') < text.find(')') ? ',' : ' ');
+}
+
+// "force_pressure_x", ... and the sum of the parts, "force_total_x".
+void add_vectors(const std::string& name, const std::vector<std::string_view>& parts,
+                 TableHead& head) {
+  if (parts.empty()) return;
+  const std::size_t first = head.columns.size();
+  constexpr std::string_view components = "xyz";
+  for (const std::string_view part : parts)
+    for (const char component : components)
+      head.columns.push_back({fmt::format("{}_{}_{}", name, part, component), ""});
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    ColumnSum total{fmt::format("{}_total_{}", name, components[i]), {}};
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      total.columns.push_back(first + components.size() * part + i);
+    head.sums.push_back(std::move(total));
+  }
 }
 
 }  // namespace
 
 TableHead read_openfoam_probes_head(TableReader& reader, const SeriesSource&) {
+  const Comments comments = read_comments(reader);
   std::vector<std::string> names;
-  read_comments(reader, [&](std::string_view comment) {
+  for (const std::string& comment : comments.all)
     if (comment.starts_with("Probe ") && comment.find('(') != comment.npos)
       names.push_back(fmt::format("probe_{}", names.size()));
-  });
   if (names.empty())
     reader.refuse("head", reader.line(), "lines \"# Probe 0 (x y z)\", as OpenFOAM's probes write");
-  return head_of(reader, names);
+  return head_of(reader, comments, names);
 }
 
 TableHead read_openfoam_interface_height_head(TableReader& reader, const SeriesSource&) {
-  std::vector<std::string> names = names_after_time(reader);
+  const Comments comments = read_comments(reader);
+  std::vector<std::string> names = names_in(after_time(comments));
   if (names.empty() || (names[0] != "hB" && names[0] != "p"))
     reader.refuse("head", reader.line(),
                   "a line \"# Time hB hL ...\" or \"# Time p ...\", as OpenFOAM's interfaceHeight "
                   "writes");
   const std::size_t of_each = names[0] == "hB" ? 2 : 1;  // hB and hL of each place, or p
   for (std::size_t i = 0; i < names.size(); ++i) names[i] += fmt::format("_{}", i / of_each);
-  return head_of(reader, names);
+  return head_of(reader, comments, names);
 }
 
 TableHead read_openfoam_table_head(TableReader& reader, const SeriesSource&) {
-  const std::vector<std::string> names = names_after_time(reader);
-  if (names.empty() || names[0].starts_with("forces("))
-    reader.refuse("head", reader.line(),
-                  "a last comment \"# Time NAME ...\", as OpenFOAM's v1912 and later write");
-  return head_of(reader, names);
+  const Comments comments = read_comments(reader);
+  const std::vector<std::string> names = names_in(after_time(comments));
+  if (names.empty())
+    reader.refuse("head", reader.line(), "a last comment \"# Time NAME ...\", as OpenFOAM writes");
+  return head_of(reader, comments, names);
+}
+
+TableHead read_openfoam_forces_head(TableReader& reader, const SeriesSource&) {
+  const Comments comments = read_comments(reader);
+  const std::string names = after_time(comments);
+  const auto forces = words_within(names, "forces("), moments = words_within(names, "moment(");
+  if (!forces.empty()) {
+    TableHead head = head_of_times(reader, comments);
+    add_vectors("force", forces, head);
+    add_vectors("moment", moments, head);
+    return head;
+  }
+  if (names_in(names).empty())
+    reader.refuse(
+        "head", reader.line(),
+        "a last comment \"# Time total_x ...\" or \"# Time forces(pressure ...) ...\", as "
+        "OpenFOAM's forces write");
+  return head_of(reader, comments, names_in(names));
 }
 
 }  // namespace slosh

@@ -2,13 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "verification/import/table_head.hpp"
+#include "verification/input/table_rows.hpp"
 
 namespace slosh {
-
-// It is defined in csv_head.cpp.
-TableHead read_csv_head(TableReader& reader, const SeriesSource& source);
-
 namespace {
 
 std::size_t place_of(const TableReader& reader, const TableHead& head, const char* key,
@@ -30,9 +26,9 @@ std::vector<ParticlesAt> read_rows(TableReader& reader, const TableHead& head,
                                  ? 0
                                  : place_of(reader, head, "--volume", columns.volume, "m2");
   std::vector<ParticlesAt> moments;
-  do {
-    if (trimmed(reader.line()).empty()) continue;
-    const auto fields = fields_of_row(reader, head);
+  TableRows rows(reader, head);
+  while (rows.next()) {
+    const auto& fields = rows.fields();
     const double now = reader.number(columns.time, fields[time], "s");
     if (moments.empty() || now != moments.back().time) {
       if (!moments.empty() && !(now > moments.back().time))
@@ -45,7 +41,7 @@ std::vector<ParticlesAt> read_rows(TableReader& reader, const TableHead& head,
     moments.back().z.push_back(reader.number(columns.z, fields[z], "m"));
     if (!columns.volume.empty())
       moments.back().volume.push_back(reader.number(columns.volume, fields[volume], "m2"));
-  } while (reader.next());
+  }
   if (moments.empty()) reader.refuse("rows", "none", "at least one particle");
   return moments;
 }
@@ -57,10 +53,7 @@ std::vector<ParticlesAt> read_particle_table(const std::filesystem::path& file,
   if (!std::filesystem::is_regular_file(file))
     throw CaseFileError("file = " + file.string() + ": expected a file; there is none");
   TableReader reader(file);
-  SeriesSource source;
-  source.time_column = columns.time;
-  const TableHead head = read_csv_head(reader, source);
-  return read_rows(reader, head, columns);
+  return read_rows(reader, find_head(reader, {columns.time, columns.x, columns.z}), columns);
 }
 
 }  // namespace slosh

@@ -1,5 +1,5 @@
 // Reads the positions of particles at one time or more from a table that any program can write:
-// names in the first line, then a row for each particle. The rows of one time follow one another.
+// a line with names, then a row for each particle. The rows of one time follow one another.
 #pragma once
 
 #include <filesystem>

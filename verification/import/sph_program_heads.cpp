@@ -7,10 +7,11 @@
 //
 // SPHinXsys: the files of observed and reduced quantities (io_observation.h, io_plt.cpp). Names are
 // in quotes with blanks between them, the first is "run_time" in s. A program that is restarted
-// writes its head again, which is refused at that line.
+// writes its head again.
 #include <algorithm>
 
-#include "verification/import/table_head.hpp"
+#include "verification/case/case_definition.hpp"
+#include "verification/input/table_head.hpp"
 
 namespace slosh {
 namespace {
@@ -23,7 +24,7 @@ std::vector<MarkOfNone> marks_of_surface_gauge(const TableHead& head) {
   const auto place = [&](const std::string& name) {
     return static_cast<std::size_t>(
         std::find_if(head.columns.begin(), head.columns.end(),
-                     [&](const ForeignColumn& column) { return column.name == name; }) -
+                     [&](const TableColumn& column) { return column.name == name; }) -
         head.columns.begin());
   };
   const std::size_t surface = place("swlz"), low = place("pos0z"), high = place("pos2z");
@@ -51,7 +52,7 @@ void refuse_part_as_whole(const TableReader& reader, const SeriesSource& source)
 
 TableHead read_dualsphysics_gauge_head(TableReader& reader, const SeriesSource& source) {
   const char separator = semicolon_or_comma(reader.line());
-  TableHead head{columns_of(reader.line(), separator), reader.line_number(), 0, separator};
+  TableHead head = head_of_line(reader, separator);
   if (head.columns.size() < 2 || head.columns[0].name != "time" || head.columns[0].unit != "s")
     reader.refuse("head", reader.line(),
                   "\"time [s]\" and more, as a gauge of DualSPHysics writes");
@@ -69,7 +70,8 @@ TableHead read_dualsphysics_points_head(TableReader& reader, const SeriesSource&
   while (is_position(reader.line()) && reader.next()) {
   }
   const char separator = semicolon_or_comma(reader.line());
-  TableHead head{columns_of(reader.line(), separator), reader.line_number(), 1, separator};
+  TableHead head = head_of_line(reader, separator);
+  head.time = 1;
   if (head.columns.size() < 3 || head.columns[0].name != "Part" || head.columns[1].name != "Time" ||
       head.columns[1].unit != "s")
     reader.refuse("head", reader.line(),
@@ -79,14 +81,10 @@ TableHead read_dualsphysics_points_head(TableReader& reader, const SeriesSource&
 }
 
 TableHead read_sphinxsys_head(TableReader& reader, const SeriesSource&) {
-  TableHead head;
-  for (std::string_view name : fields_of(reader.line(), ' ')) {
-    if (name.starts_with('"')) name.remove_prefix(1);
-    if (name.ends_with('"')) name.remove_suffix(1);
-    head.columns.push_back({std::string(name), head.columns.empty() ? "s" : ""});
-  }
+  TableHead head = head_of_line(reader, ' ');
   if (head.columns.size() < 2 || head.columns[0].name != "run_time")
     reader.refuse("head", reader.line(), "\"run_time\" and more, as SPHinXsys writes");
+  head.columns[0].unit = "s";
   reader.next();
   return head;
 }

@@ -3,12 +3,54 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/locale/utf.hpp>
 #include <charconv>
 #include <cmath>
 
 namespace slosh {
+namespace {
 
-TableReader::TableReader(const std::filesystem::path& file) : file_(file), stream_(file) { next(); }
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf", white = " \t";
+
+bool is_utf_16(std::string_view first_line) {
+  return first_line.starts_with("\xff\xfe") || first_line.starts_with("\xfe\xff") ||
+         (first_line.size() > 1 && (first_line[0] == '\0' || first_line[1] == '\0'));
+}
+
+bool is_mistaken(char32_t character) {
+  const auto within = [&](char32_t first, char32_t last) {
+    return character >= first && character <= last;
+  };
+  return (character < U' ' && character != U'\t') || within(0x7f, 0xa0) || character == 0xad ||
+         within(0x2000, 0x2015) || within(0x2028, 0x202f) || within(0x205f, 0x206f) ||
+         character == 0x2212 || character == 0x3000 || character == 0xfeff;
+}
+
+std::string with_code_points(std::string_view text) {
+  using Utf8 = boost::locale::utf::utf_traits<char>;
+  std::string shown;
+  for (auto at = text.begin(); at != text.end();) {
+    const auto begin = at;
+    const auto character = Utf8::decode(at, text.end());
+    if (!boost::locale::utf::is_valid_codepoint(character)) {
+      at = begin + 1;
+      shown += fmt::format("<byte {:02X}>", static_cast<unsigned char>(*begin));
+    } else if (is_mistaken(character)) {
+      shown += fmt::format("<U+{:04X}>", static_cast<unsigned>(character));
+    } else {
+      shown.append(begin, at);
+    }
+  }
+  return shown;
+}
+
+}  // namespace
+
+TableReader::TableReader(const std::filesystem::path& file) : file_(file), stream_(file) {
+  next();
+  if (is_utf_16(line_))
+    refuse("encoding", "UTF-16", "UTF-8, as iconv -f UTF-16 -t UTF-8 writes it");
+}
 
 bool TableReader::next() {
   if (!std::getline(stream_, line_)) {
@@ -17,25 +59,18 @@ bool TableReader::next() {
   }
   ++line_number_;
   if (line_.ends_with('\r')) line_.pop_back();
+  if (line_.starts_with(byte_order_mark)) line_.erase(0, byte_order_mark.size());
   return true;
 }
 
 double TableReader::number(std::string_view column, std::string_view text,
                            std::string_view unit) const {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    refuse(column, text, fmt::format("a number, in {}", unit));
-  return value;
-}
-
-void TableReader::add_time(std::string_view column, std::string_view text, std::string_view unit,
-                           std::vector<double>& times) const {
-  const double time = number(column, text, unit);
-  if (!times.empty() && time <= times.back())
-    refuse(column, text,
-           fmt::format("a number above the last row's {}, in {}", times.back(), unit));
-  times.push_back(time);
+  const std::optional<double> value = number_in(text);
+  if (value && std::isfinite(*value)) return *value;
+  refuse(column, text,
+         has_decimal_comma(text)
+             ? fmt::format("a number with a decimal point and no decimal comma, in {}", unit)
+             : fmt::format("a number, in {}", unit));
 }
 
 void TableReader::refuse(std::string_view key, std::string_view value,
@@ -43,16 +78,35 @@ void TableReader::refuse(std::string_view key, std::string_view value,
   throw table_error(file_, std::max(line_number_, 1), key, value, expected);
 }
 
+std::optional<double> number_in(std::string_view text) {
+  double value = 0;
+  const auto is_whole = [&value](std::string_view all) {
+    const auto [end, error] = std::from_chars(all.data(), all.data() + all.size(), value);
+    return error == std::errc{} && end == all.data() + all.size();
+  };
+  if (is_whole(text)) return value;
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  std::string plain(text);
+  if (const std::size_t exponent = plain.find_first_of("Dd"); exponent != plain.npos)
+    plain[exponent] = 'e';
+  return is_whole(plain) ? std::optional(value) : std::nullopt;
+}
+
+bool has_decimal_comma(std::string_view text) {
+  std::string with_point(text);
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return with_point != text && number_in(with_point);
+}
+
 std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
+  const std::size_t begin = std::min(text.find_first_not_of(white), text.size());
+  return text.substr(begin, text.find_last_not_of(white) + 1 - begin);
 }
 
 CaseFileError table_error(const std::filesystem::path& file, int line, std::string_view key,
                           std::string_view value, std::string_view expected) {
-  return CaseFileError(
-      fmt::format("{}:{}: {} = {}: expected {}", file.string(), line, key, value, expected));
+  return CaseFileError(fmt::format("{}:{}: {} = {}: expected {}", file.string(), line,
+                                   with_code_points(key), with_code_points(value), expected));
 }
 
 }  // namespace slosh

@@ -4,68 +4,87 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstddef>
+
+#include "verification/input/table_rows.hpp"
+#include "verification/input/units.hpp"
 
 namespace slosh {
 namespace {
 
 constexpr std::size_t least_rows = 4;  // what motion.hpp's spline and a comparison need
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    fields.push_back(trimmed(line.substr(0, comma)));
-    if (comma == line.npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
+TimeTable read_table(TableReader& reader, const TableHead& head, const SeriesPlaces& places) {
+  std::vector<TableSegment> segments = read_segments(reader, head, places);
+  if (segments.size() > 1)
+    throw table_error(reader.file(), segments[1].lines.front(), head.columns[places.time].name,
+                      fmt::format("{}", segments[1].time.front()),
+                      fmt::format("a number above the last row's {}, in {}",
+                                  segments[0].time.back(), places.time_unit));
+  TableSegment& rows = segments.front();
+  if (rows.time.size() < least_rows)
+    reader.refuse("rows", std::to_string(rows.time.size()), fmt::format("at least {}", least_rows));
+  return {places.name, std::move(rows.time), std::move(rows.value), std::move(rows.lines)};
 }
 
-TimeTable read_table(TableReader& reader, const TimeColumns& columns) {
-  const std::string header = reader.line();
-  const auto fields = fields_of(header);
-  const auto place = [&](const std::string& column) {
-    const auto found = std::find(fields.begin(), fields.end(), column);
-    if (found == fields.end())
-      reader.refuse("header", header,
-                    fmt::format("the columns {} and {}", columns.time, columns.value));
-    return static_cast<std::size_t>(found - fields.begin());
-  };
-  const std::size_t time = place(columns.time), value = place(columns.value);
-  TimeTable table{columns.value, {}, {}};
-  while (reader.next()) {
-    const auto row = fields_of(reader.line());
-    if (row.size() != fields.size())
-      reader.refuse("row", reader.line(),
-                    fmt::format("{} values with commas between them", fields.size()));
-    reader.add_time(columns.time, row[time], "s", table.time);
-    table.value.push_back(reader.number(columns.value, row[value], columns.value_unit));
-  }
-  if (table.time.size() < least_rows)
-    reader.refuse("rows", std::to_string(table.time.size()),
-                  fmt::format("at least {}", least_rows));
-  return table;
+// "displacement_m" of "displacement [m]" too.
+std::string written_name(const TableColumn& column) {
+  std::string name = column.unit.empty() ? column.name : column.name + "_" + column.unit;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+// The places of the columns of such a name.
+std::vector<std::size_t> places_of(const TableHead& head, const std::string& name) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < head.columns.size(); ++i)
+    if (written_name(head.columns[i]) == written_name({name, ""})) places.push_back(i);
+  return places;
 }
 
 }  // namespace
 
 TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns) {
+  const auto found_in = [&](const TableHead& head) {
+    std::vector<SeriesPlaces> found;
+    for (const std::size_t time : places_of(head, "time_s"))
+      for (const std::string& column : columns)
+        for (const std::size_t place : places_of(head, column))
+          found.push_back({.time = time,
+                           .summands = {place},
+                           .name = column,
+                           .time_unit = "s",
+                           .unit = column.substr(column.find_last_of('_') + 1)});
+    return found;
+  };
   TableReader reader(file);
-  std::vector<std::string> headers;
-  for (const std::string& column : columns) {
-    headers.push_back("time_s," + column);
-    if (reader.line() == headers.back())
-      return read_table(reader, {"time_s", column, column.substr(column.find_last_of('_') + 1)});
-  }
-  reader.refuse(
-      "header", reader.line(),
-      fmt::format("{}{}", headers.size() == 1 ? "" : "one of ", fmt::join(headers, " | ")));
+  TableHead head = find_head(reader, [&](const TableHead& one) { return !found_in(one).empty(); });
+  const std::vector<SeriesPlaces> found = found_in(head);
+  if (found.size() != 1)
+    throw table_error(file, head.line, "header", head.text,
+                      fmt::format("time_s and {}{}", columns.size() == 1 ? "" : "one of ",
+                                  fmt::join(columns, ", ")));
+  head.time = found.front().time;
+  return read_table(reader, head, found.front());
 }
 
 TimeTable read_time_columns(const std::filesystem::path& file, const TimeColumns& columns) {
   TableReader reader(file);
-  return read_table(reader, columns);
+  TableHead head = find_head(reader, {columns.time, columns.value});
+  head.time = column_place(reader, head, "time_column", columns.time);
+  const std::size_t value = column_place(reader, head, "value_column", columns.value);
+  const TableColumn time = head.columns[head.time];
+  const std::string time_in_file = time.unit.empty() ? unit_at_end(time.name, "s") : time.unit;
+  const std::string time_unit =
+      agreed_unit(file, {"time_column", time_in_file.empty() ? "s" : "", "time", "s"}, time);
+  TimeTable table = read_table(reader, head,
+                               {.time = head.time,
+                                .summands = {value},
+                                .name = columns.value,
+                                .time_unit = time_unit,
+                                .unit = agreed_unit(file, columns.unit, head.columns[value])});
+  for (double& one : table.time) one *= si_value(time_unit, "s");
+  return table;
 }
 
 }  // namespace slosh

@@ -1,36 +1,39 @@
-// Reads CSV files of values over time: the project's own with the columns "time_s" and another
-// whose name ends in its unit (a tank's motion, a published record), and files of other origin,
-// whose columns the caller names.
+// Reads tables of values over time: the project's own with the columns "time_s" and another whose
+// name ends in its unit (a tank's motion, a published record), and those of other origin, whose
+// columns the caller names. Their text may be as that of any program (table_head.hpp).
 #pragma once
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "verification/input/case_file_error.hpp"
-#include "verification/input/table_reader.hpp"
+#include "verification/input/table_head.hpp"
 
 namespace slosh {
 
 struct TimeTable {
   std::string column;               // the value's name
-  std::vector<double> time, value;  // [s] and the column's unit; the first row is on line 2
+  std::vector<double> time, value;  // [s] and the column's unit
+  std::vector<int> lines;           // of the rows, for messages
 };
 
-// The columns to read, by their names in the first line of the file.
+// The columns to read, by their names in the file. The times are in the unit that their column
+// gives, else in s.
 struct TimeColumns {
   std::string time, value;
-  std::string value_unit;  // for messages
+  ToldUnit unit;  // of the values
 };
 
-// Both throw CaseFileError with the CSV file's file:line unless the table has at least four rows (a
-// spline needs them), finite numbers and strictly increasing times.
+// Both throw CaseFileError with the table's file:line unless it has at least four rows (a spline
+// needs them), finite numbers and strictly increasing times.
 
-// Reads a file of two columns: "time_s" and one of those given.
+// Reads "time_s" and the one that the file has of the columns given. A name may have its unit in
+// brackets: "time [s]" is "time_s".
 TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns);
-// Reads two columns of a file with any columns.
+// Reads two columns of a file with any columns. Throws CaseFileError too where the file gives
+// another unit than the told one.
 TimeTable read_time_columns(const std::filesystem::path& file, const TimeColumns& columns);
 
 }  // namespace slosh

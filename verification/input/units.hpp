@@ -22,4 +22,13 @@ std::vector<std::string> unit_names(const std::string& si_unit);
 // Returns the value of a unit in the SI unit. Throws std::invalid_argument for an unknown unit.
 double si_value(const std::string& unit, const std::string& si_unit);
 
+// Returns the unit as it is written here, where laboratories write it otherwise: "mBar", "sec".
+std::string unit_spelt(const std::string& unit);
+
+// Whether the text is a unit: one of those above or one that is only recognised, as psi.
+bool is_unit(const std::string& text);
+
+// Returns the unit of this kind with which a name ends, "kPa" of "p_kPa"; else the empty text.
+std::string unit_at_end(const std::string& name, const std::string& si_unit);
+
 }  // namespace slosh

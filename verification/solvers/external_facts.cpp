@@ -185,4 +185,11 @@ void add_stored_facts(const fs::path& file, double duration, RunResult& result) 
   }
 }
 
+void add_imported(ImportedSeries imported, RunResult& result) {
+  if (!imported.seams.empty())
+    result.provenance[seams_of + imported.series.name] =
+        fmt::format("{}", fmt::join(imported.seams, "; "));
+  result.series.push_back(std::move(imported.series));
+}
+
 }  // namespace slosh

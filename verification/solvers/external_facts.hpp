@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "verification/import/import_series.hpp"
 #include "verification/results/result_file.hpp"
 
 namespace slosh {
@@ -39,5 +40,9 @@ void add_external_facts(const std::filesystem::path& file, const RunCost& taken,
 // times are multiplied by the duration over the simulated time. Throws CaseFileError as above, and
 // where the run simulated less than the duration.
 void add_stored_facts(const std::filesystem::path& file, double duration, RunResult& result);
+
+// Adds the series, and its seams to the provenance, as "seams_of_elevation@right".
+inline const std::string seams_of = "seams_of_";
+void add_imported(ImportedSeries imported, RunResult& result);
 
 }  // namespace slosh

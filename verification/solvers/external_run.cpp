@@ -20,12 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TimeSeries series_left(const SeriesSource& declared, const fs::path& work_directory,
-                       const fs::path& log) {
+ImportedSeries series_left(const SeriesSource& declared, const fs::path& work_directory,
+                           const fs::path& log) {
   SeriesSource source = declared;
   source.file = work_directory / declared.file;
   try {
-    return import_series(source);
+    return import_with_seams(source);
   } catch (const CaseFileError& error) {
     throw program_failure(source.quantity + ": " + error.what(), log);
   } catch (const ResultError& error) {
@@ -119,7 +119,7 @@ RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
   require_no_match(external.fail_on, log);
 
   for (const SeriesSource& source : external.series)
-    result.series.push_back(series_left(source, directory, log));
+    add_imported(series_left(source, directory, log), result);
   take_facts(external, directory, log, taken, result);
   result.active_terms = {"external program " + fs::path(command.front()).filename().string()};
   if (!version.empty()) result.provenance["external_version"] = version;

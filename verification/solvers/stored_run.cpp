@@ -1,5 +1,6 @@
 // Reads the series and the facts of a result that another code left elsewhere.
 #include "verification/import/import_series.hpp"
+#include "verification/input/series_files.hpp"
 #include "verification/solvers/external_facts.hpp"
 #include "verification/solvers/solver_runs.hpp"
 
@@ -14,7 +15,7 @@ void require_scene(const StoredRun& stored, const CaseDefinition&, const RunDefi
 RunResult run_solver(const StoredRun& stored, const RunRequest& request) try {
   require_scene(stored, request.definition, request.run);
   RunResult result;
-  for (const SeriesSource& source : stored.series) result.series.push_back(import_series(source));
+  for (const SeriesSource& source : stored.series) add_imported(import_with_seams(source), result);
   add_stored_facts(stored.facts, request.definition.duration, result);
   result.active_terms = {"stored result of " + result.provenance.at("stored_software")};
   request.progress(request.definition.duration, result.cost.steps);
@@ -25,7 +26,8 @@ RunResult run_solver(const StoredRun& stored, const RunRequest& request) try {
 
 std::vector<std::filesystem::path> stored_files(const StoredRun& stored) {
   std::vector<std::filesystem::path> files{stored.facts};
-  for (const SeriesSource& source : stored.series) files.push_back(source.file);
+  for (const SeriesSource& source : stored.series)
+    for (const std::filesystem::path& file : series_files(source.file)) files.push_back(file);
   return files;
 }
 

@@ -135,6 +135,21 @@ void doubt_times(const CaseDefinition& definition, Doubts& doubts) {
   }
 }
 
+// A record that begins within a sample of the window covers it.
+void doubt_begin_of(const RunDefinition& run, const RecordRun& record,
+                    const CaseDefinition& definition, Doubts& doubts) {
+  const std::vector<double>& time = record.time;
+  if (time.size() < 2) return;
+  const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  if (time.front() > definition.window_begin + interval)
+    doubts.push_back(
+        fmt::format("run {}: the record begins at {:.6g} s, after the comparison's window, which "
+                    "begins at {:g} s: {}",
+                    run.name, time.front(), definition.window_begin,
+                    time.front() < definition.window_end ? "rows on it judge what follows alone"
+                                                         : "no row on it can be judged"));
+}
+
 void doubt_references(const CaseDefinition& definition, const CaseRuns& theories, Doubts& doubts) {
   if (definition.gate.empty())
     doubts.push_back("gate: there is no row: the case is only shown, and cannot fail");
@@ -153,6 +168,7 @@ void doubt_references(const CaseDefinition& definition, const CaseRuns& theories
     if (record && !record->supplied && rows > 0)
       doubts.push_back(
           fmt::format("run {}: the record is not supplied: {} gate rows need it", run.name, rows));
+    if (record) doubt_begin_of(run, *record, definition, doubts);
     const auto found = theories.results.find(run.name);
     if (found == theories.results.end()) continue;
     if (const auto outside = outside_validity(definition, run, found->second))

@@ -10,19 +10,16 @@
 namespace slosh {
 namespace {
 
-constexpr int first_line = 2;  // of the data
-
 TimeTable read_whole_motion(const std::filesystem::path& file, const std::string& column,
                             double duration) {
   TimeTable table = read_time_table(file, {column});
-  const int last_line = first_line - 1 + static_cast<int>(table.time.size());
   if (table.time.front() != 0) {
-    throw table_error(file, first_line, "time_s", fmt::format("{}", table.time.front()),
+    throw table_error(file, table.lines.front(), "time_s", fmt::format("{}", table.time.front()),
                       "0 in the first row, in s");
   }
   if (table.time.back() < duration) {
     throw table_error(
-        file, last_line, "time_s", fmt::format("{}", table.time.back()),
+        file, table.lines.back(), "time_s", fmt::format("{}", table.time.back()),
         fmt::format("a last time of at least the case's duration ({}), in s", duration));
   }
   return table;
@@ -38,8 +35,8 @@ TableMotion read_surge_table(const std::filesystem::path& file, double duration)
 TableMotion read_roll_table(const std::filesystem::path& file, double duration) {
   TimeTable table = read_whole_motion(file, "angle_deg", duration);
   const auto refuse = [&](std::size_t row, const std::string& expected) {
-    throw table_error(file, first_line + static_cast<int>(row), "angle_deg",
-                      fmt::format("{}", table.value[row]), expected);
+    throw table_error(file, table.lines[row], "angle_deg", fmt::format("{}", table.value[row]),
+                      expected);
   };
   if (std::abs(table.value.front()) > level_angle)
     refuse(0, fmt::format("0 to within {} in the first row, in deg: the tank starts level",

@@ -63,8 +63,8 @@ TEST(RecordOfACase, IsRefusedByItsOwnLine) {
   const std::string head = "time_s,front_position_m\n";
   const std::vector<std::pair<std::string, std::string>> records{
       {"t,x\n",
-       "front.csv:1: header = t,x: expected one of time_s,front_position_m | "
-       "time_s,elevation@right_m | time_s,elevation@left_m | time_s,force_x_N/m | "},
+       "front.csv:1: header = t,x: expected time_s and one of front_position_m, "
+       "elevation@right_m, elevation@left_m, force_x_N/m, "},
       {"time_s,front_position_mm\n", "front.csv:1: header = time_s,front_position_mm: expected"},
       {"time_s,elevation@middle_m\n", "front.csv:1: header = time_s,elevation@middle_m: expected"},
       {head + "0,1\n1,2\n2,3\n", "front.csv:4: rows = 3: expected at least 4"},

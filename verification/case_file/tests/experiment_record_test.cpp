@@ -93,17 +93,18 @@ TEST(ExperimentRecord, IsNotSuppliedWhereNoDirectoryIsNamedOrTheFileIsNotThere) 
 
 TEST(ExperimentRecord, IsRefusedByItsOwnLine) {
   const std::vector<std::pair<std::string, std::string>> records{
-      {"", "probe.csv:1: header = : expected the columns t_s and p"},
-      {"t,p\n", "probe.csv:1: header = t,p: expected the columns t_s and p"},
+      {"", "probe.csv:1: head = : expected a line with the columns' names above the numbers"},
+      {"t,p\n",
+       "probe.csv:1: time_column = t_s: expected one of the file's 2 columns; nearest: t"},
       {"t_s,p\n0,1\n1,2\n2,3\n", "probe.csv:4: rows = 3: expected at least 4"},
       {"t_s,p\n0,1\n1,x\n", "probe.csv:3: p = x: expected a number, in kPa"},
       {"t_s,p\n0,1\n1,nan\n", "probe.csv:3: p = nan: expected a number, in kPa"},
-      {"t_s,p\n0,1\n1,\n", "probe.csv:3: p = : expected a number, in kPa"},
+      {"t_s,p\n0,1\n1,\n", "probe.csv:3: row = 1,: expected 2 values"},
       {"t_s,p\n0,1\nx,2\n", "probe.csv:3: t_s = x: expected a number, in s"},
       {"t_s,p\n0,1\n0,2\n", "probe.csv:3: t_s = 0: expected a number above the last row's 0, in s"},
       {"t_s,p\n1,1\n0,2\n", "probe.csv:3: t_s = 0: expected a number above the last row's 1"},
-      {"t_s,p\n0,1,2\n", "probe.csv:2: row = 0,1,2: expected 2 values with commas between them"},
-      {"t_s,p\n0,1\n\n", "probe.csv:3: row = : expected 2 values"}};
+      {"t_s,p\n0,1,2\n", "probe.csv:2: row = 0,1,2: expected 2 values"},
+      {"t_s,p\n0,1\n\n", "probe.csv:3: rows = 1: expected at least 4"}};
   for (const auto& [csv, wanted] : records) {
     const std::string message = complaint_about_record(experiment, csv);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;

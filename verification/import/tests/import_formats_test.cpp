@@ -199,6 +199,53 @@ TEST(ImportFormats, ReadObservedAndReducedQuantitiesOfSphinxsys) {
   expect_wave(import_series(force), 3000, 0, 1e-6);
 }
 
+TEST(ImportFormats, ReadTheForcesOfOpenFoamOrgAndTheirSums) {
+  const std::string file = "openfoam_org/forces/0.6/forces.dat";
+  const auto of = [&](const char* quantity, const char* column, const char* unit) {
+    return import_series(source(quantity, file, "openfoam_forces", column, unit)).value.front();
+  };
+  const double first = wave(0.65);
+  EXPECT_NEAR(of("force_x", "force_pressure_x", "N/m"), 2900 * first, 1e-4);
+  EXPECT_NEAR(of("force_x", "force_total_x", "N/m"), 3000 * first, 1e-4);
+  EXPECT_NEAR(of("force_z", "force_total_z", "N/m"), -3433.5, 1e-9);
+  EXPECT_NEAR(of("moment", "moment_total_y", "N"), 520 * first, 1e-4);
+}
+
+TEST(ImportFormats, StitchTheTimeFoldersOfOpenFoam) {
+  for (const char* path : {"openfoam_org/forces", "openfoam_org/forces/forces.dat"}) {
+    const SeriesSource folders = source("force_x", path, "openfoam_forces", "force_total_x", "N/m");
+    const ImportedSeries imported = import_with_seams(folders);
+    expect_wave(imported.series, 3000, 0, 1e-3);
+    EXPECT_EQ(imported.series.time.size(), 24u);
+    const std::string seam = (samples / "openfoam_org/forces/0.6/forces.dat").string() +
+                             ":4: takes over at 0.65 s; the 4 values up to 0.8 s before it are "
+                             "left out";
+    EXPECT_EQ(imported.seams, std::vector<std::string>{seam}) << path;
+  }
+}
+
+TEST(ImportFormats, ReadTheGaugesOfProteusAndKratosAsTables) {
+  const auto of = [](const char* quantity, const char* file, const char* column, const char* time,
+                     const char* unit) {
+    SeriesSource table = source(quantity, file, "csv", column, unit);
+    table.time_column = time;
+    table.time_unit = "s";
+    return table;
+  };
+  expect_wave(
+      import_series(of("pressure@p", "proteus/point_gauges.csv", "p [1 0.1 0]", "time", "Pa")),
+      9810, 2452.5, 1e-6);
+  SeriesSource height = of("elevation@right", "proteus/column_gauges.csv",
+                           "vof [0.95 0 0] - [0.95 1 0]", "time", "m");
+  height.scale = -1;  // of the gas above
+  height.offset = 0.65;
+  expect_wave(import_series(height), 1, 0, 1e-9);
+  expect_wave(import_series(of("pressure@p", "kratos/point_output.dat", "PRESSURE", "time", "Pa")),
+              9810, 2452.5, 1e-6);
+  expect_wave(import_series(of("elevation@right", "kratos/gauge_0.95.dat", "Height", "Time", "m")),
+              1, 0, 1e-6);
+}
+
 TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
   const TemporaryDirectory directory;
   const fs::path file = directory.path() / "probes.h5";
@@ -220,6 +267,61 @@ TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
   const TimeSeries bare = import_series(of);
   EXPECT_EQ(bare.time, time);
   EXPECT_DOUBLE_EQ(bare.value[3], 0.07);
+}
+
+// A data set of this shape, with a unit of fixed length as h5py and MATLAB write it.
+void write_in_shape(hid_t file, const char* name, std::vector<hsize_t> shape,
+                    const std::string& unit) {
+  const hdf5::Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                           H5Sclose, "a space");
+  const hdf5::Handle set(
+      H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose, "a data set");
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i) + 1;
+  H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  const hdf5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a type");
+  H5Tset_size(type, 8);
+  const hsize_t one = 1;
+  const hdf5::Handle single(H5Screate_simple(1, &one, nullptr), H5Sclose, "a space");
+  const hdf5::Handle attribute(H5Acreate2(set, "units", type, single, H5P_DEFAULT, H5P_DEFAULT),
+                               H5Aclose, "an attribute");
+  std::string text = unit;
+  text.resize(8);
+  H5Awrite(attribute, type, text.data());
+}
+
+TEST(ImportFormats, ReadRowsAndColumnsOfHdf5WithTheirUnitsOfFixedLength) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "probes.h5";
+  {
+    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                            H5Fclose, "make a file");
+    write_in_shape(root, "t", {1, 4}, "ms");
+    write_in_shape(root, "p", {4, 1, 1}, "kPa  ");
+    write_in_shape(root, "field", {2, 2}, "Pa");
+  }
+  SeriesSource of{.quantity = "wall_pressure@p",
+                  .file = file,
+                  .format = "hdf5",
+                  .column = "/p",
+                  .time_column = "/t"};
+  EXPECT_EQ(import_series(of).value, (std::vector<double>{1000, 2000, 3000, 4000}));
+  EXPECT_DOUBLE_EQ(import_series(of).time[1], 0.002);
+  const auto complaint = [](const SeriesSource& wrong) {
+    try {
+      import_series(wrong);
+      return std::string();
+    } catch (const CaseFileError& error) {
+      return std::string(error.what());
+    }
+  };
+  of.unit = "Pa";
+  EXPECT_EQ(complaint(of), file.string() + ": unit = Pa: expected kPa, as the file says");
+  EXPECT_EQ(complaint(of_column("/field", of)),
+            file.string() +
+                ": column = /field: expected a data set of one row or column, not of "
+                "2 x 2");
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(Tables, ThatCannotBeReadToTheirEndAreNoShorterOnes) {
            [&] { read_peak_table(directory.path()); },
            [&] { read_time_table(directory.path(), {"displacement_m"}); },
            [&] {
-             read_time_columns(directory.path(), {"t_s", "p_Pa", "Pa"});
+             read_time_columns(directory.path(), {"t_s", "p_Pa", {"unit", "Pa", "pressure", "Pa"}});
            }}) {
     try {
       read();

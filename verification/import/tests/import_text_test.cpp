@@ -1,0 +1,283 @@
+// The texts that programs and laboratories really write: read alike by imports, records and tables
+// of motions, or refused by their line with the reason.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "verification/import/import_series.hpp"
+#include "verification/input/case_file_error.hpp"
+#include "verification/input/time_table.hpp"
+#include "verification/results/result_file.hpp"
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh::import_text_test {
+namespace {
+
+SeriesSource csv(const std::filesystem::path& file) {
+  return {.quantity = "wall_pressure@b",
+          .file = file,
+          .format = "csv",
+          .column = "p",
+          .time_column = "t"};
+}
+
+using Change = std::function<void(SeriesSource&)>;
+
+const Change as_it_is = [](SeriesSource&) {};
+
+Change units(const std::string& time, const std::string& value) {
+  return [=](SeriesSource& source) {
+    source.time_unit = time;
+    source.unit = value;
+  };
+}
+
+Change columns(const std::string& time, const std::string& value) {
+  return [=](SeriesSource& source) {
+    source.time_column = time;
+    source.column = value;
+  };
+}
+
+template <class Read>
+std::string complaint_of(const Workspace& workspace, Read read) {
+  std::string message;
+  try {
+    read();
+  } catch (const std::runtime_error& error) {
+    message = error.what();
+  }
+  const std::string directory = workspace.path().string() + "/";
+  for (std::size_t at; (at = message.find(directory)) != message.npos;)
+    message.erase(at, directory.size());
+  return message;
+}
+
+std::string complaint_of(const std::string& text, const Change& change) {
+  const Workspace workspace;
+  SeriesSource source = csv(workspace.write("a.csv", text));
+  change(source);
+  return complaint_of(workspace, [&] { import_series(source); });
+}
+
+// Each holds 1000, 2000, 3000 and 4000 Pa at 0, 0.5, 1 and 1.5 s.
+TEST(ImportText, IsReadInEachOfTheseForms) {
+  struct Form {
+    std::string text;
+    Change change = as_it_is;
+  };
+  const std::string rows = "0 1\n0.5 2\n1 3\n1.5 4\n";
+  const std::vector<Form> forms{
+      {"t [s] p [kPa]\n" + rows},
+      {"t[s] p[kPa]\n" + rows},
+      {"t (s), p (kPa)\n0,1\n0.5,2\n1,3\n1.5,4\n"},
+      {"t(s);p(kPa)\n0;1\n0.5;2\n1;3\n1.5;4\n"},
+      {"t_s,p_kPa\n0,1\n0.5,2\n1,3\n1.5,4\n", columns("t_s", "p_kPa")},
+      {"t [sec],p [mBar]\n0,10\n0.5,20\n1,30\n1.5,40\n"},
+      {"t [ms]\tp [N/m^2]\n0\t1e3\n500\t2e3\n1000\t3e3\n1500\t4e3\n"},
+      {"\xef\xbb\xbft [s];p [kPa]\r\n0;1\r\n0.5;2\r\n1;3\r\n1.5;4\r\n\r\n"},
+      {"# SPHERIC 10\n# 1 kHz, sensor 1\n#\n# t [s] p [kPa]\n" + rows},
+      {"% t [s] p [kPa]\n" + rows},
+      {"Sampling rate;1000\nSensor;p and t\n\nt [s];p [kPa]\n0;1\n0.5;2\n1;3\n1.5;4\n"},
+      {"time and p of run 5\nt p\n" + rows, units("s", "kPa")},
+      {"t [s]\tp, raw [bar]\tp [kPa]\n0\t7\t1\n0.5\t7\t2\n1\t7\t3\n1.5\t7\t4\n"},
+      {"t [s],p [kPa],u [0.5, 0.1, 0]\n0,1,7\n0.5,2,7\n1,3,7\n1.5,4,7\n"},
+      {"t [s];p [kPa]\n0.0D+00;1.0D+00\n+5.0E-01;+2.0E+00\n1.0d0;3\n1.5;4.0D0\n"},
+      {"t [s];p [kPa]\n0;1\n\n0.5;2\n   \n1;3\n# a remark\n1.5;4\n\n\n"},
+      {"\"t [s]\";\"p [kPa]\"\n\"0\";\"1\"\n0.5;2\n1;3\n1.5;4\n"},
+      {"t [s];p [kPa]\n0;1\n0.5;9\n0.7;9\nt [s];p [kPa]\n0.5;2\n1;3\n1.5;4\n"}};
+  for (const auto& [text, change] : forms) {
+    const Workspace workspace;
+    SeriesSource source = csv(workspace.write("a.csv", text));
+    change(source);
+    TimeSeries read;
+    EXPECT_EQ(complaint_of(workspace, [&] { read = import_series(source); }), "") << text;
+    EXPECT_EQ(read.time, (std::vector<double>{0, 0.5, 1, 1.5})) << text;
+    ASSERT_EQ(read.value.size(), 4u) << text;
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_NEAR(read.value[i], 1000 * (static_cast<double>(i) + 1), 1e-9) << text;
+  }
+}
+
+TEST(ImportText, IsRefusedWithTheReasonInEachOfTheseForms) {
+  struct Mistake {
+    std::string text, message;
+    Change change = as_it_is;
+  };
+  const std::string head = "t [s];p [kPa]\n", start = head + "0;1\n0.5;2\n1;3\n";
+  const std::vector<Mistake> mistakes{
+      {std::string("\xff\xfet\0;\0p\0\n\0", 10),
+       "a.csv:1: encoding = UTF-16: expected UTF-8, as iconv -f UTF-16 -t UTF-8 writes it"},
+      {std::string("\0t\0;\0p\0\n", 8), "a.csv:1: encoding = UTF-16: expected UTF-8"},
+      {start + "1.5;4", "a.csv:5: row = 1.5;4: expected an end of the line: the file may be cut"},
+      {start + "1,5;4\n",
+       "a.csv:5: t = 1,5: expected a number with a decimal point and no decimal comma, in s"},
+      {"t [s],p [kPa]\n0,1,2,5\n",
+       "a.csv:2: row = 0,1,2,5: expected 2 values, with decimal points and no decimal commas"},
+      {start + "1.5;\xe2\x88\x92"
+               "4\n",
+       "a.csv:5: p = <U+2212>4: expected a number, in kPa"},
+      {start + "1.5\xc2\xa0;4\n", "a.csv:5: t = 1.5<U+00A0>: expected a number, in s"},
+      {start + "1.5;4\xe2\x80\x8b\n", "a.csv:5: p = 4<U+200B>: expected a number, in kPa"},
+      {start + "1.5;4\x1a\n", "a.csv:5: p = 4<U+001A>: expected a number, in kPa"},
+      {start + "1.5;\xb5\n", "a.csv:5: p = <byte B5>: expected a number, in kPa"},
+      {start + "1.5;-999\n", "a.csv:5: p = -999: expected a value and not a mark of none, in kPa"},
+      {start + "1.5;-9999.0\n", "a.csv:5: p = -9999: expected a value and not a mark of none"},
+      {start + "1.5;-1e20\n", "a.csv:5: p = -1e20: expected a value and not a mark of none"},
+      {start + "1.5;1E+30\n", "a.csv:5: p = 1E+30: expected a value and not a mark of none"},
+      {head + "0;-999\n1;-999\n2;-999\n3;-999\n", "a.csv:2: p = -999: expected a value and not"},
+      {start + "0.7;4\n", "a.csv:5: t = 0.7: expected a number above the last row's 1, in s"},
+      {"# t p\n0 1\n# t q\n1 2\n",
+       "a.csv:3: head = # t q: expected the head of line 1 again: the columns must stay the same",
+       units("s", "kPa")},
+      {"0;1\n1;2\n", "a.csv:1: head = 0;1: expected a line with the columns' names above the"},
+      {"t [s];p[kPa]\n0;1\n", "a.csv: unit = Pa: expected kPa, as the file says", units("", "Pa")},
+      {"t [s];p (mbar)\n0;1\n", "a.csv: unit = Pa: expected mbar, as the file says",
+       units("", "Pa")},
+      {"t [s];p (psi)\n0;1\n", "a.csv: unit = psi: expected a unit of wall_pressure@b, one of Pa"},
+      {"t(ms);p [Pa]\n0;1\n", "a.csv: time_unit = s: expected ms, as the file says",
+       units("s", "")},
+      {"t [s];p_kPa\n0;1\n", "a.csv: unit = Pa: expected kPa, as the file says",
+       [](SeriesSource& source) {
+         source.column = "p_kPa";
+         source.unit = "Pa";
+       }},
+      {"t [s];p\n0;1\n", "a.csv: unit = Pa: expected kPa, as the column's name says",
+       [](SeriesSource& source) {
+         source.column = "p [kPa]";
+         source.unit = "Pa";
+       }}};
+  for (const auto& [text, message, change] : mistakes) {
+    const std::string got = complaint_of(text, change);
+    EXPECT_TRUE(got.starts_with(message)) << text << "\ngot:    " << got << "\nwanted: " << message;
+  }
+}
+
+// A signal may pass through the number.
+TEST(ImportText, HasNoMarkOfNoneWhereTheSeriesComesNearIt) {
+  EXPECT_EQ(complaint_of("t [s];p [Pa]\n0;-500\n1;-999\n2;-1400\n3;0\n", as_it_is), "");
+}
+
+TEST(ImportText, OfAMotionOrARecordIsReadAlike) {
+  const Workspace workspace;
+  const auto motion = [&](const std::string& text) {
+    return read_time_table(workspace.write("m.csv", text), {"displacement_m"});
+  };
+  const std::vector<double> time{0, 0.5, 1, 2}, value{0, 0.01, 0.02, 0.03};
+  for (const std::string& text : std::vector<std::string>{
+           "time_s,displacement_m\n0,0\n0.5,0.01\n1,0.02\n2,0.03\n",
+           "\xef\xbb\xbf# the rig's log\ntime_s;displacement_m\r\n0;0\r\n0.5;1.0D-02\r\n1;+0.02\r\n"
+           "2;0.03\r\n\r\n",
+           "time [s] displacement [m] load [N]\n0 0 7\n0.5 0.01 7\n1 0.02 7\n2 0.03 7\n"}) {
+    EXPECT_EQ(motion(text).time, time) << text;
+    EXPECT_EQ(motion(text).value, value) << text;
+  }
+  EXPECT_EQ(motion("# log\ntime_s displacement_m\n0 0\n\n1 0\n2 0\n3 0\n").lines,
+            (std::vector<int>{3, 5, 6, 7}));
+  const auto record = [&](const std::string& text, const std::string& unit) {
+    return read_time_columns(workspace.write("r.csv", text),
+                             {"t", "P1", {"unit", unit, "wall_pressure@b", "Pa"}});
+  };
+  const TimeTable read = record(
+      "# run 3\nt [ms]\tP1, left [V]\tP1 (kPa)\n0\t9\t1\n1\t9\t2\n2\t9\t3\n3\t9\t4\n", "kPa");
+  EXPECT_EQ(read.time, (std::vector<double>{0, 0.001, 0.002, 0.003}));
+  EXPECT_EQ(read.value, (std::vector<double>{1, 2, 3, 4}));
+}
+
+TEST(ImportText, OfAMotionOrARecordIsRefusedAlike) {
+  const std::string head = "time_s,displacement_m\n", rows = "0,0\n1,0\n2,0\n";
+  const std::vector<std::pair<std::string, std::string>> motions{
+      {head + rows + "3,0.12", "m.csv:5: row = 3,0.12: expected an end of the line"},
+      {head + rows + "3,-1e30\n", "m.csv:5: displacement_m = -1e30: expected a value and not a"},
+      {head + rows + head + "1,0\n2,0\n", "m.csv:6: time_s = 1: expected a number above the last"},
+      {"time [s],displacement [mm]\n" + rows,
+       "m.csv:1: header = time [s],displacement [mm]: expec"},
+      {"time_s;displacement_m\n0;0,5\n",
+       "m.csv:2: displacement_m = 0,5: expected a number with a decimal point"},
+      {std::string("\xff\xfet\0\n\0", 6), "m.csv:1: encoding = UTF-16: expected UTF-8"}};
+  for (const auto& [text, message] : motions) {
+    const Workspace workspace;
+    const auto file = workspace.write("m.csv", text);
+    const std::string got =
+        complaint_of(workspace, [&] { read_time_table(file, {"displacement_m"}); });
+    EXPECT_TRUE(got.starts_with(message)) << "got:    " << got << "\nwanted: " << message;
+  }
+  const Workspace workspace;
+  const auto file = workspace.write("r.csv", "t_s,p_kPa\n0,1\n1,2\n2,3\n3,4\n");
+  EXPECT_EQ(complaint_of(workspace,
+                         [&] {
+                           read_time_columns(file, {"t_s", "p_kPa", {"unit", "Pa", "p", "Pa"}});
+                         }),
+            "r.csv: unit = Pa: expected kPa, as the file says");
+}
+
+// A part takes the place of what the runs before it wrote from its first time on.
+TEST(ImportText, IsStitchedOfThePartsOfARestartedRun) {
+  const Workspace workspace;
+  const std::string head = "t [s];p [Pa]\n";
+  const auto a = workspace.write("a.csv", head + "0;1\n1;2\n2;9\n3;9\n"),
+             b = workspace.write("b.csv", head + "2;3\n3;4\n"),
+             c = workspace.write("c.csv", head + "4;5\n");
+  const ImportedSeries all = import_series(csv(a), {a, b, c});
+  EXPECT_EQ(all.series.time, (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(all.series.value, (std::vector<double>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(all.seams,
+            (std::vector<std::string>{
+                b.string() + ":2: takes over at 2 s; the 2 values up to 3 s before it are left out",
+                c.string() + ":2: goes on at 4 s after 3 s"}));
+  EXPECT_EQ(complaint_of(workspace,
+                         [&] {
+                           import_series(csv(a), {b, a});
+                         }),
+            "a.csv:2: time = 0: expected a part that begins at 2 or later, in s, as the one before "
+            "it");
+}
+
+TEST(ImportText, OfSphinxsysGoesOnBehindTheHeadOfItsRestart) {
+  const Workspace workspace;
+  const std::string head = "\"run_time\"   \"Height\"   \n";
+  SeriesSource source = csv(workspace.write(
+      "h.dat", head + "0   1   \n1   2   \n2   9   \n" + head + "2   3   \n3   4   \n"));
+  source.format = "sphinxsys";
+  source.quantity = "elevation@right";
+  source.column = "Height";
+  source.unit = "m";
+  source.time_column.clear();
+  const ImportedSeries imported = import_with_seams(source);
+  EXPECT_EQ(imported.series.value, (std::vector<double>{1, 2, 3, 4}));
+  ASSERT_EQ(imported.seams.size(), 1u);
+  EXPECT_NE(imported.seams[0].find("h.dat:6: takes over at 2 s"), std::string::npos)
+      << imported.seams[0];
+}
+
+TEST(ImportText, OfTimeFoldersIsThatOfTheNamedFile) {
+  const Workspace workspace;
+  const auto add = [&](const std::string& folder, const std::string& name,
+                       const std::string& rows) {
+    std::filesystem::create_directories(workspace.path() / folder);
+    workspace.write(folder + "/" + name, "# Time a b\n" + rows);
+  };
+  add("f/0", "force.dat", "0 1 1\n1 2 2\n");
+  add("f/0", "force_0.dat", "0 3 3\n1 4 4\n");  // begun anew
+  add("f/10", "force.dat", "11 6 6\n");
+  add("f/2.5", "force.dat", "3 5 5\n");
+  add("f/0", "moment.dat", "0 9 9\n");
+  SeriesSource source = csv(workspace.path() / "f/force.dat");
+  source.format = "openfoam_forces";
+  source.column = "a";
+  source.unit = "Pa";
+  source.time_column.clear();
+  const ImportedSeries imported = import_with_seams(source);
+  EXPECT_EQ(imported.series.time, (std::vector<double>{0, 1, 3, 11}));
+  EXPECT_EQ(imported.series.value, (std::vector<double>{3, 4, 5, 6}));
+  EXPECT_EQ(imported.seams.size(), 3u);
+  source.file = workspace.path() / "f";
+  EXPECT_EQ(complaint_of(workspace, [&] { import_series(source); }),
+            "file = f: expected one of its time folders' files, f/force.dat or f/moment.dat");
+  source.file = workspace.path() / "f/force.txt";
+  EXPECT_EQ(complaint_of(workspace, [&] { import_series(source); }),
+            "file = f/force.txt: expected a file; there is none");
+}
+
+}  // namespace
+}  // namespace slosh::import_text_test
