@@ -453,7 +453,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "A published series below the directory that `--experiments` or `SLOSH_EXPERIMENTS` names. "
        "Rows that need it are not compared where it is absent.",
        {{"experiment", "path below that directory", "yes", "A CSV file."},
-        {"time_column", "text", "yes", "The name of the column of times, in s."},
+        {"time_column", "text", "yes", "The name of the column of times, in s where the file does not say it."},
         {"value_column", "text", "yes", "The name of the column of values."},
         {"quantity", "compared quantity", "yes", "What the record measures."},
         {"unit", "unit of the quantity", "yes", "The unit of the values."},

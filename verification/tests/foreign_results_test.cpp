@@ -90,6 +90,21 @@ TEST_F(ForeignResults, AnImportIsRefusedByTheLineWhereItGoesWrong) {
   EXPECT_EQ(import_gauge("a.csv", {"--format", "gauge"}).status, 2);
 }
 
+TEST_F(ForeignResults, TheFilesOfARestartedRunAreOneSeriesWhoseSeamIsTold) {
+  write("a.csv", "time [s];swlz [m]\n0;0.35\n0.1;0.36\n0.2;9\n0.3;9\n");
+  write("b.csv", "time [s];swlz [m]\n0.2;0.37\n0.3;0.38\n0.4;0.39\n");
+  const Ended ended = import_gauge("a.csv", {"b.csv"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const std::string seam =
+      "b.csv:2: takes over at 0.2 s; the 2 values up to 0.3 s before it are "
+      "left out";
+  EXPECT_NE(ended.out.find("5 samples from 0 to 0.4 s"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find(seam), std::string::npos) << ended.out;
+  const RunResult result = read_result(directory() / "a.csv.h5");
+  EXPECT_NEAR(result.at("elevation@right").value[3], 0.03, 1e-12);
+  EXPECT_EQ(result.provenance.at("seams_of_elevation@right"), seam);
+}
+
 TEST_F(ForeignResults, NoImportScalesByNothingOrIsMovedByNoNumber) {
   write_gauge("a.csv", {});
   for (const char* scale : {"0", "nan", "inf", "-inf", "1e400", "two"}) {

@@ -119,6 +119,31 @@ TEST(CaseDoubts, AreOfARecordThatIsNotSupplied) {
   EXPECT_TRUE(doubts(definition, "run linear: the record is not supplied: 1 gate rows", {}));
 }
 
+TEST(CaseDoubts, AreOfARecordThatBeginsAfterTheWindow) {
+  CaseDefinition definition = sound_case();
+  RecordRun record{.file = {},
+                   .quantity = "elevation@right",
+                   .unit = "m",
+                   .time = {},
+                   .value = {},
+                   .uncertainty = {}};
+  const auto with_record_from = [&](double begin) {
+    record.time = {begin, begin + 0.5, begin + 1, begin + 1.5};
+    record.value = {0, 1, 0, 1};
+    definition.runs[0].solver = record;
+    return definition;
+  };
+  EXPECT_EQ(case_doubts(with_record_from(1.4), {}).size(), 0u) << "within a sample";
+  EXPECT_TRUE(doubts(with_record_from(3),
+                     "run linear: the record begins at 3 s, after the comparison's window, which "
+                     "begins at 1 s: rows on it judge what follows alone",
+                     {}));
+  EXPECT_TRUE(doubts(with_record_from(30),
+                     "run linear: the record begins at 30 s, after the comparison's window, which "
+                     "begins at 1 s: no row on it can be judged",
+                     {}));
+}
+
 TEST(CaseDoubts, AreOfAPressureThatTheoryDoesNotHave) {
   CaseDefinition definition = sound_case();
   definition.pressure_gauges = {{"high", Wall::left, 0.4}};

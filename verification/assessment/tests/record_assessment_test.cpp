@@ -91,6 +91,19 @@ TEST(RecordAssessment, ComparesOverWhatTheRecordCovers) {
   EXPECT_EQ(exit_status({assessment}), exit_pass);
 }
 
+TEST(RecordAssessment, SaysThatARecordCoversNothingOfTheWindow) {
+  CaseDefinition definition = dam_case();
+  for (double& time : std::get<RecordRun>(definition.runs[0].solver).time) time += 5;
+  const CaseAssessment assessment = assess(definition, dam_runs(front_series(0.01)));
+  for (const GateOutcome& outcome : assessment.gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+    EXPECT_NE(outcome.message.find(
+                  "published: the record covers 5.2 s to 5.8 s; expected a part of 0 s to 1 s"),
+              std::string::npos)
+        << outcome.message;
+  }
+}
+
 TEST(RecordAssessment, CountsTheRecordsUncertaintyForEveryMetric) {
   CaseDefinition definition = dam_case();
   definition.gate.push_back(front_row(Metric::time_lag, "s", 0.1));
