@@ -31,20 +31,12 @@ struct Units {
 };
 
 Units agreed_units(const SeriesSource& source, const TableColumn& time, const TableColumn& value) {
-  const auto told = [&](const std::string& key, const std::string& name, const std::string& unit) {
-    const std::string in_name = column_of(name).unit;
-    if (!unit.empty() && !in_name.empty() && unit_spelt(unit) != in_name)
-      refuse(source.file.string(), key, unit, in_name + ", as the column's name says");
-    return unit.empty() ? in_name : unit;
-  };
-  return {agreed_unit(
-              source.file,
-              {"time_unit", told("time_unit", source.time_column, source.time_unit), "time", "s"},
-              time),
-          agreed_unit(source.file,
-                      {"unit", told("unit", source.column, source.unit), source.quantity,
-                       unit_of(source.quantity)},
-                      value)};
+  return {
+      agreed_unit(source.file, {"time_unit", source.time_unit, "time", "s", source.time_column},
+                  time),
+      agreed_unit(source.file,
+                  {"unit", source.unit, source.quantity, unit_of(source.quantity), source.column},
+                  value)};
 }
 
 // The checks that a text table gets row by row.
@@ -99,8 +91,7 @@ void append_table(const FileFormat& format, const SeriesSource& source, Stitched
   read_numbers([&] {
     for (TableSegment& part :
          read_segments(reader, head,
-                       {.time = head.time,
-                       .summands = summands,
+                       {.summands = summands,
                        .name = summands.size() == 1 ? column.name : source.column,
                        .time_unit = units.time,
                        .unit = units.value}))

@@ -243,14 +243,19 @@ std::string agreed_unit(const std::filesystem::path& file, const ToldUnit& told,
     throw CaseFileError(fmt::format("{}: {} = {}: expected {}", file.string(), told.key,
                                     unit.empty() ? "(not given)" : unit, expected));
   };
+  const std::string in_name = column_of(told.column).unit;
   const std::string in_file =
       column.unit.empty() ? unit_at_end(column.name, told.si_unit) : column.unit;
-  const std::string unit = told.unit.empty() ? in_file : unit_spelt(told.unit);
+  const std::string said = told.unit.empty() ? in_name : unit_spelt(told.unit);
+  const std::string unit = said.empty() ? in_file : said;
   if (!is_known(unit))
     refuse(unit, fmt::format("a unit of {}, {}{}", told.of, known.size() == 1 ? "" : "one of ",
                              fmt::join(known, ", ")));
-  if (!in_file.empty() && in_file != unit && !is_known(in_file + "/m"))
-    refuse(unit, fmt::format("{}, as the file says", in_file));
+  const auto contradicts = [&](const std::string& other) {
+    return !other.empty() && other != unit && !is_known(other + "/m");
+  };
+  if (contradicts(in_name)) refuse(unit, in_name + ", as the column's name says");
+  if (contradicts(in_file)) refuse(unit, in_file + ", as the file says");
   return unit;
 }
 

@@ -80,9 +80,10 @@ std::vector<std::size_t> column_places(const TableReader& reader, const TableHea
 
 // What the user says of a column's unit.
 struct ToldUnit {
-  std::string key, unit;  // the unit is empty where nothing is said
-  std::string of;         // what has the unit, "elevation@right"
-  std::string si_unit;    // of that
+  std::string key, unit;    // the unit is empty where nothing is said
+  std::string of;           // what has the unit, "elevation@right"
+  std::string si_unit;      // of that
+  std::string column = {};  // as the user names it, which may be with its unit
 };
 
 // Returns the unit that the user or the file gives: in the column's unit, or at the end of its name

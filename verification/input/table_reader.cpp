@@ -105,8 +105,9 @@ std::string_view trimmed(std::string_view text) {
 
 CaseFileError table_error(const std::filesystem::path& file, int line, std::string_view key,
                           std::string_view value, std::string_view expected) {
-  return CaseFileError(fmt::format("{}:{}: {} = {}: expected {}", file.string(), line,
-                                   with_code_points(key), with_code_points(value), expected));
+  return CaseFileError(
+      fmt::format("{}:{}: {}", file.string(), line,
+                  with_code_points(fmt::format("{} = {}: expected {}", key, value, expected))));
 }
 
 }  // namespace slosh

@@ -52,8 +52,8 @@ bool has_decimal_comma(std::string_view text);
 // Returns the text without blanks and tabs at its ends.
 std::string_view trimmed(std::string_view text);
 
-// Returns the error for a mistake on a line of a table. Characters of the value that cannot be seen
-// or that look like a blank or a minus sign stand in it by their code points, "<U+00A0>".
+// Returns the error for a mistake on a line of a table. Characters that cannot be seen or that look
+// like a blank or a minus sign stand in it by their code points, "<U+00A0>".
 CaseFileError table_error(const std::filesystem::path& file, int line, std::string_view key,
                           std::string_view value, std::string_view expected);
 

@@ -22,16 +22,6 @@ bool stands_alone(double mark, const std::vector<double>& values) {
   });
 }
 
-double time_after(const TableReader& reader, const std::string& column, std::string_view text,
-                  const std::string& unit, const TableSegment& segment, bool may_go_back) {
-  const double time = reader.number(column, text, unit);
-  if (!may_go_back && !segment.time.empty() && time <= segment.time.back())
-    reader.refuse(
-        column, text,
-        fmt::format("a number above the last row's {}, in {}", segment.time.back(), unit));
-  return time;
-}
-
 double sum_of(const TableReader& reader, const std::vector<std::string_view>& fields,
               const SeriesPlaces& places) {
   double sum = 0;
@@ -65,36 +55,43 @@ bool TableRows::next() {
   while (!started_ || reader_.next()) {
     started_ = true;
     const std::string_view line = trimmed(reader_.line());
-    const bool is_head = !line.empty() && line == trimmed(head_.text);
+    if (line.empty()) continue;
+    const bool is_head = line == trimmed(head_.text);
+    if (!is_head && !is_comment(line)) {
+      fields_ = fields_of_row(reader_, head_);
+      return true;
+    }
     const std::string_view word = first_word(line);
-    if (!is_head && is_comment(line) && !word.empty() && word == first_word(head_.text))
+    if (!is_head && !word.empty() && word == first_word(head_.text))
       reader_.refuse(
           "head", line,
           fmt::format("the head of line {} again: the columns must stay the same", head_.line));
-    follows_head_ |= is_head || is_comment(line);
-    if (line.empty() || is_head || is_comment(line)) continue;
-    fields_ = fields_of_row(reader_, head_);
-    return true;
+    follows_head_ = true;
   }
   return false;
 }
 
 std::vector<TableSegment> read_segments(TableReader& reader, const TableHead& head,
                                         const SeriesPlaces& places) {
+  const std::string& time_name = head.columns[head.time].name;
   std::vector<TableSegment> segments(1);
   TableRows rows(reader, head);
   while (rows.next()) {
     const auto& fields = rows.fields();
-    const double time = time_after(reader, head.columns[head.time].name, fields[head.time],
-                                   places.time_unit, segments.back(), rows.follows_head());
+    const std::string_view text = fields[head.time];
+    const double time = reader.number(time_name, text, places.time_unit);
+    const std::vector<double>& before = segments.back().time;
+    const bool goes_back = !before.empty() && time <= before.back();
+    if (goes_back && !rows.follows_head())
+      reader.refuse(
+          time_name, text,
+          fmt::format("a number above the last row's {}, in {}", before.back(), places.time_unit));
     for (const MarkOfNone& one : head.marks)
       if (places.summands.front() == one.column && fields[one.column] == fields[one.mark])
         reader.refuse(places.name, fields[one.column], one.expected);
-    const double value = sum_of(reader, fields, places);
-    if (!segments.back().time.empty() && time <= segments.back().time.back())
-      segments.emplace_back();
+    if (goes_back) segments.emplace_back();
     segments.back().time.push_back(time);
-    segments.back().value.push_back(value);
+    segments.back().value.push_back(sum_of(reader, fields, places));
     segments.back().lines.push_back(reader.line_number());
   }
   refuse_marks(reader, segments, places);

@@ -37,10 +37,9 @@ struct TableSegment {
   std::vector<int> lines;  // of the rows
 };
 
-// Which columns the series are in. The units are those of messages.
+// Which columns the value of a series is in. The units are those of messages.
 struct SeriesPlaces {
-  std::size_t time;
-  std::vector<std::size_t> summands;  // of the value
+  std::vector<std::size_t> summands;
   std::string name, time_unit, unit;
 };
 

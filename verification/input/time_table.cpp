@@ -16,7 +16,7 @@ constexpr std::size_t least_rows = 4;  // what motion.hpp's spline and a compari
 TimeTable read_table(TableReader& reader, const TableHead& head, const SeriesPlaces& places) {
   std::vector<TableSegment> segments = read_segments(reader, head, places);
   if (segments.size() > 1)
-    throw table_error(reader.file(), segments[1].lines.front(), head.columns[places.time].name,
+    throw table_error(reader.file(), segments[1].lines.front(), head.columns[head.time].name,
                       fmt::format("{}", segments[1].time.front()),
                       fmt::format("a number above the last row's {}, in {}",
                                   segments[0].time.back(), places.time_unit));
@@ -47,25 +47,25 @@ TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns) {
   const auto found_in = [&](const TableHead& head) {
     std::vector<SeriesPlaces> found;
-    for (const std::size_t time : places_of(head, "time_s"))
-      for (const std::string& column : columns)
-        for (const std::size_t place : places_of(head, column))
-          found.push_back({.time = time,
-                           .summands = {place},
-                           .name = column,
-                           .time_unit = "s",
-                           .unit = column.substr(column.find_last_of('_') + 1)});
+    for (const std::string& column : columns)
+      for (const std::size_t place : places_of(head, column))
+        found.push_back({.summands = {place},
+                         .name = column,
+                         .time_unit = "s",
+                         .unit = column.substr(column.find_last_of('_') + 1)});
     return found;
   };
+  const auto has_series = [&](const TableHead& head) {
+    return places_of(head, "time_s").size() == 1 && found_in(head).size() == 1;
+  };
   TableReader reader(file);
-  TableHead head = find_head(reader, [&](const TableHead& one) { return !found_in(one).empty(); });
-  const std::vector<SeriesPlaces> found = found_in(head);
-  if (found.size() != 1)
+  TableHead head = find_head(reader, has_series);
+  if (!has_series(head))
     throw table_error(file, head.line, "header", head.text,
                       fmt::format("time_s and {}{}", columns.size() == 1 ? "" : "one of ",
                                   fmt::join(columns, ", ")));
-  head.time = found.front().time;
-  return read_table(reader, head, found.front());
+  head.time = places_of(head, "time_s").front();
+  return read_table(reader, head, found_in(head).front());
 }
 
 TimeTable read_time_columns(const std::filesystem::path& file, const TimeColumns& columns) {
@@ -73,16 +73,17 @@ TimeTable read_time_columns(const std::filesystem::path& file, const TimeColumns
   TableHead head = find_head(reader, {columns.time, columns.value});
   head.time = column_place(reader, head, "time_column", columns.time);
   const std::size_t value = column_place(reader, head, "value_column", columns.value);
-  const TableColumn time = head.columns[head.time];
-  const std::string time_in_file = time.unit.empty() ? unit_at_end(time.name, "s") : time.unit;
+  const TableColumn& time = head.columns[head.time];
+  const bool is_told = !time.unit.empty() || !unit_at_end(time.name, "s").empty();
   const std::string time_unit =
-      agreed_unit(file, {"time_column", time_in_file.empty() ? "s" : "", "time", "s"}, time);
+      agreed_unit(file, {"time_column", is_told ? "" : "s", "time", "s", columns.time}, time);
+  ToldUnit told = columns.unit;
+  told.column = columns.value;
   TimeTable table = read_table(reader, head,
-                               {.time = head.time,
-                                .summands = {value},
+                               {.summands = {value},
                                 .name = columns.value,
                                 .time_unit = time_unit,
-                                .unit = agreed_unit(file, columns.unit, head.columns[value])});
+                                .unit = agreed_unit(file, told, head.columns[value])});
   for (double& one : table.time) one *= si_value(time_unit, "s");
   return table;
 }

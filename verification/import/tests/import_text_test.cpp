@@ -121,6 +121,8 @@ TEST(ImportText, IsRefusedWithTheReasonInEachOfTheseForms) {
       {start + "1.5;4\xe2\x80\x8b\n", "a.csv:5: p = 4<U+200B>: expected a number, in kPa"},
       {start + "1.5;4\x1a\n", "a.csv:5: p = 4<U+001A>: expected a number, in kPa"},
       {start + "1.5;\xb5\n", "a.csv:5: p = <byte B5>: expected a number, in kPa"},
+      {"t [s];\xe2\x80\x8bp [kPa]\n0;1\n",
+       "a.csv:1: column = p: expected one of the file's 2 columns; nearest: t, <U+200B>p"},
       {start + "1.5;-999\n", "a.csv:5: p = -999: expected a value and not a mark of none, in kPa"},
       {start + "1.5;-9999.0\n", "a.csv:5: p = -9999: expected a value and not a mark of none"},
       {start + "1.5;-1e20\n", "a.csv:5: p = -1e20: expected a value and not a mark of none"},
