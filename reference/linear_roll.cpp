@@ -1,13 +1,15 @@
 // This file sums the modes, with p_n' = eta_n''/(lambda_n T_n), eta_n'' = zeta_n'' - c_n theta'',
-// k_n = lambda_n T_n S_n - c_n and L = length. Integrated over the walls
-// and the bottom up to the still surface, the pressure of linear_roll.hpp gives
-//   F_x = -rho [L h g theta + L h (z0 + h/2) theta'' + sum 2 (-1)^n eta_n''/lambda_n^2],
-//   F_z = -rho L h (g - X0 theta''),
-//   M   = rho [g X0 L h + g theta (L^3/12 - L h (z0 + h/2)) + J theta''
-//              - sum a k_n eta_n''/(lambda_n T_n)],
-// where J is StokesJoukowski::wall_moment. Without a gas k_n is the coupling: it gives the moment
-// of a mode on the tank and the forcing of the mode by the tank's rotation. The moment of the
-// liquid's pressure on its walls depends on the gas through eta_n'' alone.
+// and L = length. Integrated over the walls and the bottom up to the still surface, the pressure of
+// linear_roll.hpp gives for the liquid, of the height H = h and on the side s = 1 of the surface,
+//   F_x = -rho [L H g theta + L H (z0 + s H/2) theta'' + s sum 2 (-1)^n eta_n''/lambda_n^2],
+//   F_z = -rho L H (g - X0 theta''),
+//   M   = rho [g X0 L H + g theta (s L^3/12 - L H (z0 + s H/2)) + J theta''
+//              - sum a k_n eta_n''/(lambda_n tanh(lambda_n H))],
+//   k_n = c_n (s z0 lambda_n tanh(lambda_n H) + 1 - 2/cosh(lambda_n H)),
+// where J is StokesJoukowski::wall_moment for an axis at s z0. A gas is a liquid that hangs from
+// the surface: it adds the same with its own rho and H, s = -1, and the roof in place of the
+// bottom. Without a gas k_n is the coupling: it gives the moment of a mode on the tank and the
+// forcing of the mode by the tank's rotation.
 //
 // Convergence is that of a surge (linear_surge.cpp), since the walls' mean motion is a surge by
 // z0 theta; the rest of the forcing is one power of n smoother. In the tank of Zhao et al. 2021
@@ -44,6 +46,14 @@ const RollMotion& checked(const RollMotion& motion) {
   return motion;
 }
 
+// The liquid, or the gas as a liquid that hangs from the surface.
+struct Layer {
+  double density, height, side;
+  double wall_moment;  // StokesJoukowski's
+
+  double mass(double length) const { return density * length * height; }
+};
+
 }  // namespace
 
 struct LinearRoll::Modes {
@@ -52,6 +62,7 @@ struct LinearRoll::Modes {
   double axis_x, axis_z;
   std::vector<TankMode> modes;
   StokesJoukowski rigid;
+  std::vector<Layer> layers;
   DuhamelModes waves;
 
   Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const RollMotion& motion,
@@ -63,7 +74,13 @@ struct LinearRoll::Modes {
         axis_z(motion.axis_z),
         modes(roll_modes(tank, gas, {start, axis_z, motion.rate(0)}, count)),
         rigid(tank, axis_x, axis_z),
-        waves(modes, {where, motion.acceleration, motion.duration, motion.step}) {}
+        layers{{tank.density, tank.fill_depth, 1, rigid.wall_moment()}},
+        waves(modes, {where, motion.acceleration, motion.duration, motion.step}) {
+    if (!gas) return;
+    const Tank hanging{tank.length, gas->height, tank.gravity, gas->density};
+    layers.push_back(
+        {gas->density, gas->height, -1, StokesJoukowski(hanging, axis_x, -axis_z).wall_moment()});
+  }
 
   struct Instant {
     double time, angle, acceleration;
@@ -141,16 +158,21 @@ std::vector<double> LinearRoll::pressure(double x, double z, std::span<const dou
 }
 
 LinearRoll::Force LinearRoll::force(double t) const {
-  const auto& [length, depth, gravity, density] = modes_->tank;
+  const double length = modes_->tank.length, gravity = modes_->tank.gravity;
   const auto now = modes_->at(t);
   double wave_part = 0;
   for (std::size_t n = 0; n < modes_->modes.size(); ++n) {
     const double lambda = modes_->modes[n].wave_number;
     wave_part += (n % 2 == 0 ? 2 : -2) * modes_->wave_acceleration(n, now) / (lambda * lambda);
   }
-  const double surge = gravity * now.angle + (modes_->axis_z + depth / 2) * now.acceleration;
-  return {-density * (length * depth * surge + wave_part),
-          -density * length * depth * (gravity - modes_->axis_x * now.acceleration)};
+  Force force{0, 0};
+  for (const Layer& layer : modes_->layers) {
+    const double arm = modes_->axis_z + layer.side * layer.height / 2;
+    force.x -= layer.mass(length) * (gravity * now.angle + arm * now.acceleration) +
+               layer.density * layer.side * wave_part;
+    force.z -= layer.mass(length) * (gravity - modes_->axis_x * now.acceleration);
+  }
+  return force;
 }
 
 LinearRoll::Velocity LinearRoll::velocity(double x, double z, double t) const {
@@ -172,20 +194,26 @@ LinearRoll::Velocity LinearRoll::velocity(double x, double z, double t) const {
 }
 
 double LinearRoll::moment(double t) const {
-  const auto& [length, depth, gravity, density] = modes_->tank;
+  const double length = modes_->tank.length, gravity = modes_->tank.gravity;
+  const double axis_x = modes_->axis_x, axis_z = modes_->axis_z;
   const auto now = modes_->at(t);
-  double wave_part = 0;
-  for (std::size_t n = 0; n < modes_->modes.size(); ++n) {
-    const TankMode& mode = modes_->modes[n];
-    const double lift = mode.wave_number * mode.depth_factor;  // lambda_n T_n
-    const double arm =
-        mode.line * (modes_->axis_z * lift + 1 - 2 / std::cosh(mode.wave_number * depth));
-    wave_part += length / 2 * arm * modes_->wave_acceleration(n, now) / lift;
+  double moment = 0;
+  for (const Layer& layer : modes_->layers) {
+    double wave_part = 0;
+    for (std::size_t n = 0; n < modes_->modes.size(); ++n) {
+      const TankMode& mode = modes_->modes[n];
+      const double depth = mode.wave_number * layer.height,
+                   lift = mode.wave_number * std::tanh(depth),
+                   arm = mode.line * (layer.side * axis_z * lift + 1 - 2 / std::cosh(depth));
+      wave_part += length / 2 * arm * modes_->wave_acceleration(n, now) / lift;
+    }
+    const double of_surface = layer.side * length * length * length / 12,
+                 stiffness =
+                     of_surface - length * layer.height * (axis_z + layer.side * layer.height / 2);
+    moment += layer.density * (gravity * (axis_x * length * layer.height + stiffness * now.angle) +
+                               layer.wall_moment * now.acceleration - wave_part);
   }
-  const double stiffness = length * length * length / 12 -  // of the free surface
-                           length * depth * (modes_->axis_z + depth / 2);
-  return density * (gravity * (modes_->axis_x * length * depth + stiffness * now.angle) +
-                    modes_->rigid.wall_moment() * now.acceleration - wave_part);
+  return moment;
 }
 
 }  // namespace slosh::reference

@@ -42,7 +42,8 @@ struct RollMotion {
 class LinearRoll {
  public:
   LinearRoll(const Tank& tank, Start start, const RollMotion& motion, int modes);
-  // The same with a gas, by two-layer theory. All results remain the liquid's.
+  // The same with a gas, by two-layer theory. Velocity and pressure remain the liquid's; force and
+  // moment are those of both.
   LinearRoll(const Tank& tank, const Gas& gas, Start start, const RollMotion& motion, int modes);
   ~LinearRoll();
   LinearRoll(LinearRoll&&) noexcept;
@@ -66,10 +67,11 @@ class LinearRoll {
   // to z are left out.
   std::vector<double> pressure(double x, double z, std::span<const double> times) const;
 
-  // Returns the force of the liquid on the tank along the tank's axes, per metre of width [N/m]. It
-  // integrates the pressure on the walls and the bottom up to the still surface; what the wave adds
-  // above that is of second order. The static part is included: the weight rho g length h in z, and
-  // what the tilt of gravity adds in x.
+  // Returns the force on the tank along the tank's axes, per metre of width [N/m]. It integrates
+  // the pressure of the liquid on the walls and the bottom up to the still surface, and that of a
+  // gas on the walls and the roof; what the wave adds is of second order. The static part is
+  // included: the weight, rho g length h of the liquid, in z, and what the tilt of gravity adds in
+  // x.
   struct Force {
     double x, z;
   };

@@ -5,7 +5,9 @@
 //   pressure  p = -rho (g z + X'' x + phi_t)
 //   force     F = integral over -h < z < 0 of p(a,z) - p(-a,z)
 //               = -rho (X'' L h + sum 2 (-1)^n eta_n''/lambda_n^2),
-// where F is minus the rate of change of the liquid's momentum in the earth's frame.
+// where F is minus the rate of change of the liquid's momentum in the earth's frame. A gas of
+// density rho_a and height h_a flows by -sum sin(lambda_n x) cosh(lambda_n(h_a-z))/(lambda_n
+// sinh(lambda_n h_a)) eta_n' and adds -rho_a (X'' L h_a - sum 2 (-1)^n eta_n''/lambda_n^2).
 //
 // Convergence. In a start at rest in the earth's frame the walls move off at X'(0). The liquid's
 // initial velocity then has a step at the walls and a logarithmic singularity in the corners, and
@@ -32,12 +34,14 @@ constexpr auto where = "LinearSurge";
 
 struct LinearSurge::Modes {
   Tank tank;
+  Gas gas;
   SurgeResponse response;
 
   template <class Motion>
   Modes(const Tank& tank, const std::optional<Gas>& gas, Start start, const Motion& motion,
         int count)
       : tank(tank),
+        gas(gas.value_or(Gas{0, 0})),
         response(
             where,
             surge_modes(tank, gas,
@@ -114,15 +118,15 @@ double LinearSurge::pressure(double x, double z, double t) const {
 }
 
 double LinearSurge::horizontal_force(double t) const {
-  const Tank& tank = modes_->tank;
-  const double time = modes_->response.checked_time(t);
+  const auto& [tank, gas, response] = *modes_;
+  const double time = response.checked_time(t);
   double wave_part = 0;
   modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
     const double lambda = modes_->modes()[n].wave_number;
     wave_part += (n % 2 == 0 ? 2 : -2) * state.acceleration / (lambda * lambda);
   });
-  return -tank.density *
-         (modes_->response.tank_acceleration(time) * tank.length * tank.fill_depth + wave_part);
+  const double mass = tank.length * (tank.density * tank.fill_depth + gas.density * gas.height);
+  return -(mass * response.tank_acceleration(time) + (tank.density - gas.density) * wave_part);
 }
 
 }  // namespace slosh::reference

@@ -29,8 +29,8 @@ class LinearSurge {
  public:
   LinearSurge(const Tank& tank, Start start, const SineSurge& motion, int modes);
   LinearSurge(const Tank& tank, Start start, const AnySurge& motion, int modes);
-  // The same with a gas, by two-layer theory. Velocity, pressure and force remain the liquid's; the
-  // pressure is that above the gas's at the middle of the still surface.
+  // The same with a gas, by two-layer theory. Velocity and pressure remain the liquid's, the
+  // pressure above the gas's at the middle of the still surface; the force is that of both.
   LinearSurge(const Tank& tank, const Gas& gas, Start start, const SineSurge& motion, int modes);
   LinearSurge(const Tank& tank, const Gas& gas, Start start, const AnySurge& motion, int modes);
   ~LinearSurge();
@@ -43,7 +43,7 @@ class LinearSurge {
   };
   Velocity velocity(double x, double z, double t) const;
   double pressure(double x, double z, double t) const;  // gauge [Pa], hydrostatic part included
-  double horizontal_force(double t) const;  // of the liquid on the tank, per metre of width [N/m]
+  double horizontal_force(double t) const;              // on the tank, per metre of width [N/m]
 
  private:
   struct Modes;

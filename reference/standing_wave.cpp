@@ -24,7 +24,8 @@ StandingWave::StandingWave(const Tank& tank, const std::optional<Gas>& gas, cons
       wave_(wave),
       wave_number_(wave.mode * std::numbers::pi / tank.length),
       angular_frequency_(gas ? natural_frequency(tank, *gas, wave.mode)
-                             : natural_frequency(tank, wave.mode)) {
+                             : natural_frequency(tank, wave.mode)),
+      density_difference_(tank.density - (gas ? gas->density : 0)) {
   require(std::isfinite(wave.amplitude), where, "amplitude", wave.amplitude, "a finite length, m");
 }
 
@@ -59,7 +60,7 @@ double StandingWave::pressure(double x, double z, double t) const {
 
 double StandingWave::horizontal_force(double t) const {
   const double between_walls = wave_.mode % 2 == 0 ? 0 : -2;
-  return tank_.density * acceleration(t) * between_walls / (wave_number_ * wave_number_);
+  return density_difference_ * acceleration(t) * between_walls / (wave_number_ * wave_number_);
 }
 
 }  // namespace slosh::reference

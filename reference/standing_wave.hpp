@@ -7,7 +7,8 @@
 //   velocity  grad phi,  phi = -A omega cos(k(x+a)) cosh(k(z+h)) / (k sinh kh) sin(omega t)
 //   pressure  p = -rho (g z + phi_t)
 //   force     F = integral over -h < z < 0 of p(a,z) - p(-a,z)
-//               = rho A omega^2 cos(omega t) ((-1)^m - 1) / k^2
+//               = rho A omega^2 cos(omega t) ((-1)^m - 1) / k^2; with a gas that of both, with
+//                 rho less the gas's density in place of rho
 // The solution is valid for k A << 1: in deep liquid a finite amplitude lowers the frequency by the
 // fraction (k A)^2 / 8 (Tadjbakhsh & Keller 1960). It superposes on the response to the tank's
 // motion (linear_surge.hpp, linear_roll.hpp).
@@ -39,7 +40,7 @@ class StandingWave {
   };
   Velocity velocity(double x, double z, double t) const;
   double pressure(double x, double z, double t) const;  // gauge [Pa], hydrostatic part included
-  double horizontal_force(double t) const;  // of the liquid on the tank, per metre of width [N/m]
+  double horizontal_force(double t) const;              // on the tank, per metre of width [N/m]
 
  private:
   double acceleration(double t) const;  // omega^2 A cos(omega t) [m/s2]
@@ -47,6 +48,7 @@ class StandingWave {
   Tank tank_;
   InitialWave wave_;
   double wave_number_, angular_frequency_;
+  double density_difference_;  // of liquid and gas [kg/m3]
 };
 
 // Returns cos(k (x + a)). Throws std::invalid_argument unless x lies between the tank's walls.

@@ -59,6 +59,18 @@ TEST(StandingWave, PushesTheTankByItsPressureOnTheWalls) {
   }
 }
 
+// Under a gas the force is minus the rate of change of both layers' momentum, which follows from
+// their common surface: (rho_w - rho_a) times the integral of x eta_tt. No pressure enters.
+TEST(StandingWave, PushesTheTankTogetherWithTheGas) {
+  const StandingWave wave(li_tank, Gas{.density = 600, .height = 0.3}, {1, 0.01});
+  const double d = 1e-3, t = 0.4;
+  const double rate = integral(-0.5, 0.5, 200, [&](double x) {
+    return x * (wave.elevation(x, t + d) - 2 * wave.elevation(x, t) + wave.elevation(x, t - d)) /
+           (d * d);
+  });
+  EXPECT_NEAR(wave.horizontal_force(t) / (-400 * rate), 1, 1e-5);
+}
+
 // By Euler's equation rho times the velocity's rate is minus the gradient of the pressure less the
 // hydrostatic one; at the start the liquid is at rest.
 TEST(StandingWave, MovesAsItsPressureAccelerates) {

@@ -73,11 +73,10 @@ class Layer {
   // The layer's polynomials at a place.
   Eigen::RowVectorXd at(double x, double z) const {
     const int n = degree_ + 1;
-    Eigen::RowVectorXd row(n * n - 1);
-    for (int r = 1; r < n * n; ++r)
-      row(r - 1) =
-          boost::math::legendre_p(r / n, x / a_) * boost::math::legendre_p(r % n, scaled(z));
-    return row;
+    Eigen::MatrixXd products(n, n);  // the order along z by that along x
+    for (int i = 0; i < n; ++i) products.col(i).setConstant(boost::math::legendre_p(i, x / a_));
+    for (int j = 0; j < n; ++j) products.row(j) *= boost::math::legendre_p(j, scaled(z));
+    return products.reshaped().tail(n * n - 1).transpose();
   }
 
   // The integral over the surface of each potential times P_m, m = 1, 2, ...: row m - 1.
@@ -118,6 +117,7 @@ class TwoLayerGalerkin {
       : tank_(tank),
         motion_(std::move(motion)),
         degree_(degree),
+        roof_(gas.height),
         liquid_(tank, tank.density, -tank.fill_depth, 0, motion_, degree),
         gas_(tank, gas.density, 0, gas.height, motion_, degree) {
     const Eigen::MatrixXd rise =
@@ -155,14 +155,21 @@ class TwoLayerGalerkin {
       sum += state_[m - 1] * boost::math::legendre_p(m, 2 * x / tank_.length);
     return sum;
   }
-  double pressure(double x, double z) const { return absolute(x, z) - absolute(0, 0); }
+  // In the liquid, or above the surface in the gas; 0 in the middle of the surface.
+  double pressure(double x, double z) const {
+    const Layer& layer = z > 0 ? gas_ : liquid_;
+    return absolute(layer, x, z) - absolute(layer, 0, 0);
+  }
+  // Of both on the tank.
   double force_x() const {
-    return gauss(-tank_.fill_depth, 0, [&](double z) { return between_walls(z); });
+    return on_walls([](double) { return 1; });
+  }
+  double force_z() const {
+    return on_ends([](double) { return 1; });
   }
   double moment() const {
-    const double a = tank_.length / 2, bottom = -tank_.fill_depth;
-    return -gauss(bottom, 0, [&](double z) { return (z - motion_.axis_z) * between_walls(z); }) -
-           gauss(-a, a, [&](double x) { return (x - motion_.axis_x) * pressure(x, bottom); });
+    return on_ends([&](double x) { return x - motion_.axis_x; }) -
+           on_walls([&](double z) { return z - motion_.axis_z; });
   }
 
  private:
@@ -170,20 +177,31 @@ class TwoLayerGalerkin {
     return -(stiffness_ * Eigen::Map<const Eigen::VectorXd>(y.data(), degree_) +
              tilt_ * motion_.place(t) + push_ * motion_.acceleration(t));
   }
-  double absolute(double x, double z) const {
+  double absolute(const Layer& layer, double x, double z) const {
     Eigen::VectorXd rates(degree_ + 1);
     rates << motion_.acceleration(time_), acceleration(state_, time_);
     const double tilt = motion_.rolls ? motion_.place(time_) : 0;
-    return -tank_.density *
-           (liquid_.at(x, z).dot(liquid_.potentials * rates) + tank_.gravity * (z + x * tilt));
+    return -layer.density *
+           (layer.at(x, z).dot(layer.potentials * rates) + tank_.gravity * (z + x * tilt));
   }
-  double between_walls(double z) const {
-    return absolute(tank_.length / 2, z) - absolute(-tank_.length / 2, z);
+  template <class Arm>
+  double on_walls(const Arm& arm) const {
+    const auto push = [&](double z) {
+      return arm(z) * (pressure(tank_.length / 2, z) - pressure(-tank_.length / 2, z));
+    };
+    return gauss(-tank_.fill_depth, 0, push) + gauss(0, roof_, push);
+  }
+  template <class Arm>
+  double on_ends(const Arm& arm) const {
+    return gauss(-tank_.length / 2, tank_.length / 2, [&](double x) {
+      return arm(x) * (pressure(x, roof_) - pressure(x, -tank_.fill_depth));
+    });
   }
 
   Tank tank_;
   LayersMotion motion_;
   int degree_;
+  double roof_;
   Layer liquid_, gas_;
   Eigen::MatrixXd stiffness_;
   Eigen::VectorXd tilt_, push_;

@@ -83,9 +83,11 @@ TEST(TwoLayer, RollIsThatOfTwoLayersInContact) {
                                  .axis_z = motion.axis_z},
                                 degree);
       const LinearRoll roll(zhao_tank, gas, start, motion, 1000);
-      Largest elevation, pressure, force, moment;
+      Largest elevation, pressure, force, lift, moment;
       const double depth = 0.25, still = 9810 * depth;
-      const double at_rest = 9810 * zhao_tank.length * zhao_tank.fill_depth * motion.axis_x;
+      const double weight =
+          9.81 * zhao_tank.length * (1000 * zhao_tank.fill_depth + gas.density * gas.height);
+      const double at_rest = weight * motion.axis_x;
       for (const double t : instants) {
         galerkin.advance(t);
         for (const double x : {-0.4, 0.17, 0.45})
@@ -93,11 +95,13 @@ TEST(TwoLayer, RollIsThatOfTwoLayersInContact) {
         for (const double x : {-0.46, 0.2, 0.46})
           pressure.add(roll.pressure(x, -depth, t) - still, galerkin.pressure(x, -depth) - still);
         force.add(roll.force(t).x, galerkin.force_x());
+        lift.add(roll.force(t).z + weight, galerkin.force_z() + weight);
         moment.add(roll.moment(t) - at_rest, galerkin.moment() - at_rest);
       }
       EXPECT_LT(elevation.share(), left(start).elevation) << named(gas, start);
       EXPECT_LT(pressure.share(), left(start).pressure) << named(gas, start);
       EXPECT_LT(force.share(), left(start).load) << named(gas, start);
+      EXPECT_LT(lift.share(), 1e-8) << named(gas, start);
       EXPECT_LT(moment.share(), left(start).load) << named(gas, start);
     }
 }

@@ -27,7 +27,9 @@ Quantity load(Quantity quantity) {
   quantity.shown_unit = quantity.unit;
   quantity.sph = "the reaction to the forces of the walls on the particles";
   quantity.interfoam = "the load of liquid and gas on walls and obstacles";
-  quantity.theory = "the liquid's pressure on the walls and the bottom up to the still surface";
+  quantity.theory =
+      "the liquid's pressure on the walls and the bottom up to the still surface; of two layers, "
+      "the gas's too";
   quantity.tells_sampling = true;
   return quantity;
 }
