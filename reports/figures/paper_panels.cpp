@@ -192,7 +192,7 @@ void add_case(const CaseAssessment& assessment, const Paper& paper, const PaperF
       return add_studies(assessment, paper, figure, panels, redrawn);
     case Redrawn::fields:
       return add_fields(assessment, written, redrawn);
-    case Redrawn::not_known:
+    case Redrawn::not_at_all:
       return;
   }
 }
@@ -204,8 +204,8 @@ PaperPanels paper_panels(const Paper& paper, const std::vector<CaseAssessment>& 
   PaperPanels all;
   for (const PaperFigure& figure : paper.figures) {
     RedrawnFigure redrawn{.number = figure.number};
-    if (figure.redrawn == Redrawn::not_known)
-      redrawn.missing.emplace_back("what it shows is not known here");
+    if (figure.redrawn == Redrawn::not_at_all)
+      redrawn.missing.emplace_back(fmt::format("not known here: {}", figure.not_known));
     std::vector<Panel> panels;
     std::vector<std::string> absent;
     for (const std::string& name : figure.cases) {

@@ -287,7 +287,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
       report.sections.push_back(problem_section(one));
   const BasketAssessment basket = assess(campaign.basket, cases);
   add_across_page(campaign, cases, basket, report);
-  report.results_json = results_json(campaign.name, quick, cases, problems, basket);
+  report.results_json = results_json(campaign.name, quick, cases, problems, basket, campaign.paper);
   return report;
 }
 

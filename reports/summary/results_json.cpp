@@ -9,6 +9,7 @@
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/changed_input.hpp"
+#include "verification/papers/paper_claims.hpp"
 
 namespace slosh {
 namespace {
@@ -293,6 +294,22 @@ Json basket_entry(const BasketAssessment& basket) {
   return entry;
 }
 
+Json claims_json(const std::string& paper, const std::vector<CaseAssessment>& cases) {
+  Json list = Json::array();
+  for (const Claim& claim : claims_of(paper, cases)) {
+    const DecidedClaim decided = decide(claim);
+    list.push_back({{"number", claim.number},
+                    {"statement", claim.statement},
+                    {"printed", claim.printed},
+                    {"figures", claim.figures},
+                    {"verdict", verdict_of(decided.held)},
+                    {"result", decided.found},
+                    {"why", decided.why},
+                    {"runs", claim.runs}});
+  }
+  return list;
+}
+
 }  // namespace
 
 nlohmann::ordered_json bias_json(const PredictionSet& set) {
@@ -322,7 +339,7 @@ nlohmann::ordered_json bias_json(const PredictionSet& set) {
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems,
-                         const BasketAssessment& basket) {
+                         const BasketAssessment& basket, const std::string& paper) {
   Json document{{"$schema", "results.schema.json"},
                 {"schema", "slosh results"},
                 {"schema_version", 3},
@@ -357,6 +374,7 @@ std::string results_json(const std::string& campaign, bool quick,
   }
   for (const ProblemAssessment& one : problems) document["problems"].push_back(problem_entry(one));
   if (!basket.measures.empty()) document["basket"] = basket_entry(basket);
+  if (!paper.empty()) document["claims"] = claims_json(paper, cases);
   // nlohmann writes numbers that are not finite as null. A message may contain a solver's output in
   // any encoding.
   return document.dump(2, ' ', false, Json::error_handler_t::replace);

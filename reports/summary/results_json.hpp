@@ -14,10 +14,11 @@
 
 namespace slosh {
 
+// With the claims of the paper, as campaign files name it, unless it is "".
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems = {},
-                         const BasketAssessment& basket = {});
+                         const BasketAssessment& basket = {}, const std::string& paper = "");
 
 // Its parts, each as in results.json.
 

@@ -42,17 +42,6 @@ FittedTone fit_tone(const Values& time, const Values& value, double omega) {
   return {std::hypot(x[1], x[2]), std::atan2(-x[2], x[1]), half_width};
 }
 
-// A single number on one side has no scatter of its own.
-Estimate difference_of_means(const Values& larger, const Values& smaller) {
-  std::vector<std::vector<Estimate>> pairs;
-  for (const double one : larger) {
-    pairs.emplace_back();
-    for (const double other : smaller) pairs.back().push_back({one - other, 0});
-  }
-  if (pairs.size() == 1 && pairs.front().size() == 1) return pairs.front().front();
-  return ensemble_mean(pairs, SingleSide::exact);
-}
-
 }  // namespace
 
 const CaseAssessment* find_case(const std::vector<CaseAssessment>& cases, const std::string& name) {
@@ -79,12 +68,34 @@ const RunResult& standing_result(const CaseAssessment& assessment, const std::st
                                        message.empty() ? "" : " (" + message + ")"));
 }
 
-Estimate ratio_of_members(const std::vector<double>& larger, const std::vector<double>& smaller) {
+double diagnostic_of(const CaseAssessment& assessment, const std::string& run,
+                     const std::string& name) {
+  const RunResult& result = standing_result(assessment, run);
+  const auto found = result.diagnostics.find(name);
+  if (found == result.diagnostics.end() || !std::isfinite(found->second))
+    throw std::runtime_error(
+        fmt::format("{} of {} left no {}", run, assessment.definition.name, name));
+  return found->second;
+}
+
+Estimate difference_of_members(const std::vector<double>& larger,
+                               const std::vector<double>& smaller, SingleSide single) {
+  std::vector<std::vector<Estimate>> pairs;
+  for (const double one : larger) {
+    pairs.emplace_back();
+    for (const double other : smaller) pairs.back().push_back({one - other, 0});
+  }
+  if (pairs.size() == 1 && pairs.front().size() == 1) return pairs.front().front();
+  return ensemble_mean(pairs, single);
+}
+
+Estimate ratio_of_members(const std::vector<double>& larger, const std::vector<double>& smaller,
+                          SingleSide single) {
   const auto logarithms = [](std::vector<double> numbers) {
     for (double& one : numbers) one = std::log(one);
     return numbers;
   };
-  const Estimate log_ratio = difference_of_means(logarithms(larger), logarithms(smaller));
+  const Estimate log_ratio = difference_of_members(logarithms(larger), logarithms(smaller), single);
   const double ratio = std::exp(log_ratio.value);
   return {ratio, ratio * std::expm1(log_ratio.half_width)};
 }

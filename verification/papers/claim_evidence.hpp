@@ -19,10 +19,19 @@ const CaseAssessment& case_named(const std::vector<CaseAssessment>& cases, const
 // ended.
 const RunResult& standing_result(const CaseAssessment& assessment, const std::string& run);
 
-// The geometric mean of the larger over that of the smaller, numbers above zero, with the wider
-// side of its 95 % interval; half width 0 for single ones. Throws std::invalid_argument where one
-// is empty.
-Estimate ratio_of_members(const std::vector<double>& larger, const std::vector<double>& smaller);
+// Throws where the run left no such number, or one that is not finite.
+double diagnostic_of(const CaseAssessment& assessment, const std::string& run,
+                     const std::string& name);
+
+// The mean of the larger less that of the smaller with its 95 % interval; half width 0 for single
+// ones. Throws std::invalid_argument where one is empty.
+Estimate difference_of_members(const std::vector<double>& larger,
+                               const std::vector<double>& smaller, SingleSide single);
+
+// The same of the geometric means, numbers above zero, as a ratio with the wider side of its
+// interval.
+Estimate ratio_of_members(const std::vector<double>& larger, const std::vector<double>& smaller,
+                          SingleSide single = SingleSide::exact);
 
 // "interfoam_50x50 (mean of 4 repeats)", or the name of a single run.
 std::string name_of_members(const CaseAssessment& assessment, const std::string& run);

@@ -13,18 +13,35 @@
 namespace slosh {
 namespace {
 
-std::string verdict_of(Held held) {
-  if (held == Held::yes) return "confirmed";
-  return held == Held::no ? "refuted" : "not decidable";
-}
-
 Finding found(const Find& find) try {
   return find();
 } catch (const std::runtime_error& error) {  // ComparisonError, ResultError and others
   return {Held::undecided, error.what()};
 }
 
+// "-2 to 2", "at least 1.25, refuted up to 1".
+std::string text_of(const Threshold& threshold, double scale) {
+  const double lower = scale * threshold.lower, upper = scale * threshold.upper;
+  switch (threshold.relation) {
+    case Relation::at_least:
+      return lower < upper ? fmt::format("at least {:.3g}, refuted up to {:.3g}", upper, lower)
+                           : fmt::format("at least {:.3g}", upper);
+    case Relation::at_most:
+      return fmt::format("at most {:.3g}", upper);
+    case Relation::within_factor:
+      return fmt::format("1 within a factor of {:.3g}", threshold.upper);
+    case Relation::within:
+      break;
+  }
+  return fmt::format("{:.3g} to {:.3g}", lower, upper);
+}
+
 }  // namespace
+
+std::string verdict_of(Held held) {
+  if (held == Held::yes) return "confirmed";
+  return held == Held::no ? "refuted" : "not decidable";
+}
 
 DecidedClaim decide(const Claim& claim) {
   std::vector<std::string> texts, against, unknown;
@@ -37,12 +54,14 @@ DecidedClaim decide(const Claim& claim) {
   }
   const bool refuted = !against.empty();
   const bool confirmed = !refuted && unknown.empty() && !texts.empty();
-  return {claim.statement,
+  return {claim,
           refuted     ? Held::no
           : confirmed ? Held::yes
                       : Held::undecided,
           fmt::format("{}", fmt::join(texts, "; ")),
-          fmt::format("{}", fmt::join(refuted ? against : unknown, "; "))};
+          claim.not_decidable.empty()
+              ? fmt::format("{}", fmt::join(refuted ? against : unknown, "; "))
+              : claim.not_decidable};
 }
 
 Held compare(const Estimate& estimate, const Threshold& threshold) {
@@ -66,20 +85,17 @@ Held both(Held one, Held other) {
   return one == Held::yes && other == Held::yes ? Held::yes : Held::undecided;
 }
 
-Finding within(const Shown& shown, const Estimate& estimate, const Threshold& range) {
-  if (range.relation != Relation::within)
-    throw std::logic_error(shown.name + " is compared with a range; the row has another relation");
-  const auto in_unit = [&](double value) { return fmt::format("{:.3g}", shown.scale * value); };
+Finding judged(const Shown& shown, const Estimate& estimate, const Threshold& threshold) {
   const std::string value =
       interval_text({shown.scale * estimate.value, shown.scale * estimate.half_width});
-  const std::string unit = shown.unit.empty() ? "" : " " + shown.unit;
-  const std::string text =
-      fmt::format("{} {}{}{} ({} to {})", shown.name, value.starts_with('-') ? "" : "+", value,
-                  unit, in_unit(range.lower), in_unit(range.upper));
-  const Held held = compare(estimate, range);
-  if (held != Held::undecided) return {held, text};
-  const bool is_number = !std::isnan(estimate.value + estimate.half_width);
-  return {held, text + (is_number ? ": within its interval" : ": NaN")};
+  const bool has_sign = threshold.relation == Relation::within && threshold.lower <= 0;
+  const Held held = compare(estimate, threshold);
+  std::string text = fmt::format(
+      "{} {}{}{} ({})", shown.name, has_sign && !value.starts_with('-') ? "+" : "", value,
+      shown.unit.empty() ? "" : " " + shown.unit, text_of(threshold, shown.scale));
+  if (held == Held::undecided && std::isnan(estimate.value + estimate.half_width)) text += ": NaN";
+  if (held == Held::undecided && estimate.half_width > 0) text += ": within its interval";
+  return {held, text};
 }
 
 reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims,
@@ -87,18 +103,19 @@ reports::Table claims_table(const std::string& id, const std::vector<Claim>& cla
   std::vector<PaperRow> rows;
   for (const Claim& claim : claims) {
     const DecidedClaim decided = decide(claim);
-    rows.push_back({{fmt::format("({})", rows.size() + 1), decided.statement, claim.source,
-                     verdict_of(decided.held), decided.found, decided.why},
+    rows.push_back({{claim.number, claim.statement, claim.printed, verdict_of(decided.held),
+                     decided.found, decided.why, fmt::format("{}", fmt::join(claim.runs, "; "))},
                     claim.figures});
   }
   return with_figures(
       {id,
        "Claims of the paper",
-       "Each claim in our own words; the range that a number must keep to is in brackets. The "
-       "thresholds were set before any run was looked at. A claim cannot be confirmed where a run "
-       "is absent or failed, a number is NaN, or an interval reaches over a threshold.",
-       {"claim", "in our words", "source", "verdict", "result",
-        "evidence against it, or what is missing"},
+       "Each claim under the paper's number, in our own words; what a number is held against is in "
+       "brackets. The thresholds were set before the numbers were looked at. A claim cannot be "
+       "confirmed where a run is absent or failed, a number is NaN, or an interval reaches over a "
+       "threshold.",
+       {"claim", "in our words", "printed", "verdict", "result",
+        "evidence against it, or what is missing", "decided by"},
        {}},
       rows, redrawn);
 }

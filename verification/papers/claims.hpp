@@ -1,7 +1,8 @@
 // A paper's claims, each decided by what this harness found: confirmed, refuted or not decidable.
 // A claim rests on findings. One finding against it refutes it. Otherwise it is undecided where a
 // finding is undecided: a run is absent or failed, a number is NaN, or its interval reaches over
-// the threshold. The claims and their thresholds are in paper_claims.cpp.
+// the threshold. The claims and their thresholds are rows of li2010_claims.cpp and
+// zhao2021_claims.cpp.
 #pragma once
 
 #include <functional>
@@ -58,18 +59,24 @@ struct Finding {
 using Find = std::function<Finding()>;
 
 struct Claim {
-  std::string statement;             // in our words
-  std::string source;                // where the paper makes it
-  std::vector<std::string> figures;  // the paper's, that show it
-  std::vector<Find> findings;
+  std::string number = {};                // "C5.1", "Z11.2", "conclusion 3": the paper's
+  std::string statement = {};             // in our words
+  std::string printed = {};               // the paper's own numbers, if it has any
+  std::vector<std::string> figures = {};  // the paper's, that show it
+  std::vector<std::string> runs = {};     // that decide it: "li2010_large_b125: li2010_20mm"
+  std::vector<Find> findings = {};
+  std::string not_decidable = {};  // why no run can decide it; there are no findings then
 };
 
 struct DecidedClaim {
-  std::string statement;
+  Claim claim;
   Held held;
   std::string found;  // all findings
   std::string why;    // of a claim that is not confirmed: what speaks against it or is missing
 };
+
+// "confirmed", "refuted", "not decidable"
+std::string verdict_of(Held held);
 
 DecidedClaim decide(const Claim& claim);
 
@@ -80,10 +87,10 @@ struct Shown {
   std::string unit;
 };
 
-// Whether a value with its 95 % interval lies within the threshold's range; undecided where the
-// interval reaches over an end, and for NaN.
-Finding within(const Shown& shown, const Estimate& estimate, const Threshold& range);
+// The number with its 95 % interval, its threshold, and whether it meets it.
+Finding judged(const Shown& shown, const Estimate& estimate, const Threshold& threshold);
 
+// A row for each claim, with a link to the first of its figures that is redrawn.
 reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims,
                             const RedrawnFigures& redrawn);
 

@@ -146,7 +146,7 @@ Table li2010_errata(const RedrawnFigures& redrawn) {
        {{"Small amplitude is below 15 % of the depth", "The rule leaves out resonance.",
          fmt::format("b / h = {:.1f} % at T = 1.3 s already breaks (b = 0.05 m)",
                      100 * 0.05 / 0.35)},
-        {"2 and 3"}}},
+        {"2", "3"}}},
       redrawn);
 }
 
@@ -167,6 +167,7 @@ reports::Section li2010_section(const std::vector<CaseAssessment>& cases,
     section.tables.push_back(surface_spectrum_table(*smaller, *larger, redrawn));
   section.tables.push_back(printed_numbers(cases, redrawn));
   section.tables.push_back(li2010_errata(redrawn));
+  section.tables.push_back(deviations_table("li2010"));
   section.tables.push_back(paper_figures_table(paper_named("li2010"), redrawn));
   return section;
 }

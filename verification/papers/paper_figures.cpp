@@ -26,13 +26,18 @@ const std::vector<Paper>& papers() {
          .cases = {small},
          .quantities = {"elevation@right"},
          .time_span = {0, 12}},
-        {.number = "2 and 3",
-         .shows = "resonant surge of T = 1.2 and 1.3 s, b = 0.025 and 0.05 m",
+        {.number = "2",
+         .shows = "resonant surge of T = 1.2 s, b = 0.025 and 0.05 m",
          .redrawn = Redrawn::history,
-         .cases = {"li2010_resonant_T12_b025", "li2010_resonant_T12_b050",
-                   "li2010_resonant_T13_b025", "li2010_resonant_T13_b050"},
+         .cases = {"li2010_resonant_T12_b025", "li2010_resonant_T12_b050"},
          .quantities = {"elevation@right"},
-         .not_known = "which of the two shows which period and amplitude"},
+         .not_known = "which panel has which amplitude"},
+        {.number = "3",
+         .shows = "resonant surge of T = 1.3 s, b = 0.025 and 0.05 m",
+         .redrawn = Redrawn::history,
+         .cases = {"li2010_resonant_T13_b025", "li2010_resonant_T13_b050"},
+         .quantities = {"elevation@right"},
+         .not_known = "which panel has which amplitude"},
         {.number = "4",
          .shows = "velocity and pressure at large amplitude, at 12.5 and 35 s",
          .redrawn = Redrawn::fields,
@@ -48,12 +53,12 @@ const std::vector<Paper>& papers() {
          .without_dimensions = true,
          .not_known = "what it is divided by: the still depth and the forcing's period are ours"},
         {.number = "6",
-         .shows = "total momentum at large amplitude",
+         .shows = "total momentum at large amplitude, a magnitude such as sum m |v|; here its two "
+                  "components, as runs record no sum of magnitudes (the claims have its bounds)",
          .redrawn = Redrawn::history,
          .cases = {b075, b125},
          .quantities = {"momentum_x", "momentum_z"},
-         .time_span = {0, 40},
-         .not_known = "which component it shows: both stand here"},
+         .time_span = {0, 40}},
         {.number = "7",
          .shows = "spectrum of the highest surface at large amplitude, with peaks at 0.77 and "
                   "1.54 Hz",
@@ -65,7 +70,9 @@ const std::vector<Paper>& papers() {
        "Zhao et al. 2021",
        {"zhao2021_moving", "zhao2021_fixed"},
        0.002,
-       {{.number = "1 and 2", .redrawn = Redrawn::not_known},
+       {{.number = "1 and 2",
+         .redrawn = Redrawn::not_at_all,
+         .not_known = "what they show: our text of the paper says nothing of them"},
         {.number = "3",
          .shows = "pressure on the right wall 0.17 m above the bottom in the mildly rolling tank, "
                   "here the left wall, as its roll begins clockwise",
@@ -85,7 +92,13 @@ const std::vector<Paper>& papers() {
          .redrawn = Redrawn::fields,
          .cases = {mild},
          .not_known = "the moments"},
-        {.number = "6 and 7", .redrawn = Redrawn::not_known},
+        {.number = "6",
+         .redrawn = Redrawn::not_at_all,
+         .not_known = "what it shows: our text of the paper says nothing of it"},
+        {.number = "7",
+         .shows = "the angle of the violent roll over time, which is given to the runs",
+         .redrawn = Redrawn::not_at_all,
+         .not_known = "a run that computes it: it is the measured roll of SPHERIC benchmark 10"},
         {.number = "8",
          .shows =
              "pressure on the left wall 0.093 m above the bottom in the violently rolling tank",
@@ -116,7 +129,7 @@ const std::vector<Paper>& papers() {
 
 // Every quantity of a figure on its axis, as its panels have it.
 string axes_text(const PaperFigure& figure) {
-  if (figure.redrawn == Redrawn::not_known) return "";
+  if (figure.redrawn == Redrawn::not_at_all) return "";
   if (figure.redrawn == Redrawn::fields) return "the tank, to scale";
   std::vector<string> labels;
   for (const string& name : figure.quantities) {
@@ -142,7 +155,7 @@ string span_text(const PaperFigure& figure) {
     case Redrawn::spectrum:
       return "the comparison window";
     case Redrawn::fields:
-    case Redrawn::not_known:
+    case Redrawn::not_at_all:
       return "";
     default:
       return "the whole run; the paper's is not known";

@@ -1,6 +1,6 @@
 // The figures of the papers as data: what each shows, what redraws it, and what is not known here
-// of it. Neither paper is at hand: where a row says nothing of a time span or of an axis, the
-// harness chose its own.
+// of it. The papers' texts are at hand, their pictures are not: where a row says nothing of a time
+// span or of an axis, the harness chose its own.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ enum class Redrawn {
   time_steps,  // a panel for each case and scheme of the paper: runs that differ in time step alone
   spacings,    // the same: runs that differ in particle spacing alone
   fields,      // by the fields of the case's own page
-  not_known    // not at all: what the figure shows is not known here
+  not_at_all   // the row's `not_known` says why
 };
 
 struct PaperFigure {

@@ -6,16 +6,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/assessment/pressure_noise.hpp"
+#include "verification/case/ensemble.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/gate/field_metrics.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/papers/claim_evidence.hpp"
 #include "verification/papers/findings.hpp"
 #include "verification/series/low_pass_filter.hpp"
+#include "verification/series/sample_moments.hpp"
+#include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {
@@ -51,11 +56,6 @@ RecordedPressure recorded_pressure(const Cases& cases, const FindingRow& row) {
           window};
 }
 
-// Returns any series of the run, through the filter of the case's pressure gauge.
-TimeSeries filtered(const RunResult& result, const std::string& quantity, double cutoff) {
-  return is_filtered(quantity) ? result.at(quantity) : low_pass(result.at(quantity), cutoff);
-}
-
 const TimeSeries& impact_pressure(const Cases& cases, const FindingRow& row,
                                   const std::string& run) {
   const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
@@ -75,8 +75,6 @@ bool is_among_repeats(const CaseDefinition& definition, std::size_t impact, doub
          Held::yes;
 }
 
-const std::array<std::string, 2> ways{"moving", "fixed"};
-
 // Whether a run of a study finished. Throws where it was not started.
 bool finished(const CaseAssessment& assessment, const std::string& run) {
   const auto status = assessment.runs.status.find(run);
@@ -84,15 +82,6 @@ bool finished(const CaseAssessment& assessment, const std::string& run) {
     return false;
   standing_result(assessment, run);
   return true;
-}
-
-double crossings(const CaseAssessment& assessment, const std::string& run) {
-  const RunResult& result = standing_result(assessment, run);
-  const auto found = result.diagnostics.find("wall_crossings");
-  if (found == result.diagnostics.end() || !std::isfinite(found->second))
-    throw std::runtime_error(run + " of " + assessment.definition.name +
-                             " counted no wall crossings");
-  return found->second;
 }
 
 struct StabilityOfWays {
@@ -104,19 +93,19 @@ struct StabilityOfWays {
 StabilityOfWays stability(const Cases& cases, const FindingRow& row) {
   const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   StabilityOfWays found;
-  for (const std::string& study : row.runs) {
+  for (std::size_t pair = 0; pair + 1 < row.runs.size(); pair += 2) {
     std::array<bool, 2> done{};
     for (const std::size_t w : {0u, 1u}) {
-      done[w] = finished(assessment, ways[w] + "_" + study);
+      done[w] = finished(assessment, row.runs[pair + w]);
       found.finished[w] += done[w];
     }
     if (!done[0] || !done[1]) continue;
     ++found.pairs;
     for (const std::size_t w : {0u, 1u}) {
-      const std::string run = ways[w] + "_" + study;
+      const std::string& run = row.runs[pair + w];
       found.log_noise[w] +=
           std::log(plateau_noise(impact_pressure(cases, row, run), assessment.definition));
-      found.crossings[w] += crossings(assessment, run);
+      found.crossings[w] += diagnostic_of(assessment, run, "wall_crossings");
     }
   }
   return found;
@@ -136,17 +125,60 @@ Held clearly_fewer(double ours, double others, const Threshold& ratio) {
   return is_scatter ? Held::undecided : clearly_smaller(ours, others, ratio);
 }
 
-// Returns the mean rms difference of the coarser runs made in one way to the last, finest one.
-double spread(const CaseAssessment& assessment, const std::string& way, const FindingRow& row) {
-  const std::string quantity = filtered_gauge(assessment.definition).first;
-  const std::string finest_run = way + "_" + row.runs.back();
-  const TimeSeries& best = standing_result(assessment, finest_run).at(quantity);
+// Of each impact log(peak) and time over period, by member; NaN where it does not occur.
+struct ImpactsOfMembers {
+  std::vector<std::vector<double>> log_peaks, times;
+};
+
+ImpactsOfMembers impacts_of_members(const Cases& cases, const FindingRow& row,
+                                    const std::string& run) {
+  const CaseDefinition& definition = case_named(cases, row.cases.at(0)).definition;
+  const auto members = members_of(definition, run);
+  if (members.size() < 2)
+    throw std::runtime_error(run + " needs repeats, as each history is chaotic");
+  ImpactsOfMembers found;
+  for (const std::string& member : members) {
+    const auto peaks = impacts_in(impact_pressure(cases, row, member), definition);
+    found.log_peaks.resize(peaks.size());
+    found.times.resize(peaks.size());
+    for (std::size_t n = 0; n < peaks.size(); ++n) {
+      found.log_peaks[n].push_back(peaks[n] ? std::log(peaks[n]->pressure) : not_a_number);
+      found.times[n].push_back(peaks[n] ? peaks[n]->time / definition.impacts->period
+                                        : not_a_number);
+    }
+  }
+  return found;
+}
+
+// Returns sqrt(mean d_n^2) of the differences d_n of the means, and the half width that theirs
+// give.
+Estimate rms_change(const std::vector<std::vector<double>>& coarse,
+                    const std::vector<std::vector<double>>& fine) {
+  double squares = 0, spread = 0;
+  for (std::size_t n = 0; n < coarse.size(); ++n) {
+    const Estimate change = difference_of_members(coarse[n], fine[n], SingleSide::one_of_many);
+    squares += change.value * change.value;
+    spread += std::pow(change.value * change.half_width, 2);
+  }
+  const auto count = static_cast<double>(coarse.size());
+  const double value = std::sqrt(squares / count);
+  return {value, std::sqrt(spread) / (count * value)};
+}
+
+Estimate quotient(const Estimate& of, const Estimate& over) {
+  const double value = of.value / over.value;
+  return {value, value * std::hypot(of.half_width / of.value, over.half_width / over.value)};
+}
+
+// The mean over the case's moments of a number of the fields of a run against those of a mesh.
+template <class Number>
+double mean_over_moments(const CaseAssessment& assessment, const std::string& run,
+                         const std::string& mesh, const Number& number) {
+  const FieldComparison found = compare_fields(
+      standing_result(assessment, run), standing_result(assessment, mesh), assessment.definition);
   double sum = 0;
-  for (std::size_t i = 0; i + 1 < row.runs.size(); ++i)
-    sum += difference(standing_result(assessment, way + "_" + row.runs.at(i)).at(quantity), best,
-                      comparison_window(assessment.definition))
-               .with_means;
-  return sum / static_cast<double>(row.runs.size() - 1);
+  for (const FieldDifference& moment : found.moments) sum += number(moment);
+  return sum / static_cast<double>(found.moments.size());
 }
 
 }  // namespace
@@ -157,7 +189,7 @@ Finding phase_against_record(const Cases& cases, const FindingRow& row) {
   const RecordedPressure found = recorded_pressure(cases, row);
   const ToneDifference tone = tone_difference(found.run, found.record, found.window,
                                               forcing_frequency(found.assessment.definition));
-  Finding finding = within({row.runs.at(0) + ": lag behind the record", 1, "deg"}, tone.lag_degrees,
+  Finding finding = judged({row.runs.at(0) + ": lag behind the record", 1, "deg"}, tone.lag_degrees,
                            row.thresholds.at(0));
   finding.text += fmt::format(", {:.2f} ± {:.2f} times its amplitude", tone.amplitude_ratio.value,
                               tone.amplitude_ratio.half_width);
@@ -167,7 +199,7 @@ Finding phase_against_record(const Cases& cases, const FindingRow& row) {
 Finding shape_against_record(const Cases& cases, const FindingRow& row) {
   const RecordedPressure found = recorded_pressure(cases, row);
   const HistoryDifference apart = difference(found.run, found.record, found.window);
-  Finding finding = within(
+  Finding finding = judged(
       {row.runs.at(0) + ": rms difference to the record, both freed of their means,", 100, "%"},
       {apart.without_means, 0}, row.thresholds.at(0));
   finding.text += fmt::format(", {:.0f} % as they are: the record lies {:+.0f} Pa off",
@@ -175,20 +207,74 @@ Finding shape_against_record(const Cases& cases, const FindingRow& row) {
   return finding;
 }
 
+Finding trend_against_record(const Cases& cases, const FindingRow& row) {
+  const RecordedPressure found = recorded_pressure(cases, row);
+  if (!found.assessment.definition.impacts)
+    throw std::runtime_error("the case " + row.cases.at(0) + " has no [impacts]");
+  const double cutoff = 10 / found.assessment.definition.impacts->period;
+  const CommonSamples common = common_samples(
+      low_pass(found.run, cutoff), cut_to_window(low_pass(found.record, cutoff), found.window));
+  const auto one = without_mean(common.candidate), other = without_mean(common.reference);
+  const double correlation = std::inner_product(one.begin(), one.end(), other.begin(), 0.0) /
+                             (static_cast<double>(one.size()) * rms(one) * rms(other));
+  return judged(
+      {fmt::format("{}: correlation with the record below {:.2g} Hz", row.runs.at(0), cutoff), 1,
+       ""},
+      {correlation, 0}, row.thresholds.at(0));
+}
+
+Finding nearer_to_record(const Cases& cases, const FindingRow& row) {
+  const auto distance = [&](const std::string& run) {
+    FindingRow pair = row;
+    pair.runs = {run, row.runs.at(2)};
+    const RecordedPressure found = recorded_pressure(cases, pair);
+    return difference(found.run, found.record, found.window).without_means;
+  };
+  return judged({fmt::format("difference to the record, both freed of their means, of {} over that "
+                             "of {}",
+                             row.runs.at(1), row.runs.at(0)),
+                 1, ""},
+                {distance(row.runs.at(1)) / distance(row.runs.at(0)), 0}, row.thresholds.at(0));
+}
+
 Finding difference_of_runs(const Cases& cases, const FindingRow& row) {
   const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const RunResult& one = standing_result(assessment, row.runs.at(0));
   const RunResult& other = standing_result(assessment, row.runs.at(1));
-  const auto [pressure, cutoff] = filtered_gauge(assessment.definition);
-  const bool of_pressure = row.quantity == "wall_pressure";
-  const std::string quantity = of_pressure ? pressure : row.quantity;
+  const double cutoff = filtered_gauge(assessment.definition).second;
   const HistoryDifference apart =
-      difference(filtered(one, quantity, cutoff), filtered(other, quantity, cutoff),
+      difference(low_pass(one.at(row.quantity), cutoff), low_pass(other.at(row.quantity), cutoff),
                  comparison_window(assessment.definition));
-  return within({fmt::format("{} against {}: rms difference of {}", row.runs.at(0), row.runs.at(1),
-                             of_pressure ? quantity : quantity + through_filter),
+  return judged({fmt::format("{} against {}: rms difference of {}", row.runs.at(0), row.runs.at(1),
+                             row.quantity + through_filter),
                  100, "%"},
                 {apart.with_means, 0}, row.thresholds.at(0));
+}
+
+Finding difference_of_fields(const Cases& cases, const FindingRow& row) {
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
+  const auto apart = [&](const std::string& run) {
+    return mean_over_moments(assessment, run, row.runs.at(2),
+                             [](const FieldDifference& one) { return one.pressure_rms; }) /
+           pressure_under_depth(assessment.definition);
+  };
+  const double one = apart(row.runs.at(0)), other = apart(row.runs.at(1));
+  const double least = std::abs(one - other), most = one + other;
+  return judged({fmt::format("pressure fields of {} and {} by way of {}: rms difference over the "
+                             "pressure under the depth",
+                             row.runs.at(0), row.runs.at(1), row.runs.at(2)),
+                 100, "%"},
+                {(least + most) / 2, (most - least) / 2}, row.thresholds.at(0));
+}
+
+Finding surface_against_mesh(const Cases& cases, const FindingRow& row) {
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
+  const double share = mean_over_moments(
+      assessment, row.runs.at(0), row.runs.at(1),
+      [](const FieldDifference& one) { return one.uncovered_share + one.excess_share; });
+  return judged({fmt::format("{}: cells that it or {} alone fills", row.runs.at(0), row.runs.at(1)),
+                 100, "% of the liquid's"},
+                {share, 0}, row.thresholds.at(0));
 }
 
 Finding impact_times(const Cases& cases, const FindingRow& row) {
@@ -210,7 +296,7 @@ Finding impact_times(const Cases& cases, const FindingRow& row) {
 
 Finding plateau_against_published(const Cases& cases, const FindingRow& row) {
   const TimeSeries& pressure = impact_pressure(cases, row, row.runs.at(0));
-  return within({row.runs.at(0) + ": plateau against the published one", 100, "%"},
+  return judged({row.runs.at(0) + ": plateau against the published one", 100, "%"},
                 {plateau_error(pressure, case_named(cases, row.cases.at(0)).definition), 0},
                 row.thresholds.at(0));
 }
@@ -239,7 +325,7 @@ Finding fixed_more_stable(const Cases& cases, const FindingRow& row) {
   const double noise =
       found.pairs ? std::exp((found.log_noise[1] - found.log_noise[0]) / found.pairs) : NAN;
   const auto failed = [&](std::size_t w) {
-    return static_cast<int>(row.runs.size()) - found.finished[w];
+    return static_cast<int>(row.runs.size() / 2) - found.finished[w];
   };
   std::vector<Held> parts{
       failed(1) < failed(0)   ? Held::yes
@@ -254,23 +340,29 @@ Finding fixed_more_stable(const Cases& cases, const FindingRow& row) {
       "finished the fixed have {:.3g} times the noise of the moving on the plateaus and {:.0f} "
       "wall crossings against {:.0f} (better in one, worse in none; a difference counts from a "
       "fifth on, and that of the crossings must also exceed their scatter)",
-      row.runs.size(), found.finished[1], found.finished[0], found.pairs, noise, found.crossings[1],
-      found.crossings[0]);
+      row.runs.size() / 2, found.finished[1], found.finished[0], found.pairs, noise,
+      found.crossings[1], found.crossings[0]);
   if (better && worse) text += ": they contradict one another";
   if (!better && !worse) text += ": nothing tells the two apart";
   return {better == worse ? Held::undecided : better ? Held::yes : Held::no, text};
 }
 
-Finding fixed_converges_better(const Cases& cases, const FindingRow& row) {
-  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
-  const double moving = spread(assessment, "moving", row);
-  const double fixed = spread(assessment, "fixed", row);
-  const Held held = clearly_smaller(fixed, moving, row.thresholds.at(0));
-  return {held,
-          fmt::format("{}: rms difference of the filtered pressure to {} {:.0f} % fixed, "
-                      "{:.0f} % moving (at most {} times as much){}",
-                      row.name, row.runs.back(), 100 * fixed, 100 * moving,
-                      row.thresholds.at(0).upper, held == Held::undecided ? ": equal or NaN" : "")};
+Finding fixed_changes_less(const Cases& cases, const FindingRow& row) {
+  const auto of = [&](std::size_t i) { return impacts_of_members(cases, row, row.runs.at(i)); };
+  const ImpactsOfMembers coarse[]{of(0), of(2)}, fine[]{of(1), of(3)};
+  const auto ratio_of = [&](std::vector<std::vector<double>> ImpactsOfMembers::*what) {
+    return quotient(rms_change(coarse[0].*what, fine[0].*what),
+                    rms_change(coarse[1].*what, fine[1].*what));
+  };
+  const std::string name =
+      fmt::format("change of the {{}} from {} to {} over that from {} to {}", row.runs.at(0),
+                  row.runs.at(1), row.runs.at(2), row.runs.at(3));
+  const auto part = [&](const char* what, const Estimate& estimate) {
+    return judged({fmt::format(fmt::runtime(name), what), 1, ""}, estimate, row.thresholds.at(0));
+  };
+  const Finding peaks = part("peaks", ratio_of(&ImpactsOfMembers::log_peaks)),
+                times = part("times", ratio_of(&ImpactsOfMembers::times));
+  return {both(peaks.held, times.held), peaks.text + "; " + times.text};
 }
 
 }  // namespace evidence

@@ -1,4 +1,4 @@
-// The findings on waves: against linear theory, at the highest crests, and of their spectrum.
+// The findings on waves: their growth, against linear theory, between runs, and of their spectrum.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,10 +6,12 @@
 #include <stdexcept>
 
 #include "verification/case/ensemble.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/papers/claim_evidence.hpp"
 #include "verification/papers/findings.hpp"
+#include "verification/papers/measured_values.hpp"
 #include "verification/papers/surface_spectrum.hpp"
-#include "verification/series/interval_text.hpp"
+#include "verification/series/sample_moments.hpp"
 #include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
@@ -44,23 +46,34 @@ const ModeComparison& mode_named(const Comparison& comparison, const std::string
 
 Finding mode_error(const Cases& cases, const FindingRow& row, Estimate ModeComparison::*error) {
   const Comparison& comparison = against_theory(case_named(cases, row.cases.at(0)), row);
-  return within({row.runs.at(0) + ": " + row.name, 100, "%"},
+  return judged({row.runs.at(0) + ": " + row.name, 100, "%"},
                 mode_named(comparison, row.quantity).*error, row.thresholds.at(0));
 }
 
-// The spectra of runs[0], one of each member, in the case of the smaller and of the larger
-// amplitude.
-struct BothSpectra {
-  std::vector<SurfaceSpectrum> smaller, larger;
+std::vector<double> lows(const std::vector<Bounds>& members) {
+  std::vector<double> found;
+  for (const Bounds& one : members) found.push_back(one.low);
+  return found;
+}
 
-  Estimate growth(std::size_t k) const {
-    return ratio_of_members(powers(larger, k), powers(smaller, k));
-  }
-};
+std::vector<double> highs(const std::vector<Bounds>& members) {
+  std::vector<double> found;
+  for (const Bounds& one : members) found.push_back(one.high);
+  return found;
+}
 
-BothSpectra both_spectra(const Cases& cases, const FindingRow& row) {
-  return {surface_spectra(case_named(cases, row.cases.at(0)), row.runs.at(0)),
-          surface_spectra(case_named(cases, row.cases.at(1)), row.runs.at(0))};
+// Covers both with their intervals.
+Estimate spanning(const Estimate& least, const Estimate& most) {
+  const double low = least.value - least.half_width, high = most.value + most.half_width;
+  return {(low + high) / 2, (high - low) / 2};
+}
+
+// Judges a ratio that lies between two, which are equal where nothing is bounded.
+Finding judged_ratio(const FindingRow& row, const std::string& of, const Estimate& least,
+                     const Estimate& most) {
+  const bool is_bounded = least.value != most.value && !std::isnan(least.value);
+  const Shown shown{fmt::format("{}: {}", of, row.name), 1, ""};
+  return judged(shown, is_bounded ? spanning(least, most) : least, row.thresholds.at(0));
 }
 
 // A missing peak, of NaN, speaks against two peaks.
@@ -98,76 +111,112 @@ Finding flattened_crests(const Cases& cases, const FindingRow& row) {
   const TimeWindow window = comparison_window(assessment.definition);
   const double ours = skewness(standing_result(assessment, row.runs.at(0)).at(quantity), window);
   const double theory = skewness(standing_result(assessment, row.runs.at(1)).at(quantity), window);
-  return {compare(theory - ours, row.thresholds.at(0)),
-          fmt::format("{}: skewness of the elevation {:+.3f} against theory's {:+.3f} (at least "
-                      "{:.2g} less)",
-                      row.runs.at(0), ours, theory, row.thresholds.at(0).upper)};
+  Finding finding =
+      judged({row.runs.at(0) + ": skewness of theory's elevation less its own", 1, ""},
+             {theory - ours, 0}, row.thresholds.at(0));
+  finding.text += fmt::format(", which is {:+.3f}", ours);
+  return finding;
+}
+
+Finding ratio(const Cases& cases, const FindingRow& row) {
+  const CaseAssessment &above = case_named(cases, row.cases.back()),
+                       &below = case_named(cases, row.cases.front());
+  const auto over = measured(below, row.runs.back(), row.over.value_or(row.of));
+  const auto of = measured(above, row.runs.front(), row.of);
+  const std::string names =
+      fmt::format("{}{}", name_of_members(above, row.runs.front()),
+                  row.runs.size() > 1 ? " over " + name_of_members(below, row.runs.back()) : "");
+  if (row.by_repeats && std::min(of.size(), over.size()) < 2)
+    return {Held::undecided, fmt::format("{}: {} needs repeats of both, as each history is chaotic",
+                                         names, row.name)};
+  constexpr auto single = SingleSide::one_of_many;
+  Estimate least = ratio_of_members(lows(of), highs(over), single),
+           most = ratio_of_members(highs(of), lows(over), single);
+  for (Estimate* one : {&least, &most})
+    if (row.printed) *one = {one->value / *row.printed, one->half_width / *row.printed};
+  return judged_ratio(row, names, least, most);
+}
+
+Finding against_printed(const Cases& cases, const FindingRow& row) {
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
+  const auto of = measured(assessment, row.runs.at(0), row.of);
+  return judged_ratio(row,
+                      fmt::format("{} of {}", name_of_members(assessment, row.runs.at(0)),
+                                  assessment.definition.name),
+                      ratio_of_members(lows(of), {row.printed.value()}),
+                      ratio_of_members(highs(of), {row.printed.value()}));
+}
+
+Finding lag_of_runs(const Cases& cases, const FindingRow& row) {
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
+  const CaseDefinition& definition = assessment.definition;
+  const std::string quantity = at_first_gauge(definition, "elevation");
+  std::vector<std::vector<Estimate>> pairs;
+  for (const std::string& one : members_of(definition, row.runs.at(0))) {
+    pairs.emplace_back();
+    for (const std::string& other : members_of(definition, row.runs.at(1)))
+      pairs.back().push_back(tone_difference(standing_result(assessment, one).at(quantity),
+                                             standing_result(assessment, other).at(quantity),
+                                             comparison_window(definition),
+                                             forcing_frequency(definition))
+                                 .lag_degrees);
+  }
+  const bool is_single = pairs.size() == 1 && pairs.front().size() == 1;
+  return judged({fmt::format("{} of {}: lag behind {}", name_of_members(assessment, row.runs.at(0)),
+                             definition.name, name_of_members(assessment, row.runs.at(1))),
+                 1, "deg"},
+                is_single ? pairs.front().front() : ensemble_mean(pairs, SingleSide::one_of_many),
+                row.thresholds.at(0));
 }
 
 Finding violent_motion(const Cases& cases, const FindingRow& row) {
   const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
   const CaseDefinition& definition = assessment.definition;
-  std::vector<double> heights, ratios;
+  const double depth = definition.liquid.fill_depth;
+  std::vector<double> heights, jets, speeds;
   for (const std::string& member : members_of(definition, row.runs.at(0))) {
-    const TimeSeries elevation = cut_to_window(
-        standing_result(assessment, member).at(at_first_gauge(definition, "elevation")),
-        comparison_window(definition));
-    const auto [lowest, highest] =
-        std::minmax_element(elevation.value.begin(), elevation.value.end());
-    heights.push_back(*highest / definition.liquid.fill_depth);
-    // A surface that never falls has no trough to compare with.
-    ratios.push_back(*lowest < 0 ? *highest / -*lowest : not_a_number);
+    const RunResult& result = standing_result(assessment, member);
+    const auto in_window = [&](const std::string& name) {
+      return cut_to_window(result.at(name), comparison_window(definition));
+    };
+    const auto largest = [](const std::vector<double>& values) {
+      return *std::max_element(values.begin(), values.end());
+    };
+    const CommonSamples surface =
+        common_samples(in_window(at_first_gauge(definition, "highest_surface")),
+                       in_window(at_first_gauge(definition, "elevation")));
+    heights.push_back(largest(surface.reference) / depth);
+    jets.push_back(largest(minus(surface.candidate, surface.reference)) / depth);
+    speeds.push_back(largest(in_window("mach_number").value) *
+                     diagnostic_of(assessment, member, "speed_of_sound_m_s") /
+                     std::sqrt(definition.gravity * depth));
   }
-  const Estimate over_depth = mean_of_members(heights), ratio = mean_of_members(ratios);
-  return {
-      both(compare(over_depth, row.thresholds.at(0)), compare(ratio, row.thresholds.at(1))),
-      fmt::format(
-          "{} of {}: highest elevation {} depths (at least {:.2g}), {} times as high as the "
-          "lowest is deep (at least {:.3g})",
-          name_of_members(assessment, row.runs.at(0)), definition.name, interval_text(over_depth),
-          row.thresholds.at(0).upper, interval_text(ratio), row.thresholds.at(1).upper)};
+  const Finding parts[]{
+      judged({"highest elevation over the depth", 1, ""}, mean_of_members(heights),
+             row.thresholds.at(0)),
+      judged({"highest wet point above the liquid's own depth there, over the depth,", 1, ""},
+             mean_of_members(jets), row.thresholds.at(1)),
+      judged({"largest speed over sqrt(g depth)", 1, ""}, mean_of_members(speeds),
+             row.thresholds.at(2))};
+  return {both(parts[0].held, both(parts[1].held, parts[2].held)),
+          fmt::format("{} of {}: {}, {}, {}", name_of_members(assessment, row.runs.at(0)),
+                      definition.name, parts[0].text, parts[1].text, parts[2].text)};
 }
 
 Finding peaks_at_multiples(const Cases& cases, const FindingRow& row) {
-  const BothSpectra found = both_spectra(cases, row);
-  const Threshold &at_frequency = row.thresholds.at(0), &grows = row.thresholds.at(1);
-  const Held placed = both(are_at_multiples(found.smaller, at_frequency),
-                           are_at_multiples(found.larger, at_frequency));
-  const auto text = [&](const std::vector<SurfaceSpectrum>& members) {
-    const auto count = std::count_if(
-        members.begin(), members.end(),
-        [&](const SurfaceSpectrum& one) { return is_at_multiples(one, at_frequency); });
-    return fmt::format("{} and {} ({} of {})", frequency_text(members, 0),
-                       frequency_text(members, 1), count, members.size());
-  };
-  const double excitation = found.smaller.front().excitation;
-  const Held grown = both(compare(found.growth(0), grows), compare(found.growth(1), grows));
-  return {both(placed, grown),
-          fmt::format(
-              "{}: peaks [Hz] at {}, then at {} (in so many of the repeats these are the two "
-              "highest and within {:.2g} % of {:.3f} and {:.3f}); powers grow by the factors {} "
-              "and {} (at least {})",
-              name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
-              text(found.smaller), text(found.larger), 100 * at_frequency.upper, excitation,
-              2 * excitation, mean_text(found.growth(0)), mean_text(found.growth(1)), grows.upper)};
-}
-
-Finding growth_of_peak_ratio(const Cases& cases, const FindingRow& row) {
-  const BothSpectra found = both_spectra(cases, row);
-  const Threshold &grows = row.thresholds.at(0), &near_printed = row.thresholds.at(1);
-  const std::vector<double> smaller = ratios(found.smaller), larger = ratios(found.larger);
-  const auto over = [](const std::vector<double>& numbers, double printed) {
-    return ratio_of_members(numbers, {printed});
-  };
-  return {both(compare(ratio_of_members(larger, smaller), grows),
-               both(compare(over(smaller, row.printed.at(0)), near_printed),
-                    compare(over(larger, row.printed.at(1)), near_printed))),
-          fmt::format(
-              "{}: first over second from {} to {} (printed: {:.2f} and {:.3f}; each must be met "
-              "within a factor of {})",
-              name_of_members(case_named(cases, row.cases.at(1)), row.runs.at(0)),
-              mean_text(over(smaller, 1)), mean_text(over(larger, 1)), row.printed.at(0),
-              row.printed.at(1), near_printed.upper)};
+  const CaseAssessment& assessment = case_named(cases, row.cases.at(0));
+  const auto members = surface_spectra(assessment, row.runs.at(0));
+  const Threshold& at_frequency = row.thresholds.at(0);
+  const auto count = std::count_if(members.begin(), members.end(), [&](const SurfaceSpectrum& one) {
+    return is_at_multiples(one, at_frequency);
+  });
+  const double excitation = members.front().excitation;
+  return {are_at_multiples(members, at_frequency),
+          fmt::format("{} of {}: peaks [Hz] at {} and {} (in {} of {} these are the two highest "
+                      "and within {:.2g} % of {:.3f} and {:.3f})",
+                      name_of_members(assessment, row.runs.at(0)), assessment.definition.name,
+                      frequency_text(members, 0), frequency_text(members, 1), count, members.size(),
+                      100 * at_frequency.upper, excitation, 2 * excitation)};
 }
 
 }  // namespace evidence

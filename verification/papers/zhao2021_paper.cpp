@@ -105,7 +105,8 @@ reports::Section zhao2021_section(const std::vector<CaseAssessment>& cases,
            "that move with the tank or are fixed in its frame. The rows below lead to the paper's "
            "figures as they are redrawn from this campaign's runs."},
           {claims_table("zhao2021-claims", claims_of("zhao2021", cases), redrawn),
-           zhao2021_errata(cases, redrawn), paper_figures_table(paper_named("zhao2021"), redrawn)},
+           zhao2021_errata(cases, redrawn), deviations_table("zhao2021"),
+           paper_figures_table(paper_named("zhao2021"), redrawn)},
           {}};
 }
 

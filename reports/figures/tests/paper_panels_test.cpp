@@ -142,11 +142,11 @@ TEST(PaperPanels, OfACaseThatIsNotInTheCampaignAreLeftOutAndItIsSaid) {
   const reports::Table table = paper_figures_table(li, panels.redrawn);
   EXPECT_EQ(table.rows.at(0).at(2), "in 1 panel");
   EXPECT_EQ(table.links.at(0).at(2), panels.redrawn.at(0).anchors.at(0));
-  EXPECT_EQ(table.rows.at(3).at(0), "figure 5");
-  EXPECT_EQ(table.rows.at(3).at(2), "no");
-  EXPECT_EQ(table.rows.at(3).at(3),
+  EXPECT_EQ(table.rows.at(4).at(0), "figure 5");
+  EXPECT_EQ(table.rows.at(4).at(2), "no");
+  EXPECT_EQ(table.rows.at(4).at(3),
             "not part of this campaign: li2010_large_b075, li2010_large_b125");
-  EXPECT_EQ(table.links.at(3).at(2), "");
+  EXPECT_EQ(table.links.at(4).at(2), "");
 }
 
 TEST(PaperPanels, OfACaseWithoutASimulationAreLeftOutAndItIsSaid) {
@@ -157,8 +157,8 @@ TEST(PaperPanels, OfACaseWithoutASimulationAreLeftOutAndItIsSaid) {
 }
 
 TEST(PaperPanels, OfAFigureThatIsNotKnownAreNone) {
-  EXPECT_EQ(redrawn(paper_panels(zhao, {}, {}), "6 and 7").missing,
-            Names{"what it shows is not known here"});
+  EXPECT_EQ(redrawn(paper_panels(zhao, {}, {}), "6").missing,
+            Names{"not known here: what it shows: our text of the paper says nothing of it"});
 }
 
 // Both large amplitudes, the second with waves twice as high.

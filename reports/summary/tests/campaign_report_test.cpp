@@ -392,6 +392,18 @@ nlohmann::json json_of(const std::vector<CaseAssessment>& cases) {
   return nlohmann::json::parse(results_json("surges", true, cases));
 }
 
+TEST(ResultsJson, HasTheClaimsOfTheCampaignsPaperUnderItsNumbers) {
+  CampaignDefinition campaign = surge_campaign();
+  campaign.paper = "zhao2021";
+  const auto claims =
+      nlohmann::json::parse(report_of(campaign, {good()}).results_json).at("claims");
+  EXPECT_EQ(claims.at(0).at("number"), "Z3.1");
+  EXPECT_EQ(claims.at(0).at("verdict"), "not decidable");
+  EXPECT_NE(std::string(claims[0].at("why")).find("is not part of this campaign"),
+            std::string::npos);
+  EXPECT_FALSE(json_of({good()}).contains("claims"));
+}
+
 TEST(ResultsJson, HasTheFieldsOfItsSchema) {
   const nlohmann::json document = json_of({good()});
   EXPECT_EQ(document.at("schema"), "slosh results");

@@ -79,7 +79,7 @@ json whole_document() {
        assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "nowhere"))},
       {assess(ProblemDefinition{"manufactured_operators", {order}}, run),
        assess(ProblemDefinition{"taylor_green", {order}}, failed)},
-      {{rms, {"another", "another", height}}, {good, unusable}}));
+      {{rms, {"another", "another", height}}, {good, unusable}}, "li2010"));
 }
 
 TEST(ResultsSchema, IsKeptToByEveryKindOfOutcome) { EXPECT_EQ(complaints(whole_document()), ""); }
@@ -90,14 +90,27 @@ TEST(ResultsSchema, IsKeptToByACampaignOfNothing) {
 
 TEST(ResultsSchema, RefusesADocumentWithoutAnyOneOfItsKeys) {
   const json whole = whole_document();
-  for (const char* place :
-       {"/schema", "/schema_version", "/campaign", "/exit_status", "/verdict_matrix/0/verdict",
-        "/problem_matrix/0/metric", "/model_bias/0/bias", "/model_bias/0/comparisons/0/predicted",
-        "/cases/0/name", "/cases/0/runs/0/state", "/cases/0/gate/0/value",
-        "/cases/0/gate/0/uncertainty_95/all", "/cases/0/comparisons/0/modes/0/phase_lag_deg/value",
-        "/problems/0/measures/0/errors/0/step", "/problems/0/gate/0/verdict", "/basket/measures",
-        "/basket/measures/0/goal", "/basket/choices/0/worst_ratio",
-        "/basket/choices/1/values/0/message"}) {
+  for (const char* place : {"/schema",
+                            "/schema_version",
+                            "/campaign",
+                            "/exit_status",
+                            "/verdict_matrix/0/verdict",
+                            "/problem_matrix/0/metric",
+                            "/model_bias/0/bias",
+                            "/model_bias/0/comparisons/0/predicted",
+                            "/cases/0/name",
+                            "/cases/0/runs/0/state",
+                            "/cases/0/gate/0/value",
+                            "/cases/0/gate/0/uncertainty_95/all",
+                            "/cases/0/comparisons/0/modes/0/phase_lag_deg/value",
+                            "/problems/0/measures/0/errors/0/step",
+                            "/problems/0/gate/0/verdict",
+                            "/claims/0/number",
+                            "/claims/0/verdict",
+                            "/basket/measures",
+                            "/basket/measures/0/goal",
+                            "/basket/choices/0/worst_ratio",
+                            "/basket/choices/1/values/0/message"}) {
     const json::json_pointer pointer(place);
     json cut = whole;
     ASSERT_TRUE(cut.contains(pointer)) << place;

@@ -7,9 +7,12 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <set>
 #include <stdexcept>
 
+#include "verification/case_file/case_parser.hpp"
 #include "verification/papers/claim_evidence.hpp"
+#include "verification/papers/measured_values.hpp"
 #include "verification/papers/paper_claims.hpp"
 #include "verification/tests/impact_runs.hpp"
 
@@ -28,7 +31,7 @@ Find missing(const std::string& text) {
 
 TEST(Claims, AreConfirmedByAllFindingsTogether) {
   const DecidedClaim claim =
-      decide({"water is wet", "", {}, {finding(Held::yes, "a"), finding(Held::yes, "b")}});
+      decide({.findings = {finding(Held::yes, "a"), finding(Held::yes, "b")}});
   EXPECT_EQ(claim.held, Held::yes);
   EXPECT_EQ(claim.found, "a; b");
   EXPECT_EQ(claim.why, "");
@@ -36,42 +39,49 @@ TEST(Claims, AreConfirmedByAllFindingsTogether) {
 
 TEST(Claims, AreRefutedByOneFindingWhateverElseIsMissing) {
   const DecidedClaim claim =
-      decide({"", "", {}, {finding(Held::yes, "a"), missing("b"), finding(Held::no, "c")}});
+      decide({.findings = {finding(Held::yes, "a"), missing("b"), finding(Held::no, "c")}});
   EXPECT_EQ(claim.held, Held::no);
   EXPECT_EQ(claim.why, "c");
 }
 
 TEST(Claims, AreNotDecidableWhereAFindingIsMissingOrThereIsNone) {
-  const DecidedClaim claim = decide({"", "", {}, {finding(Held::yes, "a"), missing("no run")}});
+  const DecidedClaim claim = decide({.findings = {finding(Held::yes, "a"), missing("no run")}});
   EXPECT_EQ(claim.held, Held::undecided);
   EXPECT_EQ(claim.why, "no run");
-  EXPECT_EQ(decide({"", "", {}, {}}).held, Held::undecided);
+  EXPECT_EQ(decide(Claim{}).held, Held::undecided);
+  EXPECT_EQ(decide({.not_decidable = "no photograph"}).held, Held::undecided);
+  EXPECT_EQ(decide({.not_decidable = "no photograph"}).why, "no photograph");
 }
 
 TEST(Claims, StandInATableWithTheirVerdictsInWords) {
   const reports::Table table =
       claims_table("papers-claims",
-                   {{"one", "figure 1", {"1"}, {finding(Held::yes, "a")}},
-                    {"two", "figure 2", {"2", "3"}, {finding(Held::no, "b")}},
-                    {"three", "conclusion", {}, {missing("c")}}},
+                   {{.number = "C1.1",
+                     .statement = "one",
+                     .printed = "0.77 Hz",
+                     .figures = {"1"},
+                     .runs = {"a case: a run", "another: a run"},
+                     .findings = {finding(Held::yes, "a")}},
+                    {.number = "C2.1", .figures = {"2", "3"}, .findings = {finding(Held::no, "b")}},
+                    {.number = "conclusion 1", .findings = {missing("c")}}},
                    {{"1"}, {"2"}, {"3", {"figure-three"}}});
   ASSERT_EQ(table.rows.size(), 3u);
-  EXPECT_EQ(table.rows[0],
-            (std::vector<std::string>{"(1)", "one", "figure 1", "confirmed", "a", "", "figure 1"}));
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"C1.1", "one", "0.77 Hz", "confirmed", "a", "",
+                                                     "a case: a run; another: a run", "figure 1"}));
   EXPECT_EQ(table.rows[1][3], "refuted");
-  EXPECT_EQ(table.rows[1][6], "figure 2, figure 3");
+  EXPECT_EQ(table.rows[1][7], "figure 2, figure 3");
   EXPECT_EQ(table.rows[2][3], "not decidable");
   EXPECT_EQ(table.rows[2][5], "c");
-  EXPECT_EQ(table.rows[2][6], "");
-  const std::vector<std::string> no_links(7);
+  EXPECT_EQ(table.rows[2][7], "");
+  const std::vector<std::string> no_links(8);
   EXPECT_EQ(table.links.at(0), no_links) << "figure 1 has no panel";
-  EXPECT_EQ(table.links.at(1), (std::vector<std::string>{"", "", "", "", "", "", "figure-three"}));
+  EXPECT_EQ(table.links.at(1).at(7), "figure-three");
   EXPECT_EQ(table.links.at(2), no_links);
 }
 
-TEST(Within, CountsTheIntervalOnEitherSide) {
+TEST(Judged, CountsTheIntervalOnEitherSide) {
   const auto held = [](double value, double half_width) {
-    return within({"error", 100, "%"}, {value, half_width}, within_range(-0.02, 0.02)).held;
+    return judged({"error", 100, "%"}, {value, half_width}, within_range(-0.02, 0.02)).held;
   };
   EXPECT_EQ(held(0.015, 0.005), Held::yes);
   EXPECT_EQ(held(0.015, 0.006), Held::undecided);
@@ -80,18 +90,23 @@ TEST(Within, CountsTheIntervalOnEitherSide) {
   EXPECT_EQ(held(0.03, 0.011), Held::undecided);
 }
 
-TEST(Within, NeverConfirmsNorRefutesByNaN) {
+TEST(Judged, NeverConfirmsNorRefutesByNaN) {
   for (const Estimate& estimate : {Estimate{nan, 0}, Estimate{0, nan}, Estimate{1, nan}}) {
-    const Finding found = within({"error", 100, "%"}, estimate, within_range(-0.02, 0.02));
+    const Finding found = judged({"error", 100, "%"}, estimate, within_range(-0.02, 0.02));
     EXPECT_EQ(found.held, Held::undecided);
     EXPECT_TRUE(found.text.ends_with("NaN")) << found.text;
   }
   EXPECT_EQ(compare(nan, at_least_between(1, 1.1)), Held::undecided);
 }
 
-TEST(Within, SaysNumberIntervalAndThreshold) {
-  EXPECT_EQ(within({"error", 100, "%"}, {0.0123, 0.001}, within_range(-0.02, 0.02)).text,
+TEST(Judged, SaysNumberIntervalAndThreshold) {
+  EXPECT_EQ(judged({"error", 100, "%"}, {0.0123, 0.001}, within_range(-0.02, 0.02)).text,
             "error +1.23 ± 0.10 % (-2 to 2)");
+  EXPECT_EQ(judged({"growth", 1, ""}, {1.2, 0.1}, at_least_between(1, 1.25)).text,
+            "growth 1.20 ± 0.10 (at least 1.25, refuted up to 1): within its interval");
+  EXPECT_EQ(judged({"share", 100, "%"}, {0.03, 0}, at_most(0.05)).text, "share 3 % (at most 5)");
+  EXPECT_EQ(judged({"ratio", 1, ""}, {3, 0}, within_factor(2)).text,
+            "ratio 3 (1 within a factor of 2)");
 }
 
 TEST(AtLeast, IsUndecidedBetweenItsTwoLevels) {
@@ -123,16 +138,45 @@ TEST(Compare, LeaveOpenWhatAnIntervalReachesOver) {
   EXPECT_EQ(compare(Estimate{1, nan}, at_most(2)), Held::undecided);
 }
 
-TEST(PaperClaims, HaveASourceAndFindingsWithThresholds) {
-  for (const PaperClaim& claim : paper_claims()) {
-    EXPECT_FALSE(claim.source.empty()) << claim.statement;
-    EXPECT_FALSE(claim.findings.empty()) << claim.statement;
-    for (const FindingRow& row : claim.findings) {
-      EXPECT_FALSE(row.cases.empty()) << claim.statement;
-      EXPECT_FALSE(row.runs.empty()) << claim.statement;
-      EXPECT_FALSE(row.thresholds.empty()) << claim.statement;
+// What is neither decided by a run nor said to be undecidable would be lost.
+TEST(PaperClaims, HaveFindingsOrAReasonWhyThereAreNone) {
+  for (const char* paper : {"li2010", "zhao2021"}) {
+    std::set<std::string> numbers;
+    for (const PaperClaim& claim : claims_named(paper).claims) {
+      EXPECT_FALSE(claim.statement.empty()) << claim.number;
+      EXPECT_NE(claim.findings.empty() && claim.rests_on.empty(), claim.not_decidable.empty())
+          << claim.number;
+      for (const std::string& other : claim.rests_on)
+        EXPECT_TRUE(numbers.contains(other)) << claim.number << " on " << other;
+      EXPECT_TRUE(numbers.insert(claim.number).second) << claim.number << " stands twice";
+      for (const FindingRow& row : claim.findings) {
+        EXPECT_FALSE(row.cases.empty()) << claim.number;
+        EXPECT_FALSE(row.runs.empty()) << claim.number;
+        EXPECT_FALSE(row.thresholds.empty()) << claim.number;
+      }
     }
   }
+  EXPECT_THROW(claims_named("nobody2020"), std::invalid_argument);
+}
+
+TEST(PaperClaims, NameRunsOfShippedCasesAndRedrawnFigures) {
+  for (const char* paper : {"li2010", "zhao2021"})
+    for (const PaperClaim& claim : claims_named(paper).claims) {
+      for (const std::string& number : claim.figures) {
+        const auto& figures = paper_named(paper).figures;
+        EXPECT_TRUE(std::any_of(figures.begin(), figures.end(),
+                                [&](const PaperFigure& one) { return one.number == number; }))
+            << claim.number << " " << number;
+      }
+      for (const FindingRow& row : claim.findings)
+        for (const std::string& name : row.cases) {
+          const CaseDefinition definition =
+              read_case(SLOSH_SOURCE_DIR "/verification/cases/" + name + ".toml");
+          for (const std::string& run : row.runs)
+            EXPECT_NO_THROW(run_named(definition, run))
+                << claim.number << " " << name << " " << run;
+        }
+    }
 }
 
 template <class Function>
@@ -170,6 +214,45 @@ TEST(HistoryDifference, IsOfNoHistoryThatEndsEarlyOrHoldsNaN) {
     EXPECT_THROW(difference(one, other, whole), ComparisonError);
     EXPECT_THROW(difference(other, one, whole), ComparisonError);
   }
+}
+
+// Particles of known velocities: their sum of m |v| lies between the bounds, which meet where all
+// move alike.
+TEST(MomentumBounds, HoldTheSumOfMagnitudesOfAnyParticles) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> velocity(0.3, 1);
+  CaseDefinition definition = sample_case();
+  RunResult result;
+  result.series = {{"momentum_x", "kg/s", {}, {}},
+                   {"momentum_z", "kg/s", {}, {}},
+                   {"kinetic_energy", "J/m", {}, {}}};
+  std::vector<double> sums;
+  for (int sample = 0; sample < 50; ++sample) {
+    double values[3]{}, sum = 0;
+    const double vx = velocity(random), vz = velocity(random);
+    for (int i = 0; i < 100; ++i) {
+      const double m = 3.5;  // [kg/m], of a hundredth of the liquid
+      const double x = sample == 0 ? vx : velocity(random), z = sample == 0 ? vz : velocity(random);
+      values[0] += m * x;
+      values[1] += m * z;
+      values[2] += m * (x * x + z * z) / 2;
+      sum += m * std::hypot(x, z);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      result.series[k].time.push_back(sample);
+      result.series[k].value.push_back(values[k]);
+    }
+    sums.push_back(sum);
+  }
+  const auto [lower, upper] = momentum_bounds(result, definition);
+  EXPECT_NEAR(lower.value[0], sums[0], 1e-9);
+  EXPECT_NEAR(upper.value[0], sums[0], 1e-9);
+  for (std::size_t i = 1; i < sums.size(); ++i) {
+    EXPECT_LT(lower.value[i], sums[i]);
+    EXPECT_GT(upper.value[i], sums[i]);
+  }
+  result.series.pop_back();
+  EXPECT_THROW(momentum_bounds(result, definition), std::runtime_error);
 }
 
 // a cos t + c cos 2t: 3/4 a^2 c / ((a^2 + c^2) / 2)^1.5.
