@@ -207,7 +207,7 @@ std::vector<PaperClaim> small_amplitude_claims() {
   };
 }
 
-// Of the total momentum's magnitude sum m |v| only bounds are known (measured_values.hpp).
+// The paper does not define the momentum's magnitude: two are judged (measured_values.hpp).
 std::vector<PaperClaim> large_amplitude_claims() {
   return {
       {.number = "C4.1",
@@ -406,9 +406,8 @@ std::vector<Deviation> deviations() {
       {"li2010_large_*", "the pressure's gauge is not in the text that we have",
        "on the right wall 0.12 m above the bottom, filtered at 10 Hz", ""},
       {"li2010_large_*", "total momentum, a magnitude",
-       "bounds of sum m |v| from the momentum and "
-       "the kinetic energy",
-       "the runs record no sum of magnitudes"},
+       "|P| and sqrt(2 M K), which bound sum m |v|",
+       "the paper does not define its magnitude, and runs record no sum of magnitudes"},
   };
 }
 

@@ -118,18 +118,13 @@ std::string series_of(const std::string& quantity, const CaseDefinition& definit
   return quantity == "wall_pressure" ? filtered_gauge(definition).first : quantity;
 }
 
-Bounds in_order(double one, double other) {
-  return std::isnan(one + other) ? Bounds{not_a_number, not_a_number}
-                                 : Bounds{std::min(one, other), std::max(one, other)};
-}
-
-Bounds of_member(const CaseAssessment& assessment, const std::string& run, const Measured& what) {
+Readings of_member(const CaseAssessment& assessment, const std::string& run, const Measured& what) {
   if (what.stage == Stage::first_over_steady) {
     const auto in = [&](Stage stage) {
       return of_member(assessment, run, {what.quantity, what.measure, stage});
     };
-    const Bounds first = in(Stage::first), steady = in(Stage::steady);
-    return {first.low / steady.high, first.high / steady.low};
+    const Readings first = in(Stage::first), steady = in(Stage::steady);
+    return {first.small / steady.small, first.large / steady.large};
   }
   if (what.measure >= Measure::peak_distance) {
     const double distance = distance_of_impacts(assessment, run, what.measure);
@@ -146,32 +141,31 @@ Bounds of_member(const CaseAssessment& assessment, const std::string& run, const
         value_of(result.at(series_of(what.quantity, definition)), what, definition);
     return {value, value};
   }
-  const auto [lower, upper] = momentum_bounds(result, definition);
-  return in_order(value_of(lower, what, definition), value_of(upper, what, definition));
+  const auto [small, large] = momentum_magnitudes(result, definition);
+  return {value_of(small, what, definition), value_of(large, what, definition)};
 }
 
 }  // namespace
 
-std::pair<TimeSeries, TimeSeries> momentum_bounds(const RunResult& result,
-                                                  const CaseDefinition& definition) {
+std::pair<TimeSeries, TimeSeries> momentum_magnitudes(const RunResult& result,
+                                                      const CaseDefinition& definition) {
   const TimeSeries &x = result.at("momentum_x"), &z = result.at("momentum_z"),
                    &energy = result.at("kinetic_energy");
   if (x.time != z.time || x.time != energy.time)
     throw std::runtime_error(result.run_name + ": momentum and energy have different times");
   const double mass =
       definition.liquid.density * definition.tank.length * definition.liquid.fill_depth;
-  TimeSeries lower{"sum m |v|, lower bound", x.unit, x.time, {}},
-      upper{"sum m |v|, upper bound", x.unit, x.time, {}};
+  TimeSeries small{"|P|", x.unit, x.time, {}}, large{"sqrt(2 M K)", x.unit, x.time, {}};
   for (std::size_t i = 0; i < x.time.size(); ++i) {
-    lower.value.push_back(std::hypot(x.value[i], z.value[i]));
-    upper.value.push_back(std::sqrt(2 * mass * energy.value[i]));
+    small.value.push_back(std::hypot(x.value[i], z.value[i]));
+    large.value.push_back(std::sqrt(2 * mass * energy.value[i]));
   }
-  return {lower, upper};
+  return {small, large};
 }
 
-std::vector<Bounds> measured(const CaseAssessment& assessment, const std::string& run,
-                             const Measured& what) {
-  std::vector<Bounds> members;
+std::vector<Readings> measured(const CaseAssessment& assessment, const std::string& run,
+                               const Measured& what) {
+  std::vector<Readings> members;
   for (const std::string& member : members_of(assessment.definition, run))
     members.push_back(of_member(assessment, member, what));
   return members;

@@ -39,32 +39,30 @@ enum class Stage {
 };
 
 // A quantity is the name of a series; "elevation" and "highest_surface" are those at the first
-// gauge, "wall_pressure" the one that the case filters. "momentum" is the magnitude Q = sum m |v|
-// [kg/s], which no run records. The recorded momentum P and kinetic energy K of a liquid of mass M
-// bound it at each time,
-//   |P| <= Q <= sqrt(2 M K)
-// by the triangle inequality and that of Cauchy and Schwarz.
+// gauge, "wall_pressure" the one that the case filters. "momentum" is a magnitude, which Li et al.
+// do not define. Two are recorded, by the momentum P and the kinetic energy K of a liquid of mass
+// M, and they bound sum m |v| at each time by the triangle inequality and that of Cauchy and
+// Schwarz [kg/s]:
+//   |P| <= sum m |v| <= sqrt(2 M K)
 struct Measured {
   std::string quantity;
   Measure measure = Measure::mean;
   Stage stage = Stage::steady;
 };
 
-// The measures of the lower and of the upper series, in order; equal where the quantity itself is
-// recorded. They bound the mean, the crest, the trough and the largest value; the others are those
-// of the two series.
-struct Bounds {
-  double low, high;
+// By the smaller and by the larger of two magnitudes; equal where there is one.
+struct Readings {
+  double small, large;
 };
 
 // One for each member of the ensemble that the run begins. NaN where an impact or a peak of the
 // spectrum does not exist. Throws std::runtime_error where a run, a series or a window is missing.
-std::vector<Bounds> measured(const CaseAssessment& assessment, const std::string& run,
-                             const Measured& what);
+std::vector<Readings> measured(const CaseAssessment& assessment, const std::string& run,
+                               const Measured& what);
 
-// The lower and the upper bound of Q [kg/s]. Throws ResultError where the result lacks a momentum
+// |P| and sqrt(2 M K) [kg/s]. Throws ResultError where the result lacks a momentum
 // or the energy, and std::runtime_error where their times differ.
-std::pair<TimeSeries, TimeSeries> momentum_bounds(const RunResult& result,
-                                                  const CaseDefinition& definition);
+std::pair<TimeSeries, TimeSeries> momentum_magnitudes(const RunResult& result,
+                                                      const CaseDefinition& definition);
 
 }  // namespace slosh

@@ -54,11 +54,12 @@ const std::vector<Paper>& papers() {
          .not_known = "what it is divided by: the still depth and the forcing's period are ours"},
         {.number = "6",
          .shows = "total momentum at large amplitude, a magnitude such as sum m |v|; here its two "
-                  "components, as runs record no sum of magnitudes (the claims have its bounds)",
+                  "components; the claims are judged on their magnitude",
          .redrawn = Redrawn::history,
          .cases = {b075, b125},
          .quantities = {"momentum_x", "momentum_z"},
-         .time_span = {0, 40}},
+         .time_span = {0, 40},
+         .not_known = "which magnitude it shows"},
         {.number = "7",
          .shows = "spectrum of the highest surface at large amplitude, with peaks at 0.77 and "
                   "1.54 Hz",

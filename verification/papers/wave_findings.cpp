@@ -50,30 +50,23 @@ Finding mode_error(const Cases& cases, const FindingRow& row, Estimate ModeCompa
                 mode_named(comparison, row.quantity).*error, row.thresholds.at(0));
 }
 
-std::vector<double> lows(const std::vector<Bounds>& members) {
+std::vector<double> numbers(const std::vector<Readings>& members, double Readings::*which) {
   std::vector<double> found;
-  for (const Bounds& one : members) found.push_back(one.low);
+  for (const Readings& one : members) found.push_back(one.*which);
   return found;
 }
 
-std::vector<double> highs(const std::vector<Bounds>& members) {
-  std::vector<double> found;
-  for (const Bounds& one : members) found.push_back(one.high);
-  return found;
-}
-
-// Covers both with their intervals.
-Estimate spanning(const Estimate& least, const Estimate& most) {
-  const double low = least.value - least.half_width, high = most.value + most.half_width;
-  return {(low + high) / 2, (high - low) / 2};
-}
-
-// Judges a ratio that lies between two, which are equal where nothing is bounded.
-Finding judged_ratio(const FindingRow& row, const std::string& of, const Estimate& least,
-                     const Estimate& most) {
-  const bool is_bounded = least.value != most.value && !std::isnan(least.value);
-  const Shown shown{fmt::format("{}: {}", of, row.name), 1, ""};
-  return judged(shown, is_bounded ? spanning(least, most) : least, row.thresholds.at(0));
+// Judges a ratio by both readings, and leaves it open where they disagree.
+template <class Ratio>
+Finding judged_ratio(const FindingRow& row, const std::string& of, const Ratio& ratio) {
+  const auto by = [&](double Readings::*which, const std::string& reading) {
+    return judged({fmt::format("{}: {}{}", of, row.name, reading), 1, ""}, ratio(which),
+                  row.thresholds.at(0));
+  };
+  if (row.of.quantity != "momentum") return by(&Readings::small, "");
+  const Finding small = by(&Readings::small, " by |P|"),
+                large = by(&Readings::large, " by sqrt(2 M K)");
+  return {small.held == large.held ? small.held : Held::undecided, small.text + "; " + large.text};
 }
 
 // A missing peak, of NaN, speaks against two peaks.
@@ -129,12 +122,12 @@ Finding ratio(const Cases& cases, const FindingRow& row) {
   if (row.by_repeats && std::min(of.size(), over.size()) < 2)
     return {Held::undecided, fmt::format("{}: {} needs repeats of both, as each history is chaotic",
                                          names, row.name)};
-  constexpr auto single = SingleSide::one_of_many;
-  Estimate least = ratio_of_members(lows(of), highs(over), single),
-           most = ratio_of_members(highs(of), lows(over), single);
-  for (Estimate* one : {&least, &most})
-    if (row.printed) *one = {one->value / *row.printed, one->half_width / *row.printed};
-  return judged_ratio(row, names, least, most);
+  return judged_ratio(row, names, [&](double Readings::*which) {
+    const Estimate found =
+        ratio_of_members(numbers(of, which), numbers(over, which), SingleSide::one_of_many);
+    const double printed = row.printed.value_or(1);
+    return Estimate{found.value / printed, found.half_width / printed};
+  });
 }
 
 Finding against_printed(const Cases& cases, const FindingRow& row) {
@@ -143,8 +136,9 @@ Finding against_printed(const Cases& cases, const FindingRow& row) {
   return judged_ratio(row,
                       fmt::format("{} of {}", name_of_members(assessment, row.runs.at(0)),
                                   assessment.definition.name),
-                      ratio_of_members(lows(of), {row.printed.value()}),
-                      ratio_of_members(highs(of), {row.printed.value()}));
+                      [&](double Readings::*which) {
+                        return ratio_of_members(numbers(of, which), {row.printed.value()});
+                      });
 }
 
 Finding lag_of_runs(const Cases& cases, const FindingRow& row) {

@@ -218,7 +218,7 @@ TEST(HistoryDifference, IsOfNoHistoryThatEndsEarlyOrHoldsNaN) {
 
 // Particles of known velocities: their sum of m |v| lies between the bounds, which meet where all
 // move alike.
-TEST(MomentumBounds, HoldTheSumOfMagnitudesOfAnyParticles) {
+TEST(MomentumMagnitudes, BoundTheSumOfMagnitudesOfAnyParticles) {
   std::mt19937 random(1);
   std::normal_distribution<double> velocity(0.3, 1);
   CaseDefinition definition = sample_case();
@@ -244,7 +244,7 @@ TEST(MomentumBounds, HoldTheSumOfMagnitudesOfAnyParticles) {
     }
     sums.push_back(sum);
   }
-  const auto [lower, upper] = momentum_bounds(result, definition);
+  const auto [lower, upper] = momentum_magnitudes(result, definition);
   EXPECT_NEAR(lower.value[0], sums[0], 1e-9);
   EXPECT_NEAR(upper.value[0], sums[0], 1e-9);
   for (std::size_t i = 1; i < sums.size(); ++i) {
@@ -252,7 +252,7 @@ TEST(MomentumBounds, HoldTheSumOfMagnitudesOfAnyParticles) {
     EXPECT_GT(upper.value[i], sums[i]);
   }
   result.series.pop_back();
-  EXPECT_THROW(momentum_bounds(result, definition), std::runtime_error);
+  EXPECT_THROW(momentum_magnitudes(result, definition), std::runtime_error);
 }
 
 // a cos t + c cos 2t: 3/4 a^2 c / ((a^2 + c^2) / 2)^1.5.
