@@ -29,17 +29,17 @@ TimeWindow window_of(Stage stage, const CaseDefinition& definition) {
   return steady;
 }
 
-// The mean of an extreme over the whole periods of the forcing.
-template <class Extreme>
+// The mean of a number of the values of each whole period of the forcing.
+template <class Number>
 double mean_over_periods(const TimeSeries& cut, const CaseDefinition& definition,
-                         const Extreme& extreme) {
+                         const Number& number) {
   const double period = 2 * std::numbers::pi / forcing_frequency(definition);
   Values found;
   auto from = cut.time.begin();
   for (double end = cut.time.front() + period; end <= cut.time.back(); end += period) {
     const auto to = std::lower_bound(from, cut.time.end(), end);
     const auto value = [&](auto at) { return cut.value.begin() + (at - cut.time.begin()); };
-    if (from != to) found.push_back(*extreme(value(from), value(to)));
+    if (from != to) found.push_back(number(Values(value(from), value(to))));
     from = to;
   }
   if (found.empty()) throw std::runtime_error(cut.name + " covers no period of the forcing");
@@ -55,19 +55,24 @@ double noise_of(const TimeSeries& series, const TimeSeries& cut, const CaseDefin
 double value_of(const TimeSeries& series, const Measured& what, const CaseDefinition& definition) {
   const TimeWindow window = window_of(what.stage, definition);
   const TimeSeries cut = cut_to_window(series, window);
-  const auto highest = [](auto from, auto to) { return std::max_element(from, to); };
-  const auto lowest = [](auto from, auto to) { return std::min_element(from, to); };
+  const auto highest = [](const Values& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  const auto lowest = [](const Values& values) {
+    return *std::min_element(values.begin(), values.end());
+  };
+  const auto variance = [](const Values& values) { return std::pow(rms(without_mean(values)), 2); };
   switch (what.measure) {
     case Measure::mean:
       return mean(cut.value);
     case Measure::fluctuation:
-      return rms(without_mean(cut.value));
+      return std::sqrt(mean_over_periods(cut, definition, variance));
     case Measure::crest:
       return mean_over_periods(cut, definition, highest);
     case Measure::trough:
       return std::abs(mean_over_periods(cut, definition, lowest));
     case Measure::largest:
-      return *highest(cut.value.begin(), cut.value.end());
+      return highest(cut.value);
     case Measure::noise:
       return noise_of(series, cut, definition, window);
     case Measure::main_frequency: {

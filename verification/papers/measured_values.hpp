@@ -11,7 +11,7 @@ namespace slosh {
 // Over periods: the window holds n whole periods T of the forcing from its beginning, n >= 1.
 enum class Measure {
   mean,
-  fluctuation,     // the standard deviation
+  fluctuation,     // the rms about the mean of each period, which a slow drift does not change
   crest,           // the mean over periods of the highest value
   trough,          // the mean over periods of the lowest value, its magnitude
   largest,         // the highest value

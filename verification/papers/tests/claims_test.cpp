@@ -216,6 +216,22 @@ TEST(HistoryDifference, IsOfNoHistoryThatEndsEarlyOrHoldsNaN) {
   }
 }
 
+// A known swing whose level falls by half of it.
+TEST(Fluctuation, IsThatWithinThePeriodsAndNotADrift) {
+  CaseDefinition definition = sample_case();
+  definition.motion.surge = SineMotion{.amplitude = 0.02, .angular_frequency = omega};
+  definition.window_end = 10;
+  CaseAssessment assessment = no_runs_of(definition);
+  add_run(assessment, "run", SphRun{"li2010", 0.02, 0.02},
+          {series_of([](double t) { return tone(t) - 0.1 * t; })});
+  const auto value = [&](Measure measure) {
+    return measured(assessment, "run", {"x", measure}).at(0).small;
+  };
+  EXPECT_NEAR(value(Measure::fluctuation), std::numbers::sqrt2 / 2, 0.02);
+  EXPECT_NEAR(value(Measure::crest), 1 - 0.1 * 3.75, 0.05);
+  EXPECT_NEAR(value(Measure::mean), -0.5, 1e-3);
+}
+
 // Particles of known velocities: their sum of m |v| lies between the bounds, which meet where all
 // move alike.
 TEST(MomentumMagnitudes, BoundTheSumOfMagnitudesOfAnyParticles) {
