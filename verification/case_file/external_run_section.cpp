@@ -9,7 +9,7 @@
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/definition_file.hpp"
-#include "verification/input/series_files.hpp"
+#include "verification/input/tables/series_files.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {

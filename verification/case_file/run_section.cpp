@@ -9,7 +9,7 @@
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/input/time_table.hpp"
+#include "verification/input/tables/time_table.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {

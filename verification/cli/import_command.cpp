@@ -16,7 +16,7 @@
 #include "verification/import/import_series.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
-#include "verification/input/series_files.hpp"
+#include "verification/input/tables/series_files.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/solvers/external_facts.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
-#include "verification/input/table_head.hpp"
+#include "verification/input/tables/table_head.hpp"
 
 namespace slosh {
 

@@ -11,7 +11,7 @@
 #include "verification/import/file_formats.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
-#include "verification/input/table_reader.hpp"
+#include "verification/input/tables/table_reader.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {

@@ -11,8 +11,8 @@
 #include "verification/import/file_formats.hpp"
 #include "verification/import/stitched_series.hpp"
 #include "verification/input/nearest_name.hpp"
-#include "verification/input/series_files.hpp"
-#include "verification/input/table_rows.hpp"
+#include "verification/input/tables/series_files.hpp"
+#include "verification/input/tables/table_rows.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "verification/case/case_definition.hpp"
-#include "verification/input/table_head.hpp"
+#include "verification/input/tables/table_head.hpp"
 
 namespace slosh {
 namespace {

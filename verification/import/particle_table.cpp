@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "verification/input/table_rows.hpp"
+#include "verification/input/tables/table_rows.hpp"
 
 namespace slosh {
 namespace {

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "verification/case/case_definition.hpp"
-#include "verification/input/table_head.hpp"
+#include "verification/input/tables/table_head.hpp"
 
 namespace slosh {
 namespace {

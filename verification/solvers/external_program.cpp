@@ -17,7 +17,7 @@
 
 #include "verification/files/bound_cores.hpp"
 #include "verification/files/child_process.hpp"
-#include "verification/input/table_reader.hpp"
+#include "verification/input/tables/table_reader.hpp"
 
 namespace slosh {
 namespace {

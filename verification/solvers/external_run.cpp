@@ -7,7 +7,7 @@
 
 #include "verification/files/content_hash.hpp"
 #include "verification/import/import_series.hpp"
-#include "verification/input/table_reader.hpp"
+#include "verification/input/tables/table_reader.hpp"
 #include "verification/peers/tank_file.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/solvers/external_command.hpp"

@@ -1,6 +1,6 @@
 // Reads the series and the facts of a result that another code left elsewhere.
 #include "verification/import/import_series.hpp"
-#include "verification/input/series_files.hpp"
+#include "verification/input/tables/series_files.hpp"
 #include "verification/solvers/external_facts.hpp"
 #include "verification/solvers/solver_runs.hpp"
 

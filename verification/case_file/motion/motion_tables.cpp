@@ -5,7 +5,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/motion/roll_limits.hpp"
-#include "verification/input/time_table.hpp"
+#include "verification/input/tables/time_table.hpp"
 
 namespace slosh {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "verification/case/cubic_spline.hpp"
-#include "verification/input/time_table.hpp"
+#include "verification/input/tables/time_table.hpp"
 #include "verification/tests/published_records.hpp"
 
 namespace slosh::spheric10_roll_test {

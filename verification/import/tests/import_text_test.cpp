@@ -6,7 +6,7 @@
 
 #include "verification/import/import_series.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/input/time_table.hpp"
+#include "verification/input/tables/time_table.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/tests/trial_case.hpp"
 

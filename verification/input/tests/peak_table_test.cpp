@@ -1,13 +1,13 @@
 // Tables of peaks: read in pascal, or refused with their line. The published one is checked by its
 // statistics.
-#include "verification/input/peak_table.hpp"
+#include "verification/input/tables/peak_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <functional>
 
-#include "verification/input/time_table.hpp"
+#include "verification/input/tables/time_table.hpp"
 #include "verification/series/distribution.hpp"
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/temporary_directory.hpp"

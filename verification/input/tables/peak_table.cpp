@@ -1,4 +1,4 @@
-#include "verification/input/peak_table.hpp"
+#include "verification/input/tables/peak_table.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "verification/input/table_head.hpp"
+#include "verification/input/tables/table_head.hpp"
 
 namespace slosh {
 namespace {

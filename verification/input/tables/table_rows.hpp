@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verification/input/table_head.hpp"
+#include "verification/input/tables/table_head.hpp"
 
 namespace slosh {
 

@@ -1,4 +1,4 @@
-#include "verification/input/table_head.hpp"
+#include "verification/input/tables/table_head.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

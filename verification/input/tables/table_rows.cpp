@@ -1,4 +1,4 @@
-#include "verification/input/table_rows.hpp"
+#include "verification/input/tables/table_rows.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verification/input/table_reader.hpp"
+#include "verification/input/tables/table_reader.hpp"
 
 namespace slosh {
 

@@ -1,4 +1,4 @@
-#include "verification/input/table_reader.hpp"
+#include "verification/input/tables/table_reader.hpp"
 
 #include <fmt/format.h>
 

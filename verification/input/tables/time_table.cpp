@@ -1,11 +1,11 @@
-#include "verification/input/time_table.hpp"
+#include "verification/input/tables/time_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "verification/input/table_rows.hpp"
+#include "verification/input/tables/table_rows.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "verification/input/case_file_error.hpp"
-#include "verification/input/table_head.hpp"
+#include "verification/input/tables/table_head.hpp"
 
 namespace slosh {
 

@@ -1,4 +1,4 @@
-#include "verification/input/series_files.hpp"
+#include "verification/input/tables/series_files.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "verification/input/table_reader.hpp"
+#include "verification/input/tables/table_reader.hpp"
 
 namespace slosh {
 namespace {
