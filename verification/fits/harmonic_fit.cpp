@@ -65,9 +65,8 @@ Tone tone_of(const WindowFit& fit, std::size_t k, const ResidualModel& model) {
 }
 
 // The fit's first two coefficients belong to the columns 1 and 2 s / span - 1.
-HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
-  const Eigen::VectorXd residual = fit.residual(cut.time, cut.value);
-  const ResidualModel model = fit.residual_model(cut.time, residual);
+HarmonicFit harmonic_fit(const WindowFit& fit, const Eigen::VectorXd& residual,
+                         const ResidualModel& model) {
   HarmonicFit found{
       .mean = fit.coefficients[0],
       .trend = 2 * fit.coefficients[1] / (fit.window.end - fit.window.begin),
@@ -83,9 +82,10 @@ HarmonicFit harmonic_fit(const WindowFit& fit, const TimeSeries& cut) {
 // tones differ by little more.
 constexpr double alike_share = 0.01;
 
-// The candidate's residual less the reference's, the latter scaled by the ratio of the amplitudes.
+// The residuals of both fits at the same times, and the candidate's less the reference's, the
+// latter scaled by the ratio of the amplitudes.
 struct ResidualDifference {
-  Eigen::VectorXd values;
+  Eigen::VectorXd candidate, reference, values;
   double share;            // rms of the values over the candidate's amplitude
   double reference_share;  // rms of the reference's residual over the reference's amplitude
 };
@@ -99,10 +99,11 @@ ResidualDifference residual_difference(const WindowFit& candidate, const WindowF
   const auto rms = [](const Eigen::VectorXd& of) {
     return std::sqrt(of.squaredNorm() / static_cast<double>(of.size()));
   };
-  const Eigen::VectorXd of_reference = reference.residual(common.time, common.reference);
-  Eigen::VectorXd values = candidate.residual(common.time, common.candidate) - ratio * of_reference;
-  const double share = rms(values) / amplitude(candidate);
-  return {std::move(values), share, rms(of_reference) / amplitude(reference)};
+  const Eigen::VectorXd of_candidate = candidate.residual(common.time, common.candidate),
+                        of_reference = reference.residual(common.time, common.reference),
+                        values = of_candidate - ratio * of_reference;
+  return {of_candidate, of_reference, values, rms(values) / amplitude(candidate),
+          rms(of_reference) / amplitude(reference)};
 }
 
 bool both_distinct(const Tone& candidate, const Tone& reference) {
@@ -115,39 +116,107 @@ bool can_be_paired(const Tone& candidate, const Tone& reference,
          (both_distinct(candidate, reference) || difference.share < alike_share);
 }
 
-// The difference of two tones whose errors are independent.
-PairedDifference unpaired(const Tone& candidate, const Tone& reference) {
-  const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
-    return {c.value - r.value, std::hypot(c.half_width, r.half_width)};
+// The values of the difference, of tones or of their estimates; the half widths are zero.
+template <class Parameters>
+PairedDifference difference_of(const Parameters& candidate, const Parameters& reference) {
+  const auto less = [](const Estimate& c, const Estimate& r) -> Estimate {
+    return {c.value - r.value, 0};
   };
-  const double ratio = candidate.amplitude.value / reference.amplitude.value;
-  Estimate phase = difference(candidate.phase_at_middle, reference.phase_at_middle);
-  phase = {wrap_angle(phase.value), std::min(pi, phase.half_width)};
-  return {.amplitude_ratio = {ratio, std::hypot(candidate.amplitude.half_width,
-                                                ratio * reference.amplitude.half_width) /
-                                         reference.amplitude.value},
-          .phase_at_middle = phase,
-          .angular_frequency = difference(candidate.angular_frequency, reference.angular_frequency),
-          .decay_rate = difference(candidate.decay_rate, reference.decay_rate),
-          .beside = candidate.beside ? candidate.beside : reference.beside};
+  PairedDifference found{
+      .amplitude_ratio = {candidate.amplitude.value / reference.amplitude.value, 0},
+      .phase_at_middle = less(candidate.phase_at_middle, reference.phase_at_middle),
+      .angular_frequency = less(candidate.angular_frequency, reference.angular_frequency),
+      .decay_rate = less(candidate.decay_rate, reference.decay_rate)};
+  found.phase_at_middle.value = wrap_angle(found.phase_at_middle.value);
+  return found;
 }
 
-PairedDifference paired(const WindowFit& candidate, const WindowFit& reference, std::size_t k,
-                        const ResidualModel& model) {
-  const auto beside = candidate.beside(k, model);
-  const auto of_c = candidate.estimates(k, correcting(model, beside));
-  const auto of_r = reference.estimates(k, model.without_corrections());
-  const auto difference = [](const Estimate& c, const Estimate& r) -> Estimate {
-    return {c.value - r.value, c.half_width};
+// The half widths for errors of the candidate and independent ones of the reference that have these
+// half widths.
+template <class Parameters>
+void widen_independently(PairedDifference& difference, const Parameters& candidate,
+                         const Parameters& reference) {
+  const auto widen = [](Estimate& of, const Estimate& c, const Estimate& r, double by_r) {
+    of.half_width = std::hypot(c.half_width, by_r * r.half_width);
   };
-  Estimate phase = difference(of_c.phase_at_middle, of_r.phase_at_middle);
-  phase.value = wrap_angle(phase.value);
-  return {.amplitude_ratio = {of_c.amplitude.value / of_r.amplitude.value,
-                              of_c.amplitude.half_width / of_r.amplitude.value},
-          .phase_at_middle = phase,
-          .angular_frequency = difference(of_c.angular_frequency, of_r.angular_frequency),
-          .decay_rate = difference(of_c.decay_rate, of_r.decay_rate),
-          .beside = beside};
+  const double ratio = difference.amplitude_ratio.value;
+  widen(difference.amplitude_ratio, candidate.amplitude, reference.amplitude, ratio);
+  difference.amplitude_ratio.half_width /= reference.amplitude.value;
+  widen(difference.phase_at_middle, candidate.phase_at_middle, reference.phase_at_middle, 1);
+  widen(difference.angular_frequency, candidate.angular_frequency, reference.angular_frequency, 1);
+  widen(difference.decay_rate, candidate.decay_rate, reference.decay_rate, 1);
+}
+
+// Narrows the half widths of independent errors by what the residuals share. With Z the complex
+// ratio, at the angle p, and e the errors that noise gives the two complex amplitudes, the error of
+// the ratio is e_c - Z e_r. Its variance is cos p of that of e_c - |Z| e_r, which the difference of
+// the residuals shows, and 1 - cos p of that of independent errors, which `difference` has.
+template <class Parameters>
+void narrow_by_shared(PairedDifference& difference, const Parameters& together,
+                      const Parameters& reference) {
+  const double share = std::cos(difference.phase_at_middle.value);
+  const auto narrow = [share](Estimate& of, double half_width) {
+    of.half_width = std::sqrt(std::max(
+        0.0, share * half_width * half_width + (1 - share) * of.half_width * of.half_width));
+  };
+  narrow(difference.amplitude_ratio, together.amplitude.half_width / reference.amplitude.value);
+  narrow(difference.phase_at_middle, together.phase_at_middle.half_width);
+  narrow(difference.angular_frequency, together.angular_frequency.half_width);
+  narrow(difference.decay_rate, together.decay_rate.half_width);
+}
+
+// Adds to the half widths how far the values of `other` are.
+void widen_to(PairedDifference& difference, const PairedDifference& other) {
+  const auto widen = [](Estimate& of, double apart) { of.half_width += std::abs(apart); };
+  widen(difference.amplitude_ratio, difference.amplitude_ratio.value - other.amplitude_ratio.value);
+  widen(difference.phase_at_middle,
+        wrap_angle(difference.phase_at_middle.value - other.phase_at_middle.value));
+  widen(difference.angular_frequency,
+        difference.angular_frequency.value - other.angular_frequency.value);
+  widen(difference.decay_rate, difference.decay_rate.value - other.decay_rate.value);
+}
+
+void limit_phase(PairedDifference& difference) {
+  difference.phase_at_middle.half_width = std::min(pi, difference.phase_at_middle.half_width);
+}
+
+// The difference of two tones whose errors are independent.
+PairedDifference unpaired(const Tone& candidate, const Tone& reference) {
+  PairedDifference difference = difference_of(candidate, reference);
+  widen_independently(difference, candidate, reference);
+  limit_phase(difference);
+  difference.beside = candidate.beside ? candidate.beside : reference.beside;
+  return difference;
+}
+
+PairedDifference paired(const SeriesFit& candidate, const SeriesFit& reference, std::size_t k,
+                        const CommonSamples& common, const ResidualDifference& residuals) {
+  const WindowFit &of_c = candidate.fit(), &of_r = reference.fit();
+  const Tone &tone_c = candidate.harmonics().tones[k], &tone_r = reference.harmonics().tones[k];
+  std::vector<ToneShape> known;
+  if (both_distinct(tone_c, tone_r))
+    known = of_either(candidate.model().further, reference.model().further, of_c.shapes[k],
+                      of_c.window.end - of_c.window.begin);
+  const ResidualModel model =
+      model_residual(of_c.at_times(common.time, residuals.values), k, known);
+  const ResidualModel noise = model.without_corrections();
+  const auto corrected_alike = [&](const WindowFit& fit, const Eigen::VectorXd& residual) {
+    ResidualModel alike = noise;
+    alike.correction = correction_by(fit.at_times(common.time, residual), model.further);
+    return fit.estimates(k, alike);
+  };
+  const auto own_c = of_c.estimates(k, candidate.model().without_corrections()),
+             own_r = of_r.estimates(k, reference.model().without_corrections());
+  PairedDifference difference = difference_of(tone_c, tone_r);
+  widen_independently(difference, own_c, own_r);
+  narrow_by_shared(difference, of_c.estimates(k, noise), own_r);
+  widen_to(difference, difference_of(corrected_alike(of_c, residuals.candidate),
+                                     corrected_alike(of_r, residuals.reference)));
+  if (candidate.model().beside[k] || reference.model().beside[k])
+    widen_to(difference, difference_of(own_c, own_r));
+  limit_phase(difference);
+  difference.beside = of_c.beside(k, model);
+  return difference;
 }
 
 // Both series may hold the same unnamed tone, of complex amplitude U, that the window cannot tell
@@ -165,7 +234,7 @@ PairedDifference widened_by_unnamed(PairedDifference difference, double referenc
   const double change = std::abs(std::polar(ratio, difference.phase_at_middle.value) - 1.0);
   widen(difference.amplitude_ratio, rest * change);
   widen(difference.phase_at_middle, rest * change / ratio);
-  difference.phase_at_middle.half_width = std::min(pi, difference.phase_at_middle.half_width);
+  limit_phase(difference);
   widen(difference.angular_frequency, rest * std::abs(difference.angular_frequency.value));
   widen(difference.decay_rate, rest * std::abs(difference.decay_rate.value));
   return difference;
@@ -182,7 +251,10 @@ SeriesFit::SeriesFit(TimeSeries series, TimeWindow window, const std::vector<Ton
     : series_(std::move(series)) {
   const TimeSeries cut = cut_to_window(series_, window);
   fit_ = std::make_shared<const WindowFit>(fit_window(cut, window, requests));
-  harmonics_ = harmonic_fit(*fit_, cut);
+  const Eigen::VectorXd residual = fit_->residual(cut.time, cut.value);
+  model_ =
+      std::make_shared<const ResidualModel>(model_residual(fit_->at_times(cut.time, residual)));
+  harmonics_ = harmonic_fit(*fit_, residual, *model_);
 }
 
 PairedDifference paired_difference(const SeriesFit& candidate, const SeriesFit& reference,
@@ -194,9 +266,7 @@ PairedDifference paired_difference(const SeriesFit& candidate, const SeriesFit& 
       residual_difference(candidate.fit(), reference.fit(), k, common);
   PairedDifference apart = unpaired(of_c, of_r);
   if (!can_be_paired(of_c, of_r, residuals)) return apart;
-  const PairedDifference difference =
-      paired(candidate.fit(), reference.fit(), k,
-             candidate.fit().residual_model(common.time, residuals.values, k));
+  const PairedDifference difference = paired(candidate, reference, k, common, residuals);
   if (!difference.beside)
     return both_distinct(of_c, of_r) ? difference
                                      : widened_by_unnamed(difference, residuals.reference_share);

@@ -50,7 +50,8 @@ struct HarmonicFit {
 HarmonicFit fit_harmonics(const TimeSeries& series, TimeWindow window,
                           const std::vector<ToneRequest>& requests);
 
-struct WindowFit;  // window_fit.hpp
+struct WindowFit;      // window_fit.hpp
+struct ResidualModel;  // residual_model.hpp
 
 // A series with its fit, for comparison with the fits of other series.
 class SeriesFit {
@@ -61,10 +62,12 @@ class SeriesFit {
   const TimeSeries& series() const { return series_; }
   const HarmonicFit& harmonics() const { return harmonics_; }
   const WindowFit& fit() const { return *fit_; }
+  const ResidualModel& model() const { return *model_; }
 
  private:
   TimeSeries series_;
   std::shared_ptr<const WindowFit> fit_;
+  std::shared_ptr<const ResidualModel> model_;
   HarmonicFit harmonics_;
 };
 
@@ -83,11 +86,12 @@ struct PairedDifference {
   std::optional<double> beside = {};
 };
 
-// Compares the k-th tone of two fits of one window and the same requests. The intervals come from
-// the difference of the two residuals, the reference's scaled by the ratio of the amplitudes. A
-// component that both series share and neither fit takes (a higher mode, a harmonic, a beat)
-// therefore neither widens nor corrects the difference, though it may correct each tone. Valid to
-// first order, for tones that are close to each other.
+// Compares the k-th tone of two fits of one window and the same requests. The values are those of
+// the two tones as the fits give them. The noise comes from the difference of the two residuals,
+// the reference's scaled by the ratio of the amplitudes, less the tones that no request names:
+// noise that both series share does not widen the interval. Both tones are then corrected once more
+// by the same further tones, those of either series and of the difference; the interval reaches
+// that second estimate. Valid to first order, for tones that are close to each other.
 PairedDifference paired_difference(const SeriesFit& candidate, const SeriesFit& reference,
                                    std::size_t k);
 

@@ -22,6 +22,7 @@ constexpr int tested_half_band = 14;
 // As a multiple of the highest requested frequency: a tone above it does not affect a requested
 // one.
 constexpr double highest_searched = 3;
+constexpr double round_off = 1e-9;  // of the residual: less than this is no tone
 constexpr double samples_per_period = 8;  // of the highest frequency searched
 
 // The means of groups of `stride` successive samples.
@@ -31,6 +32,13 @@ MatrixXd thinned(const MatrixXd& columns, Index stride) {
     for (Index i = 0; i < means.rows(); ++i)
       means(i, k) = columns.col(k).segment(i * stride, stride).mean();
   return means;
+}
+
+double highest_frequency(const FitResidual& residual) {
+  double highest = 0;
+  for (const ToneShape& tone : residual.requested)
+    highest = std::max(highest, highest_searched * tone.angular_frequency);
+  return highest;
 }
 
 struct ExtendedFit {
@@ -161,6 +169,7 @@ ExtendedFit choose(const FittedSamples& fit, const std::vector<ToneShape>& reque
   };
   std::vector<BandEnergy> before = energies(chosen);
   for (int count = 1; count <= most_further_tones; ++count) {
+    if (!(longest.samples.residual.norm() > round_off * fit.residual.norm())) break;
     longest = search.with_one_more(fit, longest);
     const auto& tones = longest.further;
     if (!std::all_of(tones.begin(), tones.end(),
@@ -191,41 +200,75 @@ std::optional<double> nearest_beside(const ToneShape& tone, const std::vector<To
   return nearest;
 }
 
+// The residual at as many samples as the frequencies searched need, with the columns of the known
+// tones after those of the Jacobian.
+FittedSamples thinned_samples(const FitResidual& residual, const std::vector<ToneShape>& known) {
+  const double fewest = samples_per_period * highest_frequency(residual) * residual.span / (2 * pi);
+  const auto stride =
+      std::max<Index>(1, static_cast<Index>(static_cast<double>(residual.values.size()) / fewest));
+  FittedSamples fit{thinned(residual.elapsed, stride),
+                    thinned(residual.jacobian, stride),
+                    {},
+                    thinned(residual.values, stride)};
+  Index next = fit.jacobian.cols();
+  fit.jacobian.conservativeResize(Eigen::NoChange, next + 4 * static_cast<Index>(known.size()));
+  for (const ToneShape& tone : known) {
+    fit.jacobian.middleCols<2>(next) = tone_columns(fit.elapsed, tone);
+    fit.jacobian.middleCols<2>(next + 2) =
+        fit.elapsed.asDiagonal() * fit.jacobian.middleCols<2>(next);
+    next += 4;
+  }
+  fit.basis = basis_of(fit.jacobian);
+  return fit;
+}
+
 }  // namespace
 
-ResidualModel model_residual(const VectorXd& elapsed, const MatrixXd& jacobian,
-                             const VectorXd& residual, const std::vector<ToneShape>& requested,
-                             const std::vector<ToneRange>& ranges, double span,
-                             std::optional<std::size_t> asked) {
-  double highest = 0;
+ResidualModel model_residual(const FitResidual& residual, std::optional<std::size_t> asked,
+                             const std::vector<ToneShape>& known) {
+  const auto& [elapsed, jacobian, values, requested, ranges, span] = residual;
   std::vector<ToneShape> refined;
-  for (std::size_t k = 0; k < requested.size(); ++k) {
-    highest = std::max(highest, highest_searched * requested[k].angular_frequency);
+  for (std::size_t k = 0; k < requested.size(); ++k)
     if (ranges[k].refined()) refined.push_back(requested[k]);
-  }
-  const double fewest = samples_per_period * highest * span / (2 * pi);
-  const auto stride =
-      std::max<Index>(1, static_cast<Index>(static_cast<double>(elapsed.size()) / fewest));
-  FittedSamples fit{
-      thinned(elapsed, stride), thinned(jacobian, stride), {}, thinned(residual, stride)};
-  fit.basis = basis_of(fit.jacobian);
-  const Search search(fit.elapsed, highest, span, refined);
+  const FittedSamples fit = thinned_samples(residual, known);
+  const Search search(fit.elapsed, highest_frequency(residual), span, refined);
   const ExtendedFit model = choose(fit, requested, search, span);
 
   ResidualModel found{.correction = VectorXd::Zero(jacobian.cols()),
+                      .further = known,
                       .noise = std::vector<LocalNoise>(requested.size()),
                       .beside = std::vector<std::optional<double>>(requested.size())};
+  found.further.insert(found.further.end(), model.further.begin(), model.further.end());
   // Without further tones the correction stays zero: the thinned residual is not exactly orthogonal
   // to the thinned columns.
-  if (!model.further.empty()) found.correction = model.coefficients.head(jacobian.cols());
+  if (!found.further.empty()) found.correction = model.coefficients.head(jacobian.cols());
   const ParameterNoise of_parameters(model.samples, likely_noises(model.samples));
   for (std::size_t k = 0; k < requested.size(); ++k) {
     if (asked && k != *asked) continue;
     const double w = requested[k].angular_frequency;
     found.noise[k] = LocalNoise(model.samples, w, span, of_parameters);
-    found.beside[k] = nearest_beside(requested[k], model.further, span);
+    found.beside[k] = nearest_beside(requested[k], found.further, span);
     if (!found.noise[k].known() && !found.beside[k]) found.beside[k] = w;
   }
+  return found;
+}
+
+VectorXd correction_by(const FitResidual& residual, const std::vector<ToneShape>& known) {
+  if (known.empty()) return VectorXd::Zero(residual.jacobian.cols());
+  return extended(thinned_samples(residual, known), {}).coefficients.head(residual.jacobian.cols());
+}
+
+std::vector<ToneShape> of_either(const std::vector<ToneShape>& tones,
+                                 const std::vector<ToneShape>& others, const ToneShape& requested,
+                                 double span) {
+  std::vector<ToneShape> found;
+  for (const auto* of : {&tones, &others})
+    for (const ToneShape& one : *of)
+      if (!near(one, requested, span) &&
+          std::none_of(found.begin(), found.end(), [&](const ToneShape& other) {
+            return std::abs(one.angular_frequency - other.angular_frequency) < pi / span;
+          }))
+        found.push_back(one);
   return found;
 }
 

@@ -25,26 +25,45 @@ namespace slosh {
 // are a twentieth.
 inline constexpr double largest_shift = 0.05;
 
+// The residual of a fit at equally spaced times [s] of a window of length `span` [s].
+struct FitResidual {
+  Eigen::VectorXd elapsed;
+  Eigen::MatrixXd jacobian;  // of the fit, one column per parameter
+  Eigen::VectorXd values;
+  std::vector<ToneShape> requested;
+  std::vector<ToneRange> ranges;
+  double span;
+};
+
 struct ResidualModel {
-  Eigen::VectorXd correction;     // of the parameters, one per column of the Jacobian
-  std::vector<LocalNoise> noise;  // about each requested tone
+  Eigen::VectorXd correction;      // of the parameters, one per column of the Jacobian
+  std::vector<ToneShape> further;  // the tones that no request names
+  std::vector<LocalNoise> noise;   // about each requested tone
   // For each requested tone, the frequency [rad/s] of an unnamed tone that the window cannot tell
   // from it.
   std::vector<std::optional<double>> beside;
 
   ResidualModel without_corrections() const {
-    return {Eigen::VectorXd::Zero(correction.size()), noise, beside};
+    return {Eigen::VectorXd::Zero(correction.size()), further, noise, beside};
   }
 };
 
-// Models the residual of a fit with this Jacobian at equally spaced times [s] of a window of length
-// `span` [s]. No further tone is taken close to a refined one, whose derivatives by frequency and
-// decay rate fill the bins about it already. `asked` restricts `noise` and `beside` to one of the
-// requested tones; without it they cover all.
-ResidualModel model_residual(const Eigen::VectorXd& elapsed, const Eigen::MatrixXd& jacobian,
-                             const Eigen::VectorXd& residual,
-                             const std::vector<ToneShape>& requested,
-                             const std::vector<ToneRange>& ranges, double span,
-                             std::optional<std::size_t> asked = {});
+// Models a residual. No further tone is taken close to a refined one, whose derivatives by
+// frequency and decay rate fill the bins about it already. Tones that are `known` to be in the
+// residual are part of the model from the start, each with its derivatives by frequency and decay
+// rate. `asked` restricts `noise` and `beside` to one of the requested tones; without it they cover
+// all.
+ResidualModel model_residual(const FitResidual& residual, std::optional<std::size_t> asked = {},
+                             const std::vector<ToneShape>& known = {});
+
+// The correction of the parameters by these further tones alone, each with its derivatives by
+// frequency and decay rate.
+Eigen::VectorXd correction_by(const FitResidual& residual, const std::vector<ToneShape>& known);
+
+// Those of both lists that a window of this length tells from the requested tone, where tones
+// within half a spectral bin of each other count once.
+std::vector<ToneShape> of_either(const std::vector<ToneShape>& tones,
+                                 const std::vector<ToneShape>& others, const ToneShape& requested,
+                                 double span);
 
 }  // namespace slosh

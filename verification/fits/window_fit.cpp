@@ -66,10 +66,9 @@ VectorXd WindowFit::residual(const std::vector<double>& time,
   return vector_of(value) - basis_of(elapsed_of(time, window), window, shapes) * coefficients;
 }
 
-ResidualModel WindowFit::residual_model(const std::vector<double>& time, const VectorXd& residuals,
-                                        std::optional<std::size_t> k) const {
-  return model_residual(elapsed_of(time, window), jacobian(time), residuals, shapes, ranges,
-                        window.end - window.begin, k);
+FitResidual WindowFit::at_times(const std::vector<double>& time, VectorXd residuals) const {
+  return {elapsed_of(time, window), jacobian(time), std::move(residuals), shapes, ranges,
+          window.end - window.begin};
 }
 
 WindowFit::ToneEstimates WindowFit::estimates(std::size_t k, const ResidualModel& model) const {

@@ -24,10 +24,8 @@ struct WindowFit {
   Eigen::MatrixXd jacobian(const std::vector<double>& time) const;
   // Values less the model.
   Eigen::VectorXd residual(const std::vector<double>& time, const std::vector<double>& value) const;
-  // Models a residual at these times, such as residual() gives, about all tones, or about the k-th
-  // tone alone.
-  ResidualModel residual_model(const std::vector<double>& time, const Eigen::VectorXd& residuals,
-                               std::optional<std::size_t> k = {}) const;
+  // A residual at these times, such as residual() gives, with what its model needs.
+  FitResidual at_times(const std::vector<double>& time, Eigen::VectorXd residuals) const;
 
   // The k-th tone's parameters with the corrections by a model of the residual, and their 95 %
   // intervals.

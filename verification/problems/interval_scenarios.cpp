@@ -1,5 +1,7 @@
 #include "verification/problems/interval_scenarios.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -8,8 +10,9 @@ namespace slosh {
 namespace {
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
-constexpr double amplitude_error = 0.02, lag = degree, frequency_error = 0.003, decay_rate = 0.05;
+constexpr double frequency_error = 0.003, decay_rate = 0.05;
 constexpr double sample_interval = 0.01;
+constexpr double round_off = 1e-10;  // of an estimate without noise, in each quantity's unit
 // The levels of residual_model.hpp and local_noise.hpp were chosen with smaller seeds.
 constexpr std::uint64_t first_seed = 1001;
 
@@ -124,6 +127,50 @@ std::vector<IntervalScenario> leftovers() {
   return all;
 }
 
+// Tones that both series share, over frequencies, heights, distances, amplitude errors, lags and
+// windows, without noise, with noise of each series and with noise that they share too.
+std::vector<IntervalScenario> shared_tones() {
+  struct Shared {
+    double frequency, length, height, bins, amplitude_error, lag_degrees;  // [Hz], [s], ...
+  };
+  constexpr Shared places[] = {
+      {0.8, 9.37, 0.6, 1.4, 0.06, 20},  {0.8, 9.37, 0.6, 1.4, -0.1, 0},
+      {0.3, 19, 0.3, 1.3, 0.06, -40},   {1.4, 6.1, 0.2, 2.3, 0.02, 60},
+      {0.5, 12.6, 0.4, 3.5, -0.05, 10}, {0.8, 30.2, 0.8, -2.2, 0, 90},
+  };
+  struct Source {
+    const char *name, *meaning;
+    Noise own, shared;
+  };
+  constexpr Noise none{};
+  constexpr Source sources[] = {{"exact", "without noise", none, none},
+                                {"own", "and noise of 0.3 s of each", faint, none},
+                                {"noisy", "and much noise of 0.3 s of each", red, none},
+                                {"alike", "and noise of 0.3 s, alike in both", none, red}};
+  std::vector<IntervalScenario> all;
+  for (const Source& source : sources) {
+    int number = 0;
+    for (const Shared& place : places) {
+      IntervalScenario one = forced_alone(
+          fmt::format("shared_tone_{}_{}", ++number, source.name),
+          fmt::format("an unnamed tone {} bins off, alike in both, {}", place.bins, source.meaning),
+          place.length, source.own);
+      one.forcing = 2 * pi * place.frequency;
+      one.amplitude_error = place.amplitude_error;
+      one.lag_degrees = place.lag_degrees;
+      one.reference_noise = source.own;
+      one.shared_noise = source.shared;
+      one.without_noise = source.own.deviation == 0 && source.shared.deviation == 0;
+      one.beat_height = place.height;
+      one.beats_per_window = place.bins;
+      one.beat_in_both = one.deterministic_leftovers = true;
+      one.quick = number == 1;
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
 // Scenarios whose tones cannot be separated: only a refusal is right.
 std::vector<IntervalScenario> beyond_the_window() {
   std::vector<IntervalScenario> all;
@@ -147,6 +194,7 @@ std::vector<IntervalScenario> beyond_the_window() {
 SyntheticPair draw_pair(const IntervalScenario& scenario, std::uint64_t seed) {
   Random random(seed);
   const double w = scenario.forcing, n = scenario.natural, begin = scenario.window.begin;
+  const double lag = scenario.lag_degrees * degree, gain = 1 + scenario.amplitude_error;
   const double p = random.phase(), q = random.phase(), beat_phase = random.phase();
   const auto envelope = [&](const Modulation& modulation) {
     const double rate =
@@ -171,11 +219,14 @@ SyntheticPair draw_pair(const IntervalScenario& scenario, std::uint64_t seed) {
     pair.reference.value.push_back(std::cos(w * t + p) + b * std::cos(n * t + q) +
                                    (scenario.beat_in_both ? further : 0));
     pair.candidate.value.push_back(
-        (1 + amplitude_error) * forced_envelope(t) * std::cos(w * t + p - lag) +
-        (1 + amplitude_error) * b * natural_envelope(t) * std::exp(-decay_rate * (t - begin)) *
+        gain * forced_envelope(t) * std::cos(w * t + p - lag) +
+        gain * b * natural_envelope(t) * std::exp(-decay_rate * (t - begin)) *
             std::cos((1 + frequency_error) * n * (t - middle) + n * middle + q) +
         further);
   }
+  Random shared = random;
+  add_noise(pair.candidate, scenario.shared_noise, random);
+  add_noise(pair.reference, scenario.shared_noise, shared);
   add_noise(pair.candidate, scenario.candidate_noise, random);
   add_noise(pair.reference, scenario.reference_noise, random);
   return pair;
@@ -184,7 +235,7 @@ SyntheticPair draw_pair(const IntervalScenario& scenario, std::uint64_t seed) {
 const std::vector<IntervalScenario>& interval_scenarios() {
   static const std::vector<IntervalScenario> scenarios = [] {
     std::vector<IntervalScenario> all = noises();
-    for (const auto& more : {leftovers(), beyond_the_window()})
+    for (const auto& more : {leftovers(), shared_tones(), beyond_the_window()})
       all.insert(all.end(), more.begin(), more.end());
     return all;
   }();
@@ -220,10 +271,10 @@ std::vector<Judged> judged(const IntervalScenario& scenario, std::uint64_t seed)
       compare_modes(pair.candidate, pair.reference, scenario.window, requests_of(scenario));
   for (const ModeComparison& mode : modes)
     if (!mode.resolved()) return {};
-  std::vector<Judged> all{{modes[0].amplitude_error, amplitude_error},
-                          {modes[0].phase_lag_degrees, lag / degree}};
+  std::vector<Judged> all{{modes[0].amplitude_error, scenario.amplitude_error},
+                          {modes[0].phase_lag_degrees, scenario.lag_degrees}};
   if (scenario.natural_requested) {
-    all.push_back({modes[1].amplitude_error, amplitude_error});
+    all.push_back({modes[1].amplitude_error, scenario.amplitude_error});
     all.push_back({modes[1].frequency_error, frequency_error});
     all.push_back({modes[1].decay_rate, decay_rate});
   }
@@ -243,7 +294,7 @@ IntervalCoverage interval_coverage(const IntervalScenario& scenario, int draws) 
     for (std::size_t k = 0; k < all.size(); ++k) {
       IntervalCoverage::Quantity& quantity = coverage.quantities[k];
       const double error = all[k].estimate.value - all[k].truth;
-      quantity.held += std::abs(error) <= all[k].estimate.half_width;
+      quantity.held += std::abs(error) <= all[k].estimate.half_width + round_off;
       quantity.mean_half_width += all[k].estimate.half_width;
       quantity.rms_error += error * error;
     }

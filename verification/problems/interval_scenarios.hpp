@@ -1,10 +1,11 @@
 // Pairs of synthetic series with known parameters, to measure how often the intervals of compare()
 // contain the truth. The reference is
 //   r(t) = A cos(w t + p) + B cos(n t + q).
-// The candidate has the amplitude 1.02 A and a lag of 1 degree at w, and its natural mode has the
-// frequency (1 + 0.003) n and the amplitude 1.02 B exp(-0.05 (t - t0)), with t0 the window's begin.
-// Contributions that no request names are added to the candidate or to both: first-order
-// autoregressive noise, a modulation, another tone. Each pair has a seed of its own, from which its
+// The candidate has the amplitude (1 + e) A and the lag d at w, and its natural mode has the
+// frequency (1 + 0.003) n and the amplitude (1 + e) B exp(-0.05 (t - t0)), with t0 the window's
+// begin; e is 0.02 and d is 1 degree unless the scenario says otherwise. Contributions that no
+// request names are added to the candidate or to both: first-order autoregressive noise, a
+// modulation, another tone. Each pair has a seed of its own, from which its
 // phases are drawn.
 #pragma once
 
@@ -28,17 +29,20 @@ struct Modulation {
 
 struct IntervalScenario {
   std::string name, meaning;
-  double forcing = 0;         // w [rad/s]
-  double natural = 0;         // n [rad/s]
-  double natural_height = 0;  // B / A
+  double forcing = 0;                              // w [rad/s]
+  double amplitude_error = 0.02, lag_degrees = 1;  // e and d
+  double natural = 0;                              // n [rad/s]
+  double natural_height = 0;                       // B / A
   TimeWindow window = {0, 0};
   bool natural_requested = false;
   Noise candidate_noise = {}, reference_noise = {};
+  Noise shared_noise = {};  // the same samples in both
   Modulation of_forced = {}, of_natural = {};
   double beat_height = 0;       // of the further tone, as a share of A
   double beats_per_window = 0;  // (its frequency - that of the forcing) times the window's length
   bool beat_in_both = false;
   bool deterministic_leftovers = false;
+  bool without_noise = false;   // every interval should hold the truth
   bool to_be_refused = false;   // no window of this length separates the tones
   bool may_be_refused = false;  // a refusal is right too: the window hardly separates the tones
   bool quick = false;           // drawn in the quick form too
