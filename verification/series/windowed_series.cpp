@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/math/interpolators/makima.hpp>
 #include <cmath>
-#include <optional>
 
 namespace slosh {
 namespace {
@@ -72,31 +71,43 @@ TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window) {
           .value = {value_at(first), value_at(last)}};
 }
 
-void require_variation(const TimeSeries& series) {
+bool is_constant(const TimeSeries& series) {
   const auto [low, high] = std::minmax_element(series.value.begin(), series.value.end());
   const double rounding = 1e-12 * std::max(std::abs(*low), std::abs(*high));
-  if (!(*high - *low > rounding)) {
+  return !(*high - *low > rounding);
+}
+
+void require_variation(const TimeSeries& series) {
+  if (is_constant(series))
     throw ComparisonError(fmt::format("{}: constant at {} {} from {} s to {} s; nothing to compare",
-                                      series.name, *low, series.unit, series.time.front(),
-                                      series.time.back()));
+                                      series.name, series.value.front(), series.unit,
+                                      series.time.front(), series.time.back()));
+}
+
+std::vector<double> Interpolant::at(const std::vector<double>& times) const {
+  const std::vector<double>& known = series_.time;
+  std::vector<double> values;
+  values.reserve(times.size());
+  auto after = known.begin();  // the first sample that is not before the time
+  for (const double time : times) {
+    const auto is_before = [time](double sample) { return sample < time - rounding_s; };
+    if (after != known.begin() && !is_before(*(after - 1)))
+      after = std::partition_point(known.begin(), after, is_before);
+    while (after != known.end() && is_before(*after)) ++after;
+    if (after != known.end() && std::abs(*after - time) <= rounding_s) {
+      values.push_back(series_.value[static_cast<std::size_t>(after - known.begin())]);
+      continue;
+    }
+    if (!curve_)
+      curve_ = boost::math::interpolators::makima(std::vector<double>(known),
+                                                  std::vector<double>(series_.value));
+    values.push_back(curve_(time));
   }
+  return values;
 }
 
 std::vector<double> interpolate(const TimeSeries& series, const std::vector<double>& times) {
-  using Curve = boost::math::interpolators::makima<std::vector<double>>;
-  std::optional<Curve> curve;  // only made for times between samples
-  std::vector<double> values;
-  values.reserve(times.size());
-  for (const double time : times) {
-    const auto after = std::lower_bound(series.time.begin(), series.time.end(), time - rounding_s);
-    if (after != series.time.end() && std::abs(*after - time) <= rounding_s) {
-      values.push_back(series.value[static_cast<std::size_t>(after - series.time.begin())]);
-      continue;
-    }
-    if (!curve) curve.emplace(std::vector<double>(series.time), std::vector<double>(series.value));
-    values.push_back((*curve)(time));
-  }
-  return values;
+  return Interpolant(series).at(times);
 }
 
 CommonSamples common_samples(const TimeSeries& candidate, const TimeSeries& cut_reference) {

@@ -4,6 +4,7 @@
 // 0.015 % at 100.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "verification/series/time_series.hpp"
@@ -16,9 +17,29 @@ namespace slosh {
 // samples lie inside.
 TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window);
 
+// Whether a checked series is constant to rounding.
+bool is_constant(const TimeSeries& series);
+
 // Throws ComparisonError when a checked series is constant to rounding: its phase and its
 // normalised errors would be those of noise.
 void require_variation(const TimeSeries& series);
+
+// The cubic through the samples of a checked series, which must outlive it.
+class Interpolant {
+ public:
+  explicit Interpolant(const TimeSeries& series) : series_(series) {}
+
+  // Whether the time lies within the series [s].
+  bool holds(double time) const {
+    return time >= series_.time.front() && time <= series_.time.back();
+  }
+  // Values at the given times, all of which lie within the series [unit]; fast where they increase.
+  std::vector<double> at(const std::vector<double>& times) const;
+
+ private:
+  const TimeSeries& series_;
+  mutable std::function<double(double)> curve_;  // only made for times between samples
+};
 
 // Values of a checked series at the given times, all of which lie within it [unit].
 std::vector<double> interpolate(const TimeSeries& series, const std::vector<double>& times);
