@@ -21,6 +21,7 @@
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/gate/measured_value.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/metrics/comparison.hpp"
@@ -161,11 +162,19 @@ void print(const Comparison& comparison) {
   std::cout << fmt::format("{} of {} against {}, {:.6g} to {:.6g} s\n", comparison.quantity,
                            comparison.candidate, comparison.reference, comparison.window.begin,
                            comparison.window.end);
+  if (comparison.unseen)
+    std::cout << "not compared: " << unseen_text(*comparison.unseen, comparison.unit) << "\n";
+  const std::string offset =
+      in_unit(comparison.candidate_wave.mean - comparison.reference_wave.mean, comparison.unit);
+  if (comparison.reference_is_constant) {
+    std::cout << "the reference is constant: only the offset and the residual are compared\n"
+              << "mean offset: " << offset << "\n"
+              << "largest residual: " << in_unit(comparison.maximum_residual, comparison.unit)
+              << "\n";
+    return;
+  }
   std::cout << "normalised rms: " << with_interval(comparison.normalised_rms, "1") << "\n"
-            << "mean offset: "
-            << in_unit(comparison.candidate_wave.mean - comparison.reference_wave.mean,
-                       comparison.unit)
-            << ", normalised rms without it: "
+            << "mean offset: " << offset << ", normalised rms without it: "
             << in_unit(normalised_rms_without_offset(comparison), "1") << "\n"
             << "largest residual: " << in_unit(comparison.maximum_residual, comparison.unit) << "\n"
             << "Sprague and Geers: magnitude "

@@ -86,8 +86,9 @@ struct GateOutcome {
   GateRow row;
   Verdict verdict;
   Estimate value{};  // the metric; NaN where it was not measured
-  // "0.8 % ≤ 1.5 %", followed by " (regression)" for a regression row; or why nothing could be
-  // compared.
+  // "0.8 % ≤ 1.5 %", followed by what the reference's samples do not tell of the candidate, for
+  // which a row other than a regression does not pass but is inconclusive, and by " (regression)"
+  // for a regression row; or why nothing could be compared.
   std::string message;
   // What the verdict on a limit or a range rests on; empty for other rows.
   std::optional<ThreeWayOutcome> judgement = {};

@@ -73,6 +73,11 @@ Estimate band_value(const GateRow& row, const Comparison& comparison) {
 }
 
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
+  if (comparison.reference_is_constant && metric != Metric::mean_offset &&
+      metric != Metric::maximum_residual)
+    throw ComparisonError(fmt::format(
+        "the reference {} is constant from {} s to {} s; {} needs one that varies",
+        comparison.reference, comparison.window.begin, comparison.window.end, metric_name(metric)));
   switch (metric) {
     case Metric::amplitude_error:
       return mode_of(comparison, mode).amplitude_error;
@@ -201,6 +206,28 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
 }
 
 }  // namespace
+
+std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
+  return fmt::format(
+      "the reference has no sample between {:.4g} and {:.4g} s, where the candidate departs by up "
+      "to {:.3g} {} from what its values at the reference's times tell",
+      unseen.begin, unseen.end, unseen.departure, unit);
+}
+
+std::string unseen_by_reference(const GateRow& row, const GateEvidence& evidence) {
+  if (is_of_repeats(row.metric) || is_of_candidate_alone(row.metric) || is_of_impacts(row.metric) ||
+      is_of_fields(row.metric) || is_cost(row.metric) ||
+      metric_entry(row.metric).fitted != FittedTones::none)
+    return "";
+  const Comparison* worst = nullptr;
+  for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
+    for (const std::string& reference : reference_of(row, evidence).members) {
+      const Comparison& pair = evidence.comparison(candidate, reference, row.quantity);
+      if (pair.unseen && !(worst && worst->unseen->departure >= pair.unseen->departure))
+        worst = &pair;
+    }
+  return worst ? unseen_text(*worst->unseen, worst->unit) : "";
+}
 
 EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) {
   return evidence.ensemble ? evidence.ensemble(run) : EnsembleOfRun{{run}};

@@ -20,6 +20,14 @@ inline constexpr Estimate no_value{not_a_number, not_a_number};
 // the metric's.
 Estimate measured(const GateRow& row, const GateEvidence& evidence);
 
+// "the reference has no sample between 3 and 3.5 s, where the candidate departs by ..."
+std::string unseen_text(const UnseenInterval& unseen, const std::string& unit);
+
+// That text for a row whose metric is of the whole histories, of the worst of an ensemble's pairs;
+// empty where the reference tells all, and for other metrics: the modes of each series are fitted
+// to its own samples. Throws what measured() throws.
+std::string unseen_by_reference(const GateRow& row, const GateEvidence& evidence);
+
 // Whether the row is judged on the mean over an ensemble, its candidate or its reference.
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
 // The metric of each member of the candidate (outer index) against each member of the reference

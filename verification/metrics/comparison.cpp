@@ -156,9 +156,9 @@ PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindo
       series(named(role, std::move(of))),
       window(over),
       modes(std::move(requests)),
-      cut(cut_to_window(series, window)) {
-  require_variation(cut);
-  if (modes.empty()) return;
+      cut(cut_to_window(series, window)),
+      constant(is_constant(cut)) {
+  if (modes.empty() || constant) return;
   require_resolved(window, modes);
   require_sampled(cut, modes);
   if (detail == Detail::fitted_tones) fit.emplace(series, window, modes);
@@ -186,12 +186,20 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
     throw ComparisonError(fmt::format("{} is in {}, {} in {}; expected the same unit",
                                       candidate.series.name, candidate.series.unit,
                                       reference.series.name, result.unit));
+  result.reference_is_constant = reference.constant;
+  if (!reference.constant) require_variation(candidate.cut);
   const CommonSamples common = common_samples(candidate.series, reference.cut);
-  compare_whole_window(common, blocks_of(result.window, modes), result);
+  result.unseen = unseen_interval(candidate.series, common);
+  compare_whole_window(samples_of_both(candidate.series, common), blocks_of(result.window, modes),
+                       result);
   compare_waves(common, modes, result);
   if (reference.band) result.margin = band_margin(common.time, common.candidate, *reference.band);
   result.cross_correlation_lag = result.cross_correlation_lag_degrees = not_a_number;
   result.alignment = {not_a_number, not_a_number};
+  if (reference.constant) {
+    result.normalised_rms = {not_a_number, not_a_number};
+    return result;
+  }
   if (modes.empty())
     result.alignment = align_in_time(candidate.series, reference.cut);
   else

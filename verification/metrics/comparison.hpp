@@ -18,6 +18,7 @@
 #include "verification/fits/harmonic_fit.hpp"
 #include "verification/metrics/quantile_band.hpp"
 #include "verification/metrics/time_alignment.hpp"
+#include "verification/metrics/unseen_interval.hpp"
 #include "verification/series/spectrum.hpp"
 #include "verification/series/time_series.hpp"
 #include "verification/series/wave_statistics.hpp"
@@ -32,8 +33,8 @@ enum class Detail { fitted_tones, spectrum_alone };
 // once, however many other series are compared with it.
 struct PreparedSeries {
   // Messages name the series by its role ("candidate elevation@left"). Throws ComparisonError when
-  // it holds a non-finite value, is constant, falls short of the window by more than one sample or
-  // is too sparse for the modes, or when the window cannot resolve these.
+  // it holds a non-finite value, falls short of the window by more than one sample or is too sparse
+  // for the modes, or when the window cannot resolve these.
   PreparedSeries(const std::string& role, TimeSeries series, TimeWindow window,
                  std::vector<ToneRequest> modes, Detail detail = Detail::fitted_tones);
 
@@ -46,6 +47,7 @@ struct PreparedSeries {
   TimeWindow window;
   std::vector<ToneRequest> modes;
   TimeSeries cut;                    // to the window
+  bool constant;                     // to rounding: it then has no modes
   std::optional<SeriesFit> fit;      // nullopt without modes and for Detail::spectrum_alone
   std::optional<Spectrum> spectrum;  // nullopt without modes
   std::optional<QuantileBand> band;  // cut to the window
@@ -72,7 +74,11 @@ struct Comparison {
   std::string candidate, reference;  // names of the runs, filled in by the caller
   std::string quantity, unit;        // the reference's
   TimeWindow window;
-  std::vector<ModeComparison> modes;  // the modes asked for; empty for Detail::spectrum_alone
+  // The reference is constant over the window: only the means and the residual can be compared, and
+  // all that divides by the reference's variation or by its modes is NaN or empty.
+  bool reference_is_constant = false;
+  std::optional<UnseenInterval> unseen;  // what the reference's samples do not tell
+  std::vector<ModeComparison> modes;     // the modes asked for; empty for Detail::spectrum_alone
   // For each mode, E_c / E_r - 1 with the energies within a fifth of its frequency to either side
   // (spectrum.hpp); NaN where the window cannot resolve that band.
   std::map<std::string, double> band_energy_error;
@@ -86,7 +92,7 @@ struct Comparison {
   Estimate sprague_geers_magnitude, sprague_geers_phase;
   // Of both at the reference's times inside the window, with the first mode's period.
   WaveStatistics candidate_wave, reference_wave;
-  TimeSeries residual;  // c - r at the reference's times inside the window
+  TimeSeries residual;  // c - r inside the window, at the times of samples_of_both()
   // The candidate's margin in the reference's band (quantile_band.hpp); nullopt without a band.
   std::optional<TimeSeries> margin;
   // One more than there are modes, highest first; empty without modes.
@@ -102,10 +108,12 @@ double normalised_rms_without_offset(const Comparison& comparison);
 std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const TimeSeries& reference,
                                           TimeWindow window, const std::vector<ToneRequest>& modes);
 
-// Compares two series over their window. The candidate is interpolated (cubic) to the reference's
-// times. Without modes, only the whole time series are compared; with Detail::spectrum_alone,
-// everything except the modes. `asked` names the modes to compare; empty means all of them. Throws
-// ComparisonError when the units differ.
+// Compares two series over their window. The residual is taken at the times of both where the
+// reference resolves its signal (samples_of_both()), all else at the reference's times; between its
+// samples a series is interpolated (cubic). Without modes, only the whole time series are compared;
+// with Detail::spectrum_alone, everything except the modes. `asked` names the modes to compare;
+// empty means all of them. Throws ComparisonError when the units differ and when the candidate
+// alone is constant.
 Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference,
                    const std::set<std::string>& asked = {});
 

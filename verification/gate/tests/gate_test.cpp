@@ -97,6 +97,42 @@ TEST(Gate, PassesAValueUpToItsLimitOnEitherSide) {
   EXPECT_EQ(judge(row, comparison_of(0)).verdict, Verdict::violated);
 }
 
+TEST(Gate, DoesNotPassOnWhatTheReferencesSamplesDoNotTell) {
+  Comparison comparison = comparison_of(0);
+  comparison.unseen = UnseenInterval{3, 3.5, 0.02};
+  GateRow row = row_of(Metric::maximum_residual, "whole", "m", 0.001);
+  const GateOutcome outcome = judge(row, comparison);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+  EXPECT_NE(outcome.message.find("no sample between 3 and 3.5 s, where the candidate departs by up "
+                                 "to 0.02 m"),
+            std::string::npos)
+      << outcome.message;
+  row.limit = 0.0001;
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::violated);
+  row.limit = 0.001;
+  row.kind = RowKind::regression;
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::pass);
+  EXPECT_NE(judge(row, comparison).message.find("no sample"), std::string::npos);
+  EXPECT_EQ(judge(amplitude_row, comparison).verdict, Verdict::pass);  // of each series' own fit
+}
+
+TEST(Gate, MeasuresAgainstAConstantReferenceWhatNeedsNoVariation) {
+  Comparison comparison = comparison_of(0);
+  comparison.reference_is_constant = true;
+  comparison.modes.clear();
+  EXPECT_EQ(judge(row_of(Metric::mean_offset, "whole", "m", 0.01), comparison).verdict,
+            Verdict::pass);
+  EXPECT_EQ(judge(row_of(Metric::mean_offset, "whole", "m", 0.001), comparison).verdict,
+            Verdict::violated);
+  EXPECT_EQ(judge(row_of(Metric::maximum_residual, "whole", "m", 0.01), comparison).verdict,
+            Verdict::pass);
+  for (const GateRow& row : {row_of(Metric::normalised_rms, "whole", "1", 0.5),
+                             row_of(Metric::rms_error, "whole", "1", 0.9), amplitude_row}) {
+    EXPECT_EQ(judge(row, comparison).verdict, Verdict::not_compared);
+    EXPECT_NE(judge(row, comparison).message.find("constant"), std::string::npos);
+  }
+}
+
 TEST(Gate, IsInconclusiveWhereTheIntervalReachesAcrossTheBound) {  // each +- 0.001
   EXPECT_EQ(judge(amplitude_row, comparison_of(0.0489)).verdict, Verdict::pass);
   EXPECT_EQ(judge(amplitude_row, comparison_of(-0.0489)).verdict, Verdict::pass);

@@ -1,0 +1,87 @@
+#include "verification/metrics/unseen_interval.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verification/metrics/comparison.hpp"
+#include "verification/tests/synthetic_series.hpp"
+
+namespace slosh::unseen_interval_test {
+namespace {
+
+constexpr TimeWindow window{0, 20};
+
+double pressure(double t) { return 3000 + 500 * std::sin(4 * t); }  // [Pa]
+
+TimeSeries without(TimeSeries series, double begin, double end) {
+  TimeSeries left{series.name, series.unit, {}, {}};
+  for (std::size_t i = 0; i < series.time.size(); ++i) {
+    if (series.time[i] > begin && series.time[i] < end) continue;
+    left.time.push_back(series.time[i]);
+    left.value.push_back(series.value[i]);
+  }
+  return left;
+}
+
+TimeSeries with_impact_at(double time) {
+  return sampled(
+      [time](double t) { return pressure(t) + 5000 * std::exp(-std::pow((t - time) / 0.004, 2)); },
+      0, 20, 0.001);
+}
+
+std::optional<UnseenInterval> unseen(const TimeSeries& candidate, const TimeSeries& reference) {
+  return compare(candidate, reference, window, {}).unseen;
+}
+
+TEST(UnseenInterval, TellsAPeakBetweenTheSamplesOfACoarseReference) {
+  const auto found = unseen(with_impact_at(10.05), sampled(pressure, 0, 20, 0.1));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->begin, 10.0, 1e-9);
+  EXPECT_NEAR(found->end, 10.1, 1e-9);
+  EXPECT_NEAR(found->departure, 5000, 10);
+}
+
+TEST(UnseenInterval, TellsAPeakInTheDropoutOfAReference) {
+  const auto reference = without(sampled(pressure, 0, 20, 0.001), 9, 9.5);
+  const auto found = unseen(with_impact_at(9.2), reference);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->begin, 9.0, 1e-9);
+  EXPECT_NEAR(found->departure, 5000, 200);
+}
+
+TEST(UnseenInterval, TellsADropoutInWhichTheCandidateIsSmooth) {
+  const auto found =
+      unseen(sampled(pressure, 0, 20, 0.001), without(sampled(pressure, 0, 20, 0.001), 9, 9.1));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->begin, 9.0, 1e-9);
+  EXPECT_LT(found->departure, 5);
+}
+
+TEST(UnseenInterval, TellsPowerBeyondTheNyquistFrequencyOfTheReference) {
+  const auto ringing =
+      sampled([](double t) { return pressure(t) + 100 * std::sin(two_pi * 37 * t); }, 0, 20, 0.001);
+  EXPECT_TRUE(unseen(ringing, sampled(pressure, 0, 20, 0.05)));
+  EXPECT_FALSE(unseen(ringing, sampled(pressure, 0, 20, 0.001)));
+}
+
+TEST(UnseenInterval, IsNotThereWhereTheReferenceResolvesTheCandidate) {
+  const auto impact = with_impact_at(10.05);
+  EXPECT_FALSE(unseen(impact, impact));
+  EXPECT_FALSE(unseen(impact, sampled(pressure, 0, 20, 0.0005)));
+  EXPECT_FALSE(unseen(sampled(pressure, 0, 20, 0.001), sampled(pressure, 0, 20, 0.1)));
+  EXPECT_FALSE(unseen(sampled(pressure, 0, 20, 0.1), sampled(pressure, 0, 20, 0.001)));
+  EXPECT_FALSE(unseen(with_noise(impact, 100, 0, 1), with_noise(impact, 100, 0, 2)));
+}
+
+// A digitised curve of few points is compared where it has them, with nothing made up between.
+TEST(SamplesOfBoth, AreTheReferencesWhereThatDoesNotResolveItself) {
+  const auto sparse = sampled(pressure, 0, 20, 0.5), fine = sampled(pressure, 0, 20, 0.001);
+  EXPECT_EQ(samples_of_both(fine, common_samples(fine, sparse)).time, sparse.time);
+  const auto well = sampled(pressure, 0, 20, 0.03);
+  const CommonSamples both = samples_of_both(fine, common_samples(fine, well));
+  EXPECT_GE(both.time.size(), fine.time.size() - 10);
+  for (std::size_t i = 0; i < both.time.size(); ++i)
+    EXPECT_NEAR(both.reference[i], pressure(both.time[i]), 0.5);
+}
+
+}  // namespace
+}  // namespace slosh::unseen_interval_test
