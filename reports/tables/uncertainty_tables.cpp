@@ -25,7 +25,7 @@ void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Tabl
         fmt::format("{}", fmt::join(path.runs, ", ")),
         fmt::format("{}", fmt::join(values, ", ")),
         path.values.size() == 2 ? "two values" : behaviour_name(path.found.behaviour),
-        path.found.order ? fmt::format("{:.2f}", *path.found.order) : "",
+        observed_order_text(path.found),
         in_unit(path.found.extrapolated, row.unit),
         "± " + in_unit(path.found.uncertainty, row.unit)};
     if (std::find(table.rows.begin(), table.rows.end(), line) == table.rows.end())

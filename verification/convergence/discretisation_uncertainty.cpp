@@ -85,6 +85,7 @@ StepBehaviour behaviour_of(const Values& values, std::optional<double> order) {
 
 struct ErrorEstimate {
   std::optional<double> order;
+  double order_used;    // of the extrapolation
   double extrapolated;  // f0
   double uncertainty;   // half width of the 95 % interval about the value asked about
 };
@@ -124,7 +125,7 @@ ErrorEstimate from_three(const Values& values, std::size_t asked) {
     return moved[asked].value - three_grid_limit(moved);
   };
   const double order = order_of_three(values, 0);
-  return {order, three_grid_limit(values),
+  return {order, reliable_order(order), three_grid_limit(values),
           safety_factor(order) * std::abs(error(values)) + moved_by_noise(values, error)};
 }
 
@@ -138,7 +139,7 @@ double data_range(const Values& values) {
 
 ErrorEstimate from_fit(const Values& values, std::size_t asked) {
   const double range = data_range(values);
-  if (range == 0) return {std::nullopt, values[asked].value, 0};
+  if (range == 0) return {std::nullopt, 0, values[asked].value, 0};
   const auto [order, fit] = choose_expansion(values);
   const double error = std::abs(fit.error_at(asked));
   const double residual = std::abs(values[asked].value - fit.fitted[asked]);
@@ -152,7 +153,7 @@ ErrorEstimate from_fit(const Values& values, std::size_t asked) {
                 : fit_fixed_orders(moved, fit.weighted, fit.expansion))
         .error_at(asked);
   };
-  return {order, fit.extrapolated, uncertainty + moved_by_noise(values, refitted)};
+  return {order, fit.order, fit.extrapolated, uncertainty + moved_by_noise(values, refitted)};
 }
 
 // The uncertainty where no order is reliable.
@@ -166,19 +167,27 @@ double from_range(const Values& values, std::size_t asked) {
   return first_order_uncertainty(largest, values[asked].step, values[0].step, values[last].step);
 }
 
+// A sentence, after a space, where the extrapolation takes another order than the observed one.
+std::string of_other_order(const DiscretisationUncertainty& result) {
+  if (!takes_other_order(result)) return "";
+  return fmt::format(
+      " The extrapolation takes the order {:.2g} instead: it is reliable from {} to {} only.",
+      *result.order_used, reliable_orders.low, reliable_orders.high);
+}
+
 std::string explanation_of(const DiscretisationUncertainty& result, const Values& values) {
   const double last = std::abs(difference(values[0], values[1]));
   const double noise = noise_of_difference(values[0], values[1]);
   switch (result.behaviour) {
     case StepBehaviour::monotone:
       return fmt::format(
-          "The values approach {:.4g} from one side with an observed order of {:.2f}.",
-          result.extrapolated, *result.order);
+          "The values approach {:.4g} from one side with an observed order of {:.2f}.{}",
+          result.extrapolated, *result.order, of_other_order(result));
     case StepBehaviour::superconvergent:
       return fmt::format(
           "The differences fall with an order of {:.2f}, above the method's formal order of 2; the "
-          "safety factor is therefore {:.0f}.",
-          *result.order, cautious_safety_factor);
+          "safety factor is therefore {:.0f}.{}",
+          *result.order, cautious_safety_factor, of_other_order(result));
     case StepBehaviour::oscillatory:
       return "The differences fall, but have both signs: the values have no order, and the "
              "uncertainty rests on their range and scatter.";
@@ -209,12 +218,17 @@ DiscretisationUncertainty discretisation_uncertainty(Values values, std::optiona
   const std::size_t asked = at_step ? index_of_step(values, *at_step) : 0;
   const bool fitted = values.size() >= fewest_values_to_fit;
   const ErrorEstimate estimate = fitted ? from_fit(values, asked) : from_three(values, asked);
-  DiscretisationUncertainty result{behaviour_of(values, estimate.order), std::nullopt,
-                                   values[asked].value, estimate.uncertainty, ""};
+  DiscretisationUncertainty result{.behaviour = behaviour_of(values, estimate.order),
+                                   .order = {},
+                                   .order_used = {},
+                                   .extrapolated = values[asked].value,
+                                   .uncertainty = estimate.uncertainty,
+                                   .explanation = ""};
   const bool has_order = result.behaviour == StepBehaviour::monotone ||
                          result.behaviour == StepBehaviour::superconvergent;
   if (has_order) {
     result.order = estimate.order;
+    result.order_used = estimate.order_used;
     result.extrapolated = estimate.extrapolated;
   } else if (!fitted) {
     result.uncertainty = from_range(values, asked);
@@ -223,6 +237,17 @@ DiscretisationUncertainty discretisation_uncertainty(Values values, std::optiona
   }
   result.explanation = explanation_of(result, values);
   return result;
+}
+
+bool takes_other_order(const DiscretisationUncertainty& found) {
+  return found.order && (*found.order < reliable_orders.low || *found.order > reliable_orders.high);
+}
+
+std::string observed_order_text(const DiscretisationUncertainty& found) {
+  if (!found.order) return "";
+  return fmt::format("{:.2f}", *found.order) +
+         (takes_other_order(found) ? fmt::format(" (extrapolated with {:.2g})", *found.order_used)
+                                   : "");
 }
 
 std::string behaviour_name(StepBehaviour behaviour) {

@@ -45,6 +45,9 @@ enum class StepBehaviour { monotone, superconvergent, oscillatory, diverging, fl
 struct DiscretisationUncertainty {
   StepBehaviour behaviour;
   std::optional<double> order;  // only for monotone and superconvergent values
+  // The leading order of the expansion that was extrapolated, which is not the observed one where
+  // that is below 0.5 or above 2; only for values with an order.
+  std::optional<double> order_used;
   // f at step zero; for values without an order, the value at the step asked for.
   double extrapolated;
   // Half width of the 95 % interval about the value at the step asked for, in the values' unit, for
@@ -65,6 +68,14 @@ double first_order_uncertainty(double difference, double step, double finest, do
 // the noise is negative.
 DiscretisationUncertainty discretisation_uncertainty(std::vector<ValueAtStep> values,
                                                      std::optional<double> at_step = {});
+
+// Whether the observed order lies outside the reliable ones, so that the extrapolation takes
+// another.
+bool takes_other_order(const DiscretisationUncertainty& found);
+
+// "1.46"; "0.21 (extrapolated with 0.5)" where the extrapolation takes another order; "" without an
+// order.
+std::string observed_order_text(const DiscretisationUncertainty& found);
 
 // "monotone", "superconvergent", "oscillatory", "diverging", "floor"
 std::string behaviour_name(StepBehaviour behaviour);

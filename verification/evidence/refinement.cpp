@@ -30,6 +30,7 @@ DiscretisationUncertainty of_two(const ValueAtStep& fine, const ValueAtStep& coa
       std::max(std::abs(coarse.value - fine.value), std::hypot(coarse.noise, fine.noise));
   return {.behaviour = StepBehaviour::diverging,
           .order = {},
+          .order_used = {},
           .extrapolated = at_step == fine.step ? fine.value : coarse.value,
           .uncertainty = first_order_uncertainty(difference, at_step, fine.step, coarse.step),
           .explanation = "two values have no order: first order and a safety factor of three"};

@@ -30,7 +30,10 @@ Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, c
   if (!paths.empty()) {
     std::vector<std::string> names;
     for (const RefinedMetric& path : paths)
-      names.push_back(path.path + (path.values.size() == 2 ? " (two values only)" : ""));
+      names.push_back(path.path + (path.values.size() == 2 ? " (two values only)"
+                                   : takes_other_order(path.found)
+                                       ? " of order " + observed_order_text(path.found)
+                                       : ""));
     return {numerical_uncertainty(paths),
             fmt::format("refinement of the {}", fmt::join(names, ", "))};
   }

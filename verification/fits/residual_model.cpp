@@ -22,7 +22,7 @@ constexpr int tested_half_band = 14;
 // As a multiple of the highest requested frequency: a tone above it does not affect a requested
 // one.
 constexpr double highest_searched = 3;
-constexpr double round_off = 1e-9;  // of the residual: less than this is no tone
+constexpr double round_off = 1e-9;        // of the residual: less than this is no tone
 constexpr double samples_per_period = 8;  // of the highest frequency searched
 
 // The means of groups of `stride` successive samples.

@@ -76,6 +76,25 @@ TEST(DiscretisationUncertainty, IsCautiousOutsideTheReliableOrders) {
   EXPECT_GE(low.uncertainty, 0.2);
 }
 
+TEST(DiscretisationUncertainty, SaysWhichOrderTheExtrapolationTakesInPlaceOfTheObservedOne) {
+  const auto of_three = discretisation_uncertainty(of_order(0.3, 3));
+  EXPECT_EQ(of_three.order_used, 0.5);
+  EXPECT_NE(of_three.explanation.find("order of 0.30"), std::string::npos);
+  EXPECT_NE(of_three.explanation.find("takes the order 0.5 instead"), std::string::npos)
+      << of_three.explanation;
+  EXPECT_EQ(observed_order_text(of_three), "0.30 (extrapolated with 0.5)");
+  const auto of_five = discretisation_uncertainty(of_order(0.3, 5));
+  EXPECT_NE(of_five.explanation.find("takes the order 1 instead"), std::string::npos)
+      << of_five.explanation;
+  const auto high = discretisation_uncertainty(of_order(3, 3));
+  EXPECT_NE(high.explanation.find("takes the order 2 instead"), std::string::npos);
+  for (const std::size_t count : {3, 5}) {
+    const auto reliable = discretisation_uncertainty(of_order(1.5, count));
+    EXPECT_EQ(reliable.explanation.find("instead"), std::string::npos);
+    EXPECT_EQ(observed_order_text(reliable), "1.50");
+  }
+}
+
 TEST(DiscretisationUncertainty, HoldsTheErrorOfAMixedExpansion) {
   for (const std::size_t count : {3, 4, 5}) {
     const auto result = discretisation_uncertainty(
