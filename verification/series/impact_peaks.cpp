@@ -33,6 +33,43 @@ std::optional<ImpactPeak> highest_peak(const TimeSeries& pressure, TimeWindow wi
   return highest;
 }
 
+// The time within [from, to] in which the pressure is at the level or above it between two samples.
+double time_above(const TimeSeries& series, std::size_t second, double level, double from,
+                  double to) {
+  const double t0 = series.time[second - 1], t1 = series.time[second];
+  const double begin = std::max(from, t0), end = std::min(to, t1);
+  if (!(begin < end)) return 0;
+  const auto at = [&](double t) {
+    return std::lerp(series.value[second - 1], series.value[second], (t - t0) / (t1 - t0));
+  };
+  const auto [low, high] = std::minmax({at(begin), at(end)});
+  if (low >= level) return end - begin;
+  return high > level ? (end - begin) * (high - level) / (high - low) : 0;
+}
+
+constexpr double held_share = 0.6;
+
+struct Upcrossing {
+  double time, held;  // [s]
+};
+
+// All times at which the pressure comes to the level from below, each with how long it is there
+// within the time `after` it.
+std::vector<Upcrossing> upcrossings(const TimeSeries& series, double level, double after) {
+  std::vector<Upcrossing> found;
+  for (std::size_t i = 1; i < series.time.size(); ++i) {
+    if (!(series.value[i - 1] < level && series.value[i] >= level)) continue;
+    const double t =
+        std::lerp(series.time[i - 1], series.time[i],
+                  (level - series.value[i - 1]) / (series.value[i] - series.value[i - 1]));
+    double held = 0;
+    for (std::size_t j = i; j < series.time.size() && series.time[j - 1] < t + after; ++j)
+      held += time_above(series, j, level, t, t + after);
+    found.push_back({t, held});
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<TimeWindow> impact_windows(double start, double period, int count) {
@@ -81,10 +118,11 @@ std::optional<double> arrival_time(const TimeSeries& pressure, TimeWindow window
     throw ComparisonError(fmt::format(
         "{}: the level of an arrival = {}: expected a number > 0, in Pa", pressure.name, level));
   const TimeSeries cut = cut_to_window(pressure, window);
-  for (std::size_t i = 1; i < cut.time.size(); ++i)
-    if (cut.value[i - 1] < level && cut.value[i] >= level)
-      return std::lerp(cut.time[i - 1], cut.time[i],
-                       (level - cut.value[i - 1]) / (cut.value[i] - cut.value[i - 1]));
+  const std::vector<Upcrossing> found = upcrossings(cut, level, (window.end - window.begin) / 20);
+  double longest = 0;
+  for (const Upcrossing& one : found) longest = std::max(longest, one.held);
+  for (const Upcrossing& one : found)
+    if (one.held >= held_share * longest) return one.time;
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 
@@ -142,12 +143,9 @@ TEST(PlateauMean, IsTheMeanOverTimeOfUnevenSamplesToo) {
   EXPECT_THROW(plateau_mean(line, {4, 7}), ComparisonError);
 }
 
-TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
-  const std::string name = "spheric_test10/pressure_sensor1_lateral_water_1kHz.csv";
-  const auto file = published_record(name);
-  if (!file) GTEST_SKIP() << name << record_missing;
+TimeSeries record_of(const std::filesystem::path& file) {
   TimeSeries pressure{.name = "sensor 1", .unit = "Pa", .time = {}, .value = {}};
-  std::ifstream stream(*file);
+  std::ifstream stream(file);
   std::string header;
   std::getline(stream, header);
   char comma = 0;
@@ -155,6 +153,14 @@ TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
     pressure.time.push_back(t);
     pressure.value.push_back(p);
   }
+  return pressure;
+}
+
+TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
+  const std::string name = "spheric_test10/pressure_sensor1_lateral_water_1kHz.csv";
+  const auto file = published_record(name);
+  if (!file) GTEST_SKIP() << name << record_missing;
+  const TimeSeries pressure = record_of(*file);
   const auto peaks = impact_peaks(pressure, impact_windows(1.6, period, 4),
                                   impact_threshold({3710, 4816, 4691, 4643}));
   const std::vector<double> published{2.375, 4.073, 5.718, 7.303};  // [s]
@@ -165,10 +171,41 @@ TEST(ImpactsOfSpheric10, ComeInTheRecordWhenPublished) {
   EXPECT_NEAR(plateau_mean(pressure, {2.45, 2.65}), 670, 1);
 }
 
+// As the cases spheric10_water and spheric10_oil state them.
+TEST(ImpactsOfSpheric10, ArriveInTheRecordsOfBothLiquidsAsTheCasesState) {
+  struct Published {
+    std::string liquid;
+    double share, period;
+    std::vector<double> times, peaks, arrivals;
+  };
+  for (const Published& of : {Published{"water",
+                                        0.1,
+                                        1.6361,
+                                        {2.375, 4.073, 5.718, 7.303},
+                                        {3710, 4816, 4691, 4643},
+                                        {2.3742, 4.0468, 5.6702, 7.3021}},
+                              Published{"oil",
+                                        0.5,
+                                        1.5407,
+                                        {2.432, 4.067, 5.631, 7.170},
+                                        {686.5, 648.9, 544.4, 552.7},
+                                        {2.4004, 4.0335, 5.5795, 7.1347}}}) {
+    const auto file =
+        published_record("spheric_test10/pressure_sensor1_lateral_" + of.liquid + "_1kHz.csv");
+    if (!file) GTEST_SKIP() << of.liquid << record_missing;
+    const TimeSeries pressure = record_of(*file);
+    const auto windows = impact_windows(of.times, of.period);
+    for (std::size_t n = 0; n < 4; ++n)
+      EXPECT_NEAR(arrival_time(pressure, windows[n], of.share * of.peaks[n]).value(),
+                  of.arrivals[n], 1e-4)
+          << of.liquid << " impact " << n + 1;
+  }
+}
+
 const TimeSeries rise{
     .name = "p", .unit = "Pa", .time = {0, 1, 1.5, 2, 4, 5}, .value = {0, 0, 10, 30, 10, 40}};
 
-TEST(ArrivalTime, IsTheFirstCrossingBetweenTheSamples) {
+TEST(ArrivalTime, IsACrossingBetweenTheSamples) {
   EXPECT_DOUBLE_EQ(arrival_time(rise, {0, 5}, 5).value(), 1.25);
   EXPECT_DOUBLE_EQ(arrival_time(rise, {0, 5}, 20).value(), 1.75);
   EXPECT_FALSE(arrival_time(rise, {0, 5}, 41));
@@ -176,6 +213,59 @@ TEST(ArrivalTime, IsTheFirstCrossingBetweenTheSamples) {
   EXPECT_FALSE(arrival_time({"p", "Pa", {0, 1, 2, 3}, {9, 8, 7, 6}}, {0, 3}, 5));
   EXPECT_THROW(arrival_time(rise, {0, 7}, 5), ComparisonError);
   EXPECT_THROW(arrival_time(rise, {0, 5}, 0), ComparisonError);
+}
+
+// A front of 3000 Pa at 2.4 s with the plateau of the lateral impact of water, and drops before it.
+struct Drop {
+  double time, duration, height;  // [s], [s], [Pa]
+};
+
+TimeSeries front_after(const std::vector<Drop>& drops, double plateau = 670) {
+  return sampled(
+      [=](double t) {
+        double pressure = t < 2.4 ? 30 : plateau + (3000 - plateau) * std::exp(-(t - 2.4) / 0.004);
+        for (const Drop& drop : drops)
+          if (t >= drop.time && t < drop.time + drop.duration) pressure += drop.height;
+        return pressure;
+      },
+      1.5, 3.5, 0.001);
+}
+
+const TimeWindow searched{2.0, 2.8};
+
+TEST(ArrivalTime, IsNotThatOfADropOfSpray) {
+  const double front = arrival_time(front_after({}), searched, 400).value();
+  EXPECT_NEAR(front, 2.4, 0.001);
+  for (const std::vector<Drop>& drops :
+       {std::vector<Drop>{{2.13, 0.004, 2000}},
+        {{2.37, 0.002, 900}},
+        {{2.2, 0.008, 9000}},
+        {{2.05, 0.001, 500}, {2.13, 0.003, 4000}, {2.3, 0.006, 1500}}})
+    EXPECT_NEAR(arrival_time(front_after(drops), searched, 400).value(), front, 1e-9);
+}
+
+TEST(ArrivalTime, IsThatOfAFrontWithGapsAsInTheRecord) {
+  // The fourth impact of the record falls to 42 Pa from 4 to 8 ms after its front.
+  EXPECT_NEAR(arrival_time(front_after({{2.404, 0.004, -2000}, {2.42, 0.006, -700}}), searched, 400)
+                  .value(),
+              2.4, 0.001);
+}
+
+TEST(ArrivalTime, IsThatOfAPeakWithoutAPlateauToo) {
+  for (const std::vector<Drop>& drops : {std::vector<Drop>{}, {{2.1, 0.002, 900}}})
+    EXPECT_NEAR(arrival_time(front_after(drops, 0), searched, 400).value(), 2.4, 0.001);
+}
+
+TEST(ArrivalTime, OfASmoothRiseIsWhereItHasTheLevelWhateverItsNoise) {
+  const auto rise_of_oil = [](double t) {
+    return t < 2.365   ? -30
+           : t < 2.435 ? 650 * (t - 2.365) / 0.07
+                       : 440 + 210 * std::exp(-(t - 2.435) / 0.03);
+  };
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    const TimeSeries noisy = with_noise(sampled(rise_of_oil, 1.5, 3.5, 0.001), 20, 0, seed);
+    EXPECT_NEAR(arrival_time(noisy, searched, 325).value(), 2.4, 0.006) << seed;
+  }
 }
 
 TEST(RiseTime, IsTwiceTheTimeFromHalfThePeakToIt) {
