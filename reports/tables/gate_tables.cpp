@@ -100,8 +100,9 @@ std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
       assessment.definition.name + "-ensembles",
       "Ensembles",
       "Gate rows judged on ensembles of runs with perturbed initial states: the mean over all "
-      "pairs of candidate and reference with its 95 % interval (from the scatter of the repeats "
-      "alone), the standard deviations (sd) over the candidates and over the "
+      "pairs of candidate and reference (of impacts the median over the candidates) with its 95 % "
+      "interval (from the scatter of the repeats alone), the standard deviations (sd) over the "
+      "candidates and over the "
       "references, and the range of all pairs. Figures show the first member of each ensemble.",
       {"row", "candidates x references", "mean", "sd of candidates", "sd of references", "range",
        "verdict"},

@@ -144,8 +144,8 @@ std::string caption(const CaseDefinition& definition) {
   text += "Rise: twice the time from half the peak to the peak. ";
   if (impacts.arrivals)
     text += fmt::format(
-        "Arrival: when the pressure first reaches {:.3g} of the published peak, and in brackets "
-        "the difference to the published arrival. ",
+        "Arrival: when the pressure comes to {:.3g} of the published peak and holds it, and in "
+        "brackets the difference to the published arrival. ",
         impacts.arrivals->share);
   if (impacts.impulses)
     text += fmt::format("Impulse: the integral of the pressure over {:g} s from the arrival on. ",
@@ -301,7 +301,8 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
       "95 % intervals by the bootstrap. p (means) is that of equal means by Welch's test. The "
       "other two p are the share of random divisions of all peaks into two such samples that "
       "differ as much or more, by Kolmogorov and Smirnov (KS) and by Anderson and Darling (AD); "
-      "below 0.05 the samples are told apart.",
+      "below 0.05 the samples are told apart. All p are of each test alone; the gate rows correct "
+      "them together, by Holm.",
       repeat_columns,
       {}};
   for (std::size_t impact = 0; impact < definition.impacts->times.size(); ++impact) {

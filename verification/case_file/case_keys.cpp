@@ -260,7 +260,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"plateau_Pa", "number > 0, Pa", "with plateau_begin_s",
          "The published mean pressure between the two."},
         {"arrival_share", "number > 0 and < 1", "with arrivals_s",
-         "An impact arrives when the pressure first reaches this share of its published peak."},
+         "An impact arrives when the pressure comes to this share of its published peak and holds it."},
         {"arrivals_s", "list of numbers > 0, s", "with arrival_share",
          "The published arrivals: as many as times_s."},
         {"arrivals_half_width_s", "number > 0, s", "no", "Half the 95 % interval of the arrivals."},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "verification/case/ensemble.hpp"
 #include "verification/case/metric_table.hpp"
@@ -12,6 +13,7 @@
 #include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
+#include "verification/gate/distributions/holm_correction.hpp"
 #include "verification/gate/distributions/repeated_impacts.hpp"
 #include "verification/gate/field_metrics.hpp"
 #include "verification/gate/impact_metrics.hpp"
@@ -182,6 +184,34 @@ MeasureWithSeries CaseEvidence::measure_with_series() const {
   };
 }
 
+const Estimate& CaseEvidence::of_repeats(const std::vector<std::string>& members,
+                                         const GateRow& row) {
+  const std::string key = row_name(row);
+  if (const auto found = of_repeats_.find(key); found != of_repeats_.end()) return found->second;
+  std::vector<const TimeSeries*> pressures;
+  for (const std::string& run : members) pressures.push_back(&series_of(runs_, run, row.quantity));
+  return of_repeats_
+      .emplace(key,
+               repeated_impact_metric(
+                   row, pressures, series_of_record(definition_, runs_, row.quantity), definition_))
+      .first->second;
+}
+
+// A row of the family that cannot be compared tests nothing, so that it is not counted.
+Estimate CaseEvidence::corrected_p_value(const std::vector<std::string>& members,
+                                         const GateRow& row) {
+  std::vector<Estimate> family{of_repeats(members, row)};
+  for (const GateRow& other : rest_of_family(row, definition_.gate)) {
+    try {
+      family.push_back(of_repeats(members, other));
+    } catch (const std::runtime_error&) {
+      continue;  // ComparisonError or ResultError
+    }
+  }
+  if (std::isnan(family.front().value)) return family.front();
+  return holm_corrected(family, 0);
+}
+
 GateEvidence CaseEvidence::gate_evidence() {
   const FindComparison find = [this](const std::string& candidate, const std::string& reference,
                                      const std::string& quantity) -> const Comparison& {
@@ -210,11 +240,7 @@ GateEvidence CaseEvidence::gate_evidence() {
   };
   const MeasureRepeats repeats = [this](const std::vector<std::string>& members,
                                         const GateRow& row) {
-    std::vector<const TimeSeries*> pressures;
-    for (const std::string& run : members)
-      pressures.push_back(&series_of(runs_, run, row.quantity));
-    return repeated_impact_metric(row, pressures,
-                                  series_of_record(definition_, runs_, row.quantity), definition_);
+    return is_p_value(row.metric) ? corrected_p_value(members, row) : of_repeats(members, row);
   };
   const GateEvidence evidence{find,     find_series, measure_impacts, {},     cost,
                               ensemble, history,     fields,          repeats};

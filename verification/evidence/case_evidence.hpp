@@ -74,6 +74,7 @@ class CaseEvidence {
   NeededModes needed_;
   std::vector<ToneRequest> modes_;
   FittedComparisons fitted_;
+  std::map<std::string, Estimate> of_repeats_ = {};  // by row; before any correction
 
   // Compares with the reference's series of the quantity whose name has this ending.
   const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
@@ -81,6 +82,8 @@ class CaseEvidence {
   Comparison compared(const std::string& candidate, const std::string& reference,
                       const std::string& quantity, const std::string& ending);
   const Contribution& input_contribution(const GateRow& row);
+  const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
+  Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);
   MeasureWithSeries measure_with_series() const;
   const PreparedSeries& prepared(const std::string& role, const std::string& run,
                                  const std::string& quantity, TimeWindow window,

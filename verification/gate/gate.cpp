@@ -120,13 +120,15 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                      in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
 }
 
-// "; mean over 4 x 3 repeats" for ensembles, "; 20 repeats" for their distribution, "" for single
-// runs.
+// "; mean over 4 x 3 repeats" for ensembles, "; median of 8 repeats" for their impacts, "; 20
+// repeats" for the distribution of their peaks, "" for single runs.
 std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
   if (is_of_repeats(row.metric))
-    return fmt::format("; {} repeats", ensemble_of(row.candidate, evidence).members.size());
+    return fmt::format("; {} repeats{}", ensemble_of(row.candidate, evidence).members.size(),
+                       is_p_value(row.metric) ? ", Holm's correction" : "");
   if (!is_of_ensembles(row, evidence)) return "";
   const std::size_t candidates = ensemble_of(row.candidate, evidence).members.size();
+  if (is_of_impacts(row.metric)) return fmt::format("; median of {} repeats", candidates);
   return row.reference.empty() ? fmt::format("; mean over {} repeats", candidates)
                                : fmt::format("; mean over {} x {} repeats", candidates,
                                              reference_of(row, evidence).members.size());

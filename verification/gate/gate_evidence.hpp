@@ -29,8 +29,9 @@ using FindHistory = std::function<TimeSeries(const std::string& run, const std::
 // where the run has no such series.
 using MeasureImpacts = std::function<double(const std::string& run, const GateRow& row)>;
 
-// Returns the row's repeated_impact_metric() of an ensemble. Throws what that throws, and
-// ResultError where a member has no such series.
+// Returns the row's repeated_impact_metric() of an ensemble, a p-value corrected together with its
+// family (holm_correction.hpp). Throws what that throws, and ResultError where a member has no such
+// series.
 using MeasureRepeats =
     std::function<Estimate(const std::vector<std::string>& members, const GateRow& row)>;
 

@@ -264,6 +264,10 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence) {
     return evidence.repeats(ensemble_of(row.candidate, evidence).members, row);
   }
   if (!is_of_ensembles(row, evidence)) return measured_once(row, evidence);
+  if (is_of_impacts(row.metric)) {
+    require_unit(row, "Pa");
+    return evidence.repeats(ensemble_of(row.candidate, evidence).members, row);
+  }
   const EnsembleOfRun candidate = ensemble_of(row.candidate, evidence);
   const EnsembleOfRun reference = reference_of(row, evidence);
   const auto is_one_of_many = [](const EnsembleOfRun& side) {

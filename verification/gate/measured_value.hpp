@@ -14,8 +14,8 @@ inline constexpr Estimate no_value{not_a_number, not_a_number};
 
 // The metric of the row's candidate in the metric's unit. Where the candidate or the reference is
 // an ensemble, this is the mean over all pairs of their members with the interval of
-// ensemble_mean.hpp, which replaces the intervals of single histories; a cost has no ensemble mean,
-// and a metric of repeats is of the ensemble as one sample.
+// ensemble_mean.hpp, which replaces the intervals of single histories. Metrics of impacts are the
+// median over the ensemble or are of it as one sample (repeated_impacts.hpp); a cost has neither.
 // Throws what the functions of the evidence throw, and ComparisonError where the row's unit is not
 // the metric's.
 Estimate measured(const GateRow& row, const GateEvidence& evidence);
@@ -28,7 +28,8 @@ std::string unseen_text(const UnseenInterval& unseen, const std::string& unit);
 // to its own samples. Throws what measured() throws.
 std::string unseen_by_reference(const GateRow& row, const GateEvidence& evidence);
 
-// Whether the row is judged on the mean over an ensemble, its candidate or its reference.
+// Whether the row is judged on the mean or the median over an ensemble, its candidate or its
+// reference.
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
 // The metric of each member of the candidate (outer index) against each member of the reference
 // (inner index). Throws what measured() throws.

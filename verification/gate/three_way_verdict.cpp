@@ -54,7 +54,7 @@ double validation_uncertainty(const UncertaintyContributions& contributions) {
     if (!(one >= 0)) return not_a_number;
     squares += one * one;
   }
-  return std::sqrt(squares);
+  return std::min(std::sqrt(squares), contributions.at_most);
 }
 
 std::string missing_for_validation(const UncertaintyContributions& contributions) {

@@ -13,6 +13,7 @@
 // kind (gate.hpp). NaN or infinity fails in E and is inconclusive in a U; neither ever passes.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,9 +40,12 @@ struct UncertaintyContributions {
   Contribution time_series = {};     // their finite length: the metric's confidence interval
   Contribution input = {};      // the simulation's inputs: motion, fill depth, liquid properties
   Contribution reference = {};  // the experiment's data, or another method's own uncertainty
+  // The half width of the range outside which the metric cannot lie.
+  double at_most = std::numeric_limits<double>::infinity();
 };
 
-// U_val of the known contributions; NaN where one of them is negative or NaN.
+// U_val of the known contributions, no larger than their `at_most`; NaN where one of them is
+// negative or NaN.
 double validation_uncertainty(const UncertaintyContributions& contributions);
 
 // What is missing of the numerical uncertainty and of the reference's, joined by "; "; "" where

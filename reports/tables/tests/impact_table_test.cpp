@@ -126,8 +126,8 @@ TEST(ImpactTable, OfASingleImpactTellsItsArrivalAndItsImpulse) {
   EXPECT_NE(run.at(6).find(" %)"), std::string::npos) << run[6];
   EXPECT_EQ(table->rows.at(2).at(2), "no impact");
   for (const Row& row : table->rows) EXPECT_EQ(row.size(), table->header.size());
-  EXPECT_NE(table->caption.find("Arrival: when the pressure first reaches 0.5 of the published "
-                                "peak"),
+  EXPECT_NE(table->caption.find("Arrival: when the pressure comes to 0.5 of the published peak "
+                                "and holds it"),
             std::string::npos);
   EXPECT_EQ(table->caption.find("Plateau"), std::string::npos);
 }

@@ -428,6 +428,7 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
 TEST(RowUncertainty, OfAnEnsembleThatDrawsItsInputsCountsThemOnce) {
   CaseDefinition definition = surge_case();
   definition.impacts = ImpactsDefinition{};
+  definition.impacts->period = 1.6;
   definition.impacts->arrivals = ArrivalsDefinition{0.5, {0.9}, 0.002};
   for (RunDefinition& run : definition.runs) run.varies_inputs = run.name == "particles";
   GateRow row = surge_row("impact_1", Metric::impact_arrival, "s", 0.1);

@@ -2,15 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "verification/gate/distributions/bootstrap_interval.hpp"
+#include "verification/gate/distributions/median_interval.hpp"
 #include "verification/gate/distributions/peak_comparison.hpp"
 #include "verification/gate/impact_metrics.hpp"
 
 namespace slosh {
+namespace {
+
+// The members' median. One that has no impact leaves none to the ensemble.
+Estimate median_of_repeats(const GateRow& row, const std::vector<const TimeSeries*>& pressures,
+                           const TimeSeries* record, const CaseDefinition& definition) {
+  std::vector<double> values;
+  for (const TimeSeries* pressure : pressures) {
+    values.push_back(impact_metric(row.metric, row.mode, *pressure, record, definition));
+    if (!std::isfinite(values.back())) return {not_a_number, 0};
+  }
+  const Distribution sample(metric_name(row.metric) + " of " + row.candidate, std::move(values));
+  Estimate median = wider_side(sample.quantile(0.5), median_interval(sample));
+  if (row.unit == "s")
+    median.half_width = std::min(median.half_width, definition.impacts.value().period / 4);
+  return median;
+}
+
+}  // namespace
 
 Estimate repeated_impact_metric(const GateRow& row, const std::vector<const TimeSeries*>& pressures,
                                 const TimeSeries* record, const CaseDefinition& definition) {
+  if (!is_of_repeats(row.metric)) return median_of_repeats(row, pressures, record, definition);
   const std::size_t n = impact_number(row.mode, definition);
   const Distribution experiment = repeated_peaks(definition, n);
   if (pressures.size() < fewest_repeats)

@@ -68,7 +68,7 @@ TEST(RepeatedImpacts, HoldOfAnEnsembleThatDoesAsTheExperiment) {
       EXPECT_EQ(outcome.verdict, Verdict::pass) << metric_name(metric) << outcome.message;
     }
   EXPECT_TRUE(judge(row_of(Metric::peak_ks_p_value), ensemble_of(30))
-                  .message.ends_with("≥ 5 %; 30 repeats"));
+                  .message.ends_with("≥ 5 %; 30 repeats, Holm's correction"));
 }
 
 TEST(RepeatedImpacts, AreViolatedByPeaksThatAreScaled) {

@@ -1,0 +1,159 @@
+// Rows on the impacts of ensembles, judged with all their evidence: medians whose intervals are no
+// wider than the window that is searched, and p-values that are corrected together.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verification/case/ensemble.hpp"
+#include "verification/case/metric_table.hpp"
+#include "verification/gate/distributions/holm_correction.hpp"
+#include "verification/gate/impact_metrics.hpp"
+#include "verification/tests/impact_runs.hpp"
+
+namespace slosh::impact_rows_test {
+namespace {
+
+GateRow row_of(Metric metric, const std::string& mode) {
+  GateRow row{};
+  row.candidate = "fine";
+  row.quantity = impact_pressure;
+  row.mode = mode;
+  row.metric = metric;
+  row.unit = metric_unit(metric, "Pa");
+  if (is_p_value(metric))
+    row.between = {0.05, 1};
+  else
+    row.limit = metric == Metric::impact_arrival ? 0.02 : 0.15;
+  row.reason = row.source = "a test";
+  row.where = {"impacts.toml", 1};
+  return row;
+}
+
+struct Ensembles {
+  CaseAssessment made = no_runs_of(impact_case());
+
+  Ensembles() {
+    made.definition.impacts->arrivals = ArrivalsDefinition{0.1, {}, 0.001};
+    for (std::size_t n = 0; n < 4; ++n)
+      made.definition.impacts->arrivals->times.push_back(
+          arrival_in(pressure_of({}), n, made.definition).value());
+    made.definition.impacts->plateau_half_width = 10;
+    made.definition.inputs = {};
+  }
+  void add(const std::string& name, double spacing, const std::vector<ImpactRun>& members) {
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const std::string member = k == 0 ? name : name + "_" + std::to_string(k + 1);
+      add_run(made, member, SphRun{"recommended", spacing, spacing}, {pressure_of(members[k])});
+      made.definition.runs.back().ensemble = name;
+    }
+  }
+  GateOutcome judged(const GateRow& row) {
+    made.definition.gate = {row};
+    return assess(made.definition, made.runs).gate.at(0);
+  }
+};
+
+std::vector<ImpactRun> late_by(const std::vector<double>& times) {
+  std::vector<ImpactRun> members;
+  for (const double late : times) members.push_back({.late = late});
+  return members;
+}
+
+TEST(ImpactRows, OfAnEnsembleAreMediansThatOneEarlyMemberDoesNotMove) {
+  Ensembles ensembles;
+  ensembles.add("fine", 0.004,
+                late_by({0.001, 0.002, 0, -0.001, 0.001, 0.003, -0.002, 0, -0.27, 0.001}));
+  ensembles.add("coarse", 0.008, late_by({0.001, 0.002, 0.001, 0.002, 0.001, 0.002, 0.001, 0.003}));
+  ensembles.made.definition.refinements = {
+      {"spacing", RefinedNumber::particle_spacing, {"coarse", "fine"}}};
+  for (const char* mode : {"impact_2", "impact_4"}) {
+    const GateOutcome outcome = ensembles.judged(row_of(Metric::impact_arrival, mode));
+    EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
+    EXPECT_NEAR(outcome.value.value, 0.0005, 1e-3);
+    EXPECT_LT(outcome.value.half_width, 0.005);
+    EXPECT_NE(outcome.message.find("; median of 10 repeats"), std::string::npos) << outcome.message;
+  }
+}
+
+TEST(ImpactRows, OnArrivalsAreNeverLessCertainThanTheWindowThatIsSearched) {
+  Ensembles ensembles;
+  ensembles.add("fine", 0.002, late_by({-0.03, -0.03, -0.27}));
+  ensembles.add("coarse", 0.004, late_by({0.01, 0.02, 0.3}));
+  ensembles.made.definition.refinements = {
+      {"spacing", RefinedNumber::particle_spacing, {"coarse", "fine"}}};
+  const double searched = ensembles.made.definition.impacts->period / 4;
+  const GateOutcome outcome = ensembles.judged(row_of(Metric::impact_arrival, "impact_3"));
+  const ThreeWayOutcome& judged = outcome.judgement.value();
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+  EXPECT_LE(outcome.value.half_width, searched);
+  EXPECT_LE(judged.contributions.discretisation.known(), searched);
+  EXPECT_LE(judged.contributions.time_series.known(), searched);
+  EXPECT_LE(judged.uncertainty, searched);
+  EXPECT_GT(judged.uncertainty, 0.9 * searched);
+}
+
+TEST(ImpactRows, OfAnEnsembleAreViolatedByWhatIsWrongWithAllMembers) {
+  const std::vector<double> times{0, 0.001, 0.002, -0.001, 0.001, 0, 0.002};
+  const auto judged = [&](Metric metric, const char* mode, double late, double scale, int impacts) {
+    Ensembles ensembles;
+    std::vector<ImpactRun> fine, coarse;
+    for (const double time : times) {
+      fine.push_back({.late = late + time, .scale = scale + time, .impacts = impacts});
+      coarse.push_back(fine.back());
+      coarse.back().late += 1e-4;
+    }
+    ensembles.add("fine", 0.002, fine);
+    ensembles.add("coarse", 0.004, coarse);
+    ensembles.made.definition.refinements = {
+        {"spacing", RefinedNumber::particle_spacing, {"coarse", "fine"}}};
+    return ensembles.judged(row_of(metric, mode)).verdict;
+  };
+  EXPECT_EQ(judged(Metric::impact_arrival, "impact_3", 0, 1, 4), Verdict::pass);
+  EXPECT_EQ(judged(Metric::impact_arrival, "impact_3", 0.05, 1, 4), Verdict::violated);
+  EXPECT_EQ(judged(Metric::impact_arrival, "impact_3", -0.05, 1, 4), Verdict::violated);
+  EXPECT_EQ(judged(Metric::impact_arrival, "impact_3", 0, 1, 2), Verdict::violated);
+  EXPECT_EQ(judged(Metric::plateau_error, "whole", 0, 1, 4), Verdict::pass);
+  EXPECT_EQ(judged(Metric::plateau_error, "whole", 0, 1.3, 4), Verdict::violated);
+}
+
+TEST(ImpactRows, OfAMemberWithoutANumberAreNotCompared) {
+  Ensembles ensembles;
+  ensembles.add("fine", 0.002, late_by({0, 0, 0}));
+  ensembles.made.runs.results.at("fine_2").series.at(0).value.at(5700) = not_a_number;
+  EXPECT_EQ(ensembles.judged(row_of(Metric::impact_arrival, "impact_3")).verdict,
+            Verdict::not_compared);
+}
+
+// Members as spread as the experiment's repeats but too high, so that some tests are near 5 %.
+TEST(ImpactRows, OnPValuesAreCorrectedTogether) {
+  Ensembles ensembles;
+  std::vector<ImpactRun> members;
+  for (int k = 0; k < 20; ++k) members.push_back({.scale = 1.17 * (0.5 + k / 19.0)});
+  ensembles.add("fine", 0.004, members);
+  std::vector<GateRow> rows;
+  for (const char* mode : {"impact_1", "impact_2", "impact_3", "impact_4"})
+    for (const Metric metric :
+         {Metric::peak_mean_p_value, Metric::peak_ks_p_value, Metric::peak_ad_p_value})
+      rows.push_back(row_of(metric, mode));
+  std::vector<Estimate> raw;
+  bool one_is_low = false;
+  for (const GateRow& row : rows) {
+    raw.push_back(ensembles.judged(row).value);
+    one_is_low |= raw.back().value < 0.1;
+  }
+  EXPECT_TRUE(one_is_low);
+  ensembles.made.definition.gate = rows;
+  const std::vector<GateOutcome> together =
+      assess(ensembles.made.definition, ensembles.made.runs).gate;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Estimate corrected = holm_corrected(raw, i);
+    EXPECT_EQ(together[i].value.value, corrected.value) << i;
+    EXPECT_EQ(together[i].value.half_width, corrected.half_width) << i;
+    EXPECT_GT(together[i].value.value, raw[i].value) << i;
+    EXPECT_TRUE(together[i].message.ends_with("; 20 repeats, Holm's correction"))
+        << together[i].message;
+  }
+}
+
+}  // namespace
+}  // namespace slosh::impact_rows_test

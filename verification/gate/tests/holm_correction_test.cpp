@@ -1,0 +1,99 @@
+// Families of p-values of known truth: a perfect model passes them as a whole, a wrong one does
+// not.
+#include "verification/gate/distributions/holm_correction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verification/gate/distributions/permutation_test.hpp"
+#include "verification/gate/tests/random_peaks.hpp"
+
+namespace slosh::holm_correction_test {
+namespace {
+
+// The twelve p-values of spheric10_water: three tests of each of four impacts.
+std::vector<Estimate> family_of(RandomPeaks& random, double scale) {
+  constexpr SeededTrials few{999, 1987};
+  std::vector<Estimate> family;
+  for (int impact = 0; impact < 4; ++impact) {
+    const Distribution candidate = random.sample(of_candidate, scale),
+                       experiment = random.sample(of_experiment);
+    family.push_back({welch_p_value(candidate, experiment), 0});
+    family.push_back(permutation_p_value(candidate, experiment, kolmogorov_smirnov_statistic, few));
+    family.push_back(permutation_p_value(candidate, experiment, anderson_darling_statistic, few));
+  }
+  return family;
+}
+
+struct Rejected {
+  int raw = 0, corrected = 0;  // families of which one p-value or more is below 5 %
+};
+
+Rejected rejected(double scale, int trials) {
+  RandomPeaks random(31);
+  Rejected count;
+  for (int k = 0; k < trials; ++k) {
+    const std::vector<Estimate> family = family_of(random, scale);
+    bool raw = false, corrected = false;
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      raw |= family[i].value < 0.05;
+      corrected |= holm_corrected(family, i).value < 0.05;
+    }
+    count.raw += raw;
+    count.corrected += corrected;
+  }
+  return count;
+}
+
+TEST(HolmCorrection, LetsAPerfectModelFailAFamilyInFivePercentAtMost) {
+  constexpr int trials = 300;
+  const Rejected count = rejected(1, trials);
+  EXPECT_GT(count.raw, 0.15 * trials);
+  EXPECT_LE(count.corrected, (0.05 + binomial_half_width(0.05, trials)) * trials);
+}
+
+TEST(HolmCorrection, FindsAModelWhosePeaksAreHalfAsHighAgain) {
+  for (const double scale : {1.5, 1 / 1.5}) EXPECT_EQ(rejected(scale, 60).corrected, 60) << scale;
+}
+
+TEST(HolmCorrection, IsWhatItIsDefinedAs) {
+  // Holm's step-down by hand: 4 x 0.01, 3 x 0.02, then 2 x 0.03 which is no smaller, then 0.2.
+  const std::vector<Estimate> family{{0.2, 0.02}, {0.01, 0.001}, {0.03, 0.003}, {0.02, 0.002}};
+  const double expected[] = {0.2, 0.04, 0.06, 0.06};
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(holm_corrected(family, i).value, expected[i], 1e-15) << i;
+  EXPECT_NEAR(holm_corrected(family, 1).half_width, 0.004, 1e-15);
+  EXPECT_EQ(holm_corrected({{0.9, 0}, {0.8, 0}}, 0).value, 1);
+  EXPECT_EQ(holm_corrected({{0.03, 0.004}}, 0).value, 0.03);
+}
+
+TEST(HolmCorrection, CountsAnImpactThatDoesNotOccurAsRejected) {
+  EXPECT_EQ(holm_corrected({{not_a_number, 0}, {0.03, 0}}, 0).value, 0);
+  EXPECT_NEAR(holm_corrected({{not_a_number, 0}, {0.03, 0}}, 1).value, 0.03, 1e-15);
+}
+
+GateRow row_of(const char* candidate, Metric metric, const char* mode, const char* quantity) {
+  GateRow row{};
+  row.candidate = candidate;
+  row.metric = metric;
+  row.mode = mode;
+  row.quantity = quantity;
+  return row;
+}
+
+TEST(HolmCorrection, HasTheRowsOfOneCandidateAndPressureAsAFamily) {
+  const GateRow own = row_of("a", Metric::peak_ks_p_value, "impact_1", "p");
+  const std::vector<GateRow> rows{own,
+                                  row_of("a", Metric::peak_ad_p_value, "impact_1", "p"),
+                                  row_of("a", Metric::peak_ks_p_value, "impact_2", "p"),
+                                  row_of("a", Metric::peak_area, "impact_2", "p"),
+                                  row_of("a", Metric::peak_ks_p_value, "impact_2", "p/filtered"),
+                                  row_of("b", Metric::peak_ks_p_value, "impact_1", "p")};
+  const std::vector<GateRow> rest = rest_of_family(own, rows);
+  ASSERT_EQ(rest.size(), 2U);
+  EXPECT_EQ(rest[0].metric, Metric::peak_ad_p_value);
+  EXPECT_EQ(rest[1].mode, "impact_2");
+  EXPECT_TRUE(rest_of_family(own, {}).empty());
+}
+
+}  // namespace
+}  // namespace slosh::holm_correction_test
