@@ -419,7 +419,7 @@ struct GateRow {
   std::optional<std::pair<double, double>> part = {};
 };
 
-// The published arrivals of impacts: when the pressure first reaches a share of the published peak.
+// The published arrivals of impacts: when the pressure comes to a share of the peak and holds it.
 struct ArrivalsDefinition {
   double share;                           // of each mean peak
   std::vector<double> times;              // [s], by impact

@@ -43,7 +43,7 @@ enum class Metric {
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
   plateau_error,      // the mean over the published plateau's time
   impact_percentile,  // the share of the experiment's repeats with a lower peak
-  impact_arrival,     // the time at which the pressure first reaches a share of the published peak
+  impact_arrival,     // the time at which the pressure comes to a share of the peak and holds it
   impact_rise_time,   // twice the time from half the peak to it, less the published rise time
   impact_peak_error,  // the peak over the published one, less 1
   impulse_error,      // the impulse from the arrival on over the published one, less 1

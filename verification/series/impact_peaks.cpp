@@ -47,7 +47,7 @@ double time_above(const TimeSeries& series, std::size_t second, double level, do
   return high > level ? (end - begin) * (high - level) / (high - low) : 0;
 }
 
-constexpr double held_share = 0.6;
+constexpr double held_share = 0.5;
 
 struct Upcrossing {
   double time, held;  // [s]
@@ -118,7 +118,7 @@ std::optional<double> arrival_time(const TimeSeries& pressure, TimeWindow window
     throw ComparisonError(fmt::format(
         "{}: the level of an arrival = {}: expected a number > 0, in Pa", pressure.name, level));
   const TimeSeries cut = cut_to_window(pressure, window);
-  const std::vector<Upcrossing> found = upcrossings(cut, level, (window.end - window.begin) / 20);
+  const std::vector<Upcrossing> found = upcrossings(cut, level, (window.end - window.begin) / 25);
   double longest = 0;
   for (const Upcrossing& one : found) longest = std::max(longest, one.held);
   for (const Upcrossing& one : found)

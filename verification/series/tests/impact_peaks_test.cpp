@@ -251,6 +251,17 @@ TEST(ArrivalTime, IsThatOfAFrontWithGapsAsInTheRecord) {
               2.4, 0.001);
 }
 
+// As with boundary particles at 8 mm in the violent roll: 18 ms at the level, then a swell that
+// holds it for longer.
+TEST(ArrivalTime, IsThatOfAShortFrontBeforeTheSwellBehindIt) {
+  const TimeSeries low = sampled(
+      [](double t) {
+        return t < 2.4 ? 0.0 : t < 2.418 ? 1700.0 : t < 2.55 ? -100.0 : 600.0;
+      },
+      1.5, 3.5, 0.001);
+  EXPECT_NEAR(arrival_time(low, searched, 482).value(), 2.4, 0.001);
+}
+
 TEST(ArrivalTime, IsThatOfAPeakWithoutAPlateauToo) {
   for (const std::vector<Drop>& drops : {std::vector<Drop>{}, {{2.1, 0.002, 900}}})
     EXPECT_NEAR(arrival_time(front_after(drops, 0), searched, 400).value(), 2.4, 0.001);
