@@ -31,10 +31,9 @@ std::string liquid_fractions(const SloshingTank& tank, const TankMesh& mesh) {
   return fmt::format("{}", fmt::join(fractions, "\n"));
 }
 
-// The table extends past the end, as the solver stops with an error where the table ends. With 2000
-// intervals the spline's error stays below that of the time step where samples are far apart.
+// The table extends past the end, as the solver stops with an error where the table ends.
 data motion_table(const SloshingTank& tank) {
-  const double step = std::min(tank.sample_interval, tank.duration / 2000);
+  const double step = motion_step(tank);
   const int count = static_cast<int>(std::ceil(tank.duration / step)) + 10;
   data table(data::type::list);
   for (int i = 0; i < count; ++i) {

@@ -10,6 +10,9 @@ namespace slosh::openfoam {
 double max_time_step(const SloshingTank& tank);
 double first_time_step(const SloshingTank& tank);
 
+// The interval of the table of the tank's motion [s].
+double motion_step(const SloshingTank& tank);
+
 // The number of pressure corrections in each solution of the equations.
 int pressure_corrections(const SloshingTank& tank);
 

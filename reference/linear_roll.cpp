@@ -75,7 +75,7 @@ struct LinearRoll::Modes {
         modes(roll_modes(tank, gas, {start, axis_z, motion.rate(0)}, count)),
         rigid(tank, axis_x, axis_z),
         layers{{tank.density, tank.fill_depth, 1, rigid.wall_moment()}},
-        waves(modes, {where, motion.acceleration, motion.duration, motion.step}) {
+        waves(modes, {where, motion.acceleration, motion.duration, motion.step, motion.knots}) {
     if (!gas) return;
     const Tank hanging{tank.length, gas->height, tank.gravity, gas->density};
     layers.push_back(

@@ -32,6 +32,7 @@ struct RollMotion {
   std::function<double(double)> angle, rate, acceleration;  // theta and its derivatives, rad, s
   double axis_x, axis_z;  // [m]: X0 from the tank's centre, z0 above the still surface
   double duration, step;  // [s]; theta'' is linear between the samples at 0, step, 2 step, ...
+  std::vector<double> knots = {};  // [s] or at these, rising from 0 to the duration
 };
 
 // At the start the surface is horizontal, eta = -x theta(0), and the liquid is at rest in the

@@ -35,6 +35,30 @@ struct Propagator {
   }
 };
 
+// Of an interval: lengths that differ by the rounding of their ends are one.
+constexpr double same_length = 1e-9;
+
+std::vector<double> checked_times(const SampledMotion& motion) {
+  const std::string_view where = motion.solution;
+  const auto& [name, acceleration, duration, step, knots] = motion;
+  require(duration > 0 && std::isfinite(duration), where, "duration", duration, "a time > 0 s");
+  require(step > 0 && step <= duration, where, "step", step,
+          "a time step > 0 s and up to the duration");
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    require(i == 0 ? knots[i] == 0 : knots[i] > knots[i - 1], where, "knot", knots[i],
+            "times that rise from 0 s to the duration");
+  if (!knots.empty()) {
+    require(knots.back() == duration, where, "last knot", knots.back(), "the duration");
+    return knots;
+  }
+  // Where the duration is a whole number of steps but for rounding, no tiny last interval is added.
+  const auto intervals = static_cast<std::size_t>(std::ceil(duration / step - 1e-9));
+  std::vector<double> times;
+  for (std::size_t i = 0; i < intervals; ++i) times.push_back(static_cast<double>(i) * step);
+  times.push_back(duration);
+  return times;
+}
+
 }  // namespace
 
 ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
@@ -59,31 +83,25 @@ ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
 }
 
 DuhamelModes::DuhamelModes(std::vector<TankMode> modes, const SampledMotion& motion)
-    : modes_(std::move(modes)), step_(motion.step) {
-  const std::string_view where = motion.solution;
-  require(motion.duration > 0 && std::isfinite(motion.duration), where, "duration", motion.duration,
-          "a time > 0 s");
-  require(motion.step > 0 && motion.step <= motion.duration, where, "step", motion.step,
-          "a time step > 0 s and up to the duration");
-  // Where the duration is a whole number of steps but for rounding, no tiny last interval is added.
-  const auto intervals = static_cast<std::size_t>(std::ceil(motion.duration / step_ - 1e-9));
-  for (std::size_t i = 0; i <= intervals; ++i) {
-    times_.push_back(i < intervals ? static_cast<double>(i) * step_ : motion.duration);
-    acceleration_.push_back(motion.acceleration(times_.back()));
-    require(std::isfinite(acceleration_.back()), where,
-            fmt::format("acceleration at {} s", times_.back()), acceleration_.back(),
+    : modes_(std::move(modes)), times_(checked_times(motion)) {
+  for (const double time : times_) {
+    acceleration_.push_back(motion.acceleration(time));
+    require(std::isfinite(acceleration_.back()), motion.solution,
+            fmt::format("acceleration at {} s", time), acceleration_.back(),
             "a finite acceleration");
   }
 
   nodes_.resize(times_.size() * modes_.size());
   for (std::size_t n = 0; n < modes_.size(); ++n) {
     const TankMode& mode = modes_[n];
-    const Propagator whole_step(mode.natural_frequency, step_);
-    const Propagator last_step(mode.natural_frequency, times_[intervals] - times_[intervals - 1]);
+    Propagator carry(mode.natural_frequency, times_[1]);
+    double carried = times_[1];
     Node node{0, mode.initial_rate};
     nodes_[n] = node;
-    for (std::size_t i = 0; i < intervals; ++i) {
-      const Propagator& carry = i + 1 < intervals ? whole_step : last_step;
+    for (std::size_t i = 0; i + 1 < times_.size(); ++i) {
+      const double length = times_[i + 1] - times_[i];
+      if (std::abs(length - carried) > same_length * length)
+        carry = Propagator(mode.natural_frequency, carried = length);
       const double f0 = -mode.coupling * acceleration_[i], f1 = -mode.coupling * slope(i);
       node = {carry.elevation(node.elevation, node.rate, f0, f1),
               carry.rate(node.elevation, node.rate, f0, f1)};
@@ -93,7 +111,8 @@ DuhamelModes::DuhamelModes(std::vector<TankMode> modes, const SampledMotion& mot
 }
 
 std::size_t DuhamelModes::interval(double t) const {
-  return std::min(static_cast<std::size_t>(t / step_), times_.size() - 2);
+  const auto after = std::upper_bound(times_.begin() + 1, times_.end() - 1, t);
+  return static_cast<std::size_t>(after - times_.begin()) - 1;
 }
 
 double DuhamelModes::slope(std::size_t i) const {

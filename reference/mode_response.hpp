@@ -30,11 +30,12 @@ namespace slosh::reference {
 ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t);
 
 // The tank's displacement [m] or angle [rad] q(t), given by its second derivative at 0, step,
-// 2 step, ...
+// 2 step, ..., or at the knots between which that is linear.
 struct SampledMotion {
   std::string_view solution;  // the name that an error message starts with
   std::function<double(double)> acceleration;
-  double duration, step;  // [s]
+  double duration, step;           // [s]
+  std::vector<double> knots = {};  // [s] rising from 0 to the duration; none: the steps
 };
 
 // The modes under any motion q(t). Duhamel's integral is exact for a q'' that is linear between its
@@ -44,9 +45,10 @@ struct SampledMotion {
 // For a smooth q'' of angular frequency omega the relative error is (omega step)^2/12.
 class DuhamelModes {
  public:
-  // Samples q'' at 0, step, 2 step, ... and at the end, and stores every mode's state there, 16
-  // bytes for each mode and sample. Throws std::invalid_argument for a step or duration that is not
-  // positive and finite, a step longer than the duration, or an acceleration that is not finite.
+  // Samples q'' at the knots, or at 0, step, 2 step, ... and at the end, and stores every mode's
+  // state there, 16 bytes for each mode and sample. Throws std::invalid_argument for a step or
+  // duration that is not positive and finite, a step longer than the duration, knots that do not
+  // rise from 0 to the duration, or an acceleration that is not finite.
   DuhamelModes(std::vector<TankMode> modes, const SampledMotion& motion);
 
   double duration() const { return times_.back(); }
@@ -64,7 +66,6 @@ class DuhamelModes {
   double slope(std::size_t i) const;
 
   std::vector<TankMode> modes_;
-  double step_;
   std::vector<double> times_, acceleration_;
   std::vector<Node> nodes_;  // sample by sample, each with all modes
 };

@@ -34,7 +34,8 @@ SurgeResponse::SurgeResponse(std::string_view where, std::vector<TankMode> modes
                              const AnySurge& motion)
     : where_(where),
       modes_(std::move(modes)),
-      motion_(DuhamelModes(modes_, {where, motion.acceleration, motion.duration, motion.step})) {}
+      motion_(DuhamelModes(
+          modes_, {where, motion.acceleration, motion.duration, motion.step, motion.knots})) {}
 
 double SurgeResponse::checked_time(double t) const {
   const auto* duhamel = std::get_if<DuhamelModes>(&motion_);

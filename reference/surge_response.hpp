@@ -13,12 +13,13 @@
 namespace slosh::reference {
 
 // Any motion X(t), given by X'(0) and X''(t). Duhamel's integral is exact for an X'' that is linear
-// between the sample times 0, step, 2 step, ...
+// between the sample times, which are the knots, or 0, step, 2 step, ...
 struct AnySurge {
   double initial_velocity;                     // [m/s]
   std::function<double(double)> acceleration;  // [m/s2] at a time [s]
   double duration;                             // [s]
   double step;                                 // [s]
+  std::vector<double> knots = {};              // [s] rising from 0 to the duration
 };
 
 // The states of given modes under a surge. The constructors throw std::invalid_argument, which

@@ -63,7 +63,7 @@ struct SectionRoll::Waves {
         modes(roll_modes(*flow, start, motion)),
         right(motion.axis.x - flow->middle().x),
         above(motion.axis.z - flow->middle().z),
-        response(modes, {where, motion.acceleration, motion.duration, motion.step}) {}
+        response(modes, {where, motion.acceleration, motion.duration, motion.step, motion.knots}) {}
 
   double checked_time(double t) const { return time_within(where, t, response.duration()); }
 

@@ -34,6 +34,7 @@ struct SectionRollMotion {
   std::function<double(double)> angle, rate, acceleration;  // theta and its derivatives, rad, s
   Corner axis;            // (x0, z0) in the OUTLINE'S coordinates [m]
   double duration, step;  // [s]; theta'' is linear between the samples at 0, step, 2 step, ...
+  std::vector<double> knots = {};  // [s] or at these, rising from 0 to the duration
 };
 
 // At the start the surface is horizontal, eta = -theta(0) (x - xm), and the liquid is at rest in

@@ -111,6 +111,30 @@ TEST(Duhamel, IsExactWhereTheAccelerationIsPiecewiseLinear) {
   }
 }
 
+// With its bends for knots, which lie between all steps, it needs no more samples than bends.
+TEST(Duhamel, IsExactBetweenTheKnotsThatItIsGiven) {
+  const std::vector<double> knots{0, 0.13, 0.131, 0.9, 2.02, 3}, values{0.4, -2, 3, -1, 0.5, 2};
+  const auto bent = [&](double t) {
+    std::size_t i = 0;
+    while (i + 2 < knots.size() && knots[i + 1] < t) ++i;
+    const double share = (t - knots[i]) / (knots[i + 1] - knots[i]);
+    return values[i] + share * (values[i + 1] - values[i]);
+  };
+  const auto modes = surge_modes(li_tank, std::nullopt, 0.1, 6);
+  const DuhamelModes exact(modes, {"LinearSurge", bent, 3, 1, knots});
+  for (std::size_t n = 0; n < modes.size(); ++n) {
+    const std::vector<double> at{0.05, 0.1305, 0.5, 1.7, 2.9};
+    const auto expected = mode_by_odeint(modes[n], bent, at);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      EXPECT_NEAR(exact.acceleration(at[i]), bent(at[i]), 1e-13);
+      EXPECT_NEAR(exact.state(n, at[i]).elevation, expected[i][0], 1e-7);
+    }
+  }
+  for (const std::vector<double>& bad :
+       {std::vector<double>{0, 1, 2}, {0.1, 3}, {0, 2, 2, 3}, {0, 2, 1, 3}, {0, NAN, 3}})
+    EXPECT_THROW(DuhamelModes(modes, {"LinearSurge", bent, 3, 1, bad}), std::invalid_argument);
+}
+
 TEST(Duhamel, FallsToTheSecondOrderOfTheStep) {
   const auto modes = surge_modes(li_tank, std::nullopt, 0, 1);
   const auto error = [&](double step) {

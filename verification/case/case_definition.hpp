@@ -274,6 +274,7 @@ struct SeriesSource {
   std::string unit = {};                         // of the column; empty: as the file says
   std::string time_column = {}, time_unit = {};  // where the format does not fix them
   double scale = 1, offset = 0;
+  double time_offset = 0;  // [s], added to the file's times
   bool first_is_zero = false;
   // The file's force is that on the whole tank, where its format is of forces on parts of it.
   bool whole_tank = false;

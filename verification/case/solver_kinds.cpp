@@ -24,9 +24,11 @@ struct CommonRow {
 
 json hashed_series(const std::vector<SeriesSource>& sources) {
   json series = json::array();
-  for (const SeriesSource& one : sources)
+  for (const SeriesSource& one : sources) {
     series.push_back({one.quantity, one.file.string(), one.format, one.column, one.unit,
                       one.time_column, one.time_unit, one.scale, one.offset, one.first_is_zero});
+    if (one.time_offset != 0) series.back().push_back(one.time_offset);
+  }
   return series;
 }
 

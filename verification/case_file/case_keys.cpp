@@ -130,7 +130,13 @@ const std::vector<KeyTable>& case_key_tables() {
         {"sines", "the table [[motion.surge.sines]]", "with type = \"sines\"", ""},
         {"file", "path, relative to the case file", "with type = \"table\"",
          "A CSV file with the columns time_s,displacement_m, from the time 0 to duration_s or "
-         "beyond, joined by a cubic spline."}}},
+         "beyond, joined by a cubic spline. Or with time_s,acceleration_m_s2: the spline through "
+         "these is integrated twice, from the position 0 and the velocity 0 at the time 0. Points "
+         "less than 2 ms after another are left out. A table whose acceleration is mostly noise is "
+         "doubted."},
+        {"time_offset_s", "number, s", "no",
+         "Added to the times of a table's file: with -12.5 the file's 12.5 s are the case's 0 s. "
+         "Refused with a sine. Default: 0."}}},
       {"surge.sines",
        "[[motion.surge.sines]]",
        "with type = \"sines\"",
@@ -161,7 +167,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"sines", "the table [[motion.roll.sines]]", "with type = \"sines\"", ""},
         {"file", "path, relative to the case file", "with type = \"table\"",
          "A CSV file with the columns time_s,angle_deg, from the time and the angle 0 to "
-         "duration_s or beyond."},
+         "duration_s or beyond, or with time_s,acceleration_deg_s2. The same as for a surge."},
+        {"time_offset_s", "number, s", "no", "The same as for a surge."},
         {"axis_x_m", "number, m from the left wall", "yes", "Within 1000 tank lengths."},
         {"axis_z_m", "number, m from the bottom", "yes", "Within 1000 tank lengths."}}},
       {"roll.sines",
@@ -442,6 +449,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "A published series that lies beside the case file. It serves only as a reference.",
        {{"file", "path, relative to the case file", "yes",
          "A CSV file: time_s and a compared quantity with its unit, as in front_position_m."},
+        {"time_offset_s", "number, s", "no", "Added to the file's times. Default: 0."},
         {"earlier_run", "true or false", "no",
          "Whether the series is an earlier run of this harness. Only rows of kind = \"regression\" "
          "may then rest on it."},
@@ -457,6 +465,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"value_column", "text", "yes", "The name of the column of values."},
         {"quantity", "compared quantity", "yes", "What the record measures."},
         {"unit", "unit of the quantity", "yes", "The unit of the values."},
+        {"time_offset_s", "number, s", "no", "The same as for a shipped record."},
         {"scale", "number > 0", "no",
          "The values, and those of the band, are scale times their column. Default: 1."},
         {"lower_column", "text", "with upper_column",
@@ -528,6 +537,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "The column of times of a csv or hdf5 file; other formats refuse it."},
         {"time_unit", "\"s\", \"ms\" or \"min\"", "where a csv or hdf5 file does not say it",
          "The unit of the times of such a file; other formats refuse it."},
+        {"time_offset_s", "number, s", "no", "Added to the file's times. Default: 0."},
         {"scale", "number other than 0", "no",
          "The series is scale times the column plus offset. Default: 1."},
         {"offset", "number, the quantity's unit", "no", "Default: 0."},

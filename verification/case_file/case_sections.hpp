@@ -60,6 +60,9 @@ FrequencyKeys frequency_keys(const std::string& prefix = "");
 std::optional<double> find_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
 double read_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
 
+// Returns the key time_offset_s [s], which is added to the times of a file; 0 without it.
+double read_time_offset(const TomlTable& table);
+
 // Reads the keys of [comparison] that tell the forcing frequency of a motion table. The
 // definition's motion and its comparison's window must have been read.
 void read_forcing(const TomlTable& comparison, CaseDefinition& definition);
@@ -71,12 +74,21 @@ std::vector<double> read_animation(const TomlTable& animation, const CaseDefinit
 // tables are relative to the case file.
 MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition);
 
-// Read a motion from a CSV file whose first line is "time_s,displacement_m" (surge) or
-// "time_s,angle_deg" (roll): at least four rows, times that increase strictly from 0 to at least
-// the case's duration [s]. A roll starts level, at 0 to within 1e-3 deg. The errors name the line
-// of the CSV file.
-TableMotion read_surge_table(const std::filesystem::path& file, double duration);
-TableMotion read_roll_table(const std::filesystem::path& file, double duration);
+// A motion's CSV file.
+struct TableFile {
+  std::filesystem::path file;
+  double duration;     // of the case [s], for which the motion must last
+  double time_offset;  // added to the file's times [s]
+};
+
+// Read a motion from a CSV file of positions, whose first line is "time_s,displacement_m" (surge)
+// or "time_s,angle_deg" (roll), or of accelerations, "time_s,acceleration_m_s2" or
+// "time_s,acceleration_deg_s2", which are integrated from a position and a velocity of 0 at the
+// time 0: at least four rows, times that increase strictly from 0 or less to at least the case's
+// duration. The motion is `thinned` (motion_times.hpp). A roll starts level, at 0 to within 1e-3
+// deg. The errors name the line of the CSV file.
+TableMotion read_surge_table(const TableFile& table);
+TableMotion read_roll_table(const TableFile& table);
 
 // Read [[gauge]] and [[pressure_gauge]]. The definition's tank and sample interval must have been
 // read, and the liquid of a tank that is no rectangle.

@@ -60,6 +60,7 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
     source.time_unit = series.choice("time_unit", "a unit of time", unit_names("s"));
   source.scale = series.find("scale", not_zero("1")).value_or(source.scale);
   source.offset = series.find("offset", any_number(unit)).value_or(source.offset);
+  source.time_offset = read_time_offset(series);
   if (series.has("datum")) {
     series.choice("datum", "a datum", {"first"});
     if (series.has("offset"))

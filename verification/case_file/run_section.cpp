@@ -237,6 +237,7 @@ RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& defini
   for (const std::string& quantity : compared_quantities(definition))
     columns.push_back(quantity + "_" + unit_of(quantity));
   TimeTable table = read_time_table(file, columns);
+  for (const double offset = read_time_offset(run); double& time : table.time) time += offset;
   const std::string quantity = table.column.substr(0, table.column.find_last_of('_'));
   return {.file = file,
           .quantity = quantity,
@@ -285,6 +286,7 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
                             run.get("value_column", any_text()),
                             {"unit", unit, quantity, unit_of(quantity)}};
   const double factor = si * run.find("scale", positive("1")).value_or(1);
+  const double time_offset = read_time_offset(run);
   const auto edges = band_columns(run);
   const bool named = !experiments.empty();
   RecordRun record{
@@ -301,6 +303,7 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
   if (!record.supplied) return record;
   TimeTable table = read_time_columns(record.file, columns);
   record.time = std::move(table.time);
+  for (double& time : record.time) time += time_offset;
   record.value = std::move(table.value);
   for (double& value : record.value) value *= factor;
   if (edges) read_band(run, columns, *edges, factor, record);

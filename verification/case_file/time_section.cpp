@@ -43,6 +43,10 @@ constexpr long fewest_times = 3, most_times = 60;
 
 }  // namespace
 
+double read_time_offset(const TomlTable& table) {
+  return table.find("time_offset_s", any_number("s")).value_or(0);
+}
+
 void read_time(const TomlTable& time, CaseDefinition& definition) {
   time.allow_only(keys_of("time"));
   definition.start =

@@ -30,7 +30,7 @@ struct ImportOptions {
   std::string format;
   std::vector<std::string> series;  // "QUANTITY=COLUMN" each
   std::string unit, time_column, time_unit;
-  double scale = 1, offset = 0;  // offset in the quantity's unit
+  double scale = 1, offset = 0, time_offset = 0;  // offset in the quantity's unit, and in s
   std::string datum;
   bool whole_tank = false;
 };
@@ -60,6 +60,7 @@ SeriesSource source_of(const std::string& series, const ImportOptions& options) 
                       .time_unit = options.time_unit,
                       .scale = options.scale,
                       .offset = options.offset,
+                      .time_offset = options.time_offset,
                       .first_is_zero = !options.datum.empty(),
                       .whole_tank = options.whole_tank};
   require_quantity(series, source.quantity);
@@ -91,6 +92,7 @@ std::string command_of(const ImportOptions& options) {
     if (!value->empty()) command += fmt::format(" {} {}", name, shell_word(*value));
   if (options.scale != 1) command += fmt::format(" --scale {}", options.scale);
   if (options.offset != 0) command += fmt::format(" --offset {}", options.offset);
+  if (options.time_offset != 0) command += fmt::format(" --time-offset {}", options.time_offset);
   if (!options.datum.empty()) command += " --datum " + options.datum;
   if (options.whole_tank) command += " --whole-tank";
   return command + " -o " + shell_word(options.output.string());
@@ -182,6 +184,8 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
   command.add_option("--time", options.time_column,
                      "The column of times, of " + formats_that_name_times());
   command.add_option("--time-unit", options.time_unit, "Its unit, where the file does not say it");
+  command.add_option("--time-offset", options.time_offset, "Added to the file's times [s]")
+      ->check(keeps(any_number("s")));
   command.add_option("--scale", options.scale, "Multiplies the values, as 2 does for half a tank")
       ->check(keeps(not_zero("1")));
   CLI::Option* offset =

@@ -112,6 +112,7 @@ void require_rows(const SeriesSource& source, const StitchedSeries& series) {
 TimeSeries in_own_unit(const SeriesSource& source, StitchedSeries raw) {
   const double scale = source.scale;
   const double offset = source.first_is_zero ? -scale * raw.value.front() : source.offset;
+  for (double& time : raw.time) time += source.time_offset;
   for (double& value : raw.value) value = scale * value + offset;
   for (const double value : raw.value)
     if (!(std::abs(value) < least_mark_of_none))

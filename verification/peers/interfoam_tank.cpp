@@ -1,12 +1,16 @@
 #include "verification/peers/interfoam_tank.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/time_step.hpp"
 #include "verification/case/field_times.hpp"
 #include "verification/case/gap_friction.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/motion/motion_times.hpp"
 
 namespace slosh {
 namespace {
@@ -45,10 +49,26 @@ openfoam::PressureGauge sensor_of(const PressureGaugeDefinition& gauge) {
   return sensor;
 }
 
+// A motion by a table is read at rows of interFoam's own table, two time steps or more apart: what
+// alternates from point to point, as the noise of a recorded motion does, then cancels in the
+// solver, which reads its table once a step.
+void set_motion(const CaseDefinition& definition, openfoam::SloshingTank& tank) {
+  const double row = openfoam::motion_step(tank);
+  const double apart = std::min(2 * openfoam::max_time_step(tank), tank.duration / 100);
+  const CaseDefinition read = with_tables_at(definition, row * std::ceil(apart / row));
+  const bool set_off = definition.start == Start::earth;
+  const SurgeMotion surge = surge_motion(read);
+  tank.velocity = surge.velocity;
+  tank.acceleration = surge.acceleration;
+  tank.initial_relative_velocity = set_off ? -surge.velocity(0) : 0;
+  if (const std::optional<RollMotion> roll = roll_motion(read))
+    tank.roll = openfoam::Roll{roll->angle,  roll->rate,   roll->acceleration,
+                               roll->axis_x, roll->axis_z, set_off ? -roll->rate(0) : 0};
+}
+
 }  // namespace
 
 openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinition& definition) {
-  const SurgeMotion motion = surge_motion(definition);
   openfoam::SloshingTank tank{
       .length = definition.tank.length,
       .height = definition.tank.height,
@@ -59,9 +79,9 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
       .liquid = {definition.liquid.density, definition.liquid.kinematic_viscosity},
       .gas = {definition.gas.density, definition.gas.kinematic_viscosity},
       .gap_friction = run.cells_y ? 0 : gap_friction(definition),
-      .velocity = motion.velocity,
-      .acceleration = motion.acceleration,
-      .initial_relative_velocity = definition.start == Start::earth ? -motion.velocity(0) : 0,
+      .velocity = {},
+      .acceleration = {},
+      .initial_relative_velocity = 0,
       .duration = definition.duration,
       .sample_interval = definition.sample_interval,
       .gauges = {},
@@ -82,10 +102,7 @@ openfoam::SloshingTank interfoam_tank(const InterFoamRun& run, const CaseDefinit
     tank.start_disturbance =
         openfoam::start_disturbance(run.start_disorder * definition.tank.height / run.cells_z,
                                     static_cast<unsigned>(run.start_seed));
-  if (const std::optional<RollMotion> roll = roll_motion(definition))
-    tank.roll = openfoam::Roll{
-        roll->angle,  roll->rate,   roll->acceleration,
-        roll->axis_x, roll->axis_z, definition.start == Start::earth ? -roll->rate(0) : 0};
+  set_motion(definition, tank);
   for (const GaugeDefinition& gauge : definition.gauges)
     tank.gauges.push_back({gauge.name, gauge.x});
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)

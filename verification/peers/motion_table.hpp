@@ -15,7 +15,8 @@ struct MotionPoint {
   double angle, rate, angular_acceleration;          // [rad], [rad/s], [rad/s2]
 };
 
-// Returns the motion at ten equal steps a sample, from 0 to the case's duration.
+// Returns the motion from 0 to the case's duration at ten steps a sample and at the points of its
+// tables, between which straight lines are exact (motion_times.hpp).
 std::vector<MotionPoint> motion_table(const CaseDefinition& definition);
 
 // The uniform part of what acts on a unit of mass at rest in the tank's frame, along the tank's

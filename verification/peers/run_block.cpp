@@ -33,6 +33,7 @@ std::string series_table(const SeriesSource& source) {
                       line("time_column", source.time_column) + line("time_unit", source.time_unit);
   if (source.scale != 1) table += fmt::format("scale = {}\n", source.scale);
   if (source.offset != 0) table += fmt::format("offset = {}\n", source.offset);
+  if (source.time_offset != 0) table += fmt::format("time_offset_s = {}\n", source.time_offset);
   if (source.first_is_zero) table += "datum = \"first\"\n";
   if (source.whole_tank) table += "whole_tank = true\n";
   return table;

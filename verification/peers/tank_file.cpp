@@ -1,34 +1,23 @@
 #include "verification/peers/tank_file.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "verification/case/motion.hpp"
 #include "verification/case/shape/tank_shape.hpp"
+#include "verification/peers/motion_table.hpp"
 
 namespace slosh {
 namespace {
 
 using nlohmann::ordered_json;
 
-// Linear interpolation between ten points a sample errs by (omega dt)^2 / 8 of the acceleration:
-// 3e-6 for 5 rad/s sampled at 100 Hz.
-constexpr int points_per_sample = 10;
-
 ordered_json motion_of(const CaseDefinition& definition) {
-  const SurgeMotion motion = surge_motion(definition);
-  const double step = definition.sample_interval / points_per_sample;
-  const auto steps = static_cast<int>(std::ceil(definition.duration / step - 1e-9));
   ordered_json times = ordered_json::array(), accelerations = ordered_json::array();
-  for (int i = 0; i <= steps; ++i) {
-    const double time = std::min(i * step, definition.duration);
-    times.push_back(time);
-    accelerations.push_back(motion.acceleration(time));
+  for (const MotionPoint& at : motion_table(definition)) {
+    times.push_back(at.time);
+    accelerations.push_back(at.surge_acceleration);
   }
-  const double velocity = definition.start == Start::earth ? -motion.velocity(0) : 0;
-  return {{"initial_velocity_x_m_s", velocity},
+  return {{"initial_velocity_x_m_s", initial_velocity_x(definition)},
           {"time_s", times},
           {"acceleration_x_m_s2", accelerations}};
 }

@@ -5,9 +5,11 @@
 
 #include "reference/potential_flow/nonlinear_potential_flow.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/motion/motion_times.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/solvers/reference_tank.hpp"
 #include "verification/solvers/solver_runs.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {
@@ -15,7 +17,16 @@ namespace {
 using reference::NonlinearRecord;
 using reference::NonlinearSloshing;
 
-reference::TankMotion motion_of(const CaseDefinition& definition) {
+// The part of the first natural period at which a motion by a table is read. The walls' velocity
+// moves the surface at once: that of a recorded motion's noise, s / dt, would raise waves that no
+// grid resolves, and no wave of the grid needs shorter steps.
+constexpr double table_step = 0.025;
+
+reference::TankMotion motion_of(const CaseDefinition& whole) {
+  const std::vector<double> natural = natural_frequencies(whole, 1);
+  const CaseDefinition definition =
+      natural.empty() ? whole
+                      : with_tables_at(whole, table_step * 2 * std::numbers::pi / natural.front());
   reference::TankMotion motion;
   if (definition.motion.surge) {
     const SurgeMotion surge = surge_motion(definition);

@@ -26,7 +26,7 @@ struct HistoryForm {
   std::string amplitude_key;
   Rule<double> amplitude;
   double si_per_unit;
-  TableMotion (*read_table)(const std::filesystem::path&, double);
+  TableMotion (*read_table)(const TableFile&);
   std::vector<std::string> other_keys;
   std::string table;  // of key_table.hpp
 };
@@ -75,8 +75,9 @@ MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
   table.allow_only(keys_of(form.table));
   const std::string type = table.choice("type", "a motion", {"sine", "sines", "table"});
   if (type == "table") {
-    allow({"type", "file"});
-    return form.read_table(file_beside(table, scope.case_file), scope.duration);
+    allow({"type", "file", "time_offset_s"});
+    return form.read_table(
+        {file_beside(table, scope.case_file), scope.duration, read_time_offset(table)});
   }
   if (type == "sines") {
     allow({"type", "sines"});

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"amplitude_m", "amplitude_deg"},
                 "trial.toml:19: motion.surge.amplitude_deg = 0.02: expected only these keys here: "
                 "type, amplitude_m, angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, "
-                "ramp_periods, sines, file; nearest known key: amplitude_m"},
+                "ramp_periods, sines, file, time_offset_s; nearest known key: amplitude_m"},
         Mistake{"MissingType",
                 {"type = \"sine\"\n", ""},
                 "trial.toml:17: motion.surge.type is missing: expected a motion, one of sine, "

@@ -50,6 +50,17 @@ TEST(RecordOfACase, IsReadWithItsQuantityUnitAndUncertainty) {
   EXPECT_EQ(record.uncertainty, 0.01);
 }
 
+TEST(RecordOfACase, HasTheTimeOffsetAddedToItsTimes) {
+  const Workspace workspace;
+  workspace.write("front.csv", front);
+  const CaseDefinition definition = read_case(
+      workspace.write("dam.toml", dam_text("file = \"front.csv\"\ntime_offset_s = -0.25\n")));
+  const auto& record = std::get<RecordRun>(definition.runs.at(1).solver);
+  ASSERT_EQ(record.time.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_DOUBLE_EQ(record.time[i], 0.1 * static_cast<double>(i) - 0.15);
+}
+
 TEST(RecordOfACase, MayBeOfAnElevationAndWithoutUncertainty) {
   const Workspace workspace;
   workspace.write("front.csv", "time_s,elevation@left_m\n0,0\n1,-0.1\n2,-0.2\n3,-0.3\n");
@@ -89,7 +100,7 @@ TEST(RecordOfACase, HasAFileAndAPositiveUncertainty) {
        "dam.toml:45: run.uncertainty = 0: expected a number > 0, in m"},
       {"file = \"front.csv\"\nscheme = \"any\"\n",
        "dam.toml:45: run.scheme = \"any\": expected only these keys here: name, solver, quick, "
-       "file, earlier_run, uncertainty"}};
+       "file, time_offset_s, earlier_run, uncertainty"}};
   for (const auto& [record, wanted] : keys) {
     const std::string message = complaint_about(dam_text(record), front);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;

@@ -53,6 +53,12 @@ TEST(ExperimentRecord, IsReadInSiUnits) {
   EXPECT_EQ(record.uncertainty, 50);
 }
 
+TEST(ExperimentRecord, HasTheTimeOffsetAddedToItsTimes) {
+  const RecordRun record = read_record(experiment + "time_offset_s = 2\n", probe);
+  EXPECT_EQ(record.time, (std::vector<double>{2.036, 2.418, 2.5, 2.61}));
+  EXPECT_NE(complaint_about_record(experiment + "time_offset_s = nan\n", probe), "");
+}
+
 TEST(ExperimentRecord, MayBeWrittenInAnyUnitOfItsQuantity) {
   const auto first_value = [](const std::string& quantity, const std::string& unit) {
     const std::string keys = "experiment = \"probe.csv\"\nquantity = \"" + quantity +

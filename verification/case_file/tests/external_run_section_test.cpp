@@ -36,7 +36,8 @@ std::string complaint_about_keys(const std::string& keys) {
 TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
   const ExternalRun run = read_external(
       command + "time_limit_s = 60\ninputs = [\"numbers.txt\"]\n" + series +
-      "unit = \"mm\"\ntime_column = \"t\"\ntime_unit = \"ms\"\nscale = -2\noffset = 0.5\n" +
+      "unit = \"mm\"\ntime_column = \"t\"\ntime_unit = \"ms\"\nscale = -2\noffset = 0.5\n"
+      "time_offset_s = -3\n"
       "[[run.series]]\nquantity = \"force_x\"\nfile = \"f.dat\"\nformat = \"sphinxsys\"\n"
       "column = \"Force[0]\"\ndatum = \"first\"\n");
   EXPECT_EQ(run.command, (std::vector<std::string>{"./solve", "--case", "{case_file}", ""}));
@@ -55,7 +56,9 @@ TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
   EXPECT_EQ(first.scale, -2);
   EXPECT_EQ(first.offset, 0.5);
   EXPECT_EQ(run.series[1].scale, 1);
+  EXPECT_EQ(first.time_offset, -3);
   EXPECT_EQ(run.series[1].offset, 0);
+  EXPECT_EQ(run.series[1].time_offset, 0);
   EXPECT_TRUE(run.series[1].first_is_zero);
   EXPECT_FALSE(first.first_is_zero);
   EXPECT_TRUE(run.series[1].unit.empty());

@@ -1,4 +1,5 @@
 // [motion] of a case file: a surge, a roll or both, as a sine or a table, and every mistake.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -251,7 +252,7 @@ TEST(MotionSection, RefusesARollThatMakesNoSense) {
       {sine_roll + "axis_y_m = 0\n",
        "trial.toml:23: motion.roll.axis_y_m = 0: expected only these keys here: type, "
        "amplitude_deg, angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, ramp_periods, "
-       "sines, file, axis_x_m, axis_z_m; nearest known key: axis_x_m"},
+       "sines, file, time_offset_s, axis_x_m, axis_z_m; nearest known key: axis_x_m"},
       {sine_roll + "file = \"roll.csv\"\n",
        "trial.toml:23: motion.roll.file = \"roll.csv\": expected only these keys here: type, "
        "amplitude_deg"},
@@ -270,21 +271,21 @@ TEST(MotionSection, RefusesABadSurgeTableByItsOwnLine) {
   const std::string head = "time_s,displacement_m\n";
   const Complaints tables{
       {"", "surge.csv:1: head = : expected a line with the columns' names above the numbers"},
-      {"t,x\n0,0\n", "surge.csv:1: header = t,x: expected time_s and displacement_m"},
-      {"time_s,angle_deg\n0,0\n", "surge.csv:1: header = time_s,angle_deg: expected time_s and disp"},
+      {"t,x\n0,0\n", "surge.csv:1: header = t,x: expected time_s and one of displacement_m, "},
+      {"time_s,angle_deg\n0,0\n",
+       "surge.csv:1: header = time_s,angle_deg: expected time_s and one of disp"},
       {head + "0,0\n1,0\n20,0\n", "surge.csv:4: rows = 3: expected at least 4"},
       {head + "0,0\n1,0\n2,0\n19.9,0\n",
        "surge.csv:5: time_s = 19.9: expected a last time of at least the case's duration (20), in "
        "s"},
       {head + "0.1,0\n1,0\n2,0\n20,0\n",
-       "surge.csv:2: time_s = 0.1: expected 0 in the first row, in s"},
+       "surge.csv:2: time_s = 0.1: expected 0 or less in the first row, in s"},
       {head + "0,0\n2,0\n1,0\n20,0\n",
        "surge.csv:4: time_s = 1: expected a number above the last row's 2, in s"},
       {head + "0,0\n1,0\n1,0\n20,0\n", "surge.csv:4: time_s = 1: expected"},
       {head + "0,0\n1,nan\n2,0\n20,0\n",
        "surge.csv:3: displacement_m = nan: expected a number, in m"},
-      {head + "0,0\n1,0,5\n2,0\n20,0\n",
-       "surge.csv:3: row = 1,0,5: expected 2 values"},
+      {head + "0,0\n1,0,5\n2,0\n20,0\n", "surge.csv:3: row = 1,0,5: expected 2 values"},
       {head + "0,0\none,0\n2,0\n20,0\n", "surge.csv:3: time_s = one: expected a number, in s"},
       {head + "0,0\n1 0\n2,0\n20,0\n", "surge.csv:3: row = 1 0: expected 2 values"}};
   for (const auto& [csv, wanted] : tables) {
@@ -296,27 +297,97 @@ TEST(MotionSection, RefusesABadSurgeTableByItsOwnLine) {
 TEST(MotionSection, RefusesABadRollTableByItsOwnLine) {
   const std::string head = "time_s,angle_deg\n";
   const Complaints tables{
-      {"time_s,displacement_m\n", "roll.csv:1: header = time_s,displacement_m: expected time_s and an"},
+      {"time_s,displacement_m\n",
+       "roll.csv:1: header = time_s,displacement_m: expected time_s and one of angle_deg, "
+       "acceleration_deg_s2"},
       {head + "0,0\n1,0\n20,0\n", "roll.csv:4: rows = 3: expected at least 4"},
       {head + "0,0\n1,1\n2,2\n19.9,0\n",
        "roll.csv:5: time_s = 19.9: expected a last time of at least the case's duration (20), in "
        "s"},
-      {head + "0.1,0\n1,0\n2,0\n20,0\n", "roll.csv:2: time_s = 0.1: expected 0 in the first row"},
+      {head + "0.1,0\n1,0\n2,0\n20,0\n",
+       "roll.csv:2: time_s = 0.1: expected 0 or less in the first row"},
       {head + "0,0\n2,0\n1,0\n20,0\n",
        "roll.csv:4: time_s = 1: expected a number above the last row's 2, in s"},
       {head + "0,0\n1,0\n1,0\n20,0\n",
        "roll.csv:4: time_s = 1: expected a number above the last row's 1, in s"},
       {head + "0,-0.0011\n1,0\n2,0\n20,0\n",
-       "roll.csv:2: angle_deg = -0.0011: expected 0 to within 0.001 in the first row, in deg: the "
-       "tank starts level"},
+       "roll.csv:2: angle_deg = -0.0011: expected an angle of 0 to within 0.001 at the start, in "
+       "deg: the tank starts level"},
       {head + "0,0\n1,0\n2,-360.5\n20,0\n",
-       "roll.csv:4: angle_deg = -360.5: expected a number from -360 to 360, in deg"},
+       "roll.csv:4: angle_deg = -360.5: expected angles from -360 to 360, in deg"},
       {head + "0,0\n1,nan\n2,0\n20,0\n", "roll.csv:3: angle_deg = nan: expected a number, in deg"},
       {head + "0,0\n1,inf\n2,0\n20,0\n", "roll.csv:3: angle_deg = inf: expected a number"}};
   for (const auto& [csv, wanted] : tables) {
     const std::string message = complaint_about_table(table_roll, "roll.csv", csv);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
   }
+}
+
+TEST(MotionSection, IntegratesATableOfAccelerationsFromRestAtTheStart) {
+  // Positions t^2 + t^3 / 6, in m and in deg, of rows that begin before the start.
+  std::string rows;
+  for (int i = -20; i <= 500; ++i) rows += fmt::format("{},{}\n", 0.05 * i, 2 + 0.05 * i);
+  const auto check = [](const TableMotion& table, double unit) {
+    EXPECT_EQ(table.time.front(), 0);
+    for (std::size_t i = 0; i < table.time.size(); ++i) {
+      const double t = table.time[i];
+      EXPECT_NEAR(table.value[i], unit * (t * t + t * t * t / 6), 1e-9 * (1 + t * t * t)) << t;
+    }
+  };
+  check(
+      std::get<TableMotion>(
+          *with_table(table_surge, "surge.csv", "time_s,acceleration_m_s2\n" + rows).motion.surge),
+      1);
+  std::string few;
+  for (int i = 0; i <= 500; ++i) few += fmt::format("{},{}\n", 0.05 * i, 0.02 * (2 + 0.05 * i));
+  check(
+      std::get<TableMotion>(with_table(table_roll, "roll.csv", "time_s,acceleration_deg_s2\n" + few)
+                                .motion.roll->angle),
+      0.02 * degree);
+  EXPECT_TRUE(complaint_about_table(table_roll, "roll.csv", "time_s,acceleration_deg_s2\n" + rows)
+                  .find("expected angles from -360 to 360, in deg") != std::string::npos);
+  EXPECT_TRUE(complaint_about_table(table_surge, "surge.csv",
+                                    "time_s,acceleration_m_s2\n0,0\n1,nan\n2,0\n20,0\n")
+                  .starts_with("surge.csv:3: acceleration_m_s2 = nan: expected a number, in m/s2"));
+}
+
+TEST(MotionSection, AddsTheTimeOffsetToTheTimesOfATable) {
+  const std::string rows = "10,9\n12.5,0\n13,1\n14,2\n33,5\n";
+  const CaseDefinition definition = with_table(table_surge + "time_offset_s = -12.5\n", "surge.csv",
+                                               "time_s,displacement_m\n" + rows);
+  const auto& table = std::get<TableMotion>(*definition.motion.surge);
+  EXPECT_EQ(table.time, (std::vector<double>{0, 0.5, 1.5, 20.5}));
+  EXPECT_EQ(table.value, (std::vector<double>{0, 1, 2, 5}));
+  EXPECT_EQ(
+      with_table(table_roll + "time_offset_s = -12.5\n", "roll.csv", "time_s,angle_deg\n" + rows)
+          .motion.roll->angle.index(),
+      definition.motion.surge->index());
+  const auto complains = [&](const std::string& offset) {
+    return complaint_about_table(table_surge + "time_offset_s = " + offset + "\n", "surge.csv",
+                                 "time_s,displacement_m\n" + rows);
+  };
+  EXPECT_TRUE(complains("-9.5").starts_with(
+      "surge.csv:2: time_s = 10: expected 0 or less in the first row, in s, with time_offset_s = "
+      "-9.5 added"))
+      << complains("-9.5");
+  EXPECT_TRUE(complains("-13.5").starts_with(
+      "surge.csv:6: time_s = 33: expected a last time of at least the case's duration (20), in s, "
+      "with time_offset_s = -13.5 added"))
+      << complains("-13.5");
+  EXPECT_NE(complains("nan"), "");
+  EXPECT_NE(complaint_about_table(table_surge + "time_offset_s = -12.9\n", "surge.csv",
+                                  "time_s,displacement_m\n0,0\n11,0\n12,0\n13,1\n33,2\n")
+                .find("time_s = 12: expected three rows after 0 or more"),
+            std::string::npos);
+  EXPECT_NE(complaint_about_motion(sine_surge + "time_offset_s = 1\n"), "");
+}
+
+TEST(MotionSection, LeavesOutPointsThatAreNearerThanSolversStep) {
+  std::string rows;
+  for (int i = 0; i <= 21000; ++i) rows += fmt::format("{},0\n", 1e-3 * i);
+  const CaseDefinition definition =
+      with_table(table_surge, "surge.csv", "time_s,displacement_m\n" + rows);
+  EXPECT_EQ(std::get<TableMotion>(*definition.motion.surge).time.size(), 10501u);
 }
 
 TEST(MotionSection, KnowsNoForcedModeOfATableUnlessItsFrequencyIsDeclared) {

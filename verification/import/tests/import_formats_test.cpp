@@ -73,6 +73,9 @@ TEST(ImportFormats, ReadTheSurfaceThatAGaugeOfDualSPHysicsFound) {
   expect_wave(elevation, 1, 0, 1e-6);
   swl = of_column("swlz [m]", swl);
   EXPECT_EQ(import_series(swl).value, elevation.value);
+  swl.time_offset = -2.5;
+  EXPECT_EQ(import_series(swl).time.front(), -2.5);
+  EXPECT_EQ(import_series(swl).time.back(), elevation.time.back() - 2.5);
 }
 
 TEST(ImportFormats, ReadTheForceThatAGaugeOfDualSPHysicsFoundAsOnePerMetreWhereThatIsSaid) {

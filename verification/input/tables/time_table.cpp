@@ -33,6 +33,13 @@ std::string written_name(const TableColumn& column) {
   return name;
 }
 
+// "m" of "displacement_m", "m/s2" of "acceleration_m_s2".
+std::string unit_of_name(const std::string& column) {
+  const std::size_t last = column.rfind('_'), word = column.rfind('_', last - 1);
+  if (!column.ends_with("_s2") || word == column.npos) return column.substr(last + 1);
+  return column.substr(word + 1, last - word - 1) + "/s2";
+}
+
 // The places of the columns of such a name.
 std::vector<std::size_t> places_of(const TableHead& head, const std::string& name) {
   std::vector<std::size_t> places;
@@ -49,10 +56,8 @@ TimeTable read_time_table(const std::filesystem::path& file,
     std::vector<SeriesPlaces> found;
     for (const std::string& column : columns)
       for (const std::size_t place : places_of(head, column))
-        found.push_back({.summands = {place},
-                         .name = column,
-                         .time_unit = "s",
-                         .unit = column.substr(column.find_last_of('_') + 1)});
+        found.push_back(
+            {.summands = {place}, .name = column, .time_unit = "s", .unit = unit_of_name(column)});
     return found;
   };
   const auto has_series = [&](const TableHead& head) {

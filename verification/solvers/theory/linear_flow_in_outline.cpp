@@ -21,7 +21,8 @@ std::optional<reference::SectionRoll> roll_of(const reference::SectionModes& mod
                                  roll->acceleration,
                                  {roll->axis_x, roll->axis_z},
                                  definition.duration,
-                                 motion_step(definition)});
+                                 motion_step(definition),
+                                 motion_knots(definition.motion.roll->angle, definition.duration)});
 }
 
 class FlowInOutline : public SampledFlow {

@@ -33,10 +33,10 @@ std::optional<reference::LinearRoll> roll_of(const LinearRun& linear,
   if (!roll) return {};
   return solution<reference::LinearRoll>(
       linear, definition,
-      reference::RollMotion{roll->angle, roll->rate, roll->acceleration,
-                            roll->axis_x - definition.tank.length / 2,
-                            roll->axis_z - definition.liquid.fill_depth, definition.duration,
-                            motion_step(definition)});
+      reference::RollMotion{
+          roll->angle, roll->rate, roll->acceleration, roll->axis_x - definition.tank.length / 2,
+          roll->axis_z - definition.liquid.fill_depth, definition.duration, motion_step(definition),
+          motion_knots(definition.motion.roll->angle, definition.duration)});
 }
 
 std::optional<reference::StandingWave> wave_of(const LinearRun& linear,

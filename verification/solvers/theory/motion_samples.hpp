@@ -1,4 +1,5 @@
-// How linear theory samples a motion without a closed form.
+// How linear theory samples a motion without a closed form: one by a table at its points, between
+// which Duhamel's integral is exact (motion_times.hpp), a ramped sine at steps.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 
 #include "reference/surge_response.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/motion/motion_times.hpp"
 
 namespace slosh {
 
@@ -41,8 +43,9 @@ std::vector<Solution> surges_of(const CaseDefinition& definition, const Solve& s
         solve(reference::SineSurge{sine.amplitude, sine.angular_frequency, sine.phase}));
   if (!surges.empty()) return surges;
   const SurgeMotion motion = surge_motion(definition);
-  surges.push_back(solve(reference::AnySurge{motion.velocity(0), motion.acceleration,
-                                             definition.duration, motion_step(definition)}));
+  surges.push_back(solve(reference::AnySurge{
+      motion.velocity(0), motion.acceleration, definition.duration, motion_step(definition),
+      motion_knots(*definition.motion.surge, definition.duration)}));
   return surges;
 }
 
