@@ -207,9 +207,6 @@ std::vector<std::pair<std::string, Points>> written(const std::string& text, Kin
   std::vector<std::pair<std::string, Points>> all;
   all.emplace_back("dualsphysics", column(Handed(text).to("dualsphysics"), "plain_acceleration.csv",
                                           surges ? "linx[m/s2]" : "angy", surges ? -1 : 1, ';'));
-  all.emplace_back("sphinxsys",
-                   column(Handed(text).to("sphinxsys"), "gravity.csv",
-                          surges ? "gravity_x_m_s2" : "omega_derivative_rad_s2", surges ? -1 : 1));
   Handed csv(text);
   csv.to("csv");
   all.emplace_back("csv",
