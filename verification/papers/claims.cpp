@@ -13,12 +13,6 @@
 namespace slosh {
 namespace {
 
-Finding found(const Find& find) try {
-  return find();
-} catch (const std::runtime_error& error) {  // ComparisonError, ResultError and others
-  return {Held::undecided, error.what()};
-}
-
 // "-2 to 2", "at least 1.25, refuted up to 1".
 std::string text_of(const Threshold& threshold, double scale) {
   const double lower = scale * threshold.lower, upper = scale * threshold.upper;
@@ -45,13 +39,16 @@ std::string verdict_of(Held held) {
 
 DecidedClaim decide(const Claim& claim) {
   std::vector<std::string> texts, against, unknown;
-  for (const Find& find : claim.findings) {
-    const Finding one = found(find);
-    if (std::find(texts.begin(), texts.end(), one.text) == texts.end()) texts.push_back(one.text);
-    if (one.held == Held::yes) continue;
-    std::vector<std::string>& list = one.held == Held::no ? against : unknown;
-    if (std::find(list.begin(), list.end(), one.text) == list.end()) list.push_back(one.text);
-  }
+  const auto add = [](std::vector<std::string>& list, const std::string& text) {
+    if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+  };
+  for (const Find& find : claim.findings) try {
+      const Finding one = find();
+      add(texts, one.text);
+      if (one.held != Held::yes) add(one.held == Held::no ? against : unknown, one.text);
+    } catch (const std::runtime_error& error) {  // ComparisonError, ResultError and others
+      add(unknown, error.what());
+    }
   const bool refuted = !against.empty();
   const bool confirmed = !refuted && unknown.empty() && !texts.empty();
   return {claim,
@@ -104,7 +101,8 @@ reports::Table claims_table(const std::string& id, const std::vector<Claim>& cla
   for (const Claim& claim : claims) {
     const DecidedClaim decided = decide(claim);
     rows.push_back({{claim.number, claim.statement, claim.printed, verdict_of(decided.held),
-                     decided.found, decided.why, fmt::format("{}", fmt::join(claim.runs, "; "))},
+                     decided.found, decided.why == decided.found ? "" : decided.why,
+                     fmt::format("{}", fmt::join(claim.runs, "; "))},
                     claim.figures});
   }
   return with_figures(

@@ -71,7 +71,7 @@ struct Claim {
 struct DecidedClaim {
   Claim claim;
   Held held;
-  std::string found;  // all findings
+  std::string found;  // all findings that have a number
   std::string why;    // of a claim that is not confirmed: what speaks against it or is missing
 };
 
