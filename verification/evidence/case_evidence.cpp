@@ -167,19 +167,25 @@ const Contribution& CaseEvidence::input_contribution(const GateRow& row) {
       .first->second;
 }
 
+// The series stands for all of an ensemble that the run begins.
 MeasureWithSeries CaseEvidence::measure_with_series() const {
   return [this](const GateRow& row, const std::string& run, const TimeSeries& series) {
+    CaseDefinition definition = definition_;
+    std::erase_if(definition.runs, [&](const RunDefinition& one) {
+      return is_later_member(one) && one.ensemble == run;
+    });
     CaseRuns replaced;
-    for (const auto& [name, result] : runs_.results) {
-      const bool is_needed =
-          name == row.candidate || name == row.reference || is_record(run_named(definition_, name));
-      if (!is_needed) continue;
-      replaced.results[name] = judged_part(result, row.quantity);
-      replaced.status[name] = runs_.status.at(name);
+    for (const RunDefinition& one : definition.runs) {
+      const std::string& named = one.ensemble.empty() ? one.name : one.ensemble;
+      const auto result = runs_.results.find(one.name);
+      const bool is_needed = named == row.candidate || named == row.reference || is_record(one);
+      if (!is_needed || result == runs_.results.end()) continue;
+      replaced.results[one.name] = judged_part(result->second, row.quantity);
+      replaced.status[one.name] = runs_.status.at(one.name);
     }
     for (TimeSeries& one : replaced.results.at(run).series)
       if (one.name == row.quantity) one = series;
-    CaseEvidence evidence(definition_, replaced, nullptr, modes_needed_by({row}));
+    CaseEvidence evidence(definition, replaced, nullptr, modes_needed_by({row}));
     return measured(row, evidence.gate_evidence());
   };
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/gate/distributions/holm_correction.hpp"
@@ -114,6 +115,26 @@ TEST(ImpactRows, OfAnEnsembleAreViolatedByWhatIsWrongWithAllMembers) {
   EXPECT_EQ(judged(Metric::impact_arrival, "impact_3", 0, 1, 2), Verdict::violated);
   EXPECT_EQ(judged(Metric::plateau_error, "whole", 0, 1, 4), Verdict::pass);
   EXPECT_EQ(judged(Metric::plateau_error, "whole", 0, 1.3, 4), Verdict::violated);
+}
+
+// The ends of an input are single runs, and one of them stands for the whole ensemble.
+TEST(ImpactRows, OfAnEnsembleCountWhatItsInputsDoToARun) {
+  Ensembles ensembles;
+  ensembles.add("fine", 0.002, late_by({0, 0.001, -0.001}));
+  ensembles.add("coarse", 0.004, late_by({0, 0.001, -0.001}));
+  CaseDefinition& definition = ensembles.made.definition;
+  definition.inputs = {{Input::amplitude, 0.0005, "a ruler", "coarse"}};
+  for (const RunDefinition& end :
+       runs_at_ends(definition.inputs[0], run_named(definition, "coarse"))) {
+    add_run(ensembles.made, end.name, end.solver,
+            {pressure_of({.late = end.at_input->change > 0 ? -0.003 : 0.004})});
+    definition.runs.back() = end;
+  }
+  const GateOutcome outcome = ensembles.judged(row_of(Metric::impact_arrival, "impact_2"));
+  const Contribution& input = outcome.judgement.value().contributions.input;
+  ASSERT_TRUE(input.half_width.has_value()) << input.basis;
+  EXPECT_NEAR(*input.half_width, 0.0035, 1e-9);
+  EXPECT_NEAR(outcome.value.value, 0, 1e-9);
 }
 
 TEST(ImpactRows, OfAMemberWithoutANumberAreNotCompared) {
