@@ -109,9 +109,9 @@ reports::Table claims_table(const std::string& id, const std::vector<Claim>& cla
       {id,
        "Claims of the paper",
        "Each claim under the paper's number, in our own words; what a number is held against is in "
-       "brackets. The thresholds were set before the numbers were looked at. A claim cannot be "
-       "confirmed where a run is absent or failed, a number is NaN, or an interval reaches over a "
-       "threshold.",
+       "brackets. The thresholds were set before the numbers were looked at, but for those that "
+       "the text above names. A claim cannot be confirmed where a run is absent or failed, a "
+       "number is NaN, or an interval reaches over a threshold.",
        {"claim", "in our words", "printed", "verdict", "result",
         "evidence against it, or what is missing", "decided by"},
        {}},

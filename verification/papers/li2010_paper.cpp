@@ -158,7 +158,11 @@ reports::Section li2010_section(const std::vector<CaseAssessment>& cases,
       "li2010",
       "Comparison with the paper",
       {"Li et al. 2010: sloshing in a surging tank by SPH with repulsive and mirror particles. The "
-       "rows below lead to the paper's figures as they are redrawn from this campaign's runs."},
+       "rows below lead to the paper's figures as they are redrawn from this campaign's runs.",
+       "Results of these runs were known when three kinds of claims were set up: the comparison of "
+       "the powers' growth with the printed one (C7.3), the two magnitudes of the momentum and "
+       "their thresholds (C6.1 to C6.4), and the fluctuation within each period of the forcing in "
+       "place of that over the whole window (C8.1). Conclusion 2 rests on C6.4 and C8.1."},
       {claims_table("li2010-claims", claims_of("li2010", cases), redrawn)},
       {}};
   const CaseAssessment* smaller = find_case(cases, paper_cases::b075);

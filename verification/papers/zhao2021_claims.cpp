@@ -262,8 +262,8 @@ std::vector<Deviation> deviations() {
        "0.093 m, over a sensor of "
        "4.2 mm",
        "a misprint"},
-      {"zhao2021_violent_sine", "4 deg sin(3.85 t)", "as printed",
-       "the experiment made another roll, that of zhao2021_violent_roll"},
+      {"zhao2021_violent_sine", "omega_r = 1.631 rad/s", "4 deg sin(3.85 t), of the period 1.631 s",
+       "an erratum; the experiment made another roll, that of zhao2021_violent_roll"},
   };
 }
 
