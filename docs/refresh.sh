@@ -1,6 +1,6 @@
 #!/bin/sh
-# Makes anew what the documents take from the product: the case-file reference and schemas, the tutorial's picture and the gallery's
-# figures. It takes about half an hour on two cores.
+# Makes anew what the documents take from the product: the case-file reference and schemas, the tutorial's picture and
+# the gallery's figures. It takes about half an hour on two cores.
 # Usage: docs/refresh.sh
 set -eu
 cd "$(dirname -- "$0")/.."

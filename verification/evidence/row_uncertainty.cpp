@@ -146,8 +146,8 @@ Contribution of_inputs(const CaseDefinition& definition, const GateRow& row,
   return measures.input(row);
 }
 
-// An impact is sought within a quarter of its period: no uncertainty of its times is larger,
-// however the numbers that it is estimated from scatter.
+// An arrival is sought within a quarter of the period: its uncertainty is no larger, however the
+// numbers that it is estimated from scatter.
 void limit_to_search_window(const CaseDefinition& definition, UncertaintyContributions& found) {
   found.at_most = definition.impacts.value().period / 4;
   for (Contribution* one : {&found.discretisation, &found.time_series, &found.input})
@@ -180,7 +180,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
             ? numerical(definition, runs, row, Role::candidate, measures.measure)
             : Contribution{0, "the candidate's discretisation error is what the row measures"};
   found.input = of_inputs(definition, row, measures);
-  if (is_of_impacts(row.metric) && row.unit == "s") limit_to_search_window(definition, found);
+  if (row.metric == Metric::impact_arrival) limit_to_search_window(definition, found);
   return found;
 }
 

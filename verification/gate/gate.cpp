@@ -140,8 +140,12 @@ GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvi
       std::hypot(contributions.time_series.known(), value.half_width);
   const ThreeWayOutcome judged = judge_error(value.value, contributions, allowed_by(row));
   const std::string missing = missing_for_validation(contributions);
+  const bool is_limited =
+      std::isfinite(judged.uncertainty) && judged.uncertainty == contributions.at_most;
+  const char* limited = is_limited ? "; U is limited to what is searched to either side" : "";
   return {row, verdict_of_kind(row, verdict_of(judged.verdict), missing), value,
-          with_missing(bound_text(row, judged, evidence) + repeats_text(row, evidence), missing),
+          with_missing(bound_text(row, judged, evidence) + repeats_text(row, evidence) + limited,
+                       missing),
           judged};
 }
 

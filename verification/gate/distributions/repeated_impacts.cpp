@@ -24,7 +24,7 @@ Estimate median_of_repeats(const GateRow& row, const std::vector<const TimeSerie
   }
   const Distribution sample(metric_name(row.metric) + " of " + row.candidate, std::move(values));
   Estimate median = wider_side(sample.quantile(0.5), median_interval(sample));
-  if (row.unit == "s")
+  if (row.metric == Metric::impact_arrival)
     median.half_width = std::min(median.half_width, definition.impacts.value().period / 4);
   return median;
 }

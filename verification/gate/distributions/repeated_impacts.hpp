@@ -16,8 +16,8 @@ namespace slosh {
 
 // The metric of a row, from the pressures of all members of its candidate; NaN where the impact
 // does not occur in one of them: that ensemble has not the distribution of an experiment in which
-// it always occurs. The half width of a time is at most a quarter of the impacts' period, within
-// which it is sought. Throws what impact_metric() throws; for a metric against the repeats
+// it always occurs. The half width of an arrival is at most a quarter of the impacts' period,
+// within which it is sought. Throws what impact_metric() throws; for a metric against the repeats
 // ComparisonError for fewer members than fewest_repeats, and what repeated_peaks(), peak_in() and
 // peak_metric() throw.
 Estimate repeated_impact_metric(const GateRow& row, const std::vector<const TimeSeries*>& pressures,
