@@ -66,7 +66,8 @@ std::vector<double> motion_times(const CaseDefinition& definition, double step) 
     knots.insert(knots.end(), more.begin(), more.end());
   }
   std::sort(knots.begin(), knots.end());
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  const auto are_one = [step](double one, double next) { return next - one < rounding * step; };
+  knots.erase(std::unique(knots.begin(), knots.end(), are_one), knots.end());
   std::vector<double> times;
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
     for (int i = 0; i == 0 || knots[k] + i * step < knots[k + 1] - rounding * step; ++i)

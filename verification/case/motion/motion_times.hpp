@@ -24,6 +24,7 @@ TableMotion thinned(const TableMotion& table, double step);
 std::vector<double> motion_knots(const MotionHistory& history, double duration);
 
 // Returns times from 0 to the case's duration, `step` or less apart, with the knots of its motion.
+// Knots that differ by rounding, as those of two tables may, are one.
 std::vector<double> motion_times(const CaseDefinition& definition, double step);
 
 // Returns the case with its motions by tables read at 0, step, 2 step, ...: the positions there

@@ -75,6 +75,17 @@ TEST(MotionTimes, HaveThePointsOfEveryTable) {
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_DOUBLE_EQ(times[i], expected[i]);
 }
 
+// A time offset leaves a table's points beside those of another by rounding.
+TEST(MotionTimes, TakePointsThatDifferByRoundingAsOne) {
+  CaseDefinition definition = surging(table_of(at_rate(100, 1)), 1);
+  std::vector<double> shifted;
+  for (const double t : at_rate(100, 2)) shifted.push_back(t + 1.3 - 1.3);
+  definition.motion.roll = RollDefinition{table_of(shifted), 0, 0};
+  const auto times = motion_times(definition, 0.01);
+  EXPECT_EQ(times.size(), 101u);
+  for (std::size_t i = 1; i < times.size(); ++i) EXPECT_GT(times[i] - times[i - 1], 0.009);
+}
+
 // Straight lines through the acceleration at the steps give the positions at the steps.
 TEST(TablesReadAtSteps, KeepThePositionsAndTheMeansOfTheAcceleration) {
   TableMotion noisy = table_of(at_rate(1000, 1));
