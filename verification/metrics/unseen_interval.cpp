@@ -10,6 +10,8 @@ namespace slosh {
 namespace {
 
 constexpr double least_departure = 0.05, least_gap = 10, resolved_share = 0.01;
+// [median intervals] Through every second sample a reference resolves itself.
+constexpr double longest_resolved = 2;
 
 double largest_magnitude(const std::vector<double>& values) {
   double largest = 0;
@@ -56,20 +58,29 @@ std::vector<std::size_t> intervals_of(const std::vector<double>& times,
   return places;
 }
 
-std::optional<UnseenInterval> longest_gap(const std::vector<std::size_t>& places,
-                                          const std::vector<double>& apart,
-                                          const CommonSamples& common) {
+std::vector<double> lengths_of_intervals(const CommonSamples& common) {
   std::vector<double> lengths;
   for (std::size_t i = 1; i < common.time.size(); ++i)
     lengths.push_back(common.time[i] - common.time[i - 1]);
+  return lengths;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::optional<UnseenInterval> longest_gap(const std::vector<std::size_t>& places,
+                                          const std::vector<double>& apart,
+                                          const CommonSamples& common) {
+  const std::vector<double> lengths = lengths_of_intervals(common);
   const auto longest = std::max_element(lengths.begin(), lengths.end());
   const auto place = static_cast<std::size_t>(longest - lengths.begin()) + 1;
-  const double length = *longest;
-  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
-  std::nth_element(lengths.begin(), middle, lengths.end());
   // The candidate's sample at the interval's end counts too.
   const auto inside = std::equal_range(places.begin(), places.end(), place);
-  if (!(length > least_gap * *middle) || inside.second - inside.first < 3) return std::nullopt;
+  if (!(*longest > least_gap * median_of(lengths)) || inside.second - inside.first < 3)
+    return std::nullopt;
   double largest = 0;
   for (auto at = inside.first; at != inside.second; ++at)
     largest = std::max(largest, std::abs(apart[static_cast<std::size_t>(at - places.begin())]));
@@ -95,8 +106,13 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& whole_candidate,
 }
 
 CommonSamples samples_of_both(const TimeSeries& candidate, const CommonSamples& common) {
-  const std::vector<double> times = between_ends(candidate, common).time;
+  std::vector<double> times = between_ends(candidate, common).time;
   if (times == common.time || !resolves_itself(common)) return common;
+  const std::vector<double> lengths = lengths_of_intervals(common);
+  const double longest = longest_resolved * median_of(lengths);
+  const std::vector<std::size_t> places = intervals_of(times, common);
+  std::size_t at = 0;
+  std::erase_if(times, [&](double) { return lengths[places[at++] - 1] > longest; });
   CommonSamples both;
   std::set_union(common.time.begin(), common.time.end(), times.begin(), times.end(),
                  std::back_inserter(both.time));

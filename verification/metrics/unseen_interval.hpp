@@ -27,7 +27,8 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
 
 // The samples at the times of both series. They are `common`, those at the reference's times, where
 // the reference does not resolve its own signal: where the cubic through every second sample misses
-// one of the others by more than a hundredth of the largest departure from the mean.
+// one of the others by more than a hundredth of the largest departure from the mean. The
+// candidate's times in an interval of more than two median ones, as in a dropout, are left out.
 CommonSamples samples_of_both(const TimeSeries& candidate, const CommonSamples& common);
 
 }  // namespace slosh

@@ -83,5 +83,18 @@ TEST(SamplesOfBoth, AreTheReferencesWhereThatDoesNotResolveItself) {
     EXPECT_NEAR(both.reference[i], pressure(both.time[i]), 0.5);
 }
 
+// What a record lost is no error of the candidate: no curve is made up in a dropout.
+TEST(SamplesOfBoth, AreNotInsideADropoutOfTheReference) {
+  const auto fine = sampled(pressure, 0, 20, 0.001);
+  for (const double end : {9.0195, 9.5005, 10.1005, 10.1015}) {
+    const auto dropped = without(sampled(pressure, 0, 20, 0.002), 9.0005, end);
+    for (const double time : samples_of_both(fine, common_samples(fine, dropped)).time)
+      EXPECT_FALSE(time > 9.0005 && time < end) << time;
+    const Comparison same = compare(fine, dropped, window, {});
+    EXPECT_LT(same.normalised_rms.value, 1e-4) << end;
+    EXPECT_LT(same.maximum_residual, 1) << end;
+  }
+}
+
 }  // namespace
 }  // namespace slosh::unseen_interval_test
