@@ -143,7 +143,7 @@ std::optional<std::size_t> best_lag(const Deficits& deficits) {
   return best;
 }
 
-constexpr double largest_lag_of_span = 0.25;
+constexpr double largest_lag_of_span = 0.25, largest_error = 2;
 constexpr std::size_t fewest_grid_samples = 401;
 // Of the reference, at which the best lag is refined.
 constexpr std::size_t most_refined_samples = 200000;
@@ -264,7 +264,9 @@ TimeAlignment align_in_time(const TimeSeries& candidate, const TimeSeries& refer
   const LagGrid grid(candidate, reference);
   const Deficits deficits = error_deficits(candidate, curve, reference, grid);
   const auto best = best_lag(deficits);
-  if (!best || deficits.at_end(*best)) return {not_a_number, not_a_number};
+  if (!best || deficits.at_end(*best) ||
+      deficits.of_lag[*best] > 0.5 * largest_error * largest_error)
+    return {not_a_number, not_a_number};
   const TimeSeries few = thinned(reference, most_refined_samples);
   const double near =
       (static_cast<double>(*best) - static_cast<double>(deficits.most())) * grid.interval;

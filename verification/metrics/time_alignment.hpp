@@ -13,6 +13,7 @@
 // candidate has a value at t + l. The lag then measures the origin, and the remaining error
 // measures speed and shape. Minima whose halved squares exceed the least by at most 0.001, or by a
 // tenth of it, count as equal, as those of a periodic signal are: the lag nearest to zero is taken.
+// An error above 2 is mostly that of another datum or scale, which no lag explains.
 // An oscillating quantity has one lag per mode instead.
 //
 // Both need n log n operations for n samples: the sums of products at all lags are one Fourier
@@ -35,8 +36,9 @@ struct TimeAlignment {
   double normalised_rms;  // the remaining error
 };
 
-// Aligns two checked series. Both numbers are NaN where the minimum lies at an end of the range. Of
-// more than 200000 samples of the reference, every k-th serves to find the lag.
+// Aligns two checked series. Both numbers are NaN where the minimum lies at an end of the range, or
+// leaves more than 2. Of more than 200000 samples of the reference, every k-th serves to find the
+// lag.
 TimeAlignment align_in_time(const TimeSeries& candidate, const TimeSeries& reference);
 
 }  // namespace slosh

@@ -59,6 +59,18 @@ TEST(TimeAlignment, HasNoLagForEqualSeries) {
   EXPECT_EQ(align_in_time(run_away(0.3, 1, 0.2), run_away(0.3, 1, 0.2)).lag, 0);
 }
 
+// A surface above the bottom against one above the still level.
+TEST(TimeAlignment, HasNoNumbersForSeriesOfDifferentDataOrUnits) {
+  for (const double datum : {30.0, -10.0, 2.0}) {
+    auto other = periodic(0.05);
+    for (double& value : other.value) value += datum;
+    EXPECT_TRUE(std::isnan(align_in_time(other, periodic(0)).lag)) << datum;
+  }
+  auto other = periodic(0.05);
+  for (double& value : other.value) value += 0.3;
+  EXPECT_NEAR(align_in_time(other, periodic(0)).lag, 0.05, 2e-3);
+}
+
 TEST(TimeAlignment, TakesTheLagNearestToZeroOfAPeriodicSignal) {
   for (const double lag : {0.05, -0.05, 0.237, -0.4})
     for (const double interval : {0.01, 0.1}) {
