@@ -37,10 +37,18 @@ std::vector<std::string> data_sets_in(hid_t file) {
       fmt::format("{}: {} = {}: expected {}", source.file.string(), key, value, expected));
 }
 
-// A text of fixed length fills its length with blanks or null characters.
-std::string read_fixed_text(hid_t attribute, hid_t type) {
+// In the file's own type: HDF5 turns no ASCII of variable length into UTF-8. A text of fixed length
+// fills its length with blanks or null characters.
+std::string read_text(hid_t attribute, hid_t type) {
   std::string text(H5Tget_size(type), '\0');
-  hdf5::checked(H5Aread(attribute, type, text.data()), "read a unit");
+  if (H5Tis_variable_str(type) > 0) {
+    char* of_any_length = nullptr;
+    hdf5::checked(H5Aread(attribute, type, &of_any_length), "read a unit");
+    if (of_any_length) text = of_any_length;
+    H5free_memory(of_any_length);
+  } else {
+    hdf5::checked(H5Aread(attribute, type, text.data()), "read a unit");
+  }
   return std::string(trimmed(text.substr(0, text.find('\0'))));
 }
 
@@ -52,8 +60,7 @@ std::string unit_of_data_set(hid_t data_set, const SeriesSource& source, std::st
     const Handle space(H5Aget_space(attribute), H5Sclose, "get the shape of a unit");
     if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
       refuse(source, fmt::format("{}, attribute {}", path, name), "no single text", "a unit");
-    return H5Tis_variable_str(type) > 0 ? hdf5::read_text_attribute(data_set, name)
-                                        : read_fixed_text(attribute, type);
+    return read_text(attribute, type);
   }
   return "";
 }

@@ -272,6 +272,32 @@ TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
   EXPECT_DOUBLE_EQ(bare.value[3], 0.07);
 }
 
+// As C programs and netCDF write them.
+TEST(ImportFormats, ReadUnitsOfAnyLengthInAscii) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "probes.h5";
+  {
+    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                            H5Fclose, "make a file");
+    const hdf5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a type");
+    H5Tset_size(type, H5T_VARIABLE);
+    const hdf5::Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a space");
+    for (const auto& [name, unit] : {std::pair{"t", "ms"}, std::pair{"p", "kPa"}}) {
+      const hdf5::Handle set = hdf5::write_numbers(root, name, {1, 2, 3, 4});
+      const hdf5::Handle attribute(H5Acreate2(set, "unit", type, scalar, H5P_DEFAULT, H5P_DEFAULT),
+                                   H5Aclose, "an attribute");
+      H5Awrite(attribute, type, &unit);
+    }
+  }
+  const TimeSeries series = import_series({.quantity = "wall_pressure@p",
+                                           .file = file,
+                                           .format = "hdf5",
+                                           .column = "/p",
+                                           .time_column = "/t"});
+  EXPECT_EQ(series.value, (std::vector<double>{1000, 2000, 3000, 4000}));
+  EXPECT_DOUBLE_EQ(series.time[3], 0.004);
+}
+
 // A data set of this shape, with a unit of fixed length as h5py and MATLAB write it.
 void write_in_shape(hid_t file, const char* name, std::vector<hsize_t> shape,
                     const std::string& unit) {
