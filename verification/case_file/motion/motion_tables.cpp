@@ -47,7 +47,8 @@ TimeTable read_rows(const TableFile& table, const std::string& position,
                                                                 table.time_offset)));
   };
   if (!(rows.time.front() + table.time_offset <= 0)) refuse(0, "0 or less in the first row");
-  if (!(rows.time.back() + table.time_offset >= table.duration))
+  // An offset leaves a table that is as long as the case short by rounding.
+  if (!(rows.time.back() + table.time_offset >= table.duration * (1 - 1e-9)))
     refuse(rows.time.size() - 1,
            fmt::format("a last time of at least the case's duration ({})", table.duration));
   if (!(rows.time[rows.time.size() - 3] + table.time_offset > 0))

@@ -382,6 +382,13 @@ TEST(MotionSection, AddsTheTimeOffsetToTheTimesOfATable) {
   EXPECT_NE(complaint_about_motion(sine_surge + "time_offset_s = 1\n"), "");
 }
 
+// 32.05 - 12.05 is less than 20, the case's duration, by rounding.
+TEST(MotionSection, AcceptsATableThatLastsUntilTheEndWithItsTimeOffset) {
+  const auto surge = with_table(table_surge + "time_offset_s = -12.05\n", "surge.csv",
+                                "time_s,displacement_m\n0,0\n12,1\n13,0\n14,1\n32.05,2\n");
+  EXPECT_LT(std::get<TableMotion>(*surge.motion.surge).time.back(), 20);
+}
+
 TEST(MotionSection, LeavesOutPointsThatAreNearerThanSolversStep) {
   std::string rows;
   for (int i = 0; i <= 21000; ++i) rows += fmt::format("{},0\n", 1e-3 * i);
