@@ -137,6 +137,10 @@ TEST(ImportText, IsRefusedWithTheReasonInEachOfTheseForms) {
       {"t [s];p (mbar)\n0;1\n", "a.csv: unit = Pa: expected mbar, as the file says",
        units("", "Pa")},
       {"t [s];p (psi)\n0;1\n", "a.csv: unit = psi: expected a unit of wall_pressure@b, one of Pa"},
+      {"t [s];p [WG3]\n0;1\n",
+       "a.csv: unit = Pa: expected one of Pa, kPa, mbar, bar in the file's head too, in place of "
+       "WG3",
+       units("", "Pa")},
       {"t(ms);p [Pa]\n0;1\n", "a.csv: time_unit = s: expected ms, as the file says",
        units("s", "")},
       {"t [s];p_kPa\n0;1\n", "a.csv: unit = Pa: expected kPa, as the file says",

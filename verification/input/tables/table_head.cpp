@@ -254,8 +254,15 @@ std::string agreed_unit(const std::filesystem::path& file, const ToldUnit& told,
   const auto contradicts = [&](const std::string& other) {
     return !other.empty() && other != unit && !is_known(other + "/m");
   };
-  if (contradicts(in_name)) refuse(unit, in_name + ", as the column's name says");
-  if (contradicts(in_file)) refuse(unit, in_file + ", as the file says");
+  const auto hold_against = [&](const std::string& other, const char* speaker) {
+    if (!contradicts(other)) return;
+    // In "eta [WG3]" it is no unit, and none of the key would agree with it.
+    refuse(unit, is_known(other) ? fmt::format("{}, as {} says", other, speaker)
+                                 : fmt::format("one of {} in the file's head too, in place of {}",
+                                               fmt::join(known, ", "), other));
+  };
+  hold_against(in_name, "the column's name");
+  hold_against(in_file, "the file");
   return unit;
 }
 
