@@ -1,6 +1,8 @@
 // The command `case` as a user meets it: what it writes for interFoam is run by interFoam and gives
 // what our own run gives; the script for DualSPHysics starts its programs, which are stood in for;
 // the run that is written takes the output of both back.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <map>
 
@@ -177,6 +179,19 @@ TEST_F(CaseForDualSphysics, FailsWhereParticlesHaveNoNormals) {
       "*** WARNING: There are 324 of 384 fixed or moving boundary particles without normal data.");
   EXPECT_EQ(ended.status, 3);
   EXPECT_TRUE(holds(ended.err, "324 of 384"));
+}
+
+TEST_F(CaseForCodes, TellsOfAMotionWhoseAccelerationIsMostlyNoise) {
+  std::string rows = "time_s,displacement_m\n";
+  for (int i = 0; i <= 1000; ++i)
+    rows += fmt::format("{:.3f},{:.4f}\n", 0.001 * i, 0.002 * std::sin(0.003 * i));
+  write("surge.csv", rows);
+  write("small.toml",
+        with(short_case, "\"sine\"\namplitude_m = 0.02\nangular_frequency_rad_s = 3.0",
+             "\"table\"\nfile = \"surge.csv\""));
+  const Ended ended = tool({"case", "./small.toml", "--for", "csv", "-o", "tables"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_TRUE(holds(ended.out, "doubtful: the noise of motion.surge, whose table surge.csv"));
 }
 
 TEST_F(CaseForCodes, IsRefusedWithTheOptionTheKeyAndThePlace) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <system_error>
 
+#include "verification/assessment/doubts/motion_noise.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
@@ -88,6 +89,8 @@ int leave_case_for_code(const CaseOptions& options, const Installation& installa
     throw CaseFileError(std::string("--output: ") + error.what());
   }
   std::cout << "case: " << options.output.string() << "\n";
+  for (const ModelLimit& noise : motion_noise(definition))
+    if (noise.exceeded()) std::cout << "doubtful: " << limit_text(noise) << "\n";
   return exit_pass;
 }
 
