@@ -98,7 +98,7 @@ void append_table(const FileFormat& format, const SeriesSource& source, Stitched
       if (!part.time.empty())
         append_part(source, units,
                     {std::move(part.time), std::move(part.value),
-                     fmt::format("{}:{}", source.file.string(), part.lines.front())},
+                     fmt::format("{}:{}", source.file.string(), part.lines.front()), column.at},
                     all);
   });
 }

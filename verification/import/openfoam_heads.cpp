@@ -15,9 +15,10 @@
 namespace slosh {
 namespace {
 
-// The words of a line; an unbalanced parenthesis of a word is removed: "(total_x", "total_z)".
-std::vector<std::string> names_in(std::string_view line) {
-  std::vector<std::string> names;
+// The words of a line as names; an unbalanced parenthesis of a word is removed: "(total_x",
+// "total_z)".
+std::vector<TableColumn> columns_in(std::string_view line) {
+  std::vector<TableColumn> columns;
   constexpr std::string_view white = " \t";
   for (std::size_t begin; (begin = line.find_first_not_of(white)) != line.npos;) {
     line.remove_prefix(begin);
@@ -26,9 +27,9 @@ std::vector<std::string> names_in(std::string_view line) {
     line.remove_prefix(end);
     if (name.starts_with('(')) name.remove_prefix(1);
     if (name.ends_with(')') && name.find('(') == name.npos) name.remove_suffix(1);
-    names.emplace_back(name);
+    columns.push_back({std::string(name), ""});
   }
-  return names;
+  return columns;
 }
 
 // The number of components of each value in a row: 1 for a number, 3 for a vector.
@@ -71,19 +72,19 @@ TableHead head_of_times(const TableReader& reader, const Comments& comments) {
 // The head with the values' names, extended by the components for vectors. There must be one name
 // for each value of the first row, or one for each of its numbers.
 TableHead head_of(const TableReader& reader, const Comments& comments,
-                  const std::vector<std::string>& names) {
+                  const std::vector<TableColumn>& values) {
   TableHead head = head_of_times(reader, comments);
   const std::vector<std::size_t> sizes = value_sizes(reader.line());
-  const bool of_values = sizes.size() == names.size() + 1;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  const bool of_values = sizes.size() == values.size() + 1;
+  for (std::size_t i = 0; i < values.size(); ++i) {
     if (!of_values || sizes[i + 1] == 1) {
-      head.columns.push_back({names[i], ""});
+      head.columns.push_back(values[i]);
       continue;
     }
     if (sizes[i + 1] != 3)
       reader.refuse("row", reader.line(), "values that are numbers or vectors of three");
     for (const char* component : {".x", ".y", ".z"})
-      head.columns.push_back({names[i] + component, ""});
+      head.columns.push_back({values[i].name + component, "", values[i].at});
   }
   return head;
 }
@@ -94,6 +95,15 @@ std::string after_time(const Comments& comments) {
   for (const std::string& comment : comments.all)
     if (comment.starts_with("Time")) rest = comment.substr(4);
   return rest;
+}
+
+// The places in comments that begin with the word: "(0.05 0.5 0)" in "Location 0 : (0.05 0.5 0)".
+std::vector<std::string> places_of(const Comments& comments, std::string_view word) {
+  std::vector<std::string> places;
+  for (const std::string& comment : comments.all)
+    if (const auto open = comment.find('('); comment.starts_with(word) && open != comment.npos)
+      places.push_back(comment.substr(open, comment.find(')', open) - open + 1));
+  return places;
 }
 
 // The words within the parentheses after a name: "pressure" and "viscous" of "forces(pressure
@@ -126,30 +136,33 @@ void add_vectors(const std::string& name, const std::vector<std::string_view>& p
 
 TableHead read_openfoam_probes_head(TableReader& reader, const SeriesSource&) {
   const Comments comments = read_comments(reader);
-  std::vector<std::string> names;
-  for (const std::string& comment : comments.all)
-    if (comment.starts_with("Probe ") && comment.find('(') != comment.npos)
-      names.push_back(fmt::format("probe_{}", names.size()));
-  if (names.empty())
+  std::vector<TableColumn> probes;
+  for (const std::string& place : places_of(comments, "Probe "))
+    probes.push_back({fmt::format("probe_{}", probes.size()), "", place});
+  if (probes.empty())
     reader.refuse("head", reader.line(), "lines \"# Probe 0 (x y z)\", as OpenFOAM's probes write");
-  return head_of(reader, comments, names);
+  return head_of(reader, comments, probes);
 }
 
 TableHead read_openfoam_interface_height_head(TableReader& reader, const SeriesSource&) {
   const Comments comments = read_comments(reader);
-  std::vector<std::string> names = names_in(after_time(comments));
-  if (names.empty() || (names[0] != "hB" && names[0] != "p"))
+  std::vector<TableColumn> values = columns_in(after_time(comments));
+  if (values.empty() || (values[0].name != "hB" && values[0].name != "p"))
     reader.refuse("head", reader.line(),
                   "a line \"# Time hB hL ...\" or \"# Time p ...\", as OpenFOAM's interfaceHeight "
                   "writes");
-  const std::size_t of_each = names[0] == "hB" ? 2 : 1;  // hB and hL of each place, or p
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] += fmt::format("_{}", i / of_each);
-  return head_of(reader, comments, names);
+  const std::vector<std::string> places = places_of(comments, "Location ");
+  const std::size_t of_each = values[0].name == "hB" ? 2 : 1;  // hB and hL of each place, or p
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i].name += fmt::format("_{}", i / of_each);
+    if (i / of_each < places.size()) values[i].at = places[i / of_each];
+  }
+  return head_of(reader, comments, values);
 }
 
 TableHead read_openfoam_table_head(TableReader& reader, const SeriesSource&) {
   const Comments comments = read_comments(reader);
-  const std::vector<std::string> names = names_in(after_time(comments));
+  const std::vector<TableColumn> names = columns_in(after_time(comments));
   if (names.empty())
     reader.refuse("head", reader.line(), "a last comment \"# Time NAME ...\", as OpenFOAM writes");
   return head_of(reader, comments, names);
@@ -165,12 +178,12 @@ TableHead read_openfoam_forces_head(TableReader& reader, const SeriesSource&) {
     add_vectors("moment", moments, head);
     return head;
   }
-  if (names_in(names).empty())
+  if (columns_in(names).empty())
     reader.refuse(
         "head", reader.line(),
         "a last comment \"# Time total_x ...\" or \"# Time forces(pressure ...) ...\", as "
         "OpenFOAM's forces write");
-  return head_of(reader, comments, names_in(names));
+  return head_of(reader, comments, columns_in(names));
 }
 
 }  // namespace slosh

@@ -285,5 +285,47 @@ TEST(ImportText, OfTimeFoldersIsThatOfTheNamedFile) {
             "file = f/force.txt: expected a file; there is none");
 }
 
+TEST(ImportText, OfARestartedRunIsOfOneGaugeAtOnePlace) {
+  const Workspace workspace;
+  const auto complaint = [&](const char* format, const char* column, const std::string& first,
+                             const std::string& later, const std::string& columns) {
+    const auto part = [&](const char* name, const std::string& places, const char* rows) {
+      return workspace.write(name, places + columns + rows);
+    };
+    SeriesSource source = csv(part("0.dat", first, "0 1 5\n1 2 6\n2 9 9\n"));
+    const auto more = part("2.dat", later, "2 3 7\n3 4 8\n");
+    source.format = format;
+    source.column = column;
+    source.unit = "Pa";
+    source.time_column.clear();
+    if (column[0] == 'h') {
+      source.quantity = "elevation@right";
+      source.unit = "m";
+    }
+    return complaint_of(workspace, [&] { import_series(source, {source.file, more}); });
+  };
+  const auto probes = [&](const char* column, const std::string& later) {
+    return complaint("openfoam_probes", column,
+                     "# Probe 0 (0.5 0 0.1)\n# Probe 1 (0.9 0 0.3333333)\n", later,
+                     "# Probe 0 1\n# Time\n");
+  };
+  const auto refused = [](const std::string& complaint, const char* moved, const char* place) {
+    return complaint.find(fmt::format("2.dat:5: place of the gauge = {}: expected {}, as in ",
+                                      moved, place)) != complaint.npos &&
+           complaint.find("0.dat:5") != complaint.npos;
+  };
+  const std::string moved = "# Probe 0 (0.9 0 0.1)\n# Probe 1 (0.9 0 0.333333)\n";
+  EXPECT_TRUE(refused(probes("probe_0", moved), "(0.9 0 0.1)", "(0.5 0 0.1)"))
+      << probes("probe_0", moved);
+  EXPECT_EQ(probes("probe_1", moved), "");  // of fewer digits
+  const std::string inserted = "# Probe 0 (0.5 0 0.1)\n# Probe 1 (0.7 0 0.1)\n";
+  EXPECT_EQ(probes("probe_0", inserted), "");
+  EXPECT_TRUE(refused(probes("probe_1", inserted), "(0.7 0 0.1)", "(0.9 0 0.3333333)"));
+  const auto height =
+      complaint("openfoam_interface_height", "hL_0", "# Location 0 : (0.05 0.5 0)\n# x\n",
+                "# Location 0 : (0.06 0.5 0)\n# x\n", "# Location 0\n# Time hB hL\n");
+  EXPECT_TRUE(refused(height, "(0.06 0.5 0)", "(0.05 0.5 0)")) << height;
+}
+
 }  // namespace
 }  // namespace slosh::import_text_test

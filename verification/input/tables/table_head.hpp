@@ -12,6 +12,7 @@ namespace slosh {
 
 struct TableColumn {
   std::string name, unit;  // the unit is empty where the file does not give it
+  std::string at = {};     // the coordinates of a gauge, "(0.5 0 0.1)", where the head has them
 };
 
 // A value that a file does not hold, but its summands.
