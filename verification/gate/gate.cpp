@@ -242,7 +242,7 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const Estimate value = measured(row, evidence);
     GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)
                                           : judge_bound(row, value, evidence);
-    if (const std::string unseen = unseen_by_reference(row, evidence); !unseen.empty()) {
+    if (const std::string unseen = unseen_by_samples(row, evidence); !unseen.empty()) {
       outcome.message += "; " + unseen;
       if (outcome.verdict == Verdict::pass && row.kind != RowKind::regression)
         outcome.verdict = Verdict::inconclusive;

@@ -208,13 +208,19 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
 }  // namespace
 
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
+  if (unseen.in_candidate)
+    return fmt::format(
+        "the candidate has no sample between {:.4g} and {:.4g} s, where the reference departs by "
+        "up "
+        "to {:.3g} {} from the curve across the gap",
+        unseen.begin, unseen.end, unseen.departure, unit);
   return fmt::format(
       "the reference has no sample between {:.4g} and {:.4g} s, where the candidate departs by up "
       "to {:.3g} {} from what its values at the reference's times tell",
       unseen.begin, unseen.end, unseen.departure, unit);
 }
 
-std::string unseen_by_reference(const GateRow& row, const GateEvidence& evidence) {
+std::string unseen_by_samples(const GateRow& row, const GateEvidence& evidence) {
   if (is_of_repeats(row.metric) || is_of_candidate_alone(row.metric) || is_of_impacts(row.metric) ||
       is_of_fields(row.metric) || is_cost(row.metric) ||
       metric_entry(row.metric).fitted != FittedTones::none)

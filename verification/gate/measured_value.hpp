@@ -24,9 +24,9 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence);
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit);
 
 // That text for a row whose metric is of the whole histories, of the worst of an ensemble's pairs;
-// empty where the reference tells all, and for other metrics: the modes of each series are fitted
+// empty where the samples tell all, and for other metrics: the modes of each series are fitted
 // to its own samples. Throws what measured() throws.
-std::string unseen_by_reference(const GateRow& row, const GateEvidence& evidence);
+std::string unseen_by_samples(const GateRow& row, const GateEvidence& evidence);
 
 // Whether the row is judged on the mean or the median over an ensemble, its candidate or its
 // reference.

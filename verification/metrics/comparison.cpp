@@ -188,10 +188,16 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
                                       reference.series.name, result.unit));
   result.reference_is_constant = reference.constant;
   if (!reference.constant) require_variation(candidate.cut);
-  const CommonSamples common = common_samples(candidate.series, reference.cut);
-  result.unseen = unseen_interval(candidate.series, common);
-  compare_whole_window(samples_of_both(candidate.series, common), blocks_of(result.window, modes),
-                       result);
+  const CommonSamples all = common_samples(candidate.series, reference.cut);
+  result.unseen = unseen_interval(candidate.series, all);
+  const CommonSamples common = outside_gaps(candidate.series, all);
+  if (common.time.size() < 2)
+    throw ComparisonError(
+        fmt::format("{}: {} of the {} samples of {} lie outside of its gaps; expected at least 2",
+                    candidate.series.name, common.time.size(), reference.cut.time.size(),
+                    reference.series.name));
+  compare_whole_window(outside_gaps(candidate.series, samples_of_both(candidate.series, all)),
+                       blocks_of(result.window, modes), result);
   compare_waves(common, modes, result);
   if (reference.band) result.margin = band_margin(common.time, common.candidate, *reference.band);
   result.cross_correlation_lag = result.cross_correlation_lag_degrees = not_a_number;

@@ -77,7 +77,7 @@ struct Comparison {
   // The reference is constant over the window: only the means and the residual can be compared, and
   // all that divides by the reference's variation or by its modes is NaN or empty.
   bool reference_is_constant = false;
-  std::optional<UnseenInterval> unseen;  // what the reference's samples do not tell
+  std::optional<UnseenInterval> unseen;  // what the samples do not tell
   std::vector<ModeComparison> modes;     // the modes asked for; empty for Detail::spectrum_alone
   // For each mode, E_c / E_r - 1 with the energies within a fifth of its frequency to either side
   // (spectrum.hpp); NaN where the window cannot resolve that band.
@@ -110,10 +110,11 @@ std::vector<ModeComparison> compare_modes(const TimeSeries& candidate, const Tim
 
 // Compares two series over their window. The residual is taken at the times of both where the
 // reference resolves its signal (samples_of_both()), all else at the reference's times; between its
-// samples a series is interpolated (cubic). Without modes, only the whole time series are compared;
+// samples a series is interpolated (cubic). The whole window leaves out the candidate's gaps
+// (outside_gaps()). Without modes, only the whole time series are compared;
 // with Detail::spectrum_alone, everything except the modes. `asked` names the modes to compare;
 // empty means all of them. Throws ComparisonError when the units differ and when the candidate
-// alone is constant.
+// alone is constant, and where the candidate's gaps leave fewer than two samples.
 Comparison compare(const PreparedSeries& candidate, const PreparedSeries& reference,
                    const std::set<std::string>& asked = {});
 

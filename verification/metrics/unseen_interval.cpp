@@ -46,75 +46,105 @@ bool resolves_itself(const CommonSamples& common) {
          resolved_share * largest_magnitude(without_mean(common.reference));
 }
 
-// The reference's interval, by the place of its end, for each sample inside.
+// For each of the times the interval between knots in which it lies, by the place of its end.
 std::vector<std::size_t> intervals_of(const std::vector<double>& times,
-                                      const CommonSamples& common) {
+                                      const std::vector<double>& knots) {
   std::vector<std::size_t> places;
   std::size_t place = 1;
   for (const double time : times) {
-    while (place + 1 < common.time.size() && common.time[place] < time) ++place;
+    while (place + 1 < knots.size() && knots[place] < time) ++place;
     places.push_back(place);
   }
   return places;
 }
 
-std::vector<double> lengths_of_intervals(const CommonSamples& common) {
+double median_interval(const std::vector<double>& knots) {
   std::vector<double> lengths;
-  for (std::size_t i = 1; i < common.time.size(); ++i)
-    lengths.push_back(common.time[i] - common.time[i - 1]);
-  return lengths;
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::nth_element(values.begin(), middle, values.end());
+  for (std::size_t i = 1; i < knots.size(); ++i) lengths.push_back(knots[i] - knots[i - 1]);
+  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;
 }
 
-std::optional<UnseenInterval> longest_gap(const std::vector<std::size_t>& places,
-                                          const std::vector<double>& apart,
-                                          const CommonSamples& common) {
-  const std::vector<double> lengths = lengths_of_intervals(common);
-  const auto longest = std::max_element(lengths.begin(), lengths.end());
-  const auto place = static_cast<std::size_t>(longest - lengths.begin()) + 1;
-  // The candidate's sample at the interval's end counts too.
-  const auto inside = std::equal_range(places.begin(), places.end(), place);
-  if (!(*longest > least_gap * median_of(lengths)) || inside.second - inside.first < 3)
-    return std::nullopt;
-  double largest = 0;
-  for (auto at = inside.first; at != inside.second; ++at)
-    largest = std::max(largest, std::abs(apart[static_cast<std::size_t>(at - places.begin())]));
-  return UnseenInterval{common.time[place - 1], common.time[place], largest};
+// The places of the times that are not inside of intervals of more than so many median ones.
+std::vector<std::size_t> outside_long_intervals(const std::vector<double>& times, double medians,
+                                                const std::vector<double>& knots) {
+  const double longest = medians * median_interval(knots);
+  const std::vector<std::size_t> places = intervals_of(times, knots);
+  std::vector<std::size_t> outside;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double begin = knots[places[i] - 1], end = knots[places[i]];
+    if (end - begin <= longest || times[i] <= begin || times[i] >= end) outside.push_back(i);
+  }
+  return outside;
+}
+
+// The longest gap of the series with the knots; the other is `apart` from its curve at the times.
+std::optional<UnseenInterval> longest_gap(const std::vector<double>& knots,
+                                          const std::vector<double>& times,
+                                          const std::vector<double>& apart) {
+  const double median = median_interval(knots);
+  double longest = least_gap * median;
+  const std::vector<std::size_t> places = intervals_of(times, knots);
+  std::optional<UnseenInterval> gap;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double begin = knots[places[i] - 1], end = knots[places[i]];
+    if (times[i] < begin + median || times[i] > end - median) continue;
+    if (end - begin > longest) {
+      longest = end - begin;
+      gap = {begin, end, 0};
+    }
+    if (gap && gap->begin == begin) gap->departure = std::max(gap->departure, std::abs(apart[i]));
+  }
+  return gap;
+}
+
+std::optional<UnseenInterval> unseen_by_reference(const TimeSeries& candidate,
+                                                  const CommonSamples& common) {
+  if (candidate.time.empty() || common.time.size() < 4) return std::nullopt;
+  const TimeSeries seen{candidate.name, candidate.unit, common.time, common.candidate};
+  const std::vector<double> apart = minus(interpolate(seen, candidate.time), candidate.value);
+  const auto largest = std::max_element(
+      apart.begin(), apart.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  if (std::abs(*largest) > least_departure * largest_magnitude(without_mean(candidate.value))) {
+    const std::size_t place = intervals_of(
+        candidate.time, common.time)[static_cast<std::size_t>(largest - apart.begin())];
+    return UnseenInterval{common.time[place - 1], common.time[place], std::abs(*largest)};
+  }
+  return longest_gap(common.time, candidate.time, apart);
 }
 
 }  // namespace
 
-std::optional<UnseenInterval> unseen_interval(const TimeSeries& whole_candidate,
+std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
                                               const CommonSamples& common) {
-  const TimeSeries candidate = between_ends(whole_candidate, common);
-  if (candidate.time.empty() || common.time.size() < 4) return std::nullopt;
-  const TimeSeries seen{candidate.name, candidate.unit, common.time, common.candidate};
-  const std::vector<double> apart = minus(interpolate(seen, candidate.time), candidate.value);
-  const std::vector<std::size_t> places = intervals_of(candidate.time, common);
-  const auto largest = std::max_element(
-      apart.begin(), apart.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  if (std::abs(*largest) > least_departure * largest_magnitude(without_mean(candidate.value))) {
-    const std::size_t place = places[static_cast<std::size_t>(largest - apart.begin())];
-    return UnseenInterval{common.time[place - 1], common.time[place], std::abs(*largest)};
+  const auto of_reference = unseen_by_reference(between_ends(candidate, common), common);
+  auto of_candidate =
+      longest_gap(candidate.time, common.time, minus(common.candidate, common.reference));
+  if (!of_candidate || (of_reference && of_reference->departure >= of_candidate->departure))
+    return of_reference;
+  of_candidate->in_candidate = true;
+  return of_candidate;
+}
+
+CommonSamples outside_gaps(const TimeSeries& candidate, const CommonSamples& common) {
+  CommonSamples outside;
+  for (const std::size_t i : outside_long_intervals(common.time, least_gap, candidate.time)) {
+    outside.time.push_back(common.time[i]);
+    outside.candidate.push_back(common.candidate[i]);
+    outside.reference.push_back(common.reference[i]);
   }
-  return longest_gap(places, apart, common);
+  return outside;
 }
 
 CommonSamples samples_of_both(const TimeSeries& candidate, const CommonSamples& common) {
-  std::vector<double> times = between_ends(candidate, common).time;
+  const std::vector<double> times = between_ends(candidate, common).time;
   if (times == common.time || !resolves_itself(common)) return common;
-  const std::vector<double> lengths = lengths_of_intervals(common);
-  const double longest = longest_resolved * median_of(lengths);
-  const std::vector<std::size_t> places = intervals_of(times, common);
-  std::size_t at = 0;
-  std::erase_if(times, [&](double) { return lengths[places[at++] - 1] > longest; });
+  std::vector<double> seen;
+  for (const std::size_t i : outside_long_intervals(times, longest_resolved, common.time))
+    seen.push_back(times[i]);
   CommonSamples both;
-  std::set_union(common.time.begin(), common.time.end(), times.begin(), times.end(),
+  std::set_union(common.time.begin(), common.time.end(), seen.begin(), seen.end(),
                  std::back_inserter(both.time));
   const auto at_both = [&](const std::vector<double>& values) {
     return interpolate({"", "", common.time, values}, both.time);

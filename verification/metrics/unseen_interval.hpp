@@ -1,7 +1,8 @@
-// What a reference cannot tell of a candidate, and the times at which the two can be compared. A
+// What two series cannot tell of each other, and the times at which they can be compared. A
 // candidate is known at the reference's times; between them the reference sees what the cubic
 // through these values tells (windowed_series.hpp). Where the candidate departs from that, it has
-// power beyond the reference's Nyquist frequency, or the reference has a gap.
+// power beyond the reference's Nyquist frequency, or the reference has a gap. Where the candidate
+// has a gap, it is not known at the reference's times.
 #pragma once
 
 #include <optional>
@@ -11,19 +12,26 @@
 
 namespace slosh {
 
-// Two neighbouring samples of the reference, and by how much the candidate departs at most between
-// them from the cubic through its values at the reference's times.
+// Two neighbouring samples of one series, and by how much the other departs at most between them:
+// the candidate from the cubic through its values at the reference's times, or the reference from
+// the cubic across the candidate's gap.
 struct UnseenInterval {
-  double begin, end;  // [s]
-  double departure;   // in the quantity's unit
+  double begin, end;          // [s]
+  double departure;           // in the quantity's unit
+  bool in_candidate = false;  // whether the candidate has no sample there; else the reference
 };
 
-// The interval of the largest departure, where that exceeds a twentieth of the candidate's largest
-// departure from its mean; else the longest gap, of more than ten median intervals, with two or
-// more of the candidate's samples in it; nullopt where there is neither. `common` are the samples
-// at the reference's times.
+// The interval of the candidate's largest departure, where that exceeds a twentieth of its largest
+// departure from its mean; else the reference's longest gap; or the candidate's longest gap, where
+// the departure is larger; nullopt where there is none. A gap is an interval of more than ten
+// median ones in which the other series has a sample that is more than a median from both ends.
+// `common` are the samples at the reference's times.
 std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
                                               const CommonSamples& common);
+
+// The common samples that are not inside of an interval between the candidate's samples of more
+// than ten median ones.
+CommonSamples outside_gaps(const TimeSeries& candidate, const CommonSamples& common);
 
 // The samples at the times of both series. They are `common`, those at the reference's times, where
 // the reference does not resolve its own signal: where the cubic through every second sample misses

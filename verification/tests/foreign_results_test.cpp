@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
@@ -148,6 +150,22 @@ TEST_F(ForeignResults, WithoutModesTheWholeHistoriesAreCompared) {
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("0 to 10 s"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("lag that fits best: 0.05"), std::string::npos) << ended.out;
+}
+
+// What a candidate lost is told, and judged by no curve that is made up across it.
+TEST_F(ForeignResults, ADropoutOfTheCandidateIsToldAndInconclusive) {
+  import_pair({});
+  std::istringstream lines(read("a.csv"));
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (!(std::atof(line.c_str()) > 4 && std::atof(line.c_str()) < 5.2)) kept += line + "\n";
+  write("a.csv", kept);
+  ASSERT_EQ(import_gauge("a.csv", {}).status, 0);
+  const Ended ended = compare({"--limit", "normalised_rms=0.05"});
+  EXPECT_EQ(ended.status, 5) << ended.out;
+  EXPECT_NE(ended.out.find("not compared: the candidate has no sample between 4 and 5.2 s"),
+            std::string::npos)
+      << ended.out;
 }
 
 TEST_F(ForeignResults, ACaseGivesTheWindowAndTheModes) {

@@ -107,6 +107,10 @@ TEST(Gate, DoesNotPassOnWhatTheReferencesSamplesDoNotTell) {
                                  "to 0.02 m"),
             std::string::npos)
       << outcome.message;
+  comparison.unseen->in_candidate = true;
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::inconclusive);
+  EXPECT_NE(judge(row, comparison).message.find("the candidate has no sample between 3 and 3.5 s"),
+            std::string::npos);
   row.limit = 0.0001;
   EXPECT_EQ(judge(row, comparison).verdict, Verdict::violated);
   row.limit = 0.001;

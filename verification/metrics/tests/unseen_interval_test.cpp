@@ -96,5 +96,46 @@ TEST(SamplesOfBoth, AreNotInsideADropoutOfTheReference) {
   }
 }
 
+// What a candidate lost is judged by no curve that is made up across it, and told.
+TEST(UnseenInterval, TellsADropoutOfTheCandidateAndLeavesItOut) {
+  const auto reference = sampled(pressure, 0, 20, 0.002);
+  for (const double end : {9.5005, 10.1005, 10.8}) {
+    const auto dropped = without(sampled(pressure, 0, 20, 0.001), 9.0005, end);
+    const Comparison same = compare(dropped, reference, window, {});
+    ASSERT_TRUE(same.unseen) << end;
+    EXPECT_TRUE(same.unseen->in_candidate);
+    EXPECT_NEAR(same.unseen->begin, 9.0, 1e-9);
+    EXPECT_NEAR(same.unseen->end, end, 1e-3);
+    EXPECT_GT(same.unseen->departure, 10);
+    EXPECT_LT(same.normalised_rms.value, 1e-4) << end;
+    EXPECT_LT(same.maximum_residual, 1) << end;
+    EXPECT_NEAR(same.candidate_wave.mean, same.reference_wave.mean, 0.1) << end;
+  }
+}
+
+TEST(UnseenInterval, TellsADropoutOfTheCandidateAtTheEndOfTheWindowAndInASparseReference) {
+  const auto dropped = without(sampled(pressure, -2, 22, 0.001), -1, 1.5);
+  const Comparison begin = compare(dropped, sampled(pressure, 0, 20, 0.01), window, {});
+  ASSERT_TRUE(begin.unseen);
+  EXPECT_NEAR(begin.unseen->end, 1.5, 1e-9);
+  EXPECT_LT(begin.normalised_rms.value, 1e-4);
+  const Comparison sparse = compare(dropped, sampled(pressure, 0.6, 19.9, 0.7), {0.6, 19.2}, {});
+  ASSERT_TRUE(sparse.unseen);
+  EXPECT_LT(sparse.normalised_rms.value, 1e-4);
+  const auto ends = without(sampled(pressure, 0, 20, 0.001), 0.5, 19.6);
+  EXPECT_THROW(compare(ends, sampled(pressure, 0.6, 17, 4), window, {}), ComparisonError);
+}
+
+// The rest is judged as before, and a candidate of few samples is judged by its curve.
+TEST(UnseenInterval, OfTheCandidateHidesNoErrorElsewhere) {
+  const auto reference = sampled(pressure, 0, 20, 0.002);
+  const auto scaled = without(
+      sampled([](double t) { return 3000 + 1.1 * (pressure(t) - 3000); }, 0, 20, 0.001), 9, 10);
+  EXPECT_NEAR(compare(scaled, reference, window, {}).normalised_rms.value, 0.1, 0.005);
+  const auto few = without(sampled(pressure, 0, 20, 0.1), 9.05, 9.85);
+  EXPECT_FALSE(unseen(few, reference));
+  EXPECT_GT(compare(few, reference, window, {}).maximum_residual, 50);
+}
+
 }  // namespace
 }  // namespace slosh::unseen_interval_test
