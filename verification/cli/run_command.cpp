@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 
+#include "verification/assessment/doubts/motion_noise.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
@@ -119,6 +120,7 @@ int leave_result(const RunResult& result, const fs::path& file, const RunSetting
                  const CaseDefinition& definition, const RunDefinition& run) {
   write_result(result, file);
   std::cout << run_summary(result, definition, run) << "result: " << file.string() << "\n";
+  if (!is_record(run)) std::cout << doubtful_motion(definition);
   if (settings.snapshot_interval != 0)
     std::cout << "snapshots: " << snapshot_index(settings.work_directory, result.run_name).string()
               << "\n";

@@ -191,7 +191,11 @@ TEST_F(CaseForCodes, TellsOfAMotionWhoseAccelerationIsMostlyNoise) {
              "\"table\"\nfile = \"surge.csv\""));
   const Ended ended = tool({"case", "./small.toml", "--for", "csv", "-o", "tables"});
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_TRUE(holds(ended.out, "doubtful: the noise of motion.surge, whose table surge.csv"));
+  const char* doubt = "doubtful: the noise of motion.surge, whose table surge.csv";
+  EXPECT_TRUE(holds(ended.out, doubt));
+  const Ended theory = run("theory");
+  EXPECT_EQ(theory.status, 0) << theory.err;
+  EXPECT_TRUE(holds(theory.out, doubt)) << theory.out;
 }
 
 TEST_F(CaseForCodes, IsRefusedWithTheOptionTheKeyAndThePlace) {

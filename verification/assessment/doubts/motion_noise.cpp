@@ -116,4 +116,11 @@ std::vector<ModelLimit> motion_noise(const CaseDefinition& definition) {
   return limits;
 }
 
+std::string doubtful_motion(const CaseDefinition& definition) {
+  std::string lines;
+  for (const ModelLimit& noise : motion_noise(definition))
+    if (noise.exceeded()) lines += "doubtful: " + limit_text(noise) + "\n";
+  return lines;
+}
+
 }  // namespace slosh

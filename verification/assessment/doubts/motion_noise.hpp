@@ -5,6 +5,7 @@
 // mean of whose square over all a is 36 / dt^4.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "verification/assessment/doubts/model_limit.hpp"
@@ -15,5 +16,8 @@ namespace slosh {
 // Returns, for each motion by a table of seven points or more, the rms of the noise over that of
 // the acceleration, both at the table's points, and with it which smoothing would leave a tenth.
 std::vector<ModelLimit> motion_noise(const CaseDefinition& definition);
+
+// "doubtful: the noise of motion.surge, ...", one line for each of them that is exceeded.
+std::string doubtful_motion(const CaseDefinition& definition);
 
 }  // namespace slosh

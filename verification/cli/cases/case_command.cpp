@@ -88,9 +88,7 @@ int leave_case_for_code(const CaseOptions& options, const Installation& installa
   } catch (const fs::filesystem_error& error) {
     throw CaseFileError(std::string("--output: ") + error.what());
   }
-  std::cout << "case: " << options.output.string() << "\n";
-  for (const ModelLimit& noise : motion_noise(definition))
-    if (noise.exceeded()) std::cout << "doubtful: " << limit_text(noise) << "\n";
+  std::cout << "case: " << options.output.string() << "\n" << doubtful_motion(definition);
   return exit_pass;
 }
 
