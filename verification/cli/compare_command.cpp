@@ -133,7 +133,7 @@ std::string peaks_text(const std::vector<SpectralPeak>& peaks) {
 
 void print_modes(const Comparison& comparison) {
   std::cout << fmt::format("lag by cross-correlation: {:.4g} s\n",
-                           comparison.cross_correlation_lag);
+                           0.0 + comparison.cross_correlation_lag);
   for (const ModeComparison& mode : comparison.modes) {
     std::cout << fmt::format("mode {} ({:.4g} Hz){}\n", mode.mode,
                              mode.reference.angular_frequency.value / (2 * std::numbers::pi),
@@ -182,9 +182,11 @@ void print(const Comparison& comparison) {
             << with_interval(comparison.sprague_geers_phase, "1") << "\n";
   print_band(comparison);
   if (!comparison.modes.empty()) return print_modes(comparison);
-  std::cout << fmt::format("lag that fits best: {:.4g} s, normalised rms without it: {}\n",
-                           comparison.alignment.lag,
-                           in_unit(comparison.alignment.normalised_rms, "1"));
+  const auto& [lag, left] = comparison.alignment;
+  std::cout << "lag that fits best: "
+            << (std::isnan(lag) ? "none\n"
+                                : fmt::format("{:.4g} s, normalised rms without it: {}\n",
+                                              0.0 + lag, in_unit(left, "1")));
 }
 
 Json outcome_entry(const GateOutcome& outcome) {

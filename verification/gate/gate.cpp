@@ -345,7 +345,8 @@ std::string row_name(const GateRow& row) {
 }
 
 std::string in_unit(double value, const std::string& unit) {
-  return unit == "1" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} {}", value, unit);
+  const double shown = 0.0 + value;  // no negative zero
+  return unit == "1" ? fmt::format("{:.3g} %", 100 * shown) : fmt::format("{:.3g} {}", shown, unit);
 }
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {

@@ -38,7 +38,7 @@ double round_to_place(double value, int place) {
 }
 
 std::string interval_text(const Estimate& estimate) {
-  const auto [value, half_width] = estimate;
+  const double value = 0.0 + estimate.value, half_width = estimate.half_width;  // no negative zero
   if (std::isinf(half_width)) return "not determined";
   if (!(half_width > 0) || !std::isfinite(value)) return fmt::format("{:.3g}", value);
   int place = last_place(value, half_width);

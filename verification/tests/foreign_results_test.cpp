@@ -150,6 +150,21 @@ TEST_F(ForeignResults, WithoutModesTheWholeHistoriesAreCompared) {
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("0 to 10 s"), std::string::npos) << ended.out;
   EXPECT_NE(ended.out.find("lag that fits best: 0.05"), std::string::npos) << ended.out;
+  const Ended anew = tool({"import", "a.csv", "--format", "dualsphysics_gauge", "--series",
+                           "elevation@right=swlz", "--offset", "30", "-o", "a.csv.h5"});
+  ASSERT_EQ(anew.status, 0) << anew.err;
+  const Ended raised = compare({});
+  EXPECT_NE(raised.out.find("lag that fits best: none\n"), std::string::npos) << raised.out;
+}
+
+TEST_F(ForeignResults, OfOneSeriesHaveNoNegativeZero) {
+  import_pair({});
+  const std::vector<std::string> none, two{"--frequency", "0.8", "--frequency", "1.7"};
+  for (const auto& modes : {none, two}) {
+    const Ended ended = compare(modes);
+    EXPECT_EQ(ended.out.find(" -0 "), std::string::npos) << ended.out;
+    EXPECT_EQ(ended.out.find("(-0 "), std::string::npos) << ended.out;
+  }
 }
 
 // What a candidate lost is told, and judged by no curve that is made up across it.

@@ -8,7 +8,10 @@
 namespace slosh {
 namespace {
 
-std::string in_percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+std::string in_percent(double share) {
+  const double percent = 100 * share;
+  return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
 
 }  // namespace
 

@@ -87,6 +87,13 @@ TEST(MotionNoise, IsNotAStopOfTheTankNorATankAtRest) {
   EXPECT_EQ(limit_of(rest).value, 0);
 }
 
+TEST(MotionNoise, OfNothingButNoiseIsWrittenAsAHundredPerCent) {
+  EXPECT_EQ(limit_text({"noise", 1, 0.5, "of it", "source"}),
+            "noise: 100 % of it, limit 50 % (source)");
+  EXPECT_EQ(limit_text({"noise", 0.996, 0.079, "of it", "source"}),
+            "noise: 100 % of it, limit 7.9 % (source)");
+}
+
 TEST(MotionNoise, DoubtsNaN) {
   TableMotion table = sine_table(100, 0);
   table.value[200] = std::numeric_limits<double>::quiet_NaN();

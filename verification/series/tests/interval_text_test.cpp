@@ -21,7 +21,10 @@ TEST(IntervalText, EndsTheValueWhereItsIntervalEnds) {
   EXPECT_EQ(interval_text({5.62, 4.73}), "6 ± 5");
 }
 
-TEST(IntervalText, HasNoNegativeZero) { EXPECT_EQ(interval_text({-0.00179, 0.34}), "0.00 ± 0.34"); }
+TEST(IntervalText, HasNoNegativeZero) {
+  EXPECT_EQ(interval_text({-0.00179, 0.34}), "0.00 ± 0.34");
+  EXPECT_EQ(interval_text({-0.0, 0}), "0");
+}
 
 TEST(IntervalText, RoundsAnIntervalUpToTheFourthDigitOfTheValue) {
   EXPECT_EQ(interval_text({10.937, 0.0031}), "10.94 ± 0.01");
