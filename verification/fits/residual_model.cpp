@@ -261,10 +261,11 @@ VectorXd correction_by(const FitResidual& residual, const std::vector<ToneShape>
 std::vector<ToneShape> of_either(const std::vector<ToneShape>& tones,
                                  const std::vector<ToneShape>& others, const ToneShape& requested,
                                  double span) {
+  const double bin = 2 * pi / span;
   std::vector<ToneShape> found;
   for (const auto* of : {&tones, &others})
     for (const ToneShape& one : *of)
-      if (!near(one, requested, span) &&
+      if (one.angular_frequency >= bin && !near(one, requested, span) &&
           std::none_of(found.begin(), found.end(), [&](const ToneShape& other) {
             return std::abs(one.angular_frequency - other.angular_frequency) < pi / span;
           }))

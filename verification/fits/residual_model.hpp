@@ -60,8 +60,9 @@ ResidualModel model_residual(const FitResidual& residual, std::optional<std::siz
 // frequency and decay rate.
 Eigen::VectorXd correction_by(const FitResidual& residual, const std::vector<ToneShape>& known);
 
-// Those of both lists that a window of this length tells from the requested tone, where tones
-// within half a spectral bin of each other count once.
+// Those of both lists that a window of this length tells from the requested tone and from the
+// trend, from which a tone below one spectral bin differs by little. Tones within half a bin of
+// each other count once.
 std::vector<ToneShape> of_either(const std::vector<ToneShape>& tones,
                                  const std::vector<ToneShape>& others, const ToneShape& requested,
                                  double span);

@@ -4,6 +4,8 @@
 // the tones the comparison should refuse the pair; refused pairs are counted separately. Source:
 // Student 1908. The standard error of a share of 400 at 0.95 is 0.011, so that a deviation of 0.04
 // is 3.7 standard errors: one of a hundred right shares deviates by more in one of fifty campaigns.
+// Scenarios that the comparison should refuse have 1600 pairs: their share is held against 0.05
+// itself, near which it lies (0.045), and of 400 pairs it is uncertain by 0.011.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +16,7 @@
 namespace slosh {
 namespace {
 
-constexpr int draws = 400;
+int draws_of(const IntervalScenario& scenario) { return scenario.to_be_refused ? 1600 : 400; }
 
 double share_of(int count, int all) { return static_cast<double>(count) / all; }
 
@@ -41,7 +43,7 @@ void add_rows(const IntervalScenario& scenario, const IntervalCoverage& found,
          fmt::format("{:.4g} s", scenario.window.end - scenario.window.begin), quantity.name,
          any ? fmt::format("{:.1f} %", 100 * share_of(quantity.held, found.judged)) : "none judged",
          any ? fmt::format("{:.2f}", quantity.mean_half_width / quantity.rms_error) : "",
-         fmt::format("{} of {}", found.refused, draws)});
+         fmt::format("{} of {}", found.refused, draws_of(scenario))});
   }
 }
 
@@ -59,13 +61,13 @@ ProblemOutcome run(bool quick) {
   for (const IntervalScenario& scenario : interval_scenarios()) {
     ++place;
     if (quick && !scenario.quick) continue;
-    const IntervalCoverage found = interval_coverage(scenario, draws);
+    const IntervalCoverage found = interval_coverage(scenario, draws_of(scenario));
     add_rows(scenario, found, table);
     if (scenario.to_be_refused) {
-      answered.errors.push_back({place, share_of(found.judged, draws)});
+      answered.errors.push_back({place, share_of(found.judged, draws_of(scenario))});
     } else {
       if (!scenario.may_be_refused)
-        refused.errors.push_back({place, share_of(found.refused, draws)});
+        refused.errors.push_back({place, share_of(found.refused, draws_of(scenario))});
       add_errors(place, scenario, found, scenario.deterministic_leftovers ? leftovers : noise);
     }
   }
