@@ -267,7 +267,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"plateau_Pa", "number > 0, Pa", "with plateau_begin_s",
          "The published mean pressure between the two."},
         {"arrival_share", "number > 0 and < 1", "with arrivals_s",
-         "An impact arrives when the pressure comes to this share of its published peak and holds it."},
+         "An impact arrives when the pressure comes to this share of its published peak and holds "
+         "it."},
         {"arrivals_s", "list of numbers > 0, s", "with arrival_share",
          "The published arrivals: as many as times_s."},
         {"arrivals_half_width_s", "number > 0, s", "no", "Half the 95 % interval of the arrivals."},
@@ -461,7 +462,8 @@ const std::vector<KeyTable>& case_key_tables() {
        "A published series below the directory that `--experiments` or `SLOSH_EXPERIMENTS` names. "
        "Rows that need it are not compared where it is absent.",
        {{"experiment", "path below that directory", "yes", "A CSV file."},
-        {"time_column", "text", "yes", "The name of the column of times, in s where the file does not say it."},
+        {"time_column", "text", "yes",
+         "The name of the column of times, in s where the file does not say it."},
         {"value_column", "text", "yes", "The name of the column of values."},
         {"quantity", "compared quantity", "yes", "What the record measures."},
         {"unit", "unit of the quantity", "yes", "The unit of the values."},

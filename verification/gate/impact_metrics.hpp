@@ -45,9 +45,10 @@ double expected_time(std::size_t n, const TimeSeries& pressure, const TimeSeries
                      const CaseDefinition& definition);
 
 // The time [s] at which the pressure comes to the declared share of the n-th published peak and
-// holds it, n from 0; nullopt where it does not. Of a filtered pressure too, the published arrival is that of
-// the unfiltered record: a filter of zero phase moves the middle of a rise by less than its own
-// width, 0.13 / cutoff. Throws ComparisonError where none is published, and as arrival_time() does.
+// holds it, n from 0; nullopt where it does not. Of a filtered pressure too, the published arrival
+// is that of the unfiltered record: a filter of zero phase moves the middle of a rise by less than
+// its own width, 0.13 / cutoff. Throws ComparisonError where none is published, and as
+// arrival_time() does.
 std::optional<double> arrival_in(const TimeSeries& pressure, std::size_t n,
                                  const CaseDefinition& definition);
 

@@ -18,8 +18,8 @@ bool fits_tank_file(const CaseDefinition& definition);
 
 // Returns the text of the file: the tank, the liquid, the initial wave (of the amplitude 0 where
 // there is none), the surge, the gauges of the surface, and the times. The surge is the tank's
-// acceleration X''(t) at the times of motion_table.hpp, and the liquid's first velocity in the tank's
-// frame, -X'(0) of a start in the earth's frame. Throws std::invalid_argument for a case
+// acceleration X''(t) at the times of motion_table.hpp, and the liquid's first velocity in the
+// tank's frame, -X'(0) of a start in the earth's frame. Throws std::invalid_argument for a case
 // that does not fit it.
 std::string tank_file(const CaseDefinition& definition);
 
