@@ -41,8 +41,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   read_or_refuse([&] {
     slosh::read_time_columns(path, {"t_s", "p_Pa", {"unit", "Pa", "pressure", "Pa"}});
   });
-  read_or_refuse([&] { slosh::read_surge_table(path, 1.0); });
-  read_or_refuse([&] { slosh::read_roll_table(path, 1.0); });
+  read_or_refuse([&] { slosh::read_surge_table({path, 1.0, 0}); });
+  read_or_refuse([&] { slosh::read_roll_table({path, 1.0, -0.1}); });
   read_or_refuse([&] { slosh::read_peak_table(path); });
   for (const slosh::FileFormat& format : slosh::file_formats())
     if (format.read_head) read_or_refuse([&] { slosh::import_series(source_of(format, path)); });

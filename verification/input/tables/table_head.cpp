@@ -12,7 +12,7 @@
 namespace slosh {
 namespace {
 
-constexpr std::string_view white = " \t", comment_marks = "#%", separators = ";\t, ";
+constexpr std::string_view blank_or_tab = " \t", comment_marks = "#%", separators = ";\t, ";
 
 std::vector<std::string_view> words_of(std::string_view line, std::string_view blanks) {
   std::vector<std::string_view> words;
@@ -62,7 +62,7 @@ std::vector<std::string_view> parts_at(std::string_view line, const std::vector<
 
 // Each run of blanks as one, and none just inside of brackets.
 std::string in_one_spelling(std::string_view text) {
-  std::string spelt = fmt::format("{}", fmt::join(words_of(text, white), " "));
+  std::string spelt = fmt::format("{}", fmt::join(words_of(text, blank_or_tab), " "));
   for (const auto& [blank, tight] : {std::pair{"[ ", "["}, {" ]", "]"}, {"( ", "("}, {" )", ")"}})
     for (std::size_t at; (at = spelt.find(blank)) != spelt.npos;) spelt.replace(at, 2, tight);
   return spelt;
