@@ -44,6 +44,8 @@ const ClaimsOfPaper& claims_named(const std::string& paper);
 
 // The claims of a paper on these results. The cases must outlive what is returned.
 std::vector<Claim> claims_of(const std::string& paper, const std::vector<CaseAssessment>& cases);
+std::vector<Claim> claims_of(const std::string& paper,
+                             std::vector<CaseAssessment>&& cases) = delete;
 
 reports::Table deviations_table(const std::string& paper);
 

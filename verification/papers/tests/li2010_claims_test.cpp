@@ -99,6 +99,8 @@ RunResult large_result(const std::string& run, const LargeRun& large) {
 }
 
 using Cases = std::vector<CaseAssessment>;
+
+const Cases no_cases;  // of a campaign whose cases have no run
 using RunsOfCase = std::vector<std::pair<std::string, LargeRun>>;
 
 CaseAssessment large_case(const std::string& name, double period, const RunsOfCase& runs) {
@@ -183,7 +185,7 @@ bool rests_on_runs(const Claim& claim) { return claim.not_decidable.empty(); }
 
 TEST(ClaimsOfLi2010, AreThoseOfThePaperUnderItsNumbers) {
   std::vector<std::string> numbers;
-  for (const Claim& one : claims_of("li2010", {})) numbers.push_back(one.number);
+  for (const Claim& one : claims_of("li2010", no_cases)) numbers.push_back(one.number);
   EXPECT_EQ(
       numbers,
       (std::vector<std::string>{
@@ -204,7 +206,7 @@ TEST(ClaimsOfLi2010, AreConfirmedByWhatIsAsClaimed) {
 }
 
 TEST(ClaimsOfLi2010, AreNotDecidableWithoutAnyCase) {
-  for (const Claim& one : claims_of("li2010", {})) {
+  for (const Claim& one : claims_of("li2010", no_cases)) {
     const DecidedClaim decided = decide(one);
     EXPECT_EQ(decided.held, Held::undecided) << one.number;
     if (rests_on_runs(one)) {
