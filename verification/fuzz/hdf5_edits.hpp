@@ -3,12 +3,12 @@
 // places.
 #pragma once
 
-#include <fuzzer/FuzzedDataProvider.h>
-
 #include <string>
+
+#include "verification/fuzz/byte_choices.hpp"
 
 namespace slosh {
 
-std::string edited(const std::string& image, FuzzedDataProvider& choices);
+std::string edited(const std::string& image, ByteChoices& choices);
 
 }  // namespace slosh

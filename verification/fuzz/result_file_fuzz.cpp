@@ -2,8 +2,6 @@
 // fits: what it holds or a ResultError. The bytes of the image itself are not mutated: HDF5 1.10
 // hangs, leaks or asks for any memory within seconds of that, and the seal is what keeps damaged
 // bytes from it.
-#include <fuzzer/FuzzedDataProvider.h>
-
 #include <array>
 #include <cstdlib>
 
@@ -70,8 +68,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
   static const hdf5::QuietErrors quiet;
   static MemoryFile file;
   static const std::array<Sealed, 2> samples = samples_of_both();
-  FuzzedDataProvider choices(bytes, count);
-  const Sealed& sample = samples[choices.ConsumeBool()];
+  ByteChoices choices(bytes, count);
+  const Sealed& sample = samples[choices.flag()];
   const std::string image = edited(sample.image, choices);
   file.replace(image + sample.seal_begin + content_hash(image) + "\n");
   try {

@@ -216,8 +216,9 @@ run 0 test
 expect_in "$project/build/release/unit_tests" OFF # they run under the sanitizers alone
 [ "$(tail -n 1 "$work/out")" = "100% tests passed, 0 tests failed out of 1" ] || fail "another closing line"
 expect_in "$work/out" "under the sanitizers: 100% tests passed, 0 tests failed out of 1"
-expect_in "$work/out" "fuzz targets: 100% tests passed, 0 tests failed out of 1"
+! grep -q fuzz "$work/out" || fail "fuzzed without --all"
 run 1 test --all
+expect_in "$work/out" "fuzz targets: 100% tests passed, 0 tests failed out of 1"
 [ "$(tail -n 1 "$work/out")" = "50% tests passed, 1 tests failed out of 2" ] || fail "another closing line"
 expect_in "$work/out" "  failed: long (Failed)"
 expect_in "$project/build/release/unit_tests" ON
@@ -263,7 +264,7 @@ run 1 fuzz no_such_target
 echo 1 >"$work/fuzzer"
 run 2 fuzz
 expect_in "$work/err" "the fuzz targets need clang"
-run 0 test
+run 1 test --all
 expect_in "$work/out" "fuzz targets: skipped"
 
 # Without clang-format its check is left out, and does not fail the others.
