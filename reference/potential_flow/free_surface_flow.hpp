@@ -18,7 +18,7 @@
 // The flow is inviscid and irrotational, eta is a function of x, and there is no surface tension.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "reference/potential_flow/mapped_laplace.hpp"
 #include "reference/potential_flow/tank_motion.hpp"

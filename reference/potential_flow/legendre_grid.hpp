@@ -6,7 +6,7 @@
 // n^-4, because the nodes are dense there.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace slosh::reference {
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "reference/decompositions.hpp"
+
 namespace slosh::reference {
 namespace {
 
@@ -20,14 +22,13 @@ MappedLaplace::MappedLaplace(double length, double depth, int nodes_x, int nodes
     return grid.derivative.transpose() * grid.weights.asDiagonal() * grid.derivative;
   };
   const auto inner = nodes_z - 1;  // without the surface, whose values are given
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> along(stiffness_of(x_),
-                                                                 x_.weights.asDiagonal());
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> up(
-      stiffness_of(s_).topLeftCorner(inner, inner), s_.weights.head(inner).asDiagonal());
-  modes_x_ = along.eigenvectors();
-  modes_s_ = up.eigenvectors();
-  inverse_stiffness_ = (depth * along.eigenvalues().replicate(1, inner) +
-                        up.eigenvalues().transpose().replicate(nodes_x, 1) / depth)
+  const Eigenpairs along = generalized_eigenpairs(stiffness_of(x_), x_.weights.asDiagonal());
+  const Eigenpairs up = generalized_eigenpairs(stiffness_of(s_).topLeftCorner(inner, inner),
+                                               s_.weights.head(inner).asDiagonal());
+  modes_x_ = along.vectors;
+  modes_s_ = up.vectors;
+  inverse_stiffness_ = (depth * along.values.replicate(1, inner) +
+                        up.values.transpose().replicate(nodes_x, 1) / depth)
                            .array()
                            .inverse();
   set_surface(VectorXd::Zero(nodes_x));

@@ -12,7 +12,7 @@
 // Rice & Thomas, 1964). The flux converges spectrally where eta and the data are smooth.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <stdexcept>
 #include <string>
 

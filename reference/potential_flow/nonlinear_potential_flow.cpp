@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/decompositions.hpp"
 #include "reference/natural_frequency.hpp"
 #include "reference/potential_flow/free_surface_flow.hpp"
 #include "reference/require.hpp"
@@ -69,7 +70,7 @@ class Run {
       : sloshing_(sloshing),
         observation_(observation),
         flow_(sloshing.tank, sloshing.motion, sloshing.nodes_x, sloshing.nodes_z),
-        from_coefficients_(flow_.x().coefficients.inverse()),
+        from_coefficients_(inverse(flow_.x().coefficients)),
         period_(2 * std::numbers::pi / natural_frequency(sloshing.tank, 1)) {
     record_.elevation.resize(observation.gauges.size());
     for (auto* series : {&record_.pressure, &record_.velocity_x, &record_.velocity_z})

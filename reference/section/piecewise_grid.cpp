@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "reference/decompositions.hpp"
+
 namespace slosh::reference {
 namespace {
 
@@ -14,10 +16,9 @@ struct Gauss {
   explicit Gauss(int count) {
     Eigen::VectorXd off_diagonal(count - 1);
     for (int k = 1; k < count; ++k) off_diagonal[k - 1] = k / std::sqrt(4.0 * k * k - 1);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(Eigen::VectorXd::Zero(count), off_diagonal);
-    points = solver.eigenvalues();
-    weights = 2 * solver.eigenvectors().row(0).transpose().array().square();
+    const Eigenpairs pairs = tridiagonal_eigenpairs(off_diagonal);
+    points = pairs.values;
+    weights = 2 * pairs.vectors.row(0).transpose().array().square();
   }
 };
 

@@ -2,7 +2,7 @@
 // (potential_flow/legendre_grid.hpp), and Gauss's quadrature that integrates their products.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "reference/potential_flow/legendre_grid.hpp"

@@ -17,6 +17,7 @@
 #include <numbers>
 #include <optional>
 
+#include "reference/decompositions.hpp"
 #include "reference/require.hpp"
 
 namespace slosh::reference {
@@ -114,11 +115,11 @@ void SectionFlow::solve_modes(const Condensed& surface, int modes) {
   const double half_width = (right_ - left_) / 2;
   const MatrixXd mass =
       half_width * across_.values.transpose() * across_.weights.asDiagonal() * across_.values;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(surface.stiffness, mass);
+  const Eigenpairs pairs = generalized_eigenpairs(surface.stiffness, mass);
   // The first eigenvector is the constant.
   const Index rest = across_.size() - 1;
-  const MatrixXd shapes = solver.eigenvectors().rightCols(rest);
-  const VectorXd kappa = solver.eigenvalues().tail(rest);
+  const MatrixXd shapes = pairs.vectors.rightCols(rest);
+  const VectorXd kappa = pairs.values.tail(rest);
 
   const VectorXd x = half_width * across_.nodes;
   const VectorXd all_lines = shapes.transpose() * (mass * x),

@@ -17,7 +17,7 @@
 // matrix on the surface, of which the modes are the eigenvectors.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <string_view>
 #include <vector>
 

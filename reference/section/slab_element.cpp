@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/decompositions.hpp"
+
 namespace slosh::reference {
 namespace {
 
@@ -87,9 +89,11 @@ SlabElement::SlabElement(const Slab& slab, const PiecewiseGrid& across, int degr
   if (slab.pointed()) join_bottom(n, matrix, load);
 
   const Index inner = matrix.rows() - n;
-  const Eigen::LLT<MatrixXd> factors(matrix.topLeftCorner(inner, inner));
-  MatrixXd from_top = -factors.solve(matrix.topRightCorner(inner, n));
-  VectorXd from_load = factors.solve(load.head(inner));
+  MatrixXd right(inner, n + 1);
+  right << matrix.topRightCorner(inner, n), load.head(inner);
+  const MatrixXd solved = solve_positive(matrix.topLeftCorner(inner, inner), right);
+  MatrixXd from_top = -solved.leftCols(n);
+  VectorXd from_load = solved.col(n);
   MatrixXd schur = matrix.bottomRightCorner(n, n) + matrix.bottomLeftCorner(n, inner) * from_top;
   condensed_ = {.stiffness = (schur + schur.transpose()) / 2,
                 .load = load.tail(n) + from_top.transpose() * load.head(inner),

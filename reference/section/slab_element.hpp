@@ -11,7 +11,7 @@
 // whole boundary is that over the area.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 
 #include "reference/section/piecewise_grid.hpp"
